@@ -1,0 +1,70 @@
+# Two commands do all: `make figures` and `make test`. Each installs what is missing, builds, and runs only what changed.
+#
+#   make PRESET=dev ...                     another preset of CMakePresets.json, in build-dev/
+#   make NLMECH_CHAPTERS=geodesy ...        a choice of chapters; NLMECH_PEERS=none for no peers
+
+PRESET ?= release
+BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
+OUT := .
+SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS,$(if $($(v)),-D$(v)='$($(v))'))
+CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
+DRAWN = $(CHAPTERS:%=figures/%/.complete)
+
+.PHONY: help deps configure build figures tables test check book clean
+help:
+	@echo "make figures         every figure and table of every chapter"
+	@echo "make test            all tests but the long ones"
+	@echo "make tables          numbers and tables without drawing"
+	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
+	@echo "make check           published beside reproduced, verdicts; tables/REPRODUCTION.md"
+	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
+	@echo "make build           programs in $(BUILD)/bin"
+	@echo "make deps            install missing Debian packages (packages.txt)"
+	@echo "make clean           remove what was built and generated"
+	@echo "PRESET=release|dev|asan|repro   NLMECH_CHAPTERS=name,...   NLMECH_PEERS=name,...|none"
+
+deps:
+	@scripts/install-packages
+
+# CMake runs again by itself when its files change; a change of selection is passed on at every call.
+configure: deps
+	@words=$$(cmake --preset $(PRESET) $(SELECTION) 2>&1) || { echo "$$words"; exit 1; }
+
+build: configure
+	@cmake --build $(BUILD)
+
+figures: build
+	@$(MAKE) --no-print-directory draw
+
+# The second call of make knows the chapters that the configuration selected.
+.PHONY: draw
+draw: $(DRAWN)
+
+figures/%/.complete: $(BUILD)/bin/% figures/style.gp $(wildcard figures/templates/*.gp)
+	@$< run --all --out $(OUT)
+	@touch $@
+
+tables: build
+	@for c in $$(cat $(BUILD)/chapters.txt); do $(BUILD)/bin/$$c run --all --no-plots --out $(OUT) || exit 1; done
+
+chapter-%: build
+	@$(MAKE) --no-print-directory figures/$*/.complete
+	@$(BUILD)/bin/$* check --out $(OUT)
+
+test: build
+	@ctest --preset $(PRESET) -j2
+
+# All chapters are checked before the command says whether one missed a promise.
+check: build
+	@missed=0; for c in $$(cat $(BUILD)/chapters.txt); do \
+	  $(BUILD)/bin/$$c check --out $(OUT) > /dev/null || missed=1; done; \
+	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
+	exit $$missed
+
+book: figures
+	@$(MAKE) --no-print-directory check > /dev/null
+	@cmake --build $(BUILD) --target book
+
+clean:
+	@rm -rf $(BUILD) results book
+	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published -exec rm -rf {} +

@@ -1,0 +1,72 @@
+# The book: pages, API reference and evidence as HTML that works from the file system (`make book`).
+#
+#   include(NlmechBook)
+#   nlmech_add_book()
+#
+# reads these variables, if they are set:
+#   NLMECH_BOOK      ON (default): there is a target `book`. It is never part of `all`.
+#   NLMECH_CHAPTERS  chapters of this build, in reading order; each has chapters/<name>/<name>.md
+#   NLMECH_OUT       folder with the generated figures/, tables/ and results/; default: the top of the source tree
+# and takes these arguments, all optional:
+#   CHAPTERS names...   instead of NLMECH_CHAPTERS
+#   OUT folder          instead of NLMECH_OUT
+#   DEPENDS targets...  built before, such as one that draws the figures
+#
+# The book is written to <build>/book/html/index.html. What it needs (Doxygen, its style sheet, MathJax) is looked for
+# when the target is built: a machine without them configures and builds everything else.
+include_guard(GLOBAL)
+
+option(NLMECH_BOOK "Offer the target `book` (needs doxygen, doxygen-awesome-css, libjs-mathjax when built)" ON)
+
+set(_nlmech_book_scripts "${CMAKE_CURRENT_LIST_DIR}/../scripts/book")
+
+function(nlmech_add_book)
+  cmake_parse_arguments(PARSE_ARGV 0 book "" "OUT" "CHAPTERS;DEPENDS")
+  if(book_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "nlmech_add_book: unknown argument '${book_UNPARSED_ARGUMENTS}'")
+  endif()
+  if(NOT NLMECH_BOOK)
+    return()
+  endif()
+  if(NOT book_CHAPTERS)
+    set(book_CHAPTERS ${NLMECH_CHAPTERS})
+  endif()
+  if(NOT book_OUT)
+    set(book_OUT "${NLMECH_OUT}")
+  endif()
+  if(NOT book_OUT)
+    set(book_OUT "${PROJECT_SOURCE_DIR}")
+  endif()
+  get_filename_component(book_OUT "${book_OUT}" ABSOLUTE BASE_DIR "${PROJECT_SOURCE_DIR}")
+
+  # All that the scripts need to know, in a file, so that no list has to survive a command line.
+  set(folder "${PROJECT_BINARY_DIR}/book")
+  set(settings "# Written by nlmech_add_book().\n")
+  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}" "VERSION|${PROJECT_VERSION}"
+               "CHAPTERS|${book_CHAPTERS}")
+    string(REPLACE "|" " [==[" pair "${pair}")
+    string(APPEND settings "set(BOOK_${pair}]==])\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${folder}/settings.cmake" CONTENT "${settings}" @ONLY)
+
+  # The dependency file names what the last build read. The globs add what it cannot know: files that are new since.
+  get_filename_component(scripts "${_nlmech_book_scripts}" ABSOLUTE)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.cmake")
+  file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/*")
+  list(FILTER texts EXCLUDE REGEX "/gallery$")
+  add_custom_command(
+    OUTPUT "${folder}/book.stamp"
+    COMMAND "${CMAKE_COMMAND}" "-DBOOK_SETTINGS=${folder}/settings.cmake" -P "${scripts}/build.cmake"
+    DEPENDS "${folder}/settings.cmake" ${sources} ${texts} ${book_DEPENDS}
+    DEPFILE "${folder}/book.d"
+    COMMENT "Book: ${folder}/html/index.html"
+    VERBATIM)
+  add_custom_target(book DEPENDS "${folder}/book.stamp")
+  if(book_DEPENDS)
+    add_dependencies(book ${book_DEPENDS})
+  endif()
+  if(BUILD_TESTING)
+    add_test(NAME book.scripts COMMAND "${CMAKE_COMMAND}" "-DWORK=${folder}/test" -P "${scripts}/test.cmake")
+    set_tests_properties(book.scripts PROPERTIES LABELS unit)
+  endif()
+endfunction()

@@ -1,0 +1,30 @@
+# Libraries are looked for where something selected needs them, and only there.
+#
+#   nlmech_require(fmt fmt libfmt-dev)               find_package(fmt), by name, Debian package
+#   nlmech_require_pkg(geographiclib libgeographiclib-dev)   by pkg-config: imported target PkgConfig::geographiclib
+#
+# Each found library's version goes into the provenance of every scene.
+
+function(nlmech_note_library name version)
+  set_property(GLOBAL APPEND PROPERTY NLMECH_LIBRARIES "${name} ${version}")
+endfunction()
+
+macro(nlmech_require name package debian)
+  find_package(${package} QUIET ${ARGN})
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "${name} was not found. On Debian: apt-get install ${debian}")
+  endif()
+  nlmech_note_library(${name} "${${package}_VERSION}")
+endmacro()
+
+macro(nlmech_require_pkg name debian)
+  find_package(PkgConfig QUIET)
+  if(NOT PkgConfig_FOUND)
+    message(FATAL_ERROR "pkg-config was not found. On Debian: apt-get install pkg-config")
+  endif()
+  pkg_check_modules(${name} QUIET IMPORTED_TARGET GLOBAL ${name})
+  if(NOT ${name}_FOUND)
+    message(FATAL_ERROR "${name} was not found. On Debian: apt-get install ${debian}")
+  endif()
+  nlmech_note_library(${name} "${${name}_VERSION}")
+endmacro()

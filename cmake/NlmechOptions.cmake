@@ -1,0 +1,43 @@
+# What is built, and how.
+
+# The chapters in the order of the book. A chapter is built once its folder exists.
+set(NLMECH_ALL_CHAPTERS geodesy)
+# Established libraries that chapters compare with, behind our interfaces.
+set(NLMECH_ALL_PEERS geographiclib)
+
+set(NLMECH_CHAPTERS "all" CACHE STRING "Chapters to build: all, or a list of ${NLMECH_ALL_CHAPTERS}")
+set(NLMECH_PEERS "all" CACHE STRING "Peers to compare with: all, none, or a list of ${NLMECH_ALL_PEERS}")
+option(NLMECH_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(NLMECH_BOOK "Offer the target 'book'" ${PROJECT_IS_TOP_LEVEL})
+option(NLMECH_WARNINGS_ARE_ERRORS "Development: every warning is an error" OFF)
+set(NLMECH_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize: address,undefined")
+
+# Turns "all" into the whole list, and refuses a name that is not in it.
+function(nlmech_resolve_selection variable all)
+  set(chosen "${${variable}}")
+  string(REPLACE "," ";" chosen "${chosen}")
+  if(chosen STREQUAL "all")
+    set(chosen ${all})
+  elseif(chosen STREQUAL "none")
+    set(chosen "")
+  endif()
+  foreach(name IN LISTS chosen)
+    if(NOT name IN_LIST all)
+      list(JOIN all ", " known)
+      message(FATAL_ERROR "${variable}: there is no '${name}'; there is ${known}")
+    endif()
+  endforeach()
+  set(${variable}_SELECTED "${chosen}" PARENT_SCOPE)
+endfunction()
+nlmech_resolve_selection(NLMECH_CHAPTERS "${NLMECH_ALL_CHAPTERS}")
+nlmech_resolve_selection(NLMECH_PEERS "${NLMECH_ALL_PEERS}")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)  # a library found by one component is known to all

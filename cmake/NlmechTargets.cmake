@@ -1,0 +1,54 @@
+# Components, chapters and the facts that tests and programs need to know about the build.
+
+add_library(nlmech_options INTERFACE)
+target_compile_options(nlmech_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                                                $<$<BOOL:${NLMECH_WARNINGS_ARE_ERRORS}>:-Werror>)
+if(NLMECH_SANITIZE)
+  target_compile_options(nlmech_options INTERFACE -fsanitize=${NLMECH_SANITIZE} -fno-sanitize-recover=all
+                                                  -fno-omit-frame-pointer)
+  target_link_options(nlmech_options INTERFACE -fsanitize=${NLMECH_SANITIZE})
+endif()
+
+# A component of the library: the folder common/nlmech/<name>, target nlmech::<name>.
+#   nlmech_component(geodesy SOURCES a.cpp b.cpp USES support LINKS fmt::fmt)
+# USES are the components that it may include; a test holds the sources to that.
+function(nlmech_component name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES;LINKS" ${ARGN})
+  add_library(nlmech_${name} STATIC ${arg_SOURCES})
+  add_library(nlmech::${name} ALIAS nlmech_${name})
+  set_target_properties(nlmech_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(nlmech_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/common>
+                                                   $<INSTALL_INTERFACE:include>)
+  list(TRANSFORM arg_USES PREPEND nlmech::)
+  target_link_libraries(nlmech_${name} PUBLIC ${arg_USES} PRIVATE ${arg_LINKS} $<BUILD_INTERFACE:nlmech_options>)
+  target_compile_features(nlmech_${name} PUBLIC cxx_std_20)
+  list(TRANSFORM arg_USES REPLACE "nlmech::" "")
+  list(JOIN arg_USES " " uses)
+  set_property(GLOBAL APPEND PROPERTY NLMECH_COMPONENTS "${name}: ${uses}")
+endfunction()
+
+# A chapter: library nlmech_chapter_<name> with its scenes, and the program build/bin/<name>.
+#   nlmech_chapter(geodesy SOURCES scenes.cpp USES geodesy)
+function(nlmech_chapter name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  list(TRANSFORM arg_USES PREPEND nlmech::)
+  add_library(nlmech_chapter_${name} STATIC ${arg_SOURCES})
+  target_include_directories(nlmech_chapter_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(nlmech_chapter_${name} PUBLIC nlmech::scene ${arg_USES} PRIVATE nlmech_options)
+  add_executable(${name} main.cpp)
+  target_link_libraries(${name} PRIVATE nlmech_chapter_${name} nlmech_options)
+endfunction()
+
+# Written at the end of the configuration, when all is known: one fact a line, for Makefile, tests and book.
+function(nlmech_write_build_facts)
+  get_property(components GLOBAL PROPERTY NLMECH_COMPONENTS)
+  list(JOIN components "\n" components)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/components.txt CONTENT "${components}\n" @ONLY)
+  list(JOIN NLMECH_CHAPTERS_SELECTED "\n" chapters)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/chapters.txt CONTENT "${chapters}\n" @ONLY)
+  get_property(libraries GLOBAL PROPERTY NLMECH_LIBRARIES)
+  list(SORT libraries)
+  list(REMOVE_DUPLICATES libraries)
+  list(JOIN libraries "\n" libraries)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/libraries.txt CONTENT "${libraries}\n" @ONLY)
+endfunction()

@@ -1,0 +1,72 @@
+/// @file
+/// Ellipsoid of revolution and the points about it.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace nlmech::geodesy {
+
+/// Earth-centred Cartesian position; the z axis is the axis of revolution. Metres.
+template <class T>
+struct BasicCartesian {
+  T x{}, y{}, z{};
+};
+
+/// Geodetic position: latitude and longitude in radians, height along the ellipsoid's normal in metres.
+template <class T>
+struct BasicGeodetic {
+  T latitude{}, longitude{}, height{};
+};
+
+/// Ellipsoid of revolution with equatorial radius a and flattening f = (a - b)/a: oblate (f > 0), sphere (f = 0) or
+/// prolate (f < 0). Usable with any real type, so that references are computed in extended precision.
+template <class T>
+class BasicEllipsoid {
+ public:
+  /// @param a equatorial radius in metres, positive and finite
+  /// @param f flattening, below 1 and finite
+  /// @throws std::invalid_argument naming the value, if either is out of range
+  BasicEllipsoid(T a, T f) : a_(a), f_(f) {
+    using std::isfinite;
+    if (!(a > 0) || !isfinite(a)) throw std::invalid_argument(complaint("equatorial radius", a, "positive"));
+    if (!(f < 1) || !isfinite(f)) throw std::invalid_argument(complaint("flattening", f, "below 1"));
+  }
+
+  /// World Geodetic System 1984: a = 6378137 m, 1/f = 298.257223563.
+  static BasicEllipsoid wgs84() { return {T(6378137), T(1000000000) / T(298257223563LL)}; }
+
+  [[nodiscard]] T a() const { return a_; }             ///< equatorial radius (semi-major axis if oblate), m
+  [[nodiscard]] T f() const { return f_; }             ///< flattening (a - b)/a
+  [[nodiscard]] T b() const { return a_ * (1 - f_); }  ///< polar radius, m
+  [[nodiscard]] T e2() const { return f_ * (2 - f_); }  ///< squared first eccentricity (a^2 - b^2)/a^2
+  /// Small parameter of the dissertation's series, p = a/b - 1 = f/(1 - f) (Elgohary 2015, Eq. 2.45).
+  [[nodiscard]] T p() const { return f_ / (1 - f_); }
+
+ private:
+  static std::string complaint(const char* what, const T& value, const char* range) {
+    return std::string("Ellipsoid: ") + what + " must be finite and " + range + ", is " +
+           std::to_string(static_cast<double>(value));
+  }
+  T a_, f_;
+};
+
+using Cartesian = BasicCartesian<double>;
+using Geodetic = BasicGeodetic<double>;
+using Ellipsoid = BasicEllipsoid<double>;
+
+/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and height,
+/// also for latitudes beyond +-pi/2, which are taken as they stand.
+template <class T>
+[[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
+  using std::cos, std::sin, std::sqrt;
+  const T sin_lat = sin(g.latitude), cos_lat = cos(g.latitude);
+  const T prime_vertical = e.a() / sqrt(1 - e.e2() * sin_lat * sin_lat);  // N(phi)
+  const T from_axis = (prime_vertical + g.height) * cos_lat;
+  return {from_axis * cos(g.longitude), from_axis * sin(g.longitude),
+          (prime_vertical * (1 - e.e2()) + g.height) * sin_lat};
+}
+
+}  // namespace nlmech::geodesy

@@ -1,0 +1,190 @@
+#include "nlmech/scene/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/files.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace fs = std::filesystem;
+
+namespace {
+
+const Measurement* find(const Chapter& chapter, const std::string& name) {
+  for (const Measurement& m : chapter.measurements()) {
+    if (m.name == name) return &m;
+  }
+  return nullptr;
+}
+
+/// Times on unknown machines, and what the sources leave out, promise nothing and need no measurement.
+bool promises(const PublishedValue& value) {
+  return value.expected != Verdict::context && value.expected != Verdict::not_stated;
+}
+
+Checked check_value(const PublishedValue& value, const Chapter& chapter, Workshop& workshop) {
+  Checked checked{value, chapter.name(), {}, {}};
+  if (const Measurement* m = find(chapter, value.name())) {
+    workshop.open(m->name, m->needs);
+    checked.measured = m->measure(workshop);
+  } else if (promises(value)) {
+    throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
+  }
+  checked.judgement = judge(value, checked.measured);
+  return checked;
+}
+
+void refuse_orphans(const Chapter& chapter, const std::vector<Checked>& values) {
+  std::set<std::string> names;
+  for (const Checked& c : values) names.insert(c.value.name());
+  for (const Measurement& m : chapter.measurements()) {
+    if (!names.contains(m.name)) {
+      throw std::logic_error(fmt::format("chapter {} measures {}, which no source prints", chapter.name(), m.name));
+    }
+  }
+}
+
+Cell cell(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
+
+std::optional<double> optional_number(const std::string& text) {
+  double value = 0;
+  return parse_number(text, value) ? std::optional(value) : std::nullopt;
+}
+
+std::string shown(const std::optional<double>& value) { return value ? format_number(*value, 4) : ""; }
+
+/// What the check of one chapter left on disk, by the value's name.
+std::map<std::string, std::vector<std::string>> read_check(const std::string& chapter, const fs::path& out) {
+  const fs::path file = out / "results" / chapter / "check.csv";
+  std::map<std::string, std::vector<std::string>> rows;
+  for (const CsvRecord& r : parse_csv(read_whole(file), file.string())) {
+    if (r.cells.size() != 5) throw InputError(fmt::format("{}: line {}: not 5 cells", file.string(), r.line));
+    rows[r.cells[0]] = r.cells;
+  }
+  return rows;
+}
+
+std::string verdict_text(const Checked& c) {
+  std::string text(to_string(c.judgement.verdict));
+  if (c.judgement.verdict != Verdict::not_built && !c.judgement.kept) {
+    text += fmt::format(" (MISSED: expected {})", to_string(c.value.expected));
+  }
+  return text;
+}
+
+Table counts(const std::vector<Checked>& values) {
+  std::map<std::string, std::map<Verdict, std::int64_t>> count;
+  for (const Checked& c : values) ++count[c.chapter][c.judgement.verdict];
+  std::vector<Column> columns = {{"chapter"}};
+  const std::vector<Verdict> order = {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::better,
+                                      Verdict::differs,    Verdict::not_stated,          Verdict::context,
+                                      Verdict::input,      Verdict::not_built};
+  for (const Verdict v : order) columns.push_back({std::string(to_string(v))});
+  Table table(columns);
+  for (auto& [chapter, by_verdict] : count) {
+    std::vector<Cell> row = {chapter};
+    for (const Verdict v : order) row.emplace_back(by_verdict[v]);
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+bool ChapterCheck::kept() const {
+  return std::all_of(values.begin(), values.end(), [](const Checked& c) { return c.judgement.kept; }) &&
+         std::all_of(quantities.begin(), quantities.end(), [](const CheckedQuantity& q) { return q.quantity.kept(); });
+}
+
+ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick) {
+  const std::vector<Place> places = read_places(data_folder);
+  Workshop workshop(quick);
+  ChapterCheck result;
+  for (const PublishedValue& value : read_published(data_folder)) {
+    if (owner(value, places) == chapter.name()) result.values.push_back(check_value(value, chapter, workshop));
+  }
+  refuse_orphans(chapter, result.values);
+  for (const Scene& scene : chapter.scenes()) {
+    for (Quantity& q : perform(scene, workshop).showing.quantities) {
+      result.quantities.push_back({scene.name, std::move(q)});
+    }
+  }
+  return result;
+}
+
+void write_check(const ChapterCheck& check, const std::string& chapter, const fs::path& out) {
+  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"kept"}});
+  for (const Checked& c : check.values) {
+    table.add({c.value.name(), cell(c.measured.nominal), cell(c.measured.inferred),
+               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.kept}});
+  }
+  write_whole(out / "results" / chapter / "check.csv", table.csv());
+}
+
+std::vector<Checked> collect_checks(const std::vector<std::string>& built, const fs::path& data_folder,
+                                    const fs::path& out) {
+  const std::vector<Place> places = read_places(data_folder);
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> by_chapter;
+  for (const std::string& chapter : built) by_chapter[chapter] = read_check(chapter, out);
+
+  std::vector<Checked> values;
+  for (PublishedValue& value : read_published(data_folder)) {
+    Checked checked{std::move(value), {}, {}, {}};
+    checked.chapter = owner(checked.value, places);
+    if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
+      const auto row = found->second.find(checked.value.name());
+      if (row == found->second.end()) {
+        throw InputError(fmt::format("results/{}/check.csv does not list {}", checked.chapter, checked.value.name()));
+      }
+      checked.measured = {optional_number(row->second[1]), optional_number(row->second[2])};
+      checked.judgement = judge(checked.value, checked.measured);
+    }
+    values.push_back(std::move(checked));
+  }
+  return values;
+}
+
+std::string reproduction_page(const std::vector<Checked>& values) {
+  std::string page =
+      "# What was reproduced {#reproduction}\n\n"
+      "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, *inferred* "
+      "what we get under a reading that evidence points to; the words of the verdicts are explained in the glossary. "
+      "Written by `make check`.\n\n" +
+      counts(values).markdown();
+  std::string source;
+  Table table({{"place"}, {"row"}, {"quantity"}, {"published"}, {"unit"}, {"nominal"}, {"inferred"}, {"verdict"}, {"reading"}});
+  const auto flush = [&] {
+    if (!source.empty()) page += "\n## " + source + "\n\n" + table.markdown();
+    table = Table(table.columns());
+  };
+  for (const Checked& c : values) {
+    if (c.value.source != source) flush();
+    source = c.value.source;
+    table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit, shown(c.measured.nominal),
+               shown(c.measured.inferred), verdict_text(c), c.value.reading});
+  }
+  flush();
+  return page;
+}
+
+std::string reproduction_text(const std::vector<Checked>& values) {
+  std::string text;
+  for (const Checked& c : values) {
+    const bool missed = c.judgement.verdict != Verdict::not_built && !c.judgement.kept;
+    text += fmt::format("{} {}: published {}", missed ? "MISSED" : "      ", c.value.name(), c.value.printed);
+    if (c.measured.nominal) text += ", nominal " + shown(c.measured.nominal);
+    if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
+    text += ": " + verdict_text(c);
+    if (!c.value.reading.empty()) text += " [" + c.value.reading + "]";
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace nlmech::scene

@@ -1,0 +1,56 @@
+/// @file
+/// Published beside reproduced: a chapter's own check, and the report over all sources.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::scene {
+
+/// A published value with what we measured for it and the verdict.
+struct Checked {
+  PublishedValue value;
+  std::string chapter;
+  Measured measured;
+  Judgement judgement;
+};
+
+/// A promised quantity of a scene.
+struct CheckedQuantity {
+  std::string scene;
+  Quantity quantity;
+};
+
+/// Everything that a chapter promises.
+struct ChapterCheck {
+  std::vector<Checked> values;
+  std::vector<CheckedQuantity> quantities;
+  [[nodiscard]] bool kept() const;
+};
+
+/// Measures every published value that belongs to the chapter and every quantity of its scenes.
+/// @throws std::logic_error if a value that promises something has no measurement, or a measurement no value
+[[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick);
+
+/// `results/<chapter>/check.csv`: one row a value. The report reads it again.
+void write_check(const ChapterCheck& check, const std::string& chapter, const std::filesystem::path& out);
+
+/// All published values of all sources in the order of the files. Those of chapters that are not in @p built get the
+/// verdict `not built`; the others what `results/<chapter>/check.csv` under @p out says.
+/// @throws InputError if a built chapter's file is missing or does not list a value
+[[nodiscard]] std::vector<Checked> collect_checks(const std::vector<std::string>& built,
+                                                  const std::filesystem::path& data_folder,
+                                                  const std::filesystem::path& out);
+
+/// The page `REPRODUCTION.md`: counts by chapter and verdict, then one table a source. Holds no time.
+[[nodiscard]] std::string reproduction_page(const std::vector<Checked>& values);
+
+/// The same values as lines of plain text, for a terminal; misses are marked.
+[[nodiscard]] std::string reproduction_text(const std::vector<Checked>& values);
+
+}  // namespace nlmech::scene

@@ -1,0 +1,80 @@
+#include "nlmech/scene/files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+#include "nlmech/scene/build_info.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace fs = std::filesystem;
+
+namespace {
+std::string reason() { return std::generic_category().message(errno); }
+
+bool has_content(const fs::path& path, std::string_view text) {
+  std::error_code ignored;
+  if (fs::file_size(path, ignored) != text.size() || ignored) return false;
+  std::ifstream in(path, std::ios::binary);
+  const std::string now{std::istreambuf_iterator<char>(in), {}};
+  return in.good() && now == text;
+}
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+}  // namespace
+
+std::string read_whole(const fs::path& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (fs::is_directory(path)) throw InputError(fmt::format("{}: is a folder, not a file", path.string()));
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{}: {}", path.string(), reason()));
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", path.string()));
+  return text;
+}
+
+void write_whole(const fs::path& path, std::string_view text) {
+  if (has_content(path, text)) return;
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (error) throw Failure(fmt::format("{}: {}", path.parent_path().string(), error.message()));
+
+  const fs::path temporary = path.parent_path() / fmt::format(".{}.{}", path.filename().string(), ::getpid());
+  const auto fail = [&](const std::string& why) {
+    fs::remove(temporary, error);
+    throw Failure(fmt::format("{}: cannot be written: {}", path.string(), why));
+  };
+  std::unique_ptr<std::FILE, Close> out(std::fopen(temporary.c_str(), "wb"));
+  if (!out) fail(reason());
+  if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size()) fail(reason());
+  if (std::fflush(out.get()) != 0 || ::fsync(::fileno(out.get())) != 0) fail(reason());
+  if (std::fclose(out.release()) != 0) fail(reason());
+  fs::rename(temporary, path, error);
+  if (error) fail(error.message());
+}
+
+fs::path data_folder() {
+  if (const char* chosen = std::getenv("NLMECH_DATA")) return chosen;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "nlmech";
+  for (const fs::path& candidate : {installed, fs::path(build_info().source_folder)}) {
+    if (fs::exists(candidate / "figures" / "style.gp", ignored)) return candidate;
+  }
+  throw Failure(fmt::format("no folder with figures/style.gp: looked in {} and {}; set NLMECH_DATA", installed.string(),
+                            build_info().source_folder));
+}
+
+}  // namespace nlmech::scene

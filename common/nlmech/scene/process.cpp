@@ -1,0 +1,93 @@
+#include "nlmech/scene/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+/// Both ends of a pipe; whatever is still open is closed at the end.
+struct Pipe {
+  Pipe() {
+    if (::pipe2(end.data(), O_CLOEXEC) != 0) throw Failure("no pipe: " + std::generic_category().message(errno));
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close(0);
+    close(1);
+  }
+  void close(std::size_t i) {
+    if (end[i] >= 0) ::close(end[i]);
+    end[i] = -1;
+  }
+  std::array<int, 2> end{-1, -1};
+};
+
+struct SpawnActions {
+  SpawnActions() { ::posix_spawn_file_actions_init(&actions); }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
+  ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions); }
+  posix_spawn_file_actions_t actions{};
+};
+
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder, int out, int err) {
+  SpawnActions spawn;
+  ::posix_spawn_file_actions_addopen(&spawn.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&spawn.actions, out, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&spawn.actions, err, STDERR_FILENO);
+  if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&spawn.actions, folder.c_str());
+  std::vector<char*> argv;
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));  // posix_spawn's C signature
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, argv[0], &spawn.actions, nullptr, argv.data(), ::environ);
+  if (error != 0) {
+    throw Failure(fmt::format("{}: cannot be started: {}", arguments[0], std::generic_category().message(error)));
+  }
+  return child;
+}
+
+/// Reads both pipes as they fill, so that a program which writes much to one of them is never stuck.
+void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
+  std::array<char, 65536> buffer{};
+  while (pipes[0].end[0] >= 0 || pipes[1].end[0] >= 0) {
+    std::array<pollfd, 2> waiting{{{pipes[0].end[0], POLLIN, 0}, {pipes[1].end[0], POLLIN, 0}}};
+    if (::poll(waiting.data(), waiting.size(), -1) < 0 && errno != EINTR) return;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (waiting[i].revents == 0) continue;
+      const ssize_t count = ::read(waiting[i].fd, buffer.data(), buffer.size());
+      if (count > 0) texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+      else if (count == 0 || errno != EINTR) pipes[i].close(0);
+    }
+  }
+}
+
+}  // namespace
+
+Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+  std::array<Pipe, 2> pipes;
+  const pid_t child = start(arguments, folder, pipes[0].end[1], pipes[1].end[1]);
+  pipes[0].close(1);
+  pipes[1].close(1);
+  Finished finished;
+  drain(pipes, {&finished.output, &finished.errors});
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return finished;
+}
+
+}  // namespace nlmech::scene

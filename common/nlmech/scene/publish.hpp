@@ -1,0 +1,24 @@
+/// @file
+/// Putting a scene on disk: numbers, provenance, table and figure.
+#pragma once
+
+#include <filesystem>
+
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::scene {
+
+/// Where scenes are put, and what of them.
+struct Publishing {
+  std::filesystem::path out = ".";  ///< gets figures/, tables/, results/
+  bool plots = true;
+  bool png = false;  ///< a PNG image beside each SVG
+};
+
+/// Writes `results/<chapter>/<scene>.csv` and `.json`, `tables/<chapter>/<scene>.csv` and `.md`, and
+/// `figures/<chapter>/<scene>.svg`, as far as the scene has them; the data first, so that they are kept if drawing fails.
+/// @throws Failure naming the figure that was not drawn and why, or the file that could not be written
+void publish(const Chapter& chapter, const Scene& scene, const Performance& performance, bool quick,
+             const Publishing& how);
+
+}  // namespace nlmech::scene

@@ -1,0 +1,94 @@
+/// @file
+/// Numbers that the sources print, and the verdict on each of them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nlmech::scene {
+
+/// What the evidence says about a printed number.
+enum class Verdict {
+  reproduced,           ///< nominal reading, within the stated tolerance
+  reproduced_inferred,  ///< under a reading that evidence points to
+  better,               ///< ours is more accurate
+  differs,              ///< with the cause
+  not_stated,           ///< the source leaves out what is needed
+  context,              ///< run times on unknown machines
+  input,                ///< a parameter, used as printed
+  not_built             ///< its chapter is not part of this build
+};
+
+/// As it stands in files: "reproduced, inferred reading".
+[[nodiscard]] std::string_view to_string(Verdict verdict);
+
+/// How far apart two numbers may be. Built from the words of the file: a number (relative), "factor 5",
+/// "order of magnitude" (a factor of sqrt(10)), "at least 100", "below 1e-15", or nothing (0.15: what the texts leave open).
+class Tolerance {
+ public:
+  /// @throws InputError if the words are not of these forms
+  explicit Tolerance(std::string_view words);
+  /// Is @p ours as close to @p theirs as allowed? Never true for NaN.
+  [[nodiscard]] bool allows(double ours, double theirs) const;
+  /// The same for a range: true if it is for a number of the range.
+  [[nodiscard]] bool allows(double ours, double low, double high) const;
+
+ private:
+  enum class Kind { relative, factor, at_least, below } kind_ = Kind::relative;
+  double amount_ = 0.15;
+};
+
+/// One printed number. The columns of `tables/published/<source>.csv`, which its README explains.
+struct PublishedValue {
+  std::string source, place, row, quantity;
+  std::string printed;  ///< as printed
+  double value = 0;     ///< the same as a number
+  std::string unit, kind;
+  std::string nominal, inferred;  ///< what was found before, in words or numbers: "2.4e-11", "1.1e-6..1.3e-6 with c = 2.5"
+  Verdict expected = Verdict::not_built;
+  std::string tolerance, reading;
+
+  /// "elgohary/claim-2.4/order 4/height error, order of magnitude"
+  [[nodiscard]] std::string name() const;
+};
+
+/// A figure, table, claim or equation of a source, and the chapter that owns it: a row of `tables/places.csv`.
+struct Place {
+  std::string source, name, chapter, kind, subject;
+};
+
+/// All values of all files in `<data>/tables/published`, files in alphabetical order.
+/// @throws InputError naming file, line and cell
+[[nodiscard]] std::vector<PublishedValue> read_published(const std::filesystem::path& data_folder);
+
+/// All rows of `<data>/tables/places.csv`. @throws InputError naming file and line
+[[nodiscard]] std::vector<Place> read_places(const std::filesystem::path& data_folder);
+
+/// The chapter that owns a published value. @throws InputError if `places.csv` does not list its place
+[[nodiscard]] const std::string& owner(const PublishedValue& value, const std::vector<Place>& places);
+
+/// What our own computation gives for a printed number under the nominal and under an inferred reading.
+struct Measured {
+  std::optional<double> nominal, inferred;
+};
+
+/// A verdict, and whether it is the expected one.
+struct Judgement {
+  Verdict verdict = Verdict::not_built;
+  bool kept = false;
+};
+
+/// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does support.
+///  - `reproduced` needs the nominal number within the tolerance of the printed one;
+///  - `reproduced, inferred reading` needs the inferred number within the tolerance of `inferred` (of the printed number,
+///    where the file has none);
+///  - `better` needs an error smaller than the printed one and within the tolerance of `nominal`;
+///  - `differs` needs a number outside the tolerance of the printed one, and within it of `nominal` where the file has one;
+///  - `input` needs the printed number itself.
+/// `context` and `not stated` promise nothing.
+[[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
+
+}  // namespace nlmech::scene

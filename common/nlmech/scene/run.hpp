@@ -1,0 +1,86 @@
+/// @file
+/// Runs: computed once a process, however many scenes use them, and only if one does.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nlmech::scene {
+
+class Workshop;
+
+/// What all runs have in common: a name, the reading behind it, and the runs that it builds on.
+class AnyRun {
+ public:
+  AnyRun(std::string name, std::string reading, std::vector<const AnyRun*> needs)
+      : name_(std::move(name)), reading_(std::move(reading)), needs_(std::move(needs)) {}
+  AnyRun(const AnyRun&) = delete;
+  AnyRun& operator=(const AnyRun&) = delete;
+  virtual ~AnyRun() = default;
+
+  [[nodiscard]] const std::string& name() const { return name_; }        ///< "series-order-4"
+  [[nodiscard]] const std::string& reading() const { return reading_; }  ///< how the source's text was understood
+  [[nodiscard]] const std::vector<const AnyRun*>& needs() const { return needs_; }
+
+ private:
+  std::string name_, reading_;
+  std::vector<const AnyRun*> needs_;
+};
+
+/// One method on one problem with one setting, with a result of type @p Result.
+template <class Result>
+class Run : public AnyRun {
+ public:
+  using Compute = std::function<Result(Workshop&)>;
+  Run(std::string name, std::string reading, std::vector<const AnyRun*> needs, Compute compute)
+      : AnyRun(std::move(name), std::move(reading), std::move(needs)), compute_(std::move(compute)) {}
+
+ private:
+  friend class Workshop;
+  Compute compute_;
+  mutable std::optional<Result> result_;  // filled by the workshop, at most once
+};
+
+/// Where scenes get the results of runs. It lets through only what the scene has declared, and remembers what was used.
+class Workshop {
+ public:
+  /// @param quick fewer samples and shorter timings, never other methods
+  explicit Workshop(bool quick) : quick_(quick) {}
+
+  [[nodiscard]] bool quick() const { return quick_; }
+
+  /// The run's result; computed at the first call in the life of the process.
+  /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its needs
+  template <class Result>
+  const Result& result(const Run<Result>& run) {
+    begin(run);
+    if (!run.result_) run.result_ = run.compute_(*this);
+    end();
+    return *run.result_;
+  }
+
+  /// Starts a scene: from here on only @p needs, and what they need in turn, is let through.
+  void open(const std::string& scene, const std::vector<const AnyRun*>& needs);
+
+  /// Names of the runs that the scene's result rests on, sorted: those asked for since open(), and what they need.
+  [[nodiscard]] std::vector<std::string> used() const;
+
+ private:
+  struct Desk {
+    std::string name;
+    std::vector<const AnyRun*> needs;
+  };
+  void begin(const AnyRun& run);
+  void end() { desks_.pop_back(); }
+  void note(const AnyRun& run);
+
+  bool quick_;
+  std::vector<Desk> desks_;  // the scene, then the runs being computed, innermost last
+  std::set<std::string> used_;
+};
+
+}  // namespace nlmech::scene

@@ -1,0 +1,36 @@
+/// @file
+/// Wall-clock time, and the median of repeats: the only timing that this suite reports.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace nlmech {
+
+/// Starts when made. The clock never runs backwards.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The middle value; the mean of the two middle ones for an even count.
+/// @throws std::invalid_argument if @p values is empty
+[[nodiscard]] double median(std::vector<double> values);
+
+/// Timings of one piece of work. A wide gap between smallest and largest says that the machine was busy.
+struct Timing {
+  double median = 0, smallest = 0, largest = 0;  ///< seconds a call
+  int repeats = 0;                               ///< counted calls, after one that warms up
+};
+
+/// Calls @p work once to warm up, then @p repeats times, each call timed by itself.
+/// @throws std::invalid_argument if @p repeats is below 1
+[[nodiscard]] Timing time_repeats(const std::function<void()>& work, int repeats);
+
+}  // namespace nlmech
