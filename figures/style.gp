@@ -22,7 +22,7 @@ if (exists("png")) {
     print "style.gp: this gnuplot has no pngcairo terminal: leave out the variable png and convert the SVG"
     exit status 2
   }
-  set terminal pngcairo size 2*width,2*height font sprintf("%s,%d", font_family, font_size) fontscale 1.8 \
+  set terminal pngcairo size 2*width,2*height font sprintf("%s,%d", font_family, font_size) fontscale 1.5 \
       linewidth 2 pointscale 2 enhanced butt background "#ffffff" dashlength 1
 } else {
   # The name stands where gnuplot would write its own into <title>, which browsers show as a tooltip.

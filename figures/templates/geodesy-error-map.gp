@@ -37,12 +37,12 @@ set table $contours
 splot data using "latitude_deg":(log10(column("height_km"))):(shade(column("magnitude")))
 unset table
 
-# The largest error at each height: known at the last latitude of a scan line.
+# The largest error at each height: the running maximum along a scan line, kept at its last latitude.
 peak = 0
-is_last(latitude, m) = (peak = latitude <= south ? 0 : peak, peak = m > peak ? m : peak, latitude >= north)
+running(latitude, m) = (peak = latitude <= south ? 0 : peak, peak = m > peak ? m : peak)
 set table $peaks
-plot data using (peak):(log10(column("height_km"))) with table \
-    if (is_last(column("latitude_deg"), column("magnitude")))
+plot data using (running(column("latitude_deg"), column("magnitude"))):(log10(column("height_km"))) \
+    with table if (column("latitude_deg") >= north)
 unset table
 set datafile separator whitespace
 unset datafile columnheaders
