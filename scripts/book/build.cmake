@@ -60,6 +60,8 @@ if(complaints)
 endif()
 
 # 3. Doxygen. Paths in its warnings are those of the source tree.
+book_chapter_tabs(BOOK_CHAPTER_TABS)
+configure_file("${BOOK_SOURCE_DIR}/docs/layout.xml" "${BOOK_FOLDER}/layout.xml" @ONLY)
 configure_file("${BOOK_SOURCE_DIR}/docs/Doxyfile.in" "${BOOK_FOLDER}/Doxyfile" @ONLY)
 execute_process(COMMAND "${DOXYGEN}" "${BOOK_FOLDER}/Doxyfile" WORKING_DIRECTORY "${BOOK_SOURCE_DIR}"
                 RESULT_VARIABLE result OUTPUT_QUIET)
@@ -73,6 +75,10 @@ if(NOT result EQUAL 0 OR NOT warnings STREQUAL "")
   message("${warnings}")
   message(FATAL_ERROR "The book was not built: Doxygen's warnings, listed above, count as errors (exit code ${result}).")
 endif()
+
+file(READ "${BOOK_FOLDER}/html/index.html" start)
+string(REPLACE "<title>nlmech - nlmech</title>" "<title>nlmech</title>" start "${start}")
+file(WRITE "${BOOK_FOLDER}/html/index.html" "${start}")
 
 # 4. MathJax, only what TeX input and SVG output load: no web fonts, which browsers refuse to pages from the file system.
 set(mathjax "${BOOK_FOLDER}/html/mathjax")

@@ -119,7 +119,7 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   runner->add_option("scenes", options.scenes, "names of scenes");
   runner->add_flag("--all", options.all, "every scene");
   runner->add_flag("--no-plots", options.no_plots, "numbers and tables only");
-  runner->add_flag("--png", options.png, "a PNG image beside each SVG (needs rsvg-convert)");
+  runner->add_flag("--png", options.png, "a PNG image beside each SVG");
   runner->callback([&] { code = run(chapter, options); });
 
   CLI::App* checker = app.add_subcommand("check", "Published beside reproduced; exit code 1 if a promise is missed");

@@ -1,5 +1,5 @@
 /// @file
-/// Drawing: data and a template go into gnuplot, an SVG comes out.
+/// Drawing: data and a template go into gnuplot, a picture comes out.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,8 @@
 
 namespace nlmech::scene {
 
+enum class PictureFormat { svg, png };
+
 /// Runs gnuplot on `figures/style.gp` and then on the template, in the folder @p folder, and returns what it draws.
 /// @param templates folder with style.gp and templates/
 /// @param data CSV file, relative to @p folder so that no drawing holds a path of the machine; the template's `data`
@@ -15,9 +17,7 @@ namespace nlmech::scene {
 /// @throws Failure if gnuplot cannot be started, fails, complains, or draws nothing; with its own words
 [[nodiscard]] std::string draw(const std::filesystem::path& templates, const std::string& template_name,
                                const std::filesystem::path& folder, const std::string& data,
-                               const std::map<std::string, std::string>& variables);
-
-/// The SVG as a PNG image, by librsvg's `rsvg-convert`. @throws Failure as draw() does
-[[nodiscard]] std::string to_png(const std::filesystem::path& svg);
+                               const std::map<std::string, std::string>& variables,
+                               PictureFormat format = PictureFormat::svg);
 
 }  // namespace nlmech::scene

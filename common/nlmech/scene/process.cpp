@@ -7,8 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 
 #include "nlmech/support/errors.hpp"
@@ -42,17 +44,37 @@ struct SpawnActions {
   posix_spawn_file_actions_t actions{};
 };
 
-pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder, int out, int err) {
+/// Null-terminated array of C strings; posix_spawn's signature wants them without const.
+std::vector<char*> c_strings(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Our environment with some settings put in place of those of the same name.
+std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
+  std::vector<std::string> all = settings;
+  for (char** variable = ::environ; *variable != nullptr; ++variable) {
+    const std::string_view name = std::string_view(*variable).substr(0, std::string_view(*variable).find('=') + 1);
+    const bool replaced =
+        std::any_of(settings.begin(), settings.end(), [&](const std::string& s) { return s.starts_with(name); });
+    if (!replaced) all.emplace_back(*variable);
+  }
+  return all;
+}
+
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::vector<std::string>& settings, int out, int err) {
   SpawnActions spawn;
   ::posix_spawn_file_actions_addopen(&spawn.actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&spawn.actions, out, STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&spawn.actions, err, STDERR_FILENO);
   if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&spawn.actions, folder.c_str());
-  std::vector<char*> argv;
-  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));  // posix_spawn's C signature
-  argv.push_back(nullptr);
+  const std::vector<std::string> environment = environment_with(settings);
+  const std::vector<char*> argv = c_strings(arguments), envp = c_strings(environment);
   pid_t child = 0;
-  const int error = ::posix_spawnp(&child, argv[0], &spawn.actions, nullptr, argv.data(), ::environ);
+  const int error = ::posix_spawnp(&child, argv[0], &spawn.actions, nullptr, argv.data(), envp.data());
   if (error != 0) {
     throw Failure(fmt::format("{}: cannot be started: {}", arguments[0], std::generic_category().message(error)));
   }
@@ -76,9 +98,10 @@ void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
 
 }  // namespace
 
-Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                     const std::vector<std::string>& settings) {
   std::array<Pipe, 2> pipes;
-  const pid_t child = start(arguments, folder, pipes[0].end[1], pipes[1].end[1]);
+  const pid_t child = start(arguments, folder, settings, pipes[0].end[1], pipes[1].end[1]);
   pipes[0].close(1);
   pipes[1].close(1);
   Finished finished;

@@ -16,8 +16,11 @@ void draw_figure(const std::string& chapter, const std::string& scene, const Fig
   const fs::path svg = how.out / "figures" / chapter / (scene + ".svg");
   const std::string data = fmt::format("results/{}/{}.csv", chapter, scene);
   try {
-    write_whole(svg, draw(data_folder() / "figures", figure.template_name, how.out, data, figure.variables));
-    if (how.png) write_whole(fs::path(svg).replace_extension(".png"), to_png(svg));
+    const auto picture = [&](PictureFormat format) {
+      return draw(data_folder() / "figures", figure.template_name, how.out, data, figure.variables, format);
+    };
+    write_whole(svg, picture(PictureFormat::svg));
+    if (how.png) write_whole(fs::path(svg.string()).replace_extension(".png"), picture(PictureFormat::png));
   } catch (const Failure& failure) {
     std::error_code ignored;
     fs::remove(svg, ignored);  // a drawing of older data beside new data would mislead

@@ -1,0 +1,193 @@
+/// Every misprint of section 2.4: the printed form and the corrected one, both against the independent oracle. The sizes
+/// of the errors were found before with 50 digits; a test fails if the printed form is not as wrong as that, or the
+/// corrected one not right. The sources are scanned text: a misprint may be one of the scan.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "chapters/geodesy/printed.hpp"
+#include "tests/geodesy/oracle.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using namespace geodesy;
+using oracle::Real;
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct Errors {
+  double latitude_deg, height_m;
+};
+
+/// Errors of the series with a table at one place, in 50 digits: truncation and misprint alone.
+Errors errors_at(double latitude_deg, double height_m, int order, const SeriesTable& table) {
+  const auto e = BasicEllipsoid<Real>::wgs84();
+  const BasicGeodetic<Real> truth{Real(latitude_deg) * oracle::pi() / 180, 0, height_m};
+  const auto found = reverse(forward(truth, e), e, PerturbationSeries{order, HeightFrom::series}, table).position;
+  return {static_cast<double>(abs(found.latitude - truth.latitude) * 180 / oracle::pi()),
+          static_cast<double>(abs(found.height - truth.height))};
+}
+
+const PrintedCoefficient& coefficient(const std::string& name) {
+  for (const PrintedCoefficient& c : printed_coefficients()) {
+    if (c.name == name) return c;
+  }
+  throw std::logic_error(name);
+}
+
+SeriesTable with(const std::string& name) { return with_printed(corrected_series(), coefficient(name)); }
+
+/// Coefficient @p name with the number at h_0^i replaced: one reading of an impossible term.
+SeriesTable with(const std::string& name, std::size_t i, int value) {
+  PrintedCoefficient c = coefficient(name);
+  c.by_height = row_of(c, corrected_series());
+  c.by_height.at(i) = value;
+  return with_printed(corrected_series(), c);
+}
+
+// (2.42) prints r - r_g = h n = 0, which would put every satellite on the ground; r - r_g - h n = 0 holds.
+TEST(Errata, Equation2_42) {
+  const BasicGeodetic<Real> g{0.7, 0, 1e6};
+  const auto e = BasicEllipsoid<Real>::wgs84();
+  const auto r = forward(g, e), ground = forward(BasicGeodetic<Real>{0.7, 0, 0}, e);
+  const Real n_r = cos(g.latitude), n_z = sin(g.latitude);
+  EXPECT_GT(abs(r.x - ground.x), Real(1e5));
+  EXPECT_LT(abs(r.x - ground.x - g.height * n_r) + abs(r.z - ground.z - g.height * n_z), Real(1e-40));
+}
+
+// (2.43) and the text call phi_c geocentric. The ground point (a cos phi_c, b sin phi_c) has that geocentric latitude
+// only at the equator and the poles: phi_c is the parametric latitude.
+TEST(Errata, Equation2_43_ParametricNotGeocentric) {
+  const Ellipsoid e = Ellipsoid::wgs84();
+  const double parametric = 45 * degree;
+  const double geocentric = std::atan2(e.b() * std::sin(parametric), e.a() * std::cos(parametric));
+  EXPECT_GT(std::abs(geocentric - parametric), 0.09 * degree);
+  const double geodetic = std::atan2(e.a() * std::sin(parametric), e.b() * std::cos(parametric));
+  const Cartesian ground = forward(Geodetic{geodetic, 0, 0}, e);
+  EXPECT_NEAR(ground.x, e.a() * std::cos(parametric), 3e-9);  // three ulp of a
+  EXPECT_NEAR(ground.z, e.b() * std::sin(parametric), 3e-9);
+}
+
+// (2.45) prints p = 0.00314; WGS84 gives 0.0033640898. The printed value in the series, a/b exact in Eq. 2.53:
+TEST(Errata, Equation2_45_SmallParameter) {
+  const auto e = BasicEllipsoid<Real>::wgs84();
+  EXPECT_NEAR(static_cast<double>(e.p()), 0.0033640898, 1e-10);
+  const Real p("0.00314");
+  const BasicEllipsoid<Real> assumed(e.b() * (1 + p), p / (1 + p));  // the same b
+  double latitude = 0, height = 0;
+  for (int i = -90; i <= 90; ++i) {
+    const BasicGeodetic<Real> truth{Real(i) * oracle::pi() / 180, 0, 200e3};
+    const auto point = forward(truth, e);
+    const Real R = sqrt(point.x * point.x + point.z * point.z);
+    const auto found = detail::sum_series(point.x, point.z, R, assumed, 4, corrected_series());
+    const Real geodetic = atan2(e.a() * sin(found.latitude), e.b() * cos(found.latitude));
+    latitude = std::max(latitude, static_cast<double>(abs(geodetic - truth.latitude) * 180 / oracle::pi()));
+    height = std::max(height, static_cast<double>(abs(found.height - truth.height)));
+  }
+  EXPECT_NEAR(latitude, 6.0e-3, 0.05e-3);  // deg
+  EXPECT_NEAR(height, 1424, 1);            // m
+}
+
+// (2.48) prints phi_0 = 2 atan((R - r)/z): an identity, but 0/0 on the equator and cancelling beside it.
+TEST(Errata, Equation2_48_StartingLatitude) {
+  const auto printed = [](double r, double z) { return 2 * std::atan(std::hypot(r, z) / z - r / z); };
+  EXPECT_TRUE(std::isnan(printed(7e6, 0)));
+  EXPECT_EQ(std::atan2(0.0, 7e6), 0);
+  EXPECT_NEAR(printed(4e6, 3e6), std::atan2(3e6, 4e6), 1e-15);
+  double worst = 0;
+  for (double z = 0.01; z < 1; z *= 1.01) {
+    const auto truth = static_cast<double>(atan2(Real(z), Real(6.6e6)));
+    worst = std::max(worst, std::abs(printed(6.6e6, z) - truth));
+    EXPECT_NEAR(std::atan2(z, 6.6e6), truth, 1e-16 * truth + 1e-24);
+  }
+  EXPECT_GT(worst, 1e-8);  // 0.07 m on the ground
+}
+
+// (2.49) prints sin(2 phi_c), the unknown itself; with sin(2 phi_0) the error of order 1 falls as p^2, with sin(2 phi_c)
+// the first-order term is no constant of the expansion: taken at the true phi_c it changes the result by p^2.
+TEST(Errata, Equation2_49_ArgumentOfTheSine) {
+  const auto e = BasicEllipsoid<Real>::wgs84();
+  const BasicGeodetic<Real> truth{Real(30) * degree, 0, 200e3};
+  const auto point = forward(truth, e);
+  const Real R = sqrt(point.x * point.x + point.z * point.z), h0 = R - e.b(), phi0 = atan2(point.z, point.x);
+  const Real phi_c = atan(e.b() / e.a() * tan(truth.latitude));
+  const Real factor = (e.b() - h0) / (2 * R);
+  const Real printed = phi0 + e.p() * factor * sin(2 * phi_c), corrected = phi0 + e.p() * factor * sin(2 * phi0);
+  EXPECT_GT(abs(printed - corrected), Real(1e-6));
+  // second-order term of the series explains the rest for the corrected form only: the remainder is then of order p^3
+  const Real S = sin(2 * phi0);
+  const Real phi2 = (h0 * h0 - 4 * e.b() * h0 + 3 * e.b() * e.b()) / (8 * R * R) * sin(4 * phi0) + S / 4;
+  EXPECT_LT(abs(corrected + e.p() * e.p() * phi2 - phi_c), Real(5e-8));
+  EXPECT_GT(abs(printed + e.p() * e.p() * phi2 - phi_c), Real(1e-6));
+}
+
+TEST(Errata, Table2_6_C3) {
+  EXPECT_NEAR(errors_at(45, 12700e3, 4, with("C3")).latitude_deg, 4.8e-7, 0.1e-7);
+  EXPECT_NEAR(errors_at(45, 12700e3, 3, with("C3")).latitude_deg, 4.8e-7, 0.1e-7);
+  EXPECT_LT(errors_at(45, 12700e3, 4, corrected_series()).latitude_deg, 2.5e-11);
+}
+
+TEST(Errata, Table2_6_C6) {
+  EXPECT_NEAR(errors_at(45, 3200e3, 4, with("C6")).height_m, 1.508e-3, 0.005e-3);  // the text's "millimetre accuracy"
+  EXPECT_LT(errors_at(45, 3200e3, 4, corrected_series()).height_m, 8e-7);
+}
+
+// C8 prints "-155b^4 = 2h_0^4": the term dropped, and the term added, are both wrong; subtracted it is right.
+TEST(Errata, Table2_6_C8_EqualsSign) {
+  const auto worst = [](const SeriesTable& table) {
+    double largest = 0;
+    for (int i = 0; i <= 90; ++i) largest = std::max(largest, errors_at(i, 35000e3, 4, table).latitude_deg);
+    return largest;
+  };
+  EXPECT_NEAR(worst(with("C8", 4, 0)), 9.8e-10, 0.3e-10);
+  EXPECT_NEAR(worst(with("C8", 4, 2)), 2.0e-9, 0.1e-9);
+  EXPECT_LT(worst(corrected_series()), 2.5e-11);
+}
+
+TEST(Errata, Table2_6_C8_431) {
+  EXPECT_NEAR(errors_at(24, 2100e3, 4, with("C8", 1, 431)).latitude_deg, 1.0e-9, 0.1e-9);
+  EXPECT_LT(errors_at(24, 2100e3, 4, corrected_series()).latitude_deg, 2.5e-11);
+}
+
+// C9 prints 135 b^3 h_0^2 among terms of degree 4. Taken literally the unit of length matters: in metres it ruins the
+// latitude, so that the third order is far better.
+TEST(Errata, Table2_6_C9_Dimension) {
+  const int literal = 135 * 6356752;  // 135 b^3 = (135 b) b^2, b in metres
+  double printed = 0;
+  for (int i = 0; i <= 90; ++i) {
+    printed = std::max(printed, errors_at(i, 35000e3, 4, with("C9", 2, literal)).latitude_deg);
+  }
+  EXPECT_GT(printed, 1e-2);
+  EXPECT_LT(errors_at(30, 35000e3, 4, corrected_series()).latitude_deg, 2.5e-11);
+}
+
+// (2.53) prints atan(cos/((a/b) sin)): the angle from the pole, not from the equator.
+TEST(Errata, Equation2_53_Conversion) {
+  const Ellipsoid e = Ellipsoid::wgs84();
+  const double geodetic = 30 * degree, parametric = std::atan2(e.b() * std::sin(geodetic), e.a() * std::cos(geodetic));
+  const double printed = std::atan(std::cos(parametric) / (e.a() / e.b() * std::sin(parametric)));
+  EXPECT_NEAR(printed, 60 * degree, 1e-15);
+  EXPECT_NEAR(std::atan2(e.a() * std::sin(parametric), e.b() * std::cos(parametric)), geodetic, 1e-15);
+}
+
+// The other coefficients are printed right, and the table's data say so.
+TEST(Errata, CoefficientsPrintedRight) {
+  for (const std::string name : {"C1", "C2", "C4", "C5", "C7", "C10"}) {
+    EXPECT_EQ(coefficient(name).by_height, row_of(coefficient(name), corrected_series())) << name;
+  }
+  for (const std::string name : {"C3", "C6", "C8"}) {
+    EXPECT_NE(coefficient(name).by_height, row_of(coefficient(name), corrected_series())) << name;
+  }
+}
+
+TEST(PolynomialText, ReadsLikeTheTable) {
+  EXPECT_EQ(polynomial_text({37, -66, 33, -4}), "37b^3 - 66b^2h0 + 33bh0^2 - 4h0^3");
+  EXPECT_EQ(polynomial_text({-1, 0, 1}), "-b^2 + h0^2");
+  EXPECT_EQ(polynomial_text({0, 0}), "0");
+}
+
+}  // namespace
+}  // namespace nlmech::chapters
