@@ -12,7 +12,8 @@ using geodesy::Geodetic;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// An ellipsoid of radius 1, flattened so far that the eye can tell the latitudes apart, and a satellite above it.
+/// An ellipsoid of radius 1, flattened so far that the eye can tell the latitudes apart, and a satellite
+/// above it.
 struct Scenery {
   Ellipsoid ellipsoid;
   Geodetic satellite;
@@ -20,21 +21,26 @@ struct Scenery {
   [[nodiscard]] Cartesian at(double latitude, double longitude, double height = 0) const {
     return geodesy::forward(Geodetic{latitude, longitude, height}, ellipsoid);
   }
-  /// Distance of the ellipsoid's point under the satellite from the centre of curvature on the equator's plane, N e^2.
+  /// Distance of the ellipsoid's point under the satellite from the centre of curvature on the equator's
+  /// plane, N e^2.
   [[nodiscard]] double foot_distance() const {
     const double s = std::sin(satellite.latitude);
-    return ellipsoid.a() / std::sqrt(1 - ellipsoid.e2() * s * s) * ellipsoid.e2() * std::cos(satellite.latitude);
+    return ellipsoid.a() / std::sqrt(1 - ellipsoid.e2() * s * s) * ellipsoid.e2() *
+           std::cos(satellite.latitude);
   }
 };
 
-/// Largest deviation from what the drawing claims: the line from ground to satellite is the normal, and its length is h.
+/// Largest deviation from what the drawing claims: the line from ground to satellite is the normal, and its
+/// length is h.
 double departure_from_normal(const Scenery& s) {
   const auto [latitude, longitude, height] = s.satellite;
   const Cartesian ground = s.at(latitude, longitude), above = s.at(latitude, longitude, height);
   const double b2 = s.ellipsoid.b() * s.ellipsoid.b(), a2 = s.ellipsoid.a() * s.ellipsoid.a();
   // the gradient of x^2/a^2 + y^2/a^2 + z^2/b^2 is normal to the ellipsoid
-  const Cartesian n{ground.x / a2, ground.y / a2, ground.z / b2}, d{above.x - ground.x, above.y - ground.y, above.z - ground.z};
-  const double length = std::hypot(d.x, d.y, d.z), cosine = (n.x * d.x + n.y * d.y + n.z * d.z) / std::hypot(n.x, n.y, n.z);
+  const Cartesian n{ground.x / a2, ground.y / a2, ground.z / b2},
+      d{above.x - ground.x, above.y - ground.y, above.z - ground.z};
+  const double length = std::hypot(d.x, d.y, d.z),
+               cosine = (n.x * d.x + n.y * d.y + n.z * d.z) / std::hypot(n.x, n.y, n.z);
   return std::max(std::abs(length - height), std::abs(cosine - height));
 }
 
@@ -43,7 +49,8 @@ scene::Quantity drawn_normal(const Scenery& s) {
                         "geometry of Eq. 2.40: a few roundings of lengths about 1");
 }
 
-// ---------------------------------------------------------------------------------------------- figure 2.21, in space
+// ---------------------------------------------------------------------------------------------- figure 2.21,
+// in space
 
 class SpaceDrawing {
  public:
@@ -67,8 +74,7 @@ class SpaceDrawing {
 
 void add_graticule(SpaceDrawing& drawing, const Scenery& s) {
   for (int i = 0; i < 12; ++i) {
-    drawing.curve("graticule", -90, 90, 2,
-                  [&](double u) { return s.at(u, 30 * i * degree); });
+    drawing.curve("graticule", -90, 90, 2, [&](double u) { return s.at(u, 30 * i * degree); });
   }
   for (int i = -60; i <= 60; i += 30) {
     drawing.curve("graticule", 0, 360, 2, [&](double u) { return s.at(i * degree, u); });
@@ -87,11 +93,14 @@ scene::Showing draw_in_space() {
   drawing.point("foot", {foot * std::cos(longitude), foot * std::sin(longitude), 0});
   drawing.point("below", {satellite.x, satellite.y, 0});
   drawing.point("normal_tip", s.at(latitude, longitude, arrow));
-  drawing.point("east_tip", {ground.x - arrow * std::sin(longitude), ground.y + arrow * std::cos(longitude), ground.z});
+  drawing.point("east_tip",
+                {ground.x - arrow * std::sin(longitude), ground.y + arrow * std::cos(longitude), ground.z});
   drawing.curve("equator", 0, 360, 1, [&](double u) { return s.at(0, u); });
   drawing.curve("meridian", -90, 90, 1, [&](double u) { return s.at(u, longitude); });
   drawing.curve("zero_meridian", -90, 90, 1, [&](double u) { return s.at(u, 0); });
-  drawing.curve("arc_longitude", 0, 65, 1, [](double u) { return Cartesian{0.45 * std::cos(u), 0.45 * std::sin(u), 0}; });
+  drawing.curve("arc_longitude", 0, 65, 1, [](double u) {
+    return Cartesian{0.45 * std::cos(u), 0.45 * std::sin(u), 0};
+  });
   drawing.curve("arc_latitude", 0, 42, 1, [&](double u) {
     const double from_axis = foot + 0.3 * std::cos(u);
     return Cartesian{from_axis * std::cos(longitude), from_axis * std::sin(longitude), 0.3 * std::sin(u)};
@@ -100,7 +109,8 @@ scene::Showing draw_in_space() {
   return {scene::Figure{drawing.take(), "geodesy-fig-2.21", {}}, {}, {drawn_normal(s)}};
 }
 
-// --------------------------------------------------------------------------------------- figure 2.22, in the meridian
+// --------------------------------------------------------------------------------------- figure 2.22, in the
+// meridian
 
 class MeridianDrawing {
  public:
@@ -122,9 +132,11 @@ class MeridianDrawing {
 scene::Showing draw_in_the_meridian() {
   const Scenery s{Ellipsoid(1, 0.4), {60 * degree, 0, 0.35}};
   const double a = s.ellipsoid.a(), b = s.ellipsoid.b(), foot = s.foot_distance();
-  const Cartesian satellite = s.at(s.satellite.latitude, 0, s.satellite.height), ground = s.at(s.satellite.latitude, 0);
+  const Cartesian satellite = s.at(s.satellite.latitude, 0, s.satellite.height),
+                  ground = s.at(s.satellite.latitude, 0);
   const Cartesian tip = s.at(s.satellite.latitude, 0, 0.2);
-  const double parametric = std::atan2(a * ground.z, b * ground.x), geocentric = std::atan2(satellite.z, satellite.x);
+  const double parametric = std::atan2(a * ground.z, b * ground.x),
+               geocentric = std::atan2(satellite.z, satellite.x);
   MeridianDrawing drawing;
   drawing.point("semi_axes", a, b);
   drawing.point("satellite", satellite.x, satellite.z);
@@ -141,7 +153,8 @@ scene::Showing draw_in_the_meridian() {
   const double from_parametric = std::atan2(a * std::sin(parametric), b * std::cos(parametric));
   scene::Showing showing{scene::Figure{drawing.take(), "geodesy-fig-2.22", {}}, {}, {drawn_normal(s)}};
   showing.quantities.push_back(scene::near("geodetic latitude from the drawn parametric one", "deg",
-                                           from_parametric / degree, 60, 1e-15, "drawn at 60 deg; two roundings"));
+                                           from_parametric / degree, 60, 1e-15,
+                                           "drawn at 60 deg; two roundings"));
   return showing;
 }
 

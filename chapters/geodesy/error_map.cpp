@@ -39,15 +39,19 @@ void fill(ErrorMap& map, const geodesy::PerturbationSeries& method, const geodes
 
 }  // namespace
 
-ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table, Arithmetic arithmetic,
-                   bool quick) {
+ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
+                   Arithmetic arithmetic, bool quick) {
   ErrorMap map;
   const int per_degree = quick ? 1 : 4, ratios = quick ? 12 : 60;
-  for (int i = -90 * per_degree; i <= 90 * per_degree; ++i) map.latitude_deg.push_back(double(i) / per_degree);
-  for (int i = 0; i <= ratios; ++i) map.height_km.push_back(200 * std::pow(35000.0 / 200.0, double(i) / ratios));
+  for (int i = -90 * per_degree; i <= 90 * per_degree; ++i)
+    map.latitude_deg.push_back(double(i) / per_degree);
+  for (int i = 0; i <= ratios; ++i)
+    map.height_km.push_back(200 * std::pow(35000.0 / 200.0, double(i) / ratios));
   map.height_km.back() = 35000;
-  if (arithmetic == Arithmetic::extended) fill<Extended>(map, method, table);
-  else fill<double>(map, method, table);
+  if (arithmetic == Arithmetic::extended)
+    fill<Extended>(map, method, table);
+  else
+    fill<double>(map, method, table);
   return map;
 }
 

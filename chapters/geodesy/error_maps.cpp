@@ -15,14 +15,16 @@ using scene::Run;
 using scene::Workshop;
 
 constexpr const char* nominal_reading =
-    "WGS84, longitude 30 deg, latitudes -90..90 deg, heights 200..35000 km; error = true minus found (Eq. 2.54)";
+    "WGS84, longitude 30 deg, latitudes -90..90 deg, heights 200..35000 km; error = true minus found (Eq. "
+    "2.54)";
 
 /// Truncation errors of the corrected series on this range, found independently with 50 digits (mpmath).
 struct Reference {
   int order;
   double latitude_deg, height_m;
 };
-constexpr std::array<Reference, 3> references = {{{2, 1.120e-6, 5.839e-2}, {3, 4.735e-9, 2.033e-4}, {4, 2.417e-11, 7.869e-7}}};
+constexpr std::array<Reference, 3> references = {
+    {{2, 1.120e-6, 5.839e-2}, {3, 4.735e-9, 2.033e-4}, {4, 2.417e-11, 7.869e-7}}};
 
 enum class Shown { latitude, height };
 
@@ -41,19 +43,21 @@ scene::Figure draw_map(const ErrorMap& map, Shown shown, int order) {
   return {std::move(data),
           "geodesy-error-map",
           {{"quantity", fmt::format("|{} error| ({})", name, unit)},
-           {"heading", fmt::format("Order {}: {} error at most {} {}, at {:.0f} deg and {:.0f} km", order, name,
-                                   scene::format_number(extreme.magnitude, 2), unit, std::abs(extreme.latitude_deg),
-                                   extreme.height_km)}}};
+           {"heading", fmt::format("Order {}: {} error at most {} {}, at {:.0f} deg and {:.0f} km", order,
+                                   name, scene::format_number(extreme.magnitude, 2), unit,
+                                   std::abs(extreme.latitude_deg), extreme.height_km)}}};
 }
 
-/// Double precision adds its rounding to the truncation error: 2.2e-8 m of height at 35000 km, 1e-14 deg of latitude.
+/// Double precision adds its rounding to the truncation error: 2.2e-8 m of height at 35000 km, 1e-14 deg of
+/// latitude.
 scene::Showing show_map(const ErrorMap& map, Shown shown, const Reference& reference) {
-  const char* reason = "truncation error found independently with 50 digits; 0.5 % for the grid and for rounding";
+  const char* reason =
+      "truncation error found independently with 50 digits; 0.5 % for the grid and for rounding";
   scene::Showing showing;
   showing.figure = draw_map(map, shown, reference.order);
   if (shown == Shown::latitude) {
-    showing.quantities = {
-        scene::near("max latitude error", "deg", map.latitude.magnitude, reference.latitude_deg, 0.005, reason)};
+    showing.quantities = {scene::near("max latitude error", "deg", map.latitude.magnitude,
+                                      reference.latitude_deg, 0.005, reason)};
   } else {
     showing.quantities = {
         scene::near("max height error", "m", map.height.magnitude, reference.height_m, 0.005, reason)};
@@ -62,7 +66,8 @@ scene::Showing show_map(const ErrorMap& map, Shown shown, const Reference& refer
 }
 
 const Run<ErrorMap>& add_map_run(scene::Chapter& chapter, const std::string& kind, PerturbationSeries method,
-                                 const geodesy::SeriesTable& table, Arithmetic arithmetic, const std::string& reading) {
+                                 const geodesy::SeriesTable& table, Arithmetic arithmetic,
+                                 const std::string& reading) {
   return chapter.add_run<ErrorMap>(
       fmt::format("{}-order-{}", kind, method.order), reading, {},
       [=](Workshop& w) { return error_map(method, table, arithmetic, w.quick()); });
@@ -76,16 +81,21 @@ SeriesRuns add_series_runs(scene::Chapter& chapter) {
   SeriesRuns runs{};
   for (std::size_t i = 0; i < runs.corrected.size(); ++i) {
     const int order = static_cast<int>(i) + 1;
-    const PerturbationSeries by_series{order, HeightFrom::series}, by_projection{order, HeightFrom::projection};
-    runs.corrected[i] = &add_map_run(chapter, "corrected", by_series, corrected, Arithmetic::double_precision, nominal);
+    const PerturbationSeries by_series{order, HeightFrom::series},
+        by_projection{order, HeightFrom::projection};
+    runs.corrected[i] =
+        &add_map_run(chapter, "corrected", by_series, corrected, Arithmetic::double_precision, nominal);
     runs.extended[i] = &add_map_run(chapter, "extended", by_series, corrected, Arithmetic::extended,
                                     nominal + "; extended precision");
-    runs.projected[i] = &add_map_run(chapter, "projected", by_projection, corrected, Arithmetic::double_precision,
-                                     nominal + "; height by projection on the normal");
+    runs.projected[i] =
+        &add_map_run(chapter, "projected", by_projection, corrected, Arithmetic::double_precision,
+                     nominal + "; height by projection on the normal");
     if (i >= runs.printed.size()) continue;
-    runs.printed[i] = &add_map_run(chapter, "printed", by_series, printed, Arithmetic::double_precision,
-                                   nominal + "; Table 2.6 as printed, with the equals sign in C8 read as minus and the "
-                                             "dimension of the last term of C9 repaired");
+    runs.printed[i] =
+        &add_map_run(chapter, "printed", by_series, printed, Arithmetic::double_precision,
+                     nominal +
+                         "; Table 2.6 as printed, with the equals sign in C8 read as minus and the "
+                         "dimension of the last term of C9 repaired");
   }
   return runs;
 }
@@ -101,7 +111,9 @@ void add_error_maps(scene::Chapter& chapter, const SeriesRuns& runs) {
                    .place = fmt::format("Figure 2.{}", figure),
                    .needs = {&run},
                    .seconds = 0.1,
-                   .show = [&run, shown, reference](Workshop& w) { return show_map(w.result(run), shown, reference); }});
+                   .show = [&run, shown, reference](Workshop& w) {
+                     return show_map(w.result(run), shown, reference);
+                   }});
       ++figure;
     }
   }
@@ -111,30 +123,28 @@ void add_claims(scene::Chapter& chapter, const SeriesRuns& runs) {
   const Run<ErrorMap>&second = *runs.corrected[1], &third = *runs.corrected[2], &fourth = *runs.corrected[3];
   const Run<ErrorMap>& printed = *runs.printed[3];
   const auto gain = [](const ErrorMap& coarse, const ErrorMap& fine) {
-    return std::min(coarse.latitude.magnitude / fine.latitude.magnitude, coarse.height.magnitude / fine.height.magnitude);
+    return std::min(coarse.latitude.magnitude / fine.latitude.magnitude,
+                    coarse.height.magnitude / fine.height.magnitude);
   };
   const std::string claim = "elgohary/claim-2.4/";
-  chapter.add(scene::Measurement{claim + "order 4/latitude error, order of magnitude",
-                                 {&fourth},
-                                 [&fourth](Workshop& w) {
-                                   return scene::Measured{w.result(fourth).latitude.magnitude, {}};
-                                 }});
-  chapter.add(scene::Measurement{claim + "order 4/height error, order of magnitude",
-                                 {&fourth, &printed},
-                                 [&fourth, &printed](Workshop& w) {
-                                   return scene::Measured{w.result(fourth).height.magnitude,
-                                                          w.result(printed).height.magnitude};
-                                 }});
-  chapter.add(scene::Measurement{claim + "order 2 to 3/improvement",
-                                 {&second, &third},
-                                 [&second, &third, gain](Workshop& w) {
-                                   return scene::Measured{gain(w.result(second), w.result(third)), {}};
-                                 }});
-  chapter.add(scene::Measurement{claim + "order 3 to 4/improvement",
-                                 {&third, &fourth},
-                                 [&third, &fourth, gain](Workshop& w) {
-                                   return scene::Measured{gain(w.result(third), w.result(fourth)), {}};
-                                 }});
+  chapter.add(scene::Measurement{
+      claim + "order 4/latitude error, order of magnitude", {&fourth}, [&fourth](Workshop& w) {
+        return scene::Measured{w.result(fourth).latitude.magnitude, {}};
+      }});
+  chapter.add(scene::Measurement{
+      claim + "order 4/height error, order of magnitude",
+      {&fourth, &printed},
+      [&fourth, &printed](Workshop& w) {
+        return scene::Measured{w.result(fourth).height.magnitude, w.result(printed).height.magnitude};
+      }});
+  chapter.add(scene::Measurement{
+      claim + "order 2 to 3/improvement", {&second, &third}, [&second, &third, gain](Workshop& w) {
+        return scene::Measured{gain(w.result(second), w.result(third)), {}};
+      }});
+  chapter.add(scene::Measurement{
+      claim + "order 3 to 4/improvement", {&third, &fourth}, [&third, &fourth, gain](Workshop& w) {
+        return scene::Measured{gain(w.result(third), w.result(fourth)), {}};
+      }});
 }
 
 }  // namespace nlmech::chapters

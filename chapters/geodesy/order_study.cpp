@@ -33,8 +33,8 @@ scene::Table largest_errors(const SeriesRuns& runs, Workshop& w) {
       latitude_printed = printed.latitude.magnitude;
       height_printed = printed.height.magnitude;
     }
-    table.add({std::int64_t(i) + 1, corrected.latitude.magnitude, extended.latitude.magnitude, latitude_printed,
-               corrected.height.magnitude, extended.height.magnitude, height_printed,
+    table.add({std::int64_t(i) + 1, corrected.latitude.magnitude, extended.latitude.magnitude,
+               latitude_printed, corrected.height.magnitude, extended.height.magnitude, height_printed,
                w.result(*runs.projected[i]).height.magnitude});
   }
   return table;
@@ -47,20 +47,24 @@ scene::Showing study(const SeriesRuns& runs, Workshop& w) {
   const char* independent = "truncation error found independently with 50 digits; 1 % for the grid";
   scene::Showing showing;
   showing.table = table;
-  showing.figure = {std::move(table), "geodesy-order-study",
-                    {{"heading", "Each order gains two digits; the table as printed gains none after order 3"}}};
+  showing.figure = {
+      std::move(table),
+      "geodesy-order-study",
+      {{"heading", "Each order gains two digits; the table as printed gains none after order 3"}}};
   showing.quantities = {
-      scene::near("max latitude error of order 5", "deg", fifth.latitude.magnitude, 1.143e-13, 0.01, independent),
+      scene::near("max latitude error of order 5", "deg", fifth.latitude.magnitude, 1.143e-13, 0.01,
+                  independent),
       scene::near("max height error of order 5", "m", fifth.height.magnitude, 3.219e-9, 0.01, independent),
       scene::near("max latitude error of order 6", "deg", sixth.latitude.magnitude, 6.15e-16, 0.03,
                   "the same; 3 % for the rounding of extended precision, 2e-17 deg"),
       scene::near("max height error of order 4 as printed", "m", printed.height.magnitude, 1.508e-3, 0.005,
                   "found independently with C6 as printed"),
-      scene::near("max latitude error of order 4 as printed", "deg", printed.latitude.magnitude, 4.85e-7, 0.01,
-                  "found independently with C3 and C8 as printed"),
-      scene::at_most("max height error of order 2 by projection", "m",
-                     w.result(*runs.projected[1]).height.magnitude, 3e-8,
-                     "truncation 1.3e-8 m by (M + h)/2 times the squared latitude error, plus two ulp of 41000 km"),
+      scene::near("max latitude error of order 4 as printed", "deg", printed.latitude.magnitude, 4.85e-7,
+                  0.01, "found independently with C3 and C8 as printed"),
+      scene::at_most(
+          "max height error of order 2 by projection", "m", w.result(*runs.projected[1]).height.magnitude,
+          3e-8,
+          "truncation 1.3e-8 m by (M + h)/2 times the squared latitude error, plus two ulp of 41000 km"),
   };
   return showing;
 }
@@ -69,7 +73,8 @@ scene::Showing study(const SeriesRuns& runs, Workshop& w) {
 
 void add_order_study(scene::Chapter& chapter, const SeriesRuns& runs) {
   chapter.add({.name = "order-study",
-               .title = "Largest error against the order: each order gains two digits; the printed table gains none after 3",
+               .title = "Largest error against the order: each order gains two digits; the printed table "
+                        "gains none after 3",
                .place = "our own",
                .needs = all_of(runs),
                .seconds = 1,

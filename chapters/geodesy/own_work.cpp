@@ -31,7 +31,8 @@ struct Request {
 Ellipsoid parse_ellipsoid(const std::string& text) {
   if (text == "wgs84") return Ellipsoid::wgs84();
   const auto refuse = [&](const std::string& why) {
-    return InputError(fmt::format("--ellipsoid {}: {}; say wgs84, or A,F as in 6378137,1/298.257223563", text, why));
+    return InputError(
+        fmt::format("--ellipsoid {}: {}; say wgs84, or A,F as in 6378137,1/298.257223563", text, why));
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) throw refuse("no comma");
@@ -52,7 +53,9 @@ std::string name_of(const std::string& file) { return file == "-" ? "standard in
 
 class CsvWriter {
  public:
-  explicit CsvWriter(const std::vector<std::string>& names) { text_ = fmt::format("{}\n", fmt::join(names, ",")); }
+  explicit CsvWriter(const std::vector<std::string>& names) {
+    text_ = fmt::format("{}\n", fmt::join(names, ","));
+  }
   void add(double a, double b, double c) {
     fmt::format_to(std::back_inserter(text_), "{:.17g},{:.17g},{:.17g}\n", a, b, c);
   }
@@ -66,15 +69,17 @@ class CsvWriter {
 void warn_of_miss(double miss, std::size_t line, const Request& request) {
   if (miss <= 1) return;
   fmt::print(stderr,
-             "geodesy: warning: the series of order {} misses the point of line {} by {:.2g} m; a higher order misses by "
+             "geodesy: warning: the series of order {} misses the point of line {} by {:.2g} m; a higher "
+             "order misses by "
              "less\n",
              request.order, line, miss);
 }
 
 void reverse(const Request& request) {
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
-  const geodesy::PerturbationSeries method{
-      request.order, request.height == "series" ? geodesy::HeightFrom::series : geodesy::HeightFrom::projection};
+  const geodesy::PerturbationSeries method{request.order, request.height == "series"
+                                                              ? geodesy::HeightFrom::series
+                                                              : geodesy::HeightFrom::projection};
   const std::string name = name_of(request.file);
   const auto points = scene::parse_numbers(scene::read_whole(request.file), name, cartesian_names);
 
@@ -86,9 +91,10 @@ void reverse(const Request& request) {
     const geodesy::Reversed found = geodesy::reverse(p, ellipsoid, method);
     if (found.outcome != Outcome::success) {
       throw Failure(Status::failure(
-          found.outcome, fmt::format("{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}) m; it holds "
-                                     "far from the centre of an ellipsoid of small flattening",
-                                     name, points.line[i], request.order, p.x, p.y, p.z)));
+          found.outcome,
+          fmt::format("{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}) m; it holds "
+                      "far from the centre of an ellipsoid of small flattening",
+                      name, points.line[i], request.order, p.x, p.y, p.z)));
     }
     if (found.miss > largest_miss) {
       largest_miss = found.miss;
@@ -108,14 +114,14 @@ void forward(const Request& request) {
   for (std::size_t i = 0; i < points.rows(); ++i) {
     const double latitude = points.column[0][i];
     if (std::abs(latitude) > 90) {
-      throw InputError(fmt::format("{}: line {}, column 1 (latitude_deg): {:g} is not between -90 and 90", name,
-                                   points.line[i], latitude));
+      throw InputError(fmt::format("{}: line {}, column 1 (latitude_deg): {:g} is not between -90 and 90",
+                                   name, points.line[i], latitude));
     }
     const Cartesian p = geodesy::forward(
         Geodetic{latitude * degree, points.column[1][i] * degree, points.column[2][i]}, ellipsoid);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw Failure(Status::failure(Outcome::non_finite,
-                                    fmt::format("{}, line {}: the position overflows", name, points.line[i])));
+      throw Failure(Status::failure(
+          Outcome::non_finite, fmt::format("{}, line {}: the position overflows", name, points.line[i])));
     }
     out.add(p.x, p.y, p.z);
   }
@@ -123,7 +129,9 @@ void forward(const Request& request) {
 }
 
 void add_common(CLI::App& command, Request& request) {
-  command.add_option("--ellipsoid", request.ellipsoid, "wgs84, or equatorial radius in metres and flattening: A,F")
+  command
+      .add_option("--ellipsoid", request.ellipsoid,
+                  "wgs84, or equatorial radius in metres and flattening: A,F")
       ->capture_default_str();
   command.add_option("file", request.file, "CSV file; - is standard input")->capture_default_str();
 }
@@ -133,18 +141,23 @@ void add_common(CLI::App& command, Request& request) {
 void geodesy_work(CLI::App& app) {
   const auto request = std::make_shared<Request>();  // lives as long as the callbacks
 
-  CLI::App* to_geodetic = app.add_subcommand("reverse", "x,y,z in metres to latitude_deg,longitude_deg,height_m");
-  to_geodetic->add_option("--method", request->method, "series")->check(CLI::IsMember({"series"}))->capture_default_str();
+  CLI::App* to_geodetic =
+      app.add_subcommand("reverse", "x,y,z in metres to latitude_deg,longitude_deg,height_m");
+  to_geodetic->add_option("--method", request->method, "series")
+      ->check(CLI::IsMember({"series"}))
+      ->capture_default_str();
   to_geodetic->add_option("--order", request->order, "order of the series")
       ->check(CLI::Range(1, geodesy::highest_order))
       ->capture_default_str();
-  to_geodetic->add_option("--height", request->height, "height from the series or by projection on the normal")
+  to_geodetic
+      ->add_option("--height", request->height, "height from the series or by projection on the normal")
       ->check(CLI::IsMember({"series", "projection"}))
       ->capture_default_str();
   add_common(*to_geodetic, *request);
   to_geodetic->callback([request] { reverse(*request); });
 
-  CLI::App* to_cartesian = app.add_subcommand("forward", "latitude_deg,longitude_deg,height_m to x,y,z in metres");
+  CLI::App* to_cartesian =
+      app.add_subcommand("forward", "latitude_deg,longitude_deg,height_m to x,y,z in metres");
   add_common(*to_cartesian, *request);
   to_cartesian->callback([request] { forward(*request); });
 }

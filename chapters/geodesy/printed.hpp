@@ -11,11 +11,11 @@ namespace nlmech::chapters {
 
 /// One printed coefficient: the row for cos(phi_0)^(2 power) of a term of the series, over a common factor.
 struct PrintedCoefficient {
-  std::string name;     ///< "C3"
-  std::string printed;  ///< the expression, term by term in the printed order
-  bool in_height;       ///< belongs to h_k, else to phi_k
-  int order;            ///< k
-  int power;            ///< of cos(phi_0)^2
+  std::string name;            ///< "C3"
+  std::string printed;         ///< the expression, term by term in the printed order
+  bool in_height;              ///< belongs to h_k, else to phi_k
+  int order;                   ///< k
+  int power;                   ///< of cos(phi_0)^2
   std::vector<int> by_height;  ///< what it says: coefficients of b^(n-i) h_0^i, i = 0..n
   std::string remark;          ///< how an impossible term was read; empty if it can be taken as it stands
 };
@@ -24,7 +24,8 @@ struct PrintedCoefficient {
 [[nodiscard]] const std::vector<PrintedCoefficient>& printed_coefficients();
 
 /// The place of a coefficient in a table of the series.
-[[nodiscard]] const geodesy::SeriesTerm& term_of(const PrintedCoefficient& c, const geodesy::SeriesTable& table);
+[[nodiscard]] const geodesy::SeriesTerm& term_of(const PrintedCoefficient& c,
+                                                 const geodesy::SeriesTable& table);
 
 /// The coefficients of b^(n-i) h_0^i that a table has in the coefficient's place.
 [[nodiscard]] std::vector<int> row_of(const PrintedCoefficient& c, const geodesy::SeriesTable& table);

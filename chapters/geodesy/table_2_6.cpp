@@ -16,13 +16,14 @@ scene::Showing compare(const geodesy::SeriesTable& derived) {
     const bool agrees = row == c.by_height && c.remark.empty();
     same += agrees ? 1 : 0;
     const std::string belongs = (c.in_height ? "h_" : "phi_") + std::to_string(c.order);
-    table.add({c.name, belongs, c.printed, polynomial_text(row), std::string(agrees ? "yes" : "no"), c.remark});
+    table.add(
+        {c.name, belongs, c.printed, polynomial_text(row), std::string(agrees ? "yes" : "no"), c.remark});
   }
   scene::Showing showing;
   showing.table = std::move(table);
-  showing.quantities = {
-      scene::near("printed coefficients that agree with the derivation", "1", same, 6, 0,
-                  "C1, C2, C4, C5, C7, C10: an independent derivation by computer algebra gives the same six")};
+  showing.quantities = {scene::near(
+      "printed coefficients that agree with the derivation", "1", same, 6, 0,
+      "C1, C2, C4, C5, C7, C10: an independent derivation by computer algebra gives the same six")};
   return showing;
 }
 

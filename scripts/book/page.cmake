@@ -17,6 +17,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/references.cmake")
 function(book_complain file line text)
   message("${file}:${line}: error: ${text}")
   set_property(GLOBAL APPEND PROPERTY complaints "${file}:${line}")
+  set_property(GLOBAL PROPERTY "last complaint" "${file}:${line}: error: ${text}")
 endfunction()
 
 # Remembers that the book depends on this file.
@@ -261,7 +262,11 @@ function(book_page source target label)
       if(rest MATCHES "^[ \t]*\n" AND NOT label STREQUAL mainpage)
         string(APPEND page "${line}\n")  # the blank line under the title gives way to the list of sections
         _book_next_line()
-        set(line "\\tableofcontents")
+        if(label STREQUAL reproduction)  # its tables need the width that the list of sections would take
+          set(line "\\htmlonly[block]<style>html { --content-maxwidth: 1500px; }</style>\\endhtmlonly")
+        else()
+          set(line "\\tableofcontents")
+        endif()
       endif()
     elseif(line MATCHES "^[ \t]*$")
       string(APPEND line "${owed}")

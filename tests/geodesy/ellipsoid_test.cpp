@@ -14,7 +14,8 @@ using oracle::Real;
 
 TEST(Ellipsoid, Wgs84DerivedConstants) {
   const Ellipsoid e = Ellipsoid::wgs84();
-  // From the defining a and 1/f in 50 digits: b = a (1 - f), e^2 = f (2 - f), p = 1/(1/f - 1). Tolerance: two roundings.
+  // From the defining a and 1/f in 50 digits: b = a (1 - f), e^2 = f (2 - f), p = 1/(1/f - 1). Tolerance: two
+  // roundings.
   EXPECT_NEAR(e.b(), 6356752.314245179, 2e-9);
   EXPECT_NEAR(e.e2(), 6.694379990141317e-3, 2e-18);
   EXPECT_NEAR(e.p(), 0.0033640898209764189, 1e-18);
@@ -23,7 +24,8 @@ TEST(Ellipsoid, Wgs84DerivedConstants) {
 TEST(Ellipsoid, RefusesImpossibleShapesByValue) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double a : {0.0, -1.0, nan, inf}) EXPECT_THROW(Ellipsoid(a, 0.0), std::invalid_argument) << a;
-  for (const double f : {1.0, 2.0, nan, inf, -inf}) EXPECT_THROW(Ellipsoid(1.0, f), std::invalid_argument) << f;
+  for (const double f : {1.0, 2.0, nan, inf, -inf})
+    EXPECT_THROW(Ellipsoid(1.0, f), std::invalid_argument) << f;
   try {
     const Ellipsoid refused(-6378137, 0);
     FAIL() << "accepted a negative radius";

@@ -1,10 +1,11 @@
 /// @file
 /// The reverse transformation in 50 digits, by a method that shares nothing with the library's.
 ///
-/// The foot of the perpendicular from (r, z) is (a^2 r/(a^2 + t), b^2 z/(b^2 + t)) where t is the largest root of
+/// The foot of the perpendicular from (r, z) is (a^2 r/(a^2 + t), b^2 z/(b^2 + t)) where t is the largest
+/// root of
 ///     g(t) = (a r/(a^2 + t))^2 + (b z/(b^2 + t))^2 - 1.
-/// g falls and is convex to the right of its poles, so Newton's iteration from a point with g >= 0 climbs to the root
-/// without ever passing it.
+/// g falls and is convex to the right of its poles, so Newton's iteration from a point with g >= 0 climbs to
+/// the root without ever passing it.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -29,13 +30,15 @@ inline BasicGeodetic<Real> reverse(const BasicCartesian<Real>& p, const BasicEll
     t += step;
     if (abs(step) <= Real(1e-46) * (a * a + abs(t))) break;
   }
-  const Real normal_r = r / (a * a + t), normal_z = z / (b * b + t);  // foot over squared half axes: along the normal
+  const Real normal_r = r / (a * a + t),
+             normal_z = z / (b * b + t);  // foot over squared half axes: along the normal
   return {atan2(normal_z, normal_r), atan2(p.y, p.x), t * sqrt(normal_r * normal_r + normal_z * normal_z)};
 }
 
 /// The same for a point and an ellipsoid given in doubles, whose values are taken as exact.
 inline BasicGeodetic<Real> reverse(const Cartesian& p, const Ellipsoid& e) {
-  return reverse(BasicCartesian<Real>{Real(p.x), Real(p.y), Real(p.z)}, BasicEllipsoid<Real>(Real(e.a()), Real(e.f())));
+  return reverse(BasicCartesian<Real>{Real(p.x), Real(p.y), Real(p.z)},
+                 BasicEllipsoid<Real>(Real(e.a()), Real(e.f())));
 }
 
 }  // namespace nlmech::geodesy::oracle

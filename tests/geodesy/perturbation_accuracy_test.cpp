@@ -16,7 +16,8 @@ struct Errors {
   double latitude_deg = 0, height_m = 0;
 };
 
-/// Largest error over latitudes -90..90 deg and heights 200..35000 km against the oracle's answer for the same doubles.
+/// Largest error over latitudes -90..90 deg and heights 200..35000 km against the oracle's answer for the
+/// same doubles.
 Errors largest_errors(const PerturbationSeries& method) {
   const Ellipsoid e = Ellipsoid::wgs84();
   Errors largest;
@@ -28,26 +29,32 @@ Errors largest_errors(const PerturbationSeries& method) {
       EXPECT_EQ(found.outcome, Outcome::success);
       const Real in_degrees = abs(truth.latitude - found.position.latitude) * 180 / oracle::pi();
       largest.latitude_deg = std::max(largest.latitude_deg, static_cast<double>(in_degrees));
-      largest.height_m = std::max(largest.height_m, static_cast<double>(abs(truth.height - found.position.height)));
+      largest.height_m =
+          std::max(largest.height_m, static_cast<double>(abs(truth.height - found.position.height)));
     }
   }
   return largest;
 }
 
-// The statement of perturbation.hpp, order by order. Above order 4 the doubles themselves set the floor: latitude
-// rounds at 1.4e-14 deg near the pole, heights at 7.5e-9 m.
+// The statement of perturbation.hpp, order by order. Above order 4 the doubles themselves set the floor:
+// latitude rounds at 1.4e-14 deg near the pole, heights at 7.5e-9 m.
 TEST(PerturbationSeries, KeepsTheErrorStatementOfItsHeader) {
-  constexpr std::array<Errors, 6> stated = {
-      {{3.4e-4, 26}, {1.2e-6, 0.06}, {4.8e-9, 2.1e-4}, {2.5e-11, 8.0e-7}, {1.5e-13, 2.3e-8}, {5.0e-14, 2.3e-8}}};
+  constexpr std::array<Errors, 6> stated = {{{3.4e-4, 26},
+                                             {1.2e-6, 0.06},
+                                             {4.8e-9, 2.1e-4},
+                                             {2.5e-11, 8.0e-7},
+                                             {1.5e-13, 2.3e-8},
+                                             {5.0e-14, 2.3e-8}}};
   for (int order = 1; order <= highest_order; ++order) {
     const Errors found = largest_errors({order, HeightFrom::series});
-    EXPECT_LE(found.latitude_deg, stated.at(static_cast<std::size_t>(order) - 1).latitude_deg) << "order " << order;
+    EXPECT_LE(found.latitude_deg, stated.at(static_cast<std::size_t>(order) - 1).latitude_deg)
+        << "order " << order;
     EXPECT_LE(found.height_m, stated.at(static_cast<std::size_t>(order) - 1).height_m) << "order " << order;
   }
 }
 
-// What the project set out to reach: orders 2, 3, 4 on the dissertation's range, with half a digit's rounding of the
-// stated figures.
+// What the project set out to reach: orders 2, 3, 4 on the dissertation's range, with half a digit's rounding
+// of the stated figures.
 TEST(PerturbationSeries, ReachesTheTargetsOfOrders2To4) {
   constexpr std::array<Errors, 3> target = {{{1.12e-6, 5.84e-2}, {4.74e-9, 2.04e-4}, {2.42e-11, 7.9e-7}}};
   for (int order = 2; order <= 4; ++order) {
@@ -72,8 +79,8 @@ Real truncation_error(double latitude, double height, const Real& f, int order, 
   return abs(of_height ? Real(found.height - truth.height) : Real(found.latitude - truth.latitude));
 }
 
-// A wrong coefficient of order k leaves an error p^k, so the observed order would stop short. The next term of the
-// series shifts the observed order by some p/ln 2.
+// A wrong coefficient of order k leaves an error p^k, so the observed order would stop short. The next term
+// of the series shifts the observed order by some p/ln 2.
 TEST(PerturbationSeries, ObservedOrderInExtendedPrecision) {
   const Real f("1e-4");
   for (int order = 1; order <= highest_order; ++order) {
@@ -83,8 +90,8 @@ TEST(PerturbationSeries, ObservedOrderInExtendedPrecision) {
           const Real coarse = truncation_error(latitude, height, f, order, of_height);
           const Real fine = truncation_error(latitude, height, Real(f / 2), order, of_height);
           const auto observed = static_cast<double>(log(coarse / fine) / log(Real(2)));
-          EXPECT_NEAR(observed, order + 1, 0.02)
-              << "order " << order << ", latitude " << latitude << ", height " << height << ", of height " << of_height;
+          EXPECT_NEAR(observed, order + 1, 0.02) << "order " << order << ", latitude " << latitude
+                                                 << ", height " << height << ", of height " << of_height;
         }
       }
     }
@@ -94,12 +101,14 @@ TEST(PerturbationSeries, ObservedOrderInExtendedPrecision) {
 // There and back over random points: order 6 keeps the header's statement from the ground to 35000 km.
 RC_GTEST_PROP(PerturbationSeries, ForwardThenReverse, ()) {
   const auto fraction = [] { return *rc::gen::inRange(-1000000, 1000001) / 1e6; };
-  const Geodetic given{fraction() * std::numbers::pi / 2, fraction() * std::numbers::pi, 17.5e6 + fraction() * 17.5e6};
+  const Geodetic given{fraction() * std::numbers::pi / 2, fraction() * std::numbers::pi,
+                       17.5e6 + fraction() * 17.5e6};
   const Ellipsoid e = Ellipsoid::wgs84();
   const Cartesian p = forward(given, e);
   const Reversed found = reverse(p, e, {6, HeightFrom::projection});
   RC_ASSERT(found.outcome == Outcome::success);
-  // 5e-14 deg = 8.7e-16 rad of the header, and the rounding of the position on the way there: 2 ulp of R over R
+  // 5e-14 deg = 8.7e-16 rad of the header, and the rounding of the position on the way there: 2 ulp of R over
+  // R
   const double eps = std::numeric_limits<double>::epsilon();
   RC_ASSERT(std::abs(found.position.latitude - given.latitude) <= 8.7e-16 + 2 * eps);
   RC_ASSERT(std::abs(found.position.height - given.height) <= 6 * eps * (e.a() + given.height));
@@ -109,8 +118,8 @@ RC_GTEST_PROP(PerturbationSeries, ForwardThenReverse, ()) {
   RC_ASSERT(std::abs(turn) * from_axis <= 8 * eps * (e.a() + given.height));
 }
 
-// Oblate, spherical and prolate ellipsoids of any size: order 6 against the oracle. The truncation is of the order
-// p^7 times a coefficient that grows near the centre; 60 |p|^7 holds from the surface upwards.
+// Oblate, spherical and prolate ellipsoids of any size: order 6 against the oracle. The truncation is of the
+// order p^7 times a coefficient that grows near the centre; 60 |p|^7 holds from the surface upwards.
 RC_GTEST_PROP(PerturbationSeries, AnyEllipsoid, ()) {
   const auto fraction = [] { return *rc::gen::inRange(-1000000, 1000001) / 1e6; };
   const Ellipsoid e(std::pow(10.0, 3 + 3 * fraction()), fraction() / 50);

@@ -45,7 +45,8 @@ TEST(PerturbationEdges, LongitudeFollowsTheSignsOfZero) {
 
 TEST(PerturbationEdges, NonFiniteInputIsAnOutcome) {
   for (const double bad : {nan, inf, -inf}) {
-    for (const Reversed& found : {fourth_order(bad, 0, 7e6), fourth_order(7e6, bad, 0), fourth_order(0, 7e6, bad)}) {
+    for (const Reversed& found :
+         {fourth_order(bad, 0, 7e6), fourth_order(7e6, bad, 0), fourth_order(0, 7e6, bad)}) {
       EXPECT_EQ(found.outcome, Outcome::non_finite);
       EXPECT_TRUE(std::isnan(found.position.latitude) && std::isnan(found.position.height));
     }
@@ -64,8 +65,8 @@ TEST(PerturbationEdges, FarAwayNothingOverflows) {
   for (const double far : {1e12, 1e100, 1e300}) {
     const Reversed found = fourth_order(far, 0, far);
     EXPECT_EQ(found.outcome, Outcome::success) << far;
-    // The normal's direction differs from the radius's by e^2 a/(2 R), up to a part e^2 of that. Order 4 keeps 7e-14 rad
-    // at any distance.
+    // The normal's direction differs from the radius's by e^2 a/(2 R), up to a part e^2 of that. Order 4
+    // keeps 7e-14 rad at any distance.
     const Ellipsoid e = Ellipsoid::wgs84();
     const double turn = e.e2() * e.a() / (2 * std::hypot(far, far));
     EXPECT_NEAR(found.position.latitude, pi / 4 + turn, e.e2() * turn + 1e-13) << far;
@@ -80,8 +81,8 @@ TEST(PerturbationEdges, SphereIsExact) {
   EXPECT_EQ(found.position.height, 4e6);
 }
 
-// p = 1: the series does not converge at all; where it happens to be far off it says so, and it never returns a guess
-// that misses by more than a hundredth.
+// p = 1: the series does not converge at all; where it happens to be far off it says so, and it never returns
+// a guess that misses by more than a hundredth.
 TEST(PerturbationEdges, StrongFlatteningIsNeverASilentGuess) {
   const Ellipsoid e(6378137, 0.5);
   int refused = 0;

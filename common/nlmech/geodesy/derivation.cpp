@@ -15,20 +15,23 @@ using Integer = std::int64_t;
 
 Integer times(Integer a, Integer b) {
   Integer product = 0;
-  if (__builtin_mul_overflow(a, b, &product)) throw std::overflow_error("derive_series: a fraction grew beyond 64 bits");
+  if (__builtin_mul_overflow(a, b, &product))
+    throw std::overflow_error("derive_series: a fraction grew beyond 64 bits");
   return product;
 }
 
 Integer plus(Integer a, Integer b) {
   Integer sum = 0;
-  if (__builtin_add_overflow(a, b, &sum)) throw std::overflow_error("derive_series: a fraction grew beyond 64 bits");
+  if (__builtin_add_overflow(a, b, &sum))
+    throw std::overflow_error("derive_series: a fraction grew beyond 64 bits");
   return sum;
 }
 
 /// A fraction in lowest terms, denominator positive.
 class Rational {
  public:
-  Rational(Integer numerator = 0, Integer denominator = 1) : n_(numerator), d_(denominator) {  // NOLINT: numbers are rational
+  Rational(Integer numerator = 0, Integer denominator = 1)
+      : n_(numerator), d_(denominator) {  // NOLINT: numbers are rational
     const Integer divisor = std::gcd(n_, d_) * (d_ < 0 ? -1 : 1);
     n_ /= divisor;
     d_ /= divisor;
@@ -87,7 +90,7 @@ class Polynomial {
 class Series {
  public:
   Series() = default;
-  Series(Rational c) { k[0].add({0, 0, 0}, c); }                      // NOLINT: numbers are series
+  Series(Rational c) { k[0].add({0, 0, 0}, c); }  // NOLINT: numbers are series
   explicit Series(Monomial m) { k[0].add(m, 1); }
   static Series p() {
     Series s;
@@ -126,7 +129,8 @@ Series compose(const std::vector<Rational>& c, const Series& x) {
 const std::vector<Rational> sine = {0, 1, 0, {-1, 6}, 0, {1, 120}, 0};
 const std::vector<Rational> cosine = {1, 0, {-1, 2}, 0, {1, 24}, 0, {-1, 720}};
 const std::vector<Rational> arcsine = {0, 1, 0, {1, 6}, 0, {3, 40}, 0};
-const std::vector<Rational> inverse_root = {1, {-1, 2}, {3, 8}, {-5, 16}, {35, 128}, {-63, 256}, {231, 1024}};  // (1+x)^(-1/2)
+const std::vector<Rational> inverse_root = {1,         {-1, 2},    {3, 8},     {-5, 16},
+                                            {35, 128}, {-63, 256}, {231, 1024}};  // (1+x)^(-1/2)
 
 struct Expansions {
   Series d;         // phi - phi_0
@@ -137,6 +141,7 @@ Expansions expand() {
   const Series p = Series::p(), q({1, 0, 0}), w({0, 1, 0}), S({0, 0, 1}), half(Rational(1, 2));
   const Series cos_2phi0 = Series(2) * w - Series(1);
 
+  //! [order by order]
   Series d;
   for (int order = 1; order <= highest_order; ++order) {
     const Series s = compose(sine, d), c = compose(cosine, d);
@@ -145,6 +150,7 @@ Expansions expand() {
     const Series cos_phi0_sin_phi = half * S * c + w * s;     // cos(phi_0) sin(phi_0 + d)
     d = compose(arcsine, p * (half * q * (Series(2) + p) * sin_2phi - cos_phi0_sin_phi));
   }
+  //! [order by order]
 
   // h = [ r cos(phi) + (1+p) z sin(phi) - (1+p) b ] / sqrt(cos^2 + (1+p)^2 sin^2), over R
   const Series s = compose(sine, d), c = compose(cosine, d), sin2_phi0 = Series(1) - w;

@@ -21,8 +21,8 @@ struct BasicGeodetic {
   T latitude{}, longitude{}, height{};
 };
 
-/// Ellipsoid of revolution with equatorial radius a and flattening f = (a - b)/a: oblate (f > 0), sphere (f = 0) or
-/// prolate (f < 0). Usable with any real type, so that references are computed in extended precision.
+/// Ellipsoid of revolution with equatorial radius a and flattening f = (a - b)/a: oblate (f > 0), sphere (f =
+/// 0) or prolate (f < 0). Usable with any real type, so that references are computed in extended precision.
 template <class T>
 class BasicEllipsoid {
  public:
@@ -38,9 +38,9 @@ class BasicEllipsoid {
   /// World Geodetic System 1984: a = 6378137 m, 1/f = 298.257223563.
   static BasicEllipsoid wgs84() { return {T(6378137), T(1000000000) / T(298257223563LL)}; }
 
-  [[nodiscard]] T a() const { return a_; }             ///< equatorial radius (semi-major axis if oblate), m
-  [[nodiscard]] T f() const { return f_; }             ///< flattening (a - b)/a
-  [[nodiscard]] T b() const { return a_ * (1 - f_); }  ///< polar radius, m
+  [[nodiscard]] T a() const { return a_; }              ///< equatorial radius (semi-major axis if oblate), m
+  [[nodiscard]] T f() const { return f_; }              ///< flattening (a - b)/a
+  [[nodiscard]] T b() const { return a_ * (1 - f_); }   ///< polar radius, m
   [[nodiscard]] T e2() const { return f_ * (2 - f_); }  ///< squared first eccentricity (a^2 - b^2)/a^2
   /// Small parameter of the dissertation's series, p = a/b - 1 = f/(1 - f) (Elgohary 2015, Eq. 2.45).
   [[nodiscard]] T p() const { return f_ / (1 - f_); }
@@ -57,8 +57,8 @@ using Cartesian = BasicCartesian<double>;
 using Geodetic = BasicGeodetic<double>;
 using Ellipsoid = BasicEllipsoid<double>;
 
-/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and height,
-/// also for latitudes beyond +-pi/2, which are taken as they stand.
+/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and
+/// height, also for latitudes beyond +-pi/2, which are taken as they stand.
 template <class T>
 [[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
   using std::cos, std::sin, std::sqrt;

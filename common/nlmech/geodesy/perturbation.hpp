@@ -1,11 +1,14 @@
 /// @file
-/// Cartesian to geodetic coordinates by the dissertation's perturbation series (Elgohary 2015, section 2.4.1).
+/// Cartesian to geodetic coordinates by the dissertation's perturbation series (Elgohary 2015,
+/// section 2.4.1).
 ///
-/// The equatorial radius is written as a = b(1 + p). For p = 0 the ellipsoid is a sphere, whose latitude phi_0 and height
-/// h_0 = R - b are known; parametric latitude and height are expanded about them in powers of p (Eqs 2.47-2.52) and the
-/// geodetic latitude follows from the parametric one (Eq. 2.53). No iteration, no branch.
+/// The equatorial radius is written as a = b(1 + p). For p = 0 the ellipsoid is a sphere, whose latitude
+/// phi_0 and height h_0 = R - b are known; parametric latitude and height are expanded about them in powers
+/// of p (Eqs 2.47-2.52) and the geodetic latitude follows from the parametric one (Eq. 2.53). No iteration,
+/// no branch.
 ///
-/// Accuracy (largest error for WGS84, latitudes -90..90 deg, heights 200..35000 km; asserted by tests/geodesy):
+/// Accuracy (largest error for WGS84, latitudes -90..90 deg, heights 200..35000 km; asserted by
+/// tests/geodesy):
 ///
 /// | order | latitude (deg) | height by the series (m) |
 /// | ----: | -------------: | -----------------------: |
@@ -32,7 +35,8 @@ namespace nlmech::geodesy {
 /// Highest order of the series that is tabulated.
 inline constexpr int highest_order = 6;
 
-/// One order's polynomial: `coefficient[j][i]` belongs to cos(phi_0)^(2j) h_0^i b^(degree - i), all over `divisor`.
+/// One order's polynomial: `coefficient[j][i]` belongs to cos(phi_0)^(2j) h_0^i b^(degree - i), all over
+/// `divisor`.
 struct SeriesTerm {
   int degree = 0;   ///< in b and h_0 together
   int divisor = 1;  ///< common denominator
@@ -40,8 +44,9 @@ struct SeriesTerm {
   [[nodiscard]] bool operator==(const SeriesTerm&) const = default;
 };
 
-/// The terms of Eqs 2.49-2.52 and two orders more. With S = sin(2 phi_0), R = b + h_0 and the polynomials P_k, Q_k of the
-/// table, phi_k = S P_k / R^k and, from the second order on, h_k = b S^2 Q_k / R^(k-1); h_1 = -b cos(phi_0)^2.
+/// The terms of Eqs 2.49-2.52 and two orders more. With S = sin(2 phi_0), R = b + h_0 and the polynomials
+/// P_k, Q_k of the table, phi_k = S P_k / R^k and, from the second order on, h_k = b S^2 Q_k / R^(k-1); h_1 =
+/// -b cos(phi_0)^2.
 struct SeriesTable {
   std::array<SeriesTerm, highest_order> latitude;  ///< P_1..P_6
   std::array<SeriesTerm, highest_order> height;    ///< Q_1 (unused), Q_2..Q_6
@@ -54,7 +59,8 @@ struct SeriesTable {
 /// Where the height comes from.
 enum class HeightFrom {
   series,     ///< the series of Eq. 2.47, as in the dissertation
-  projection  ///< the point projected on the normal at the latitude found: an order-2 latitude already gives full accuracy
+  projection  ///< the point projected on the normal at the latitude found: an order-2 latitude already gives
+              ///< full accuracy
 };
 
 /// The method with its options.
@@ -72,18 +78,20 @@ struct BasicReversed {
 };
 using Reversed = BasicReversed<double>;
 
-/// A miss beyond this part of the distance from the centre is the outcome `outside_validity`: no digit is left then.
+/// A miss beyond this part of the distance from the centre is the outcome `outside_validity`: no digit is
+/// left then.
 inline constexpr double largest_relative_miss = 0.01;
 
-/// Cartesian to geodetic coordinates. Latitude and longitude in radians, longitude in [-pi, pi]; the equator gives the
-/// latitude z (so that a zero keeps its sign), the axis exactly +-pi/2. Outcomes: `success`; `non_finite` for NaN or
-/// infinite input, `outside_validity` where the series has no digit (near the centre, or for strong flattening): the
-/// position is NaN in both cases.
+/// Cartesian to geodetic coordinates. Latitude and longitude in radians, longitude in [-pi, pi]; the equator
+/// gives the latitude z (so that a zero keeps its sign), the axis exactly +-pi/2. Outcomes: `success`;
+/// `non_finite` for NaN or infinite input, `outside_validity` where the series has no digit (near the centre,
+/// or for strong flattening): the position is NaN in both cases.
 /// @param table for comparisons with misprinted coefficients; leave it out otherwise
 /// @throws std::invalid_argument if the order is not 1..6
 template <class T>
 [[nodiscard]] BasicReversed<T> reverse(const BasicCartesian<T>& point, const BasicEllipsoid<T>& ellipsoid,
-                                       const PerturbationSeries& method, const SeriesTable& table = corrected_series());
+                                       const PerturbationSeries& method,
+                                       const SeriesTable& table = corrected_series());
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -96,12 +104,15 @@ void require_order(int order);
 template <class T>
 T length(const T& x, const T& y) {
   using std::sqrt;
-  if constexpr (std::is_floating_point_v<T>) return std::hypot(x, y);
-  else return sqrt(x * x + y * y);
+  if constexpr (std::is_floating_point_v<T>)
+    return std::hypot(x, y);
+  else
+    return sqrt(x * x + y * y);
 }
 
-/// The polynomial of a term over R^degree, written in b/R and h_0/R so that nothing overflows far from the Earth.
-/// Each inner sum is homogeneous, so Horner's scheme runs in h_0/R while b/R makes up the missing degree.
+/// The polynomial of a term over R^degree, written in b/R and h_0/R so that nothing overflows far from the
+/// Earth. Each inner sum is homogeneous, so Horner's scheme runs in h_0/R while b/R makes up the missing
+/// degree.
 template <class T>
 T evaluate(const SeriesTerm& term, const T& b_R, const T& h0_R, const T& cos2) {
   T outer{0};
@@ -122,6 +133,7 @@ struct ParametricPosition {
   T latitude, height;
 };
 
+//! [sum of the series]
 /// Eq. 2.47 with the terms of Eqs 2.48-2.52: point (r, z) at the distance R > 0 from the centre.
 template <class T>
 ParametricPosition<T> sum_series(const T& r, const T& z, const T& R, const BasicEllipsoid<T>& e, int order,
@@ -137,6 +149,7 @@ ParametricPosition<T> sum_series(const T& r, const T& z, const T& R, const Basic
   }
   return {atan2(z, r) + latitude, (R - b) + height};
 }
+//! [sum of the series]
 
 }  // namespace detail
 

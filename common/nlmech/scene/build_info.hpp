@@ -1,5 +1,6 @@
 /// @file
-/// What this program was made from. Filled in by the build; the values stand in the provenance of every scene.
+/// What this program was made from. Filled in by the build; the values stand in the provenance of every
+/// scene.
 #pragma once
 
 #include <string>

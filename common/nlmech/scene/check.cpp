@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -45,16 +46,19 @@ void refuse_orphans(const Chapter& chapter, const std::vector<Checked>& values) 
   for (const Checked& c : values) names.insert(c.value.name());
   for (const Measurement& m : chapter.measurements()) {
     if (!names.contains(m.name)) {
-      throw std::logic_error(fmt::format("chapter {} measures {}, which no source prints", chapter.name(), m.name));
+      throw std::logic_error(
+          fmt::format("chapter {} measures {}, which no source prints", chapter.name(), m.name));
     }
   }
 }
 
 Cell cell(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
 
+/// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
 std::optional<double> optional_number(const std::string& text) {
   double value = 0;
-  return parse_number(text, value) ? std::optional(value) : std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 std::string shown(const std::optional<double>& value) { return value ? format_number(*value, 4) : ""; }
@@ -82,8 +86,9 @@ Table counts(const std::vector<Checked>& values) {
   std::map<std::string, std::map<Verdict, std::int64_t>> count;
   for (const Checked& c : values) ++count[c.chapter][c.judgement.verdict];
   std::vector<Column> columns = {{"chapter"}};
-  const std::vector<Verdict> order = {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::better,
-                                      Verdict::differs,    Verdict::not_stated,          Verdict::context,
+  const std::vector<Verdict> order = {Verdict::reproduced, Verdict::reproduced_inferred,
+                                      Verdict::better,     Verdict::differs,
+                                      Verdict::not_stated, Verdict::context,
                                       Verdict::input,      Verdict::not_built};
   for (const Verdict v : order) columns.push_back({std::string(to_string(v))});
   Table table(columns);
@@ -99,7 +104,8 @@ Table counts(const std::vector<Checked>& values) {
 
 bool ChapterCheck::kept() const {
   return std::all_of(values.begin(), values.end(), [](const Checked& c) { return c.judgement.kept; }) &&
-         std::all_of(quantities.begin(), quantities.end(), [](const CheckedQuantity& q) { return q.quantity.kept(); });
+         std::all_of(quantities.begin(), quantities.end(),
+                     [](const CheckedQuantity& q) { return q.quantity.kept(); });
 }
 
 ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick) {
@@ -107,7 +113,8 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
   Workshop workshop(quick);
   ChapterCheck result;
   for (const PublishedValue& value : read_published(data_folder)) {
-    if (owner(value, places) == chapter.name()) result.values.push_back(check_value(value, chapter, workshop));
+    if (owner(value, places) == chapter.name())
+      result.values.push_back(check_value(value, chapter, workshop));
   }
   refuse_orphans(chapter, result.values);
   for (const Scene& scene : chapter.scenes()) {
@@ -140,7 +147,8 @@ std::vector<Checked> collect_checks(const std::vector<std::string>& built, const
     if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
       const auto row = found->second.find(checked.value.name());
       if (row == found->second.end()) {
-        throw InputError(fmt::format("results/{}/check.csv does not list {}", checked.chapter, checked.value.name()));
+        throw InputError(
+            fmt::format("results/{}/check.csv does not list {}", checked.chapter, checked.value.name()));
       }
       checked.measured = {optional_number(row->second[1]), optional_number(row->second[2])};
       checked.judgement = judge(checked.value, checked.measured);
@@ -153,12 +161,22 @@ std::vector<Checked> collect_checks(const std::vector<std::string>& built, const
 std::string reproduction_page(const std::vector<Checked>& values) {
   std::string page =
       "# What was reproduced {#reproduction}\n\n"
-      "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, *inferred* "
-      "what we get under a reading that evidence points to; the words of the verdicts are explained in the glossary. "
+      "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, "
+      "*inferred* "
+      "what we get under a reading that evidence points to; the words of the verdicts are explained in the "
+      "glossary. "
       "Written by `make check`.\n\n" +
       counts(values).markdown();
   std::string source;
-  Table table({{"place"}, {"row"}, {"quantity"}, {"published"}, {"unit"}, {"nominal"}, {"inferred"}, {"verdict"}, {"reading"}});
+  Table table({{"place"},
+               {"row"},
+               {"quantity"},
+               {"published"},
+               {"unit"},
+               {"nominal"},
+               {"inferred"},
+               {"verdict"},
+               {"reading"}});
   const auto flush = [&] {
     if (!source.empty()) page += "\n## " + source + "\n\n" + table.markdown();
     table = Table(table.columns());
@@ -166,8 +184,8 @@ std::string reproduction_page(const std::vector<Checked>& values) {
   for (const Checked& c : values) {
     if (c.value.source != source) flush();
     source = c.value.source;
-    table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit, shown(c.measured.nominal),
-               shown(c.measured.inferred), verdict_text(c), c.value.reading});
+    table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit,
+               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), c.value.reading});
   }
   flush();
   return page;

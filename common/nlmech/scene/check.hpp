@@ -35,13 +35,14 @@ struct ChapterCheck {
 
 /// Measures every published value that belongs to the chapter and every quantity of its scenes.
 /// @throws std::logic_error if a value that promises something has no measurement, or a measurement no value
-[[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick);
+[[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder,
+                                 bool quick);
 
 /// `results/<chapter>/check.csv`: one row a value. The report reads it again.
 void write_check(const ChapterCheck& check, const std::string& chapter, const std::filesystem::path& out);
 
-/// All published values of all sources in the order of the files. Those of chapters that are not in @p built get the
-/// verdict `not built`; the others what `results/<chapter>/check.csv` under @p out says.
+/// All published values of all sources in the order of the files. Those of chapters that are not in @p built
+/// get the verdict `not built`; the others what `results/<chapter>/check.csv` under @p out says.
 /// @throws InputError if a built chapter's file is missing or does not list a value
 [[nodiscard]] std::vector<Checked> collect_checks(const std::vector<std::string>& built,
                                                   const std::filesystem::path& data_folder,

@@ -42,7 +42,8 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options)
   for (const Scene& s : chapter.scenes()) {
     if (options.all) scenes.push_back(&s);
   }
-  if (!options.all && options.scenes.empty()) throw InputError("run: name scenes, or say --all; 'list' shows what there is");
+  if (!options.all && options.scenes.empty())
+    throw InputError("run: name scenes, or say --all; 'list' shows what there is");
   for (const std::string& name : options.scenes) {
     const Scene& scene = chapter.scene(name);
     if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
@@ -56,8 +57,8 @@ void tell_progress(std::size_t done, std::size_t all, const std::string& scene, 
 }
 
 void report_missed(const std::string& scene, const Quantity& q) {
-  fmt::print(stderr, "MISSED {}: {} = {} {}, promised {} to {} ({})\n", scene, q.name, format_number(q.value, 6), q.unit,
-             format_number(q.low, 6), format_number(q.high, 6), q.reason);
+  fmt::print(stderr, "MISSED {}: {} = {} {}, promised {} to {} ({})\n", scene, q.name,
+             format_number(q.value, 6), q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason);
 }
 
 /// Goes on after a figure that could not be drawn: the other scenes are not to suffer from it.
@@ -122,11 +123,13 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   runner->add_flag("--png", options.png, "a PNG image beside each SVG");
   runner->callback([&] { code = run(chapter, options); });
 
-  CLI::App* checker = app.add_subcommand("check", "Published beside reproduced; exit code 1 if a promise is missed");
+  CLI::App* checker =
+      app.add_subcommand("check", "Published beside reproduced; exit code 1 if a promise is missed");
   checker->callback([&] { code = check(chapter, options); });
 
   for (CLI::App* sub : {runner, checker}) {
-    sub->add_option("--out", options.out, "folder that gets figures/, tables/, results/")->capture_default_str();
+    sub->add_option("--out", options.out, "folder that gets figures/, tables/, results/")
+        ->capture_default_str();
     sub->add_flag("--quick", options.quick, "fewer samples and shorter timings, never other methods");
   }
   own_work(app);

@@ -45,17 +45,18 @@ bool is_header(std::string_view line, const std::vector<std::string>& names) {
   return !more;
 }
 
-[[noreturn]] void complain(const std::string& name, std::size_t line, std::size_t column, const std::string& column_name,
-                           std::string_view cell) {
-  throw InputError(fmt::format("{}: line {}, column {} ({}): '{}' is not a finite number", name, line, column + 1,
-                               column_name, cell));
+[[noreturn]] void complain(const std::string& name, std::size_t line, std::size_t column,
+                           const std::string& column_name, std::string_view cell) {
+  throw InputError(fmt::format("{}: line {}, column {} ({}): '{}' is not a finite number", name, line,
+                               column + 1, column_name, cell));
 }
 
 }  // namespace
 
 bool parse_number(std::string_view text, double& value) {
   text = trim(text);
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);  // std::from_chars knows no plus sign
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+    text.remove_prefix(1);  // std::from_chars knows no plus sign
   double parsed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(parsed)) return false;
@@ -63,7 +64,8 @@ bool parse_number(std::string_view text, double& value) {
   return true;
 }
 
-NumberColumns parse_numbers(std::string_view text, const std::string& name, const std::vector<std::string>& names) {
+NumberColumns parse_numbers(std::string_view text, const std::string& name,
+                            const std::vector<std::string>& names) {
   NumberColumns out;
   out.column.resize(names.size());
   const auto most_rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
@@ -102,10 +104,14 @@ std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name)
     for (; i < text.size() && (quoted || text[i] != '\n'); ++i) {
       const char c = text[i];
       if (c == '\n') ++line;
-      if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"') cell += text[++i];
-      else if (c == '"') quoted = !quoted;
-      else if (c == ',' && !quoted) record.cells.push_back(std::exchange(cell, {}));
-      else if (c != '\r' || quoted) cell += c;
+      if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
+        cell += text[++i];
+      else if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        record.cells.push_back(std::exchange(cell, {}));
+      else if (c != '\r' || quoted)
+        cell += c;
     }
     if (quoted) throw InputError(fmt::format("{}: line {}: a quote is never closed", name, record.line));
     ++i;

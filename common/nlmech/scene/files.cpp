@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "nlmech/scene/build_info.hpp"
 #include "nlmech/support/errors.hpp"
@@ -32,17 +32,26 @@ bool has_content(const fs::path& path, std::string_view text) {
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
+
+std::string read_to_end(std::FILE* in, const std::string& name) {
+  std::string text;
+  std::vector<char> buffer(1 << 16);
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), in))
+    text.append(buffer.data(), count);
+  if (std::ferror(in) != 0)
+    throw InputError(fmt::format("{}: cannot be read to its end: {}", name, reason()));
+  return text;
+}
 }  // namespace
 
 std::string read_whole(const fs::path& path) {
-  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-  if (fs::is_directory(path)) throw InputError(fmt::format("{}: is a folder, not a file", path.string()));
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
+  if (path == "-") return read_to_end(stdin, "standard input");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw InputError(fmt::format("{}: is a folder, not a file", path.string()));
+  const std::unique_ptr<std::FILE, Close> in(std::fopen(path.c_str(), "rb"));
   if (!in) throw InputError(fmt::format("{}: {}", path.string(), reason()));
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InputError(fmt::format("{}: cannot be read to its end", path.string()));
-  return text;
+  return read_to_end(in.get(), path.string());
 }
 
 void write_whole(const fs::path& path, std::string_view text) {
@@ -73,8 +82,8 @@ fs::path data_folder() {
   for (const fs::path& candidate : {installed, fs::path(build_info().source_folder)}) {
     if (fs::exists(candidate / "figures" / "style.gp", ignored)) return candidate;
   }
-  throw Failure(fmt::format("no folder with figures/style.gp: looked in {} and {}; set NLMECH_DATA", installed.string(),
-                            build_info().source_folder));
+  throw Failure(fmt::format("no folder with figures/style.gp: looked in {} and {}; set NLMECH_DATA",
+                            installed.string(), build_info().source_folder));
 }
 
 }  // namespace nlmech::scene

@@ -28,22 +28,25 @@ std::string shortened(const std::string& text) {
 }  // namespace
 
 std::string draw(const fs::path& templates, const std::string& template_name, const fs::path& folder,
-                 const std::string& data, const std::map<std::string, std::string>& variables, PictureFormat format) {
+                 const std::string& data, const std::map<std::string, std::string>& variables,
+                 PictureFormat format) {
   const fs::path drawing = templates / "templates" / (template_name + ".gp");
   if (!fs::exists(drawing)) throw Failure(fmt::format("{}: no such template", drawing.string()));
   std::string settings = "data=" + quoted(data);
   if (format == PictureFormat::png) settings += "; png=1";
   for (const auto& [name, value] : variables) settings += "; " + name + "=" + quoted(value);
 
-  const Finished gnuplot = run_program({"gnuplot", "-e", settings, fs::absolute(templates / "style.gp").string(),
-                                        fs::absolute(drawing).string()},
-                                       folder, {"LC_ALL=C.UTF-8"});  // labels are UTF-8, numbers have points
+  const Finished gnuplot =
+      run_program({"gnuplot", "-e", settings, fs::absolute(templates / "style.gp").string(),
+                   fs::absolute(drawing).string()},
+                  folder, {"LC_ALL=C.UTF-8"});  // labels are UTF-8, numbers have points
   if (gnuplot.exit_code != 0) {
     throw Failure(fmt::format("gnuplot ended with {}: {}", gnuplot.exit_code, shortened(gnuplot.errors)));
   }
   // gnuplot goes on after a warning ("Skipping data file with no valid points") and draws an empty frame
   if (!gnuplot.errors.empty()) throw Failure(fmt::format("gnuplot warns: {}", shortened(gnuplot.errors)));
-  const char* mark = format == PictureFormat::svg ? "</svg>" : "IEND";  // both stand at the end of a whole picture
+  const char* mark =
+      format == PictureFormat::svg ? "</svg>" : "IEND";  // both stand at the end of a whole picture
   if (gnuplot.output.find(mark) == std::string::npos) throw Failure("gnuplot drew nothing");
   return gnuplot.output;
 }

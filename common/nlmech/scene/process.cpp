@@ -21,7 +21,8 @@ namespace {
 /// Both ends of a pipe; whatever is still open is closed at the end.
 struct Pipe {
   Pipe() {
-    if (::pipe2(end.data(), O_CLOEXEC) != 0) throw Failure("no pipe: " + std::generic_category().message(errno));
+    if (::pipe2(end.data(), O_CLOEXEC) != 0)
+      throw Failure("no pipe: " + std::generic_category().message(errno));
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
@@ -56,9 +57,10 @@ std::vector<char*> c_strings(const std::vector<std::string>& texts) {
 std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
   std::vector<std::string> all = settings;
   for (char** variable = ::environ; *variable != nullptr; ++variable) {
-    const std::string_view name = std::string_view(*variable).substr(0, std::string_view(*variable).find('=') + 1);
-    const bool replaced =
-        std::any_of(settings.begin(), settings.end(), [&](const std::string& s) { return s.starts_with(name); });
+    const std::string_view name =
+        std::string_view(*variable).substr(0, std::string_view(*variable).find('=') + 1);
+    const bool replaced = std::any_of(settings.begin(), settings.end(),
+                                      [&](const std::string& s) { return s.starts_with(name); });
     if (!replaced) all.emplace_back(*variable);
   }
   return all;
@@ -76,7 +78,8 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
   pid_t child = 0;
   const int error = ::posix_spawnp(&child, argv[0], &spawn.actions, nullptr, argv.data(), envp.data());
   if (error != 0) {
-    throw Failure(fmt::format("{}: cannot be started: {}", arguments[0], std::generic_category().message(error)));
+    throw Failure(
+        fmt::format("{}: cannot be started: {}", arguments[0], std::generic_category().message(error)));
   }
   return child;
 }
@@ -90,8 +93,10 @@ void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (waiting[i].revents == 0) continue;
       const ssize_t count = ::read(waiting[i].fd, buffer.data(), buffer.size());
-      if (count > 0) texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
-      else if (count == 0 || errno != EINTR) pipes[i].close(0);
+      if (count > 0)
+        texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+      else if (count == 0 || errno != EINTR)
+        pipes[i].close(0);
     }
   }
 }
@@ -107,7 +112,12 @@ Finished run_program(const std::vector<std::string>& arguments, const std::files
   Finished finished;
   drain(pipes, {&finished.output, &finished.errors});
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  pid_t ended = 0;
+  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
+  }
+  if (ended != child) {  // SIGCHLD is ignored: the system has thrown the exit code away
+    throw Failure(fmt::format("{}: how it ended is not known: {}", arguments[0],
+                              std::generic_category().message(errno)));
   }
   finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return finished;

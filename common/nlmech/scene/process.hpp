@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,13 @@ struct Finished {
   std::string output, errors;
 };
 
-/// Runs @p arguments (the program first, looked up in PATH) in @p folder and waits for its end. Its standard input is empty.
+/// Runs @p arguments (the program first, looked up in PATH) in @p folder and waits for its end. Its standard
+/// input is empty.
 /// @param folder empty for the current one
 /// @param settings environment variables that differ from ours: "LC_ALL=C.UTF-8"
 /// @throws Failure naming the program if it cannot be started
-[[nodiscard]] Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+[[nodiscard]] Finished run_program(const std::vector<std::string>& arguments,
+                                   const std::filesystem::path& folder,
                                    const std::vector<std::string>& settings = {});
 
 }  // namespace nlmech::scene

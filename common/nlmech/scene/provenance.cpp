@@ -14,12 +14,14 @@ using Json = nlohmann::ordered_json;
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
 }
 
-std::string provenance(const Chapter& chapter, const Scene& scene, const Performance& performance, bool quick) {
+std::string provenance(const Chapter& chapter, const Scene& scene, const Performance& performance,
+                       bool quick) {
   const BuildInfo& build = build_info();
   Json json = {{"chapter", chapter.name()},
                {"scene", scene.name},
@@ -36,7 +38,8 @@ std::string provenance(const Chapter& chapter, const Scene& scene, const Perform
   json["libraries"] = Json::object();
   for (const LibraryVersion& library : build.libraries) json["libraries"][library.name] = library.version;
   json["runs"] = Json::array();
-  for (const AnyRun* run : performance.runs) json["runs"].push_back({{"name", run->name()}, {"reading", run->reading()}});
+  for (const AnyRun* run : performance.runs)
+    json["runs"].push_back({{"name", run->name()}, {"reading", run->reading()}});
   json["quantities"] = Json::array();
   for (const Quantity& q : performance.showing.quantities) {
     json["quantities"].push_back({{"name", q.name},

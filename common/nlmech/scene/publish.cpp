@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void draw_figure(const std::string& chapter, const std::string& scene, const Figure& figure, const Publishing& how) {
+void draw_figure(const std::string& chapter, const std::string& scene, const Figure& figure,
+                 const Publishing& how) {
   const fs::path svg = how.out / "figures" / chapter / (scene + ".svg");
   const std::string data = fmt::format("results/{}/{}.csv", chapter, scene);
   try {
@@ -24,8 +25,8 @@ void draw_figure(const std::string& chapter, const std::string& scene, const Fig
   } catch (const Failure& failure) {
     std::error_code ignored;
     fs::remove(svg, ignored);  // a drawing of older data beside new data would mislead
-    throw Failure(fmt::format("figure {} of {} was not drawn: {}; its data are in {}", scene, chapter, failure.what(),
-                              (how.out / data).string()));
+    throw Failure(fmt::format("figure {} of {} was not drawn: {}; its data are in {}", scene, chapter,
+                              failure.what(), (how.out / data).string()));
   }
 }
 

@@ -16,7 +16,8 @@ struct Publishing {
 };
 
 /// Writes `results/<chapter>/<scene>.csv` and `.json`, `tables/<chapter>/<scene>.csv` and `.md`, and
-/// `figures/<chapter>/<scene>.svg`, as far as the scene has them; the data first, so that they are kept if drawing fails.
+/// `figures/<chapter>/<scene>.svg`, as far as the scene has them; the data first, so that they are kept if
+/// drawing fails.
 /// @throws Failure naming the figure that was not drawn and why, or the file that could not be written
 void publish(const Chapter& chapter, const Scene& scene, const Performance& performance, bool quick,
              const Publishing& how);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -17,30 +16,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array verdicts = {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::better,
-                                 Verdict::differs,    Verdict::not_stated,          Verdict::context,
+constexpr std::array verdicts = {Verdict::reproduced, Verdict::reproduced_inferred,
+                                 Verdict::better,     Verdict::differs,
+                                 Verdict::not_stated, Verdict::context,
                                  Verdict::input,      Verdict::not_built};
 
 struct Range {
   double low, high;
 };
 
-/// The number or range "1.1e-6..1.3e-6" that a text begins with; nothing if it begins otherwise.
+/// The number or range "1.1e-6..1.3e-6" that a text begins with, up to a blank or semicolon; nothing if it
+/// begins otherwise
+/// ("2-cycle", "6-7 its").
 std::optional<Range> leading_range(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find_first_of(" ;"));
+  const auto dots = first.find("..");
   Range range{};
-  const char* const end = text.data() + text.size();
-  auto [after, error] = std::from_chars(text.data(), end, range.low);
-  if (error != std::errc{}) return std::nullopt;
+  if (!parse_number(first.substr(0, dots), range.low)) return std::nullopt;
   range.high = range.low;
-  const auto rest = static_cast<std::size_t>(after - text.data());
-  // "1..3": the number's own parser takes the first dot for a decimal point
-  const std::size_t dots = rest > 0 && text[rest - 1] == '.' ? rest - 1 : rest;
-  if (text.substr(dots, 2) == "..") {
-    if (std::from_chars(text.data() + dots + 2, end, range.high).ec != std::errc{}) return std::nullopt;
-  }
-  // a word glued to the number ("2-cycle") makes it something else than a number
-  const std::string_view follows = dots == rest ? text.substr(rest) : std::string_view{};
-  if (!follows.empty() && text.substr(dots, 2) != ".." && follows[0] != ' ' && follows[0] != ';') return std::nullopt;
+  if (dots != std::string_view::npos && !parse_number(first.substr(dots + 2), range.high))
+    return std::nullopt;
   return range;
 }
 
@@ -78,7 +73,8 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   return false;
 }
 
-/// For numbers that miss their expected verdict, where the file's own `nominal` says nothing about the new one.
+/// For numbers that miss their expected verdict, where the file's own `nominal` says nothing about the new
+/// one.
 Verdict fallback(const PublishedValue& p, const Measured& m) {
   PublishedValue bare = p;
   bare.nominal.clear();
@@ -93,11 +89,16 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
   const std::string where = fmt::format("{}: line {}", file, record.line);
   const auto& c = record.cells;
   if (c.size() != 11) throw InputError(fmt::format("{}: {} of 11 cells", where, c.size()));
-  PublishedValue p{source, c[0], c[1], c[2], c[3], 0, c[4], c[5], c[6], c[7], parse_verdict(c[8], where), c[9], c[10]};
+  PublishedValue p{source, c[0], c[1], c[2], c[3], 0, c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
+                   c[9],   c[10]};
   if (!parse_number(p.printed, p.value)) {
     throw InputError(fmt::format("{}, column 4 (value): '{}' is not a finite number", where, p.printed));
   }
-  static_cast<void>(Tolerance(p.tolerance));
+  try {
+    static_cast<void>(Tolerance(p.tolerance));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
   return p;
 }
 
@@ -124,17 +125,18 @@ Tolerance::Tolerance(std::string_view words) {
     amount_ = std::sqrt(10.0);
     return;
   }
-  constexpr std::array<std::pair<std::string_view, Kind>, 4> forms = {{{"factor ", Kind::factor},
-                                                                        {"at least ", Kind::at_least},
-                                                                        {"below ", Kind::below},
-                                                                        {"rounding floor: below ", Kind::below}}};
+  constexpr std::array<std::pair<std::string_view, Kind>, 4> forms = {
+      {{"factor ", Kind::factor},
+       {"at least ", Kind::at_least},
+       {"below ", Kind::below},
+       {"rounding floor: below ", Kind::below}}};
   std::string_view number = words;
   for (const auto& [prefix, kind] : forms) {
     if (!words.starts_with(prefix)) continue;
     kind_ = kind;
     number = words.substr(prefix.size());
   }
-  if (!parse_number(number, amount_) || amount_ <= 0) {
+  if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
     throw InputError(fmt::format("'{}' is no tolerance", words));
   }
 }

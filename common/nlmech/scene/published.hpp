@@ -26,7 +26,8 @@ enum class Verdict {
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 
 /// How far apart two numbers may be. Built from the words of the file: a number (relative), "factor 5",
-/// "order of magnitude" (a factor of sqrt(10)), "at least 100", "below 1e-15", or nothing (0.15: what the texts leave open).
+/// "order of magnitude" (a factor of sqrt(10)), "at least 100", "below 1e-15", or nothing (0.15: what the
+/// texts leave open).
 class Tolerance {
  public:
   /// @throws InputError if the words are not of these forms
@@ -47,7 +48,8 @@ struct PublishedValue {
   std::string printed;  ///< as printed
   double value = 0;     ///< the same as a number
   std::string unit, kind;
-  std::string nominal, inferred;  ///< what was found before, in words or numbers: "2.4e-11", "1.1e-6..1.3e-6 with c = 2.5"
+  std::string nominal,
+      inferred;  ///< what was found before, in words or numbers: "2.4e-11", "1.1e-6..1.3e-6 with c = 2.5"
   Verdict expected = Verdict::not_built;
   std::string tolerance, reading;
 
@@ -55,7 +57,8 @@ struct PublishedValue {
   [[nodiscard]] std::string name() const;
 };
 
-/// A figure, table, claim or equation of a source, and the chapter that owns it: a row of `tables/places.csv`.
+/// A figure, table, claim or equation of a source, and the chapter that owns it: a row of
+/// `tables/places.csv`.
 struct Place {
   std::string source, name, chapter, kind, subject;
 };
@@ -81,12 +84,15 @@ struct Judgement {
   bool kept = false;
 };
 
-/// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does support.
+/// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does
+/// support.
 ///  - `reproduced` needs the nominal number within the tolerance of the printed one;
-///  - `reproduced, inferred reading` needs the inferred number within the tolerance of `inferred` (of the printed number,
+///  - `reproduced, inferred reading` needs the inferred number within the tolerance of `inferred` (of the
+///  printed number,
 ///    where the file has none);
 ///  - `better` needs an error smaller than the printed one and within the tolerance of `nominal`;
-///  - `differs` needs a number outside the tolerance of the printed one, and within it of `nominal` where the file has one;
+///  - `differs` needs a number outside the tolerance of the printed one, and within it of `nominal` where the
+///  file has one;
 ///  - `input` needs the printed number itself.
 /// `context` and `not stated` promise nothing.
 [[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);

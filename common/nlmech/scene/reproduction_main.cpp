@@ -1,8 +1,9 @@
 /// @file
 /// `reproduction`: published beside reproduced over all chapters of the build.
-///     reproduction report --chapters FILE [--out DIR] [--page FILE]   all values; exit code 1 if one missed its verdict
-///     reproduction verdict NAME --chapters FILE [--out DIR]           one value; 77 if its chapter is not built
-///     reproduction tests                                              names of all values, one a line
+///     reproduction report --chapters FILE [--out DIR] [--page FILE]   all values; exit code 1 if one missed
+///     its verdict reproduction verdict NAME --chapters FILE [--out DIR]           one value; 77 if its
+///     chapter is not built reproduction tests                                              names of all
+///     values, one a line
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -39,7 +40,8 @@ int report(const Options& options) {
   const std::vector<Checked> values = collect(options);
   if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
   const auto misses = std::count_if(values.begin(), values.end(), is_miss);
-  print_result(reproduction_text(values) + fmt::format("{} published values, {} missed\n", values.size(), misses));
+  print_result(reproduction_text(values) +
+               fmt::format("{} published values, {} missed\n", values.size(), misses));
   return misses == 0 ? kept : missed;
 }
 

@@ -22,7 +22,8 @@ void Workshop::begin(const AnyRun& run) {
   desks_.push_back(Desk{run.name(), run.needs()});
 }
 
-// A run that was computed for an earlier scene asks for nothing any more; what it rests on still counts as used.
+// A run that was computed for an earlier scene asks for nothing any more; what it rests on still counts as
+// used.
 void Workshop::note(const AnyRun& run) {
   used_.insert(run.name());
   for (const AnyRun* needed : run.needs()) note(*needed);

@@ -22,8 +22,10 @@ class AnyRun {
   AnyRun& operator=(const AnyRun&) = delete;
   virtual ~AnyRun() = default;
 
-  [[nodiscard]] const std::string& name() const { return name_; }        ///< "series-order-4"
-  [[nodiscard]] const std::string& reading() const { return reading_; }  ///< how the source's text was understood
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< "series-order-4"
+  [[nodiscard]] const std::string& reading() const {
+    return reading_;
+  }  ///< how the source's text was understood
   [[nodiscard]] const std::vector<const AnyRun*>& needs() const { return needs_; }
 
  private:
@@ -45,7 +47,8 @@ class Run : public AnyRun {
   mutable std::optional<Result> result_;  // filled by the workshop, at most once
 };
 
-/// Where scenes get the results of runs. It lets through only what the scene has declared, and remembers what was used.
+/// Where scenes get the results of runs. It lets through only what the scene has declared, and remembers what
+/// was used.
 class Workshop {
  public:
   /// @param quick fewer samples and shorter timings, never other methods
@@ -54,19 +57,20 @@ class Workshop {
   [[nodiscard]] bool quick() const { return quick_; }
 
   /// The run's result; computed at the first call in the life of the process.
-  /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its needs
+  /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its
+  /// needs
   template <class Result>
   const Result& result(const Run<Result>& run) {
-    begin(run);
+    const AtWork at_work(*this, run);
     if (!run.result_) run.result_ = run.compute_(*this);
-    end();
     return *run.result_;
   }
 
   /// Starts a scene: from here on only @p needs, and what they need in turn, is let through.
   void open(const std::string& scene, const std::vector<const AnyRun*>& needs);
 
-  /// Names of the runs that the scene's result rests on, sorted: those asked for since open(), and what they need.
+  /// Names of the runs that the scene's result rests on, sorted: those asked for since open(), and what they
+  /// need.
   [[nodiscard]] std::vector<std::string> used() const;
 
  private:
@@ -74,8 +78,18 @@ class Workshop {
     std::string name;
     std::vector<const AnyRun*> needs;
   };
+  /// The run sits at the innermost desk until it is done, or has thrown.
+  class AtWork {
+   public:
+    AtWork(Workshop& workshop, const AnyRun& run) : workshop_(workshop) { workshop_.begin(run); }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+    ~AtWork() { workshop_.desks_.pop_back(); }
+
+   private:
+    Workshop& workshop_;
+  };
   void begin(const AnyRun& run);
-  void end() { desks_.pop_back(); }
   void note(const AnyRun& run);
 
   bool quick_;

@@ -21,7 +21,8 @@ void collect(const std::vector<const AnyRun*>& needs, std::map<std::string, cons
 
 }  // namespace
 
-Quantity near(std::string name, std::string unit, double value, double reference, double relative, std::string reason) {
+Quantity near(std::string name, std::string unit, double value, double reference, double relative,
+              std::string reason) {
   const double margin = relative * std::abs(reference);
   return {std::move(name), std::move(unit), value, reference - margin, reference + margin, std::move(reason)};
 }
@@ -32,9 +33,16 @@ Quantity at_most(std::string name, std::string unit, double value, double bound,
 
 Chapter::Chapter(std::string name, std::string title) : name_(std::move(name)), title_(std::move(title)) {}
 
+void Chapter::refuse_known_run(const std::string& name) const {
+  for (const auto& other : runs_) {
+    if (other->name() == name) throw std::invalid_argument(fmt::format("two runs are named {}", name));
+  }
+}
+
 void Chapter::add(Scene scene) {
   for (const Scene& other : scenes_) {
-    if (other.name == scene.name) throw std::invalid_argument(fmt::format("two scenes are named {}", scene.name));
+    if (other.name == scene.name)
+      throw std::invalid_argument(fmt::format("two scenes are named {}", scene.name));
   }
   scenes_.push_back(std::move(scene));
 }
@@ -64,7 +72,8 @@ Performance perform(const Scene& scene, Workshop& workshop) {
   const bool figure = showing.figure && !showing.figure->data.rows().empty();
   const bool table = showing.table && !showing.table->rows().empty();
   if (!figure && !table) throw std::logic_error(fmt::format("scene {} shows nothing", scene.name));
-  if (showing.quantities.empty()) throw std::logic_error(fmt::format("scene {} checks no quantity", scene.name));
+  if (showing.quantities.empty())
+    throw std::logic_error(fmt::format("scene {} checks no quantity", scene.name));
 
   std::map<std::string, const AnyRun*> declared;
   collect(scene.needs, declared);

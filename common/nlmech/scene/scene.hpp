@@ -18,7 +18,7 @@ namespace nlmech::scene {
 /// A figure: the data, the template in `figures/templates` that draws them, and the template's variables.
 struct Figure {
   Table data;
-  std::string template_name;                     ///< "geodesy-error-map": figures/templates/geodesy-error-map.gp
+  std::string template_name;  ///< "geodesy-error-map": figures/templates/geodesy-error-map.gp
   std::map<std::string, std::string> variables;  ///< texts for the template: heading, axis label
 };
 
@@ -34,10 +34,11 @@ struct Quantity {
 };
 
 /// A quantity that should lie within a relative distance of a value known from elsewhere.
-[[nodiscard]] Quantity near(std::string name, std::string unit, double value, double reference, double relative,
-                            std::string reason);
+[[nodiscard]] Quantity near(std::string name, std::string unit, double value, double reference,
+                            double relative, std::string reason);
 /// A quantity that should not exceed a bound.
-[[nodiscard]] Quantity at_most(std::string name, std::string unit, double value, double bound, std::string reason);
+[[nodiscard]] Quantity at_most(std::string name, std::string unit, double value, double bound,
+                               std::string reason);
 
 /// What a scene gives back: a figure, a table, or both, and the quantities that it checks.
 struct Showing {
@@ -56,7 +57,8 @@ struct Scene {
   std::function<Showing(Workshop&)> show;
 };
 
-/// What we get for printed numbers: one measurement for each number that a chapter owns and that promises something.
+/// What we get for printed numbers: one measurement for each number that a chapter owns and that promises
+/// something.
 struct Measurement {
   std::string name;                  ///< as PublishedValue::name()
   std::vector<const AnyRun*> needs;  ///< runs, as for a scene
@@ -69,10 +71,13 @@ class Chapter {
   Chapter(std::string name, std::string title);
 
   /// Declares a run; nothing is computed. The reference stays valid as long as the chapter.
+  /// @throws std::invalid_argument if the chapter has a run of that name
   template <class Result>
   const Run<Result>& add_run(std::string name, std::string reading, std::vector<const AnyRun*> needs,
                              typename Run<Result>::Compute compute) {
-    auto run = std::make_unique<Run<Result>>(std::move(name), std::move(reading), std::move(needs), std::move(compute));
+    refuse_known_run(name);
+    auto run = std::make_unique<Run<Result>>(std::move(name), std::move(reading), std::move(needs),
+                                             std::move(compute));
     const Run<Result>& reference = *run;
     runs_.push_back(std::move(run));
     return reference;
@@ -90,6 +95,8 @@ class Chapter {
   [[nodiscard]] const Scene& scene(const std::string& name) const;
 
  private:
+  void refuse_known_run(const std::string& name) const;
+
   std::string name_, title_;
   std::vector<std::unique_ptr<AnyRun>> runs_;
   std::vector<Scene> scenes_;
@@ -102,7 +109,8 @@ struct Performance {
   std::vector<const AnyRun*> runs;  ///< sorted by name
 };
 
-/// Computes one scene. @throws std::logic_error if it shows nothing, checks nothing, or leaves a declared run unused
+/// Computes one scene. @throws std::logic_error if it shows nothing, checks nothing, or leaves a declared run
+/// unused
 [[nodiscard]] Performance perform(const Scene& scene, Workshop& workshop);
 
 }  // namespace nlmech::scene

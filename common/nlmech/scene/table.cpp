@@ -21,9 +21,12 @@ std::string show(const Cell& cell, Real real, Text text) {
 
 std::string markdown_text(std::string_view text) {
   std::string out;
+  std::size_t backslashes = 0;
   for (const char c : text) {
-    if (c == '|') out += '\\';
-    out += c == '\n' ? ' ' : c;
+    // a pipe is part of the text behind an odd number of backslashes; those that stood before it are doubled
+    if (c == '|') out.append(backslashes + 1, '\\');
+    backslashes = c == '\\' ? backslashes + 1 : 0;
+    out += c == '\n' || c == '\r' ? ' ' : c;
   }
   return out;
 }
@@ -41,7 +44,8 @@ Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
 
 void Table::add(std::vector<Cell> row) {
   if (row.size() != columns_.size()) {
-    throw std::invalid_argument(fmt::format("Table: a row of {} cells for {} columns", row.size(), columns_.size()));
+    throw std::invalid_argument(
+        fmt::format("Table: a row of {} cells for {} columns", row.size(), columns_.size()));
   }
   rows_.push_back(std::move(row));
 }
@@ -51,7 +55,8 @@ std::string Table::csv() const {
   for (std::size_t i = 0; i < columns_.size(); ++i) out += (i ? "," : "") + csv_field(columns_[i].name);
   out += '\n';
   const auto real = [](double x) { return fmt::format("{:.17g}", x); };
-  const auto scan = std::find_if(columns_.begin(), columns_.end(), [](const Column& c) { return c.scan_lines; });
+  const auto scan =
+      std::find_if(columns_.begin(), columns_.end(), [](const Column& c) { return c.scan_lines; });
   const auto scan_index = static_cast<std::size_t>(scan - columns_.begin());
   const std::vector<Cell>* previous = nullptr;
   for (const auto& row : rows_) {

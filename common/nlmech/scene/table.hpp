@@ -15,9 +15,10 @@ using Cell = std::variant<std::monostate, std::string, double, std::int64_t>;
 
 /// How a column is named and shown.
 struct Column {
-  std::string name;         ///< heading; in CSV files with its unit, "height_km"
-  int digits = 3;           ///< significant digits of real numbers in Markdown; CSV files carry 17
-  bool scan_lines = false;  ///< a blank line in the CSV wherever this column changes: gnuplot's mark between scan lines
+  std::string name;  ///< heading; in CSV files with its unit, "height_km"
+  int digits = 3;    ///< significant digits of real numbers in Markdown; CSV files carry 17
+  bool scan_lines =
+      false;  ///< a blank line in the CSV wherever this column changes: gnuplot's mark between scan lines
 };
 
 /// Columns with names, and rows of as many cells.

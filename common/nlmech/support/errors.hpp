@@ -1,6 +1,6 @@
 /// @file
-/// The two ways in which a program of this suite ends early. Mistakes of a programmer throw std::invalid_argument or
-/// std::logic_error instead.
+/// The two ways in which a program of this suite ends early. Mistakes of a programmer throw
+/// std::invalid_argument or std::logic_error instead.
 #pragma once
 
 #include <stdexcept>

@@ -29,7 +29,8 @@ std::string_view to_string(Outcome outcome) noexcept {
 Status Status::failure(Outcome outcome, std::string sentence) {
   if (outcome == Outcome::success) throw std::invalid_argument("Status::failure: the outcome is success");
   if (sentence.empty()) {
-    throw std::invalid_argument("Status::failure: " + std::string(to_string(outcome)) + " without a sentence");
+    throw std::invalid_argument("Status::failure: " + std::string(to_string(outcome)) +
+                                " without a sentence");
   }
   Status status;
   status.outcome_ = outcome;

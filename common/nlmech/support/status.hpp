@@ -1,5 +1,6 @@
 /// @file
-/// How a computation ended: one enumeration for the whole library, and a sentence that says where and what to change.
+/// How a computation ended: one enumeration for the whole library, and a sentence that says where and what to
+/// change.
 #pragma once
 
 #include <cstdint>

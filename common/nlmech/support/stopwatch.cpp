@@ -15,7 +15,8 @@ double median(std::vector<double> values) {
 }
 
 Timing time_repeats(const std::function<void()>& work, int repeats) {
-  if (repeats < 1) throw std::invalid_argument("time_repeats: repeats must be positive, is " + std::to_string(repeats));
+  if (repeats < 1)
+    throw std::invalid_argument("time_repeats: repeats must be positive, is " + std::to_string(repeats));
   work();
   std::vector<double> seconds(static_cast<std::size_t>(repeats));
   for (double& s : seconds) {

@@ -54,7 +54,8 @@ TEST_F(GeodesyCommand, ReverseOfKnownPoint) {
 }
 
 TEST_F(GeodesyCommand, ForwardThenReverseByDefaultOrder) {
-  const std::string points = "latitude_deg,longitude_deg,height_m\n45.5,-120.25,400000\n-89.5,179.75,35000000\n0,0,200000\n";
+  const std::string points =
+      "latitude_deg,longitude_deg,height_m\n45.5,-120.25,400000\n-89.5,179.75,35000000\n0,0,200000\n";
   const Finished there = geodesy({"forward"}, points);
   ASSERT_EQ(there.exit_code, 0) << there.errors;
   const Finished back = geodesy({"reverse", "--method", "series"}, there.output);
@@ -125,12 +126,14 @@ TEST_F(GeodesyCommand, BadInputIsNamed) {
 }
 
 TEST_F(GeodesyCommand, MissingFileIsNamed) {
-  const Finished f = scene::run_program({NLMECH_BINARY_DIR "/bin/geodesy", "reverse", "nowhere.csv"}, folder_);
+  const Finished f =
+      scene::run_program({NLMECH_BINARY_DIR "/bin/geodesy", "reverse", "nowhere.csv"}, folder_);
   EXPECT_EQ(f.exit_code, 2);
   EXPECT_NE(f.errors.find("nowhere.csv"), std::string::npos) << f.errors;
 }
 
-// A point where the series has no digit: exit code 1, a sentence with method, line and place, and no output at all.
+// A point where the series has no digit: exit code 1, a sentence with method, line and place, and no output
+// at all.
 TEST_F(GeodesyCommand, CentreFailsWithASentence) {
   const Finished f = geodesy({"reverse", "--method", "series"}, "7000000,0,0\n1000,0,1000\n");
   EXPECT_EQ(f.exit_code, 1);
@@ -147,7 +150,8 @@ TEST_F(GeodesyCommand, EmptyInputGivesTheHeaderAlone) {
 }
 
 TEST_F(GeodesyCommand, StrongFlatteningWarnsOfItsMiss) {
-  const Finished f = geodesy({"reverse", "--method", "series", "--ellipsoid", "6378137,0.1"}, "5e6,0,4.2e6\n");
+  const Finished f =
+      geodesy({"reverse", "--method", "series", "--ellipsoid", "6378137,0.1"}, "5e6,0,4.2e6\n");
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_NE(f.errors.find("misses the point of line 1"), std::string::npos) << f.errors;
 }

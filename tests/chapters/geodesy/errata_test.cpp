@@ -1,6 +1,7 @@
-/// Every misprint of section 2.4: the printed form and the corrected one, both against the independent oracle. The sizes
-/// of the errors were found before with 50 digits; a test fails if the printed form is not as wrong as that, or the
-/// corrected one not right. The sources are scanned text: a misprint may be one of the scan.
+/// Every misprint of section 2.4: the printed form and the corrected one, both against the independent
+/// oracle. The sizes of the errors were found before with 50 digits; a test fails if the printed form is not
+/// as wrong as that, or the corrected one not right. The sources are scanned text: a misprint may be one of
+/// the scan.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,8 @@ struct Errors {
 Errors errors_at(double latitude_deg, double height_m, int order, const SeriesTable& table) {
   const auto e = BasicEllipsoid<Real>::wgs84();
   const BasicGeodetic<Real> truth{Real(latitude_deg) * oracle::pi() / 180, 0, height_m};
-  const auto found = reverse(forward(truth, e), e, PerturbationSeries{order, HeightFrom::series}, table).position;
+  const auto found =
+      reverse(forward(truth, e), e, PerturbationSeries{order, HeightFrom::series}, table).position;
   return {static_cast<double>(abs(found.latitude - truth.latitude) * 180 / oracle::pi()),
           static_cast<double>(abs(found.height - truth.height))};
 }
@@ -58,8 +60,8 @@ TEST(Errata, Equation2_42) {
   EXPECT_LT(abs(r.x - ground.x - g.height * n_r) + abs(r.z - ground.z - g.height * n_z), Real(1e-40));
 }
 
-// (2.43) and the text call phi_c geocentric. The ground point (a cos phi_c, b sin phi_c) has that geocentric latitude
-// only at the equator and the poles: phi_c is the parametric latitude.
+// (2.43) and the text call phi_c geocentric. The ground point (a cos phi_c, b sin phi_c) has that geocentric
+// latitude only at the equator and the poles: phi_c is the parametric latitude.
 TEST(Errata, Equation2_43_ParametricNotGeocentric) {
   const Ellipsoid e = Ellipsoid::wgs84();
   const double parametric = 45 * degree;
@@ -71,7 +73,8 @@ TEST(Errata, Equation2_43_ParametricNotGeocentric) {
   EXPECT_NEAR(ground.z, e.b() * std::sin(parametric), 3e-9);
 }
 
-// (2.45) prints p = 0.00314; WGS84 gives 0.0033640898. The printed value in the series, a/b exact in Eq. 2.53:
+// (2.45) prints p = 0.00314; WGS84 gives 0.0033640898. The printed value in the series, a/b exact in
+// Eq. 2.53:
 TEST(Errata, Equation2_45_SmallParameter) {
   const auto e = BasicEllipsoid<Real>::wgs84();
   EXPECT_NEAR(static_cast<double>(e.p()), 0.0033640898, 1e-10);
@@ -106,8 +109,9 @@ TEST(Errata, Equation2_48_StartingLatitude) {
   EXPECT_GT(worst, 1e-8);  // 0.07 m on the ground
 }
 
-// (2.49) prints sin(2 phi_c), the unknown itself; with sin(2 phi_0) the error of order 1 falls as p^2, with sin(2 phi_c)
-// the first-order term is no constant of the expansion: taken at the true phi_c it changes the result by p^2.
+// (2.49) prints sin(2 phi_c), the unknown itself; with sin(2 phi_0) the error of order 1 falls as p^2, with
+// sin(2 phi_c) the first-order term is no constant of the expansion: taken at the true phi_c it changes the
+// result by p^2.
 TEST(Errata, Equation2_49_ArgumentOfTheSine) {
   const auto e = BasicEllipsoid<Real>::wgs84();
   const BasicGeodetic<Real> truth{Real(30) * degree, 0, 200e3};
@@ -115,9 +119,11 @@ TEST(Errata, Equation2_49_ArgumentOfTheSine) {
   const Real R = sqrt(point.x * point.x + point.z * point.z), h0 = R - e.b(), phi0 = atan2(point.z, point.x);
   const Real phi_c = atan(e.b() / e.a() * tan(truth.latitude));
   const Real factor = (e.b() - h0) / (2 * R);
-  const Real printed = phi0 + e.p() * factor * sin(2 * phi_c), corrected = phi0 + e.p() * factor * sin(2 * phi0);
+  const Real printed = phi0 + e.p() * factor * sin(2 * phi_c),
+             corrected = phi0 + e.p() * factor * sin(2 * phi0);
   EXPECT_GT(abs(printed - corrected), Real(1e-6));
-  // second-order term of the series explains the rest for the corrected form only: the remainder is then of order p^3
+  // second-order term of the series explains the rest for the corrected form only: the remainder is then of
+  // order p^3
   const Real S = sin(2 * phi0);
   const Real phi2 = (h0 * h0 - 4 * e.b() * h0 + 3 * e.b() * e.b()) / (8 * R * R) * sin(4 * phi0) + S / 4;
   EXPECT_LT(abs(corrected + e.p() * e.p() * phi2 - phi_c), Real(5e-8));
@@ -131,7 +137,8 @@ TEST(Errata, Table2_6_C3) {
 }
 
 TEST(Errata, Table2_6_C6) {
-  EXPECT_NEAR(errors_at(45, 3200e3, 4, with("C6")).height_m, 1.508e-3, 0.005e-3);  // the text's "millimetre accuracy"
+  EXPECT_NEAR(errors_at(45, 3200e3, 4, with("C6")).height_m, 1.508e-3,
+              0.005e-3);  // the text's "millimetre accuracy"
   EXPECT_LT(errors_at(45, 3200e3, 4, corrected_series()).height_m, 8e-7);
 }
 
@@ -152,8 +159,8 @@ TEST(Errata, Table2_6_C8_431) {
   EXPECT_LT(errors_at(24, 2100e3, 4, corrected_series()).latitude_deg, 2.5e-11);
 }
 
-// C9 prints 135 b^3 h_0^2 among terms of degree 4. Taken literally the unit of length matters: in metres it ruins the
-// latitude, so that the third order is far better.
+// C9 prints 135 b^3 h_0^2 among terms of degree 4. Taken literally the unit of length matters: in metres it
+// ruins the latitude, so that the third order is far better.
 TEST(Errata, Table2_6_C9_Dimension) {
   const int literal = 135 * 6356752;  // 135 b^3 = (135 b) b^2, b in metres
   double printed = 0;
@@ -167,7 +174,8 @@ TEST(Errata, Table2_6_C9_Dimension) {
 // (2.53) prints atan(cos/((a/b) sin)): the angle from the pole, not from the equator.
 TEST(Errata, Equation2_53_Conversion) {
   const Ellipsoid e = Ellipsoid::wgs84();
-  const double geodetic = 30 * degree, parametric = std::atan2(e.b() * std::sin(geodetic), e.a() * std::cos(geodetic));
+  const double geodetic = 30 * degree,
+               parametric = std::atan2(e.b() * std::sin(geodetic), e.a() * std::cos(geodetic));
   const double printed = std::atan(std::cos(parametric) / (e.a() / e.b() * std::sin(parametric)));
   EXPECT_NEAR(printed, 60 * degree, 1e-15);
   EXPECT_NEAR(std::atan2(e.a() * std::sin(parametric), e.b() * std::cos(parametric)), geodetic, 1e-15);
