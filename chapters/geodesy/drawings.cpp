@@ -83,7 +83,8 @@ void add_graticule(SpaceDrawing& drawing, const Scenery& s) {
 
 scene::Showing draw_in_space() {
   const Scenery s{Ellipsoid(1, 0.2), {42 * degree, 65 * degree, 0.75}};
-  const auto [latitude, longitude, height] = s.satellite;
+  const double latitude = s.satellite.latitude, longitude = s.satellite.longitude,
+               height = s.satellite.height;
   const double arrow = 0.3, foot = s.foot_distance();
   const Cartesian satellite = s.at(latitude, longitude, height), ground = s.at(latitude, longitude);
   SpaceDrawing drawing;

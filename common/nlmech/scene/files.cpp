@@ -30,7 +30,7 @@ bool has_content(const fs::path& path, std::string_view text) {
 }
 
 struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
 };
 
 std::string read_to_end(std::FILE* in, const std::string& name) {

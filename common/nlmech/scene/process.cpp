@@ -48,6 +48,7 @@ struct SpawnActions {
 /// Null-terminated array of C strings; posix_spawn's signature wants them without const.
 std::vector<char*> c_strings(const std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
   pointers.push_back(nullptr);
   return pointers;

@@ -14,20 +14,22 @@ namespace {
 
 void draw_figure(const std::string& chapter, const std::string& scene, const Figure& figure,
                  const Publishing& how) {
-  const fs::path svg = how.out / "figures" / chapter / (scene + ".svg");
   const std::string data = fmt::format("results/{}/{}.csv", chapter, scene);
-  try {
-    const auto picture = [&](PictureFormat format) {
-      return draw(data_folder() / "figures", figure.template_name, how.out, data, figure.variables, format);
-    };
-    write_whole(svg, picture(PictureFormat::svg));
-    if (how.png) write_whole(fs::path(svg.string()).replace_extension(".png"), picture(PictureFormat::png));
-  } catch (const Failure& failure) {
-    std::error_code ignored;
-    fs::remove(svg, ignored);  // a drawing of older data beside new data would mislead
-    throw Failure(fmt::format("figure {} of {} was not drawn: {}; its data are in {}", scene, chapter,
-                              failure.what(), (how.out / data).string()));
-  }
+  const auto draw_as = [&](PictureFormat format) {
+    const std::string name = scene + (format == PictureFormat::svg ? ".svg" : ".png");
+    const fs::path picture = how.out / "figures" / chapter / name;
+    try {
+      write_whole(picture, draw(data_folder() / "figures", figure.template_name, how.out, data,
+                                figure.variables, format));
+    } catch (const Failure& failure) {
+      std::error_code ignored;
+      fs::remove(picture, ignored);  // a drawing of older data beside new data would mislead
+      throw Failure(fmt::format("figure {} of {} was not drawn: {}; its data are in {}", name, chapter,
+                                failure.what(), (how.out / data).string()));
+    }
+  };
+  draw_as(PictureFormat::svg);
+  if (how.png) draw_as(PictureFormat::png);
 }
 
 }  // namespace

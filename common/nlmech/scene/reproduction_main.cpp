@@ -25,19 +25,31 @@ struct Options {
   std::string chapters, out = ".", page, name;
 };
 
-std::vector<Checked> collect(const Options& options) {
+std::vector<std::string> read_built(const Options& options) {
   std::vector<std::string> built;
   std::istringstream lines(read_whole(options.chapters));
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) built.push_back(line);
   }
-  return collect_checks(built, data_folder(), options.out);
+  return built;
+}
+
+/// The chapter that owns a value, if it is built.
+std::vector<std::string> built_owner(const Options& options) {
+  const std::vector<Place> places = read_places(data_folder());
+  std::vector<std::string> built = read_built(options);
+  for (const PublishedValue& value : read_published(data_folder())) {
+    if (value.name() != options.name) continue;
+    std::erase_if(built, [&](const std::string& chapter) { return chapter != owner(value, places); });
+    return built;
+  }
+  throw nlmech::InputError(fmt::format("no source prints '{}'", options.name));
 }
 
 bool is_miss(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.kept; }
 
 int report(const Options& options) {
-  const std::vector<Checked> values = collect(options);
+  const std::vector<Checked> values = collect_checks(read_built(options), data_folder(), options.out);
   if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
   const auto misses = std::count_if(values.begin(), values.end(), is_miss);
   print_result(reproduction_text(values) +
@@ -45,14 +57,14 @@ int report(const Options& options) {
   return misses == 0 ? kept : missed;
 }
 
+/// Looks at the chapter that owns the value and at no other: they may not have been checked.
 int verdict(const Options& options) {
-  for (const Checked& c : collect(options)) {
-    if (c.value.name() != options.name) continue;
-    print_result(reproduction_text({c}));
-    if (c.judgement.verdict == Verdict::not_built) return skipped;
-    return is_miss(c) ? missed : kept;
-  }
-  throw nlmech::InputError(fmt::format("no source prints '{}'", options.name));
+  const std::vector<Checked> values = collect_checks(built_owner(options), data_folder(), options.out);
+  const auto c = std::find_if(values.begin(), values.end(),
+                              [&](const Checked& other) { return other.value.name() == options.name; });
+  print_result(reproduction_text({*c}));
+  if (c->judgement.verdict == Verdict::not_built) return skipped;
+  return is_miss(*c) ? missed : kept;
 }
 
 void list_names() {
