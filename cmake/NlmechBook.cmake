@@ -6,14 +6,14 @@
 # reads these variables, if they are set:
 #   NLMECH_BOOK      ON (default): there is a target `book`. It is never part of `all`.
 #   NLMECH_CHAPTERS  chapters of this build, in reading order; each has chapters/<name>/<name>.md
-#   NLMECH_OUT       folder with the generated figures/, tables/ and results/; default: the top of the source tree
+#   NLMECH_OUT       folder with the generated figures/, tables/, results/; default: the top of the source tree
 # and takes these arguments, all optional:
 #   CHAPTERS names...   instead of NLMECH_CHAPTERS
 #   OUT folder          instead of NLMECH_OUT
 #   DEPENDS targets...  built before, such as one that draws the figures
 #
-# The book is written to <build>/book/html/index.html. What it needs (Doxygen, its style sheet, MathJax) is looked for
-# when the target is built: a machine without them configures and builds everything else.
+# The book is written to <build>/book/html/index.html. What it needs (Doxygen, its style sheet, MathJax) is
+# looked for when the target is built: a machine without them configures and builds everything else.
 include_guard(GLOBAL)
 
 option(NLMECH_BOOK "Offer the target `book` (needs doxygen, doxygen-awesome-css, libjs-mathjax when built)" ON)
@@ -42,14 +42,15 @@ function(nlmech_add_book)
   # All that the scripts need to know, in a file, so that no list has to survive a command line.
   set(folder "${PROJECT_BINARY_DIR}/book")
   set(settings "# Written by nlmech_add_book().\n")
-  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}" "VERSION|${PROJECT_VERSION}"
-               "CHAPTERS|${book_CHAPTERS}")
+  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}"
+               "VERSION|${PROJECT_VERSION}" "CHAPTERS|${book_CHAPTERS}")
     string(REPLACE "|" " [==[" pair "${pair}")
     string(APPEND settings "set(BOOK_${pair}]==])\n")
   endforeach()
   file(CONFIGURE OUTPUT "${folder}/settings.cmake" CONTENT "${settings}" @ONLY)
 
-  # The dependency file names what the last build read. The globs add what it cannot know: files that are new since.
+  # The dependency file names what the last build read. The globs add what it cannot know: files that are new
+  # since.
   get_filename_component(scripts "${_nlmech_book_scripts}" ABSOLUTE)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.cmake")
   file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/*")

@@ -1,4 +1,5 @@
 # Components, chapters and the facts that tests and programs need to know about the build.
+include(GNUInstallDirs)
 
 add_library(nlmech_options INTERFACE)
 target_compile_options(nlmech_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
@@ -11,9 +12,9 @@ endif()
 
 # A component of the library: the folder common/nlmech/<name>, target nlmech::<name>.
 #   nlmech_component(geodesy SOURCES a.cpp b.cpp USES support LINKS fmt::fmt)
-# USES are the components that it may include; a test holds the sources to that.
+# USES are the components that it may include; a test holds the sources to that. INTERNAL ones are not installed.
 function(nlmech_component name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "INTERNAL" "" "SOURCES;USES;LINKS" ${ARGN})
   add_library(nlmech_${name} STATIC ${arg_SOURCES})
   add_library(nlmech::${name} ALIAS nlmech_${name})
   set_target_properties(nlmech_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -25,6 +26,11 @@ function(nlmech_component name)
   list(TRANSFORM arg_USES REPLACE "nlmech::" "")
   list(JOIN arg_USES " " uses)
   set_property(GLOBAL APPEND PROPERTY NLMECH_COMPONENTS "${name}: ${uses}")
+  if(NOT arg_INTERNAL)
+    install(TARGETS nlmech_${name} EXPORT nlmech)
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nlmech/${name}
+            FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels" EXCLUDE)
+  endif()
 endfunction()
 
 # A chapter: library nlmech_chapter_<name> with its scenes, and the program build/bin/<name>.
@@ -37,6 +43,7 @@ function(nlmech_chapter name)
   target_link_libraries(nlmech_chapter_${name} PUBLIC nlmech::scene ${arg_USES} PRIVATE nlmech_options)
   add_executable(${name} main.cpp)
   target_link_libraries(${name} PRIVATE nlmech_chapter_${name} nlmech_options)
+  install(TARGETS ${name})
 endfunction()
 
 # Written at the end of the configuration, when all is known: one fact a line, for Makefile, tests and book.

@@ -42,7 +42,7 @@ void fill(ErrorMap& map, const geodesy::PerturbationSeries& method, const geodes
 ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
                    Arithmetic arithmetic, bool quick) {
   ErrorMap map;
-  const int per_degree = quick ? 1 : 4, ratios = quick ? 12 : 60;
+  const int per_degree = quick ? 1 : 4, ratios = quick ? 30 : 60;
   for (int i = -90 * per_degree; i <= 90 * per_degree; ++i)
     map.latitude_deg.push_back(double(i) / per_degree);
   for (int i = 0; i <= ratios; ++i)

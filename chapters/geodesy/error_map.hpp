@@ -26,7 +26,7 @@ enum class Arithmetic {
   extended  ///< 64-bit significand: shows the truncation error of the series below the rounding of doubles
 };
 
-/// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 12) equal ratios,
+/// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios,
 /// longitude 30 deg. True positions come from Eq. 2.40 in extended precision, rounded to the arithmetic under
 /// test.
 [[nodiscard]] ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,

@@ -61,7 +61,7 @@ void report_missed(const std::string& scene, const Quantity& q) {
              format_number(q.value, 6), q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason);
 }
 
-/// Goes on after a figure that could not be drawn: the other scenes are not to suffer from it.
+/// Goes on after a scene that failed or could not be drawn: the others are not to suffer from it.
 int run(const Chapter& chapter, const Options& options) {
   const std::vector<const Scene*> scenes = chosen(chapter, options);
   const Publishing how{options.out, !options.no_plots, options.png};
@@ -73,7 +73,7 @@ int run(const Chapter& chapter, const Options& options) {
     try {
       publish(chapter, *scene, perform(*scene, workshop), options.quick, how);
     } catch (const Failure& failure) {
-      fmt::print(stderr, "{}: {}\n", chapter.name(), failure.what());
+      fmt::print(stderr, "{}: {}: {}\n", chapter.name(), scene->name, failure.what());
       code = failed;
     }
     tell_progress(++done, scenes.size(), scene->name, watch.seconds());
