@@ -10,7 +10,7 @@ SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS,$(if $($(v)),-D$(v)='$($(v
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 DRAWN = $(CHAPTERS:%=figures/%/.complete)
 
-.PHONY: help deps configure build figures tables test check book clean
+.PHONY: help deps configure build programs figures tables test check book clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -33,21 +33,26 @@ configure: deps
 build: configure
 	@cmake --build $(BUILD)
 
-figures: build
+# Figures and verdicts need no test.
+programs: configure
+	@cmake --build $(BUILD) --target programs
+
+figures: programs
 	@$(MAKE) --no-print-directory draw
 
 # The second call of make knows the chapters that the configuration selected.
 .PHONY: draw
 draw: $(DRAWN)
+	@echo "figures/<chapter>/*.svg, tables/<chapter>/*.md, results/<chapter>/*.csv are up to date"
 
 figures/%/.complete: $(BUILD)/bin/% figures/style.gp $(wildcard figures/templates/*.gp)
 	@$< run --all --out $(OUT)
 	@touch $@
 
-tables: build
+tables: programs
 	@for c in $$(cat $(BUILD)/chapters.txt); do $(BUILD)/bin/$$c run --all --no-plots --out $(OUT) || exit 1; done
 
-chapter-%: build
+chapter-%: programs
 	@$(MAKE) --no-print-directory figures/$*/.complete
 	@$(BUILD)/bin/$* check --out $(OUT)
 
@@ -55,7 +60,7 @@ test: build
 	@ctest --preset $(PRESET) -j2
 
 # All chapters are checked before the command says whether one missed a promise.
-check: build
+check: programs
 	@missed=0; for c in $$(cat $(BUILD)/chapters.txt); do \
 	  $(BUILD)/bin/$$c check --out $(OUT) > /dev/null || missed=1; done; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \

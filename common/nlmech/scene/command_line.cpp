@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <sstream>
 #include <system_error>
 
 #include "nlmech/scene/build_info.hpp"
@@ -96,6 +98,14 @@ int check(const Chapter& chapter, const Options& options) {
   return result.kept() ? 0 : failed;
 }
 
+/// Help and version go where results go, complaints to standard error.
+int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream help;
+  if (app.exit(error, help, std::cerr) != 0) return wrong_usage;
+  print_result(help.str());
+  return 0;
+}
+
 }  // namespace
 
 void print_result(std::string_view text) {
@@ -135,9 +145,11 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   own_work(app);
 
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_usage;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return end_of_parsing(app, error);
+    }
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: {}\n", chapter.name(), error.what());
     return wrong_usage;
