@@ -4,7 +4,7 @@
 #   nlmech_add_book()
 #
 # reads these variables, if they are set:
-#   NLMECH_BOOK      ON (default): there is a target `book`. It is never part of `all`.
+#   NLMECH_BOOK      ON unless it is set: there is a target `book`. It is never part of `all`.
 #   NLMECH_CHAPTERS  chapters of this build, in reading order; each has chapters/<name>/<name>.md
 #   NLMECH_OUT       folder with the generated figures/, tables/, results/; default: the top of the source tree
 # and takes these arguments, all optional:
@@ -16,8 +16,6 @@
 # looked for when the target is built: a machine without them configures and builds everything else.
 include_guard(GLOBAL)
 
-option(NLMECH_BOOK "Offer the target `book` (needs doxygen, doxygen-awesome-css, libjs-mathjax when built)" ON)
-
 set(_nlmech_book_scripts "${CMAKE_CURRENT_LIST_DIR}/../scripts/book")
 
 function(nlmech_add_book)
@@ -25,7 +23,7 @@ function(nlmech_add_book)
   if(book_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "nlmech_add_book: unknown argument '${book_UNPARSED_ARGUMENTS}'")
   endif()
-  if(NOT NLMECH_BOOK)
+  if(DEFINED NLMECH_BOOK AND NOT NLMECH_BOOK)
     return()
   endif()
   if(NOT book_CHAPTERS)
@@ -66,7 +64,7 @@ function(nlmech_add_book)
   if(book_DEPENDS)
     add_dependencies(book ${book_DEPENDS})
   endif()
-  if(BUILD_TESTING)
+  if(NLMECH_TESTS OR BUILD_TESTING)
     add_test(NAME book.scripts COMMAND "${CMAKE_COMMAND}" "-DWORK=${folder}/test" -P "${scripts}/test.cmake")
     set_tests_properties(book.scripts PROPERTIES LABELS unit)
   endif()

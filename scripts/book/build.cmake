@@ -1,7 +1,8 @@
 # Builds the book: cmake -DBOOK_SETTINGS=<build>/book/settings.cmake -P build.cmake
 #
-# Steps: look for the tools; turn the pages into what Doxygen reads; run Doxygen, where any warning is a failure; copy what
-# the pages need from MathJax. All complaints are shown, each with its file and line, before it stops.
+# Steps: look for the tools; turn the pages into what Doxygen reads; run Doxygen, where any warning is a
+# failure; copy what the pages need from MathJax. All complaints are shown, each with its file and line,
+# before it stops.
 cmake_minimum_required(VERSION 3.25)
 include("${BOOK_SETTINGS}")
 include("${CMAKE_CURRENT_LIST_DIR}/page.cmake")
@@ -13,8 +14,8 @@ find_program(DOXYGEN doxygen)
 if(NOT DOXYGEN)
   list(APPEND packages doxygen)
 endif()
-find_path(BOOK_AWESOME doxygen-awesome.css PATHS /usr/share/doxygen-awesome-css /usr/local/share/doxygen-awesome-css
-          NO_DEFAULT_PATH)
+find_path(BOOK_AWESOME doxygen-awesome.css
+          PATHS /usr/share/doxygen-awesome-css /usr/local/share/doxygen-awesome-css NO_DEFAULT_PATH)
 if(NOT BOOK_AWESOME)
   list(APPEND packages doxygen-awesome-css)
 endif()
@@ -28,6 +29,7 @@ if(packages)
   message(FATAL_ERROR "The book needs Debian packages that are not installed: apt install ${packages}")
 endif()
 
+file(REMOVE "${BOOK_FOLDER}/book.stamp")  # a failure must not pass for a finished book
 file(REMOVE_RECURSE "${BOOK_FOLDER}/html" "${BOOK_FOLDER}/pages")
 file(MAKE_DIRECTORY "${BOOK_FOLDER}/html" "${BOOK_FOLDER}/pages")
 
@@ -40,6 +42,11 @@ foreach(chapter IN LISTS BOOK_CHAPTERS)
   list(APPEND page_labels "chapters/${chapter}/${chapter}.md|chapter_${chapter}")
 endforeach()
 list(APPEND page_labels "docs/index.md|mainpage")
+foreach(pair IN LISTS page_labels)
+  string(REGEX REPLACE "[|].*$" "" source "${pair}")
+  string(REGEX REPLACE "^.*[|]" "" label "${pair}")
+  set_property(GLOBAL PROPERTY "label|${source}" "${label}")
+endforeach()
 foreach(pair IN LISTS page_labels)
   string(REGEX REPLACE "[|].*$" "" source "${pair}")
   string(REGEX REPLACE "^.*[|]" "" label "${pair}")
@@ -56,7 +63,7 @@ book_components("${BOOK_FOLDER}/pages/docs/components.dox")
 get_property(complaints GLOBAL PROPERTY complaints)
 if(complaints)
   list(LENGTH complaints count)
-  message(FATAL_ERROR "The book was not built: ${count} errors in its pages, listed above.")
+  message(FATAL_ERROR "The book was not built. Errors in its pages, listed above: ${count}")
 endif()
 
 # 3. Doxygen. Paths in its warnings are those of the source tree.
@@ -73,14 +80,14 @@ if(EXISTS "${BOOK_FOLDER}/warnings.txt")
 endif()
 if(NOT result EQUAL 0 OR NOT warnings STREQUAL "")
   message("${warnings}")
-  message(FATAL_ERROR "The book was not built: Doxygen's warnings, listed above, count as errors (exit code ${result}).")
+  message(FATAL_ERROR "The book was not built. Doxygen's warnings, listed above, count as errors (${result}).")
 endif()
 
 file(READ "${BOOK_FOLDER}/html/index.html" start)
 string(REPLACE "<title>nlmech - nlmech</title>" "<title>nlmech</title>" start "${start}")
 file(WRITE "${BOOK_FOLDER}/html/index.html" "${start}")
 
-# 4. MathJax, only what TeX input and SVG output load: no web fonts, which browsers refuse to pages from the file system.
+# 4. MathJax, only what TeX input and SVG output load. No web fonts: some browsers refuse them to local pages.
 set(mathjax "${BOOK_FOLDER}/html/mathjax")
 file(COPY "${BOOK_MATHJAX}/MathJax.js" DESTINATION "${mathjax}")
 file(COPY "${BOOK_MATHJAX}/jax/input/TeX" DESTINATION "${mathjax}/jax/input")
@@ -95,10 +102,9 @@ endforeach()
 # 5. What the book was made from, for the next build.
 get_property(reads GLOBAL PROPERTY reads)
 list(REMOVE_DUPLICATES reads)
-set(rule "${BOOK_FOLDER}/book.stamp:")
-foreach(file IN LISTS reads)
-  string(REPLACE " " "\\ " file "${file}")
-  string(APPEND rule " \\\n  ${file}")
-endforeach()
-file(WRITE "${BOOK_FOLDER}/book.d" "${rule}\n")
+list(PREPEND reads "${BOOK_FOLDER}/book.stamp")
+string(REPLACE " " "\\ " reads "${reads}")
+list(POP_FRONT reads stamp)
+list(JOIN reads " \\\n  " reads)
+file(WRITE "${BOOK_FOLDER}/book.d" "${stamp}: ${reads}\n")
 file(TOUCH "${BOOK_FOLDER}/book.stamp")

@@ -1,5 +1,6 @@
-# Descriptions of the library's components for the API reference, out of docs/components.txt: lines "name: sentence".
-# Only components with headers in this tree are written, for Doxygen rejects words about what it does not find.
+# Descriptions of the library's components for the API reference, out of docs/components.txt: lines "name:
+# sentence". Only components with headers in this tree are written, for Doxygen rejects words about what it
+# does not find.
 include_guard(GLOBAL)
 
 # book_components(<file to write>)

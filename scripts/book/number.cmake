@@ -69,8 +69,9 @@ function(_book_plain variable digits exponent style)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Rounds a decimal text to so many significant digits (1 to 17), half away from zero. The arithmetic is on the digits,
-# so nothing is lost on the way. Without a wish for digits a whole number (5 or 5.0) is shown in full, others with three.
+# Rounds a decimal text to so many significant digits (1 to 17), half away from zero. The arithmetic is on the
+# digits, so nothing is lost on the way. Without a wish for digits a whole number (5 or 5.0) is shown in full,
+# others with three.
 function(book_format variable value digits style)
   if(NOT value MATCHES "^(-?)([0-9]+)(\\.([0-9]+))?([eE]([+-]?[0-9]+))?$")
     set(${variable} "${value}" PARENT_SCOPE)  # a text, such as "not stated"
@@ -204,7 +205,8 @@ function(book_number variable scene name options style complaint_variable)
     elseif(option STREQUAL "no unit")
       set(with_unit FALSE)
     else()
-      set(${complaint_variable} "'${option}' is neither a number of digits (1 to 17) nor 'no unit'" PARENT_SCOPE)
+      set(complaint "'${option}' is neither a number of digits (1 to 17) nor 'no unit'")
+      set(${complaint_variable} "${complaint}" PARENT_SCOPE)
       return()
     endif()
   endforeach()
@@ -217,7 +219,7 @@ function(book_number variable scene name options style complaint_variable)
   get_property(type GLOBAL PROPERTY "number type|${scene}|${name}")
   get_property(value GLOBAL PROPERTY "number|${scene}|${name}")
   get_property(unit GLOBAL PROPERTY "number unit|${scene}|${name}")
-  if(type STREQUAL "")
+  if("${type}" STREQUAL "")
     get_property(known GLOBAL PROPERTY "numbers|${scene}")
     set(${complaint_variable} "results/${scene}.json has no quantity '${name}'; it has ${known}" PARENT_SCOPE)
     return()

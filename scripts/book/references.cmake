@@ -133,7 +133,7 @@ function(book_work variable key)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# All works, or those among `keys`, as one line of HTML: one line, so that Doxygen's line numbers stay those of the page.
+# All works, or those among `keys`, as HTML on one line, so that Doxygen's line numbers stay those of the page.
 function(book_list_works variable anchors keys)
   get_property(works GLOBAL PROPERTY works)
   list(SORT works)

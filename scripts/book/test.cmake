@@ -6,21 +6,19 @@ set(BOOK_FOLDER "${WORK}/book")
 set(BOOK_CHAPTERS "")
 include("${CMAKE_CURRENT_LIST_DIR}/page.cmake")
 file(REMOVE_RECURSE "${WORK}")
-set(failures 0)
 
 function(expect what got wanted)
   if(NOT got STREQUAL wanted)
     message("FAILED ${what}\n  got    ${got}\n  wanted ${wanted}")
-    math(EXPR failures "${failures} + 1")
-    set(failures ${failures} PARENT_SCOPE)
+    set_property(GLOBAL APPEND PROPERTY failures x)
   endif()
 endfunction()
 
-# --- Numbers: value, digits, text. Rounded by hand. --------------------------------------------------------------------
-macro(expect_number value digits style wanted)
+# --- Numbers: value, digits, text. Rounded by hand. -----------------------------------------------
+function(expect_number value digits style wanted)
   book_format(_got "${value}" "${digits}" ${style})
   expect("book_format(${value}, '${digits}')" "${_got}" "${wanted}")
-endmacro()
+endfunction()
 set(sp " ")  # U+202F
 expect_number("2.4169999999999999e-11" 3 tex "2.42 \\times 10^{-11}")
 expect_number("2.4169999999999999e-11" 3 html "2.42&nbsp;&times;&nbsp;10<sup>&minus;11</sup>")
@@ -45,13 +43,14 @@ expect_number("1.7976931348623157e+308" 17 tex "1.7976931348623157 \\times 10^{3
 expect_number("5e-324" 1 tex "5 \\times 10^{-324}")
 expect_number("not stated" 3 html "not stated")
 
-# --- A page with everything on it ---------------------------------------------------------------------------------------
+# --- A page with everything on it -----------------------------------------------------------------
 file(WRITE "${BOOK_OUT}/results/geodesy/fig-2.27.json" [=[{"quantities":[
   {"name":"max error","value":2.417e-11,"unit":"deg"}, {"name":"acceleration","value":9.80665,"unit":"m/s^2"},
   {"name":"twice","value":1}, {"name":"twice","value":2}, {"name":"nothing","value":null}]}]=])
 file(WRITE "${BOOK_OUT}/figures/geodesy/fig-2.27.svg" "<svg/>")
 file(WRITE "${BOOK_OUT}/tables/geodesy/table-2.6.md" "| a |\n| --- |\n")
-file(WRITE "${BOOK_SOURCE_DIR}/r.bib" "@book{one2001,\n  author = {One, A. and Two, B.},\n  title = {T},\n  year = {2001},\n}\n")
+file(WRITE "${BOOK_SOURCE_DIR}/r.bib"
+  "@book{one2001,\n  author = {One, A. and Two, B.},\n  title = {T},\n  year = {2001},\n}\n")
 book_load_references("${BOOK_SOURCE_DIR}/r.bib")
 
 # The text of one page `body` under a title, without the title's two lines.
@@ -64,50 +63,77 @@ function(make_page variable body)
   string(STRIP "${text}" text)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
-macro(expect_page body wanted)
+function(expect_page body wanted)
   make_page(_got "${body}")
   expect("page: ${body}" "${_got}" "${wanted}")
   get_property(_complaint GLOBAL PROPERTY "last complaint")
   expect("complaint about: ${body}" "${_complaint}" "")
-endmacro()
-macro(expect_complaint body wanted)
+endfunction()
+function(expect_complaint body wanted)
   make_page(_got "${body}")
   get_property(_complaint GLOBAL PROPERTY "last complaint")
   expect("complaint about: ${body}" "${_complaint}" "chapters/geodesy/geodesy.md:${wanted}")
-endmacro()
+endfunction()
 
-expect_page("is {{geodesy/fig-2.27: max error | 2}}." "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg.")
+expect_page("is {{geodesy/fig-2.27: max error | 2}}."
+  "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg.")
 expect_page("is {{geodesy/fig-2.27: max error|2|no unit}}." "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>.")
 expect_page("{{geodesy/fig-2.27: acceleration | 6}}; a [b]" "9.80665&nbsp;m/s<sup>2</sup>; a [b]")
 set(f "\\f$")
 expect_page("${f}e < {{geodesy/fig-2.27: max error}}${f}" "${f}e < 2.42 \\times 10^{-11}\\,\\mathrm{deg}${f}")
-expect_page("${f}a${f} is {{geodesy/fig-2.27: acceleration | 1 | no unit}}" "${f}a${f} is 1&nbsp;&times;&nbsp;10<sup>1</sup>")
+expect_page("${f}a${f} is {{geodesy/fig-2.27: acceleration | 1 | no unit}}" "${f}a${f} is 10")
 expect_page("a {{geodesy/fig-2.27:\nacceleration}} b\n\nnext" "a 9.81&nbsp;m/s<sup>2</sup> b\n\n\nnext")
 expect_page("```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```" "```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```")
+set(code "```\n{{1}}\n```")
+expect_page("${code}\n\n${code}\n\n{{geodesy/fig-2.27: acceleration | 2 | no unit}}"
+  "${code}\n\n${code}\n\n9.8")
+expect_page("`{{1, 2}, {3}}` and `[@x]`" "`{{1, 2}, {3}}` and `[@x]`")
 expect_page("by [@one2001, Eq. 3]" "by \\ref work_one2001 \"One &amp; Two (2001, Eq. 3)\"")
-expect_page("see [Figure 2.27](../../figures/geodesy/fig-2.27.svg)." "see [Figure 2.27](#geodesy_fig_2_27).")
-expect_page("see [values](../../tables/published/a.csv)" "see [values](../../tables/published/a.csv)")
-expect_page("[*Cap*](../../tables/geodesy/table-2.6.md)"
-  "\\anchor geodesy_table_2_6 \\htmlonly[block]<div class=\"table-caption\">\\endhtmlonly *Cap* \\htmlonly[block]</div>\\endhtmlonly \\include{doc} ${BOOK_OUT}/tables/geodesy/table-2.6.md")
+expect_page("see [Figure 2.27](../../figures/geodesy/fig-2.27.svg)."
+  "see [Figure 2.27](#figures_geodesy_fig_2_27).")
+file(WRITE "${BOOK_SOURCE_DIR}/tables/a.csv" "a\n")
+file(WRITE "${BOOK_SOURCE_DIR}/common/nlmech/geodesy/a.hpp" "")
+set_property(GLOBAL PROPERTY "label|docs/glossary.md" glossary)
+expect_page("see [values](../../tables/a.csv)" "see [values](sources/tables/a.csv)")
+expect_page("see [words](../../docs/glossary.md#part)" "see [words](@ref glossary)")
+expect_page("see [code](../../common/nlmech/geodesy/a.hpp)" "see [code](@ref nlmech/geodesy/a.hpp)")
+expect_page("[a](https://b.org/c), [d](#e), [f](@ref g)" "[a](https://b.org/c), [d](#e), [f](@ref g)")
+string(CONCAT table
+  "\\anchor tables_geodesy_table_2_6 "
+  "\\htmlonly[block]<div class=\"table-caption\">\\endhtmlonly *Cap* "
+  "\\htmlonly[block]</div>\\endhtmlonly \\include{doc} tables/geodesy/table-2.6.md")
+expect_page("[*Cap*](../../tables/geodesy/table-2.6.md)" "${table}")
 make_page(got "![A \"c\"\nover two](../../figures/geodesy/fig-2.27.svg)")
 if(NOT got MATCHES "alt=\"A &quot;c&quot; over two\"/></a><figcaption>.endhtmlonly A \"c\" over two "
    OR NOT EXISTS "${BOOK_FOLDER}/html/figures/geodesy/fig-2.27.svg")
   expect("figure" "${got}" "an image with its caption, and a copy of the file")
 endif()
 
-# --- What must be refused, with page and line ---------------------------------------------------------------------------
-expect_complaint("\n{{geodesy/fig-2.27: max eror}}" "4: error: results/geodesy/fig-2.27.json has no quantity 'max eror'; it has 'max error', 'acceleration', 'twice', 'twice', 'nothing'")
-expect_complaint("{{geodesy/fig-9.9: a}}" "3: error: there is no results/geodesy/fig-9.9.json; `geodesy run fig-9.9` writes it")
-expect_complaint("{{geodesy/fig-2.27: twice}}" "3: error: results/geodesy/fig-2.27.json has several quantities 'twice'")
-expect_complaint("{{geodesy/fig-2.27: nothing}}" "3: error: 'nothing' of results/geodesy/fig-2.27.json has no value (NULL)")
-expect_complaint("{{geodesy/fig-2.27: max error | 18}}" "3: error: '18' is neither a number of digits (1 to 17) nor 'no unit'")
-expect_complaint("{{max error}}" "3: error: {{max error}} is not of the form {{chapter/scene: quantity}} or {{chapter/scene: quantity | digits}}")
-expect_complaint("{{geodesy/fig-2.27: max error" "3: error: {{ without }}")
+# --- What must be refused, with page and line -----------------------------------------------------
+set(json "results/geodesy/fig-2.27.json")
+set(known "'max error', 'acceleration', 'twice', 'twice', 'nothing'")
+expect_complaint("\n{{geodesy/fig-2.27: max eror}}"
+  "4: error: ${json} has no quantity 'max eror'; it has ${known}")
+expect_complaint("{{geodesy/fig-9.9: a}}"
+  "3: error: there is no results/geodesy/fig-9.9.json; `geodesy run fig-9.9` writes it")
+expect_complaint("{{geodesy/fig-2.27: twice}}" "3: error: ${json} has several quantities 'twice'")
+expect_complaint("{{geodesy/fig-2.27: nothing}}" "3: error: 'nothing' of ${json} has no value (NULL)")
+expect_complaint("{{geodesy/fig-2.27: max error | 18}}"
+  "3: error: '18' is neither a number of digits (1 to 17) nor 'no unit'")
+expect_complaint("{{max error}}"
+  "3: error: {{max error}} is not of the form {{chapter/scene: quantity | digits}}")
+expect_complaint("{{geodesy/fig-2.27: max error" "3: error: {{ without }} in the same paragraph")
 expect_complaint("[@two2002]" "3: error: docs/references.bib has no work 'two2002'")
-expect_complaint("![a](../../figures/geodesy/fig-3.svg)" "3: error: there is no figures/geodesy/fig-3.svg; `geodesy run fig-3` writes it")
-expect_complaint("[a](../../tables/geodesy/t.md)" "3: error: there is no tables/geodesy/t.md; `geodesy run t` writes it")
+expect_complaint("[@one 2001]" "3: error: [@one 2001] is not of the form [@work] or [@work, place]")
+expect_complaint("a [b](../c.md)" "3: error: the link to chapters/c.md leads to no file")
+expect_complaint("![a](../../figures/geodesy/fig-3.svg)"
+  "3: error: there is no figures/geodesy/fig-3.svg; `geodesy run fig-3` writes it")
+expect_complaint("[a](../../tables/geodesy/t.md)"
+  "3: error: there is no tables/geodesy/t.md; `geodesy run t` writes it")
 
+get_property(failures GLOBAL PROPERTY failures)
 if(failures)
-  message(FATAL_ERROR "${failures} failures")
+  list(LENGTH failures failures)
+  message(FATAL_ERROR "${failures} tests of the book's scripts failed")
 endif()
 message("all tests of the book's scripts passed")

@@ -1,0 +1,123 @@
+// What the pages do: enlarge figures, let wide tables scroll, move snippets to the left margin, fit formulas,
+// keep the chapters in sight. Without this script everything is still there: a figure's link opens its file.
+"use strict";
+
+// Snippets are cut out of functions and come with their indentation, and with blank lines at their ends.
+function outdent(fragment) {
+  const lines = [...fragment.querySelectorAll(":scope > .line")];
+  const blank = (line) => line.textContent.trim() === "";
+  const inked = lines.filter((line) => !blank(line));
+  if (!inked.length) return;
+  while (blank(lines[0])) lines.shift().remove();
+  while (blank(lines.at(-1))) lines.pop().remove();
+  const shift = Math.min(...inked.map((line) => line.textContent.search(/[^ ]/)));
+  for (const line of lines) {
+    const first = document.createTreeWalker(line, NodeFilter.SHOW_TEXT).nextNode();
+    if (first) first.data = first.data.slice(Math.min(shift, first.data.match(/^ */)[0].length));
+  }
+}
+
+// The picture of a link fills the window; Escape, the button or a click closes it, and the link has the focus
+// again.
+function enlarge(link, dialog) {
+  const small = link.querySelector("img");
+  const large = dialog.querySelector("img");
+  large.src = link.href;
+  large.alt = small.alt;
+  dialog.showModal();
+}
+
+function make_dialog() {
+  const dialog = document.createElement("dialog");
+  dialog.className = "enlarged";
+  dialog.setAttribute("aria-label", "Figure, enlarged");
+  dialog.innerHTML = '<img alt=""/><button type="button" autofocus>Close</button>';
+  dialog.addEventListener("click", () => dialog.close());
+  document.body.append(dialog);
+  return dialog;
+}
+
+const verdicts = new Set([
+  "reproduced", "reproduced, inferred reading", "better", "differs", "not stated", "context", "input",
+  "not built",
+]);
+
+// Cells with sentences get room, short ones stay on one line, those with a verdict get its mark. Headings such
+// as latitude_corrected_deg may break at their underscores.
+function mark_cells(table) {
+  for (const heading of table.querySelectorAll("th")) {
+    if (!/[\\<]/.test(heading.innerHTML)) heading.innerHTML = heading.innerHTML.replaceAll("_", "_<wbr>");
+  }
+  for (const cell of table.querySelectorAll("td")) {
+    const text = cell.textContent.trim();
+    if (text.length > 50 && !text.includes("\\(")) cell.classList.add("prose");
+    if (text.length < 13) cell.classList.add("short");
+    if (verdicts.has(text)) cell.dataset.verdict = text;
+  }
+}
+
+// A table in a box of its own, which the keyboard reaches when there is something to scroll.
+function box(table) {
+  const div = document.createElement("div");
+  div.className = "scroll";
+  table.before(div);
+  div.append(table);
+  const reach = () => {
+    if (div.scrollWidth > div.clientWidth) div.tabIndex = 0;
+    else div.removeAttribute("tabindex");
+  };
+  new ResizeObserver(reach).observe(div);
+}
+
+// A formula that is too wide for the column is set smaller, down to what can still be read; beyond that it
+// scrolls.
+function fit_formulas() {
+  for (const formula of document.querySelectorAll(".MathJax_SVG_Display")) {
+    let percent = 100;
+    formula.style.fontSize = "";
+    while (formula.scrollWidth > formula.clientWidth && percent > 72) {
+      const fits = Math.floor((percent * formula.clientWidth) / formula.scrollWidth);
+      percent = Math.max(72, Math.min(percent - 1, fits));
+      formula.style.fontSize = `${percent}%`;
+    }
+  }
+}
+
+// The sidebar opens only the branch of the page shown; the chapters shall always be seen. Doxygen fills the
+// tree some time after the page is ready.
+function open_chapters() {
+  const tree = document.getElementById("nav-tree-contents");
+  if (!tree) return;
+  const watch = new MutationObserver(() => {
+    const is_book = (item) => item.querySelector(".label")?.textContent === "Book";
+    const book = [...tree.querySelectorAll(".item")].find(is_book);
+    const arrow = book?.querySelector(".arrow");
+    if (!arrow) return;
+    watch.disconnect();
+    if (arrow.textContent === "\u25ba") arrow.parentElement.click();
+  });
+  watch.observe(tree, { childList: true, subtree: true });
+}
+
+open_chapters();
+if (window.MathJax?.Hub) {
+  MathJax.Hub.Queue(fit_formulas);
+  window.addEventListener("resize", fit_formulas);
+}
+document.querySelectorAll(".contents .fragment").forEach(outdent);
+document.querySelectorAll(".contents table.markdownTable").forEach((table) => {
+  mark_cells(table);
+  box(table);
+});
+const figures = document.querySelectorAll("figure.plate > a");
+if (figures.length && window.HTMLDialogElement) {
+  const dialog = make_dialog();
+  figures.forEach((link) => {
+    link.title = "Enlarge";
+    link.addEventListener("click", (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;  // a new tab, as asked
+      event.preventDefault();
+      enlarge(link, dialog);
+    });
+  });
+}
