@@ -40,13 +40,27 @@ scene::Table largest_errors(const SeriesRuns& runs, Workshop& w) {
   return table;
 }
 
+/// The same numbers under headings for people.
+scene::Table readable(const scene::Table& errors) {
+  scene::Table table({{"order"},
+                      {"latitude, double (deg)"},
+                      {"latitude, exact (deg)"},
+                      {"latitude, printed (deg)"},
+                      {"height, double (m)"},
+                      {"height, exact (m)"},
+                      {"height, printed (m)"},
+                      {"height, projected (m)"}});
+  for (const auto& row : errors.rows()) table.add(row);
+  return table;
+}
+
 scene::Showing study(const SeriesRuns& runs, Workshop& w) {
   scene::Table table = largest_errors(runs, w);
   const ErrorMap &fifth = w.result(*runs.extended[4]), &sixth = w.result(*runs.extended[5]);
   const ErrorMap& printed = w.result(*runs.printed[3]);
   const char* independent = "truncation error found independently with 50 digits; 1 % for the grid";
   scene::Showing showing;
-  showing.table = table;
+  showing.table = readable(table);
   showing.figure = {
       std::move(table),
       "geodesy-order-study",

@@ -12,13 +12,17 @@ namespace nlmech::geodesy {
 /// Earth-centred Cartesian position; the z axis is the axis of revolution. Metres.
 template <class T>
 struct BasicCartesian {
-  T x{}, y{}, z{};
+  T x{};  ///< towards longitude 0 on the equator, m
+  T y{};  ///< towards longitude 90 deg east on the equator, m
+  T z{};  ///< towards the north pole, m
 };
 
 /// Geodetic position: latitude and longitude in radians, height along the ellipsoid's normal in metres.
 template <class T>
 struct BasicGeodetic {
-  T latitude{}, longitude{}, height{};
+  T latitude{};   ///< angle of the normal with the equator, north positive, rad
+  T longitude{};  ///< east positive, rad
+  T height{};     ///< above the ellipsoid, m
 };
 
 /// Ellipsoid of revolution with equatorial radius a and flattening f = (a - b)/a: oblate (f > 0), sphere (f =
@@ -53,9 +57,12 @@ class BasicEllipsoid {
   T a_, f_;
 };
 
+/// In double precision.
+/// @{
 using Cartesian = BasicCartesian<double>;
 using Geodetic = BasicGeodetic<double>;
 using Ellipsoid = BasicEllipsoid<double>;
+/// @}
 
 /// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and
 /// height, also for latitudes beyond +-pi/2, which are taken as they stand.

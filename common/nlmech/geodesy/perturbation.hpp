@@ -40,7 +40,9 @@ inline constexpr int highest_order = 6;
 struct SeriesTerm {
   int degree = 0;   ///< in b and h_0 together
   int divisor = 1;  ///< common denominator
-  std::array<std::array<int, highest_order + 1>, highest_order> coefficient{};
+  std::array<std::array<int, highest_order + 1>, highest_order>
+      coefficient{};  ///< by powers [of cos^2][of h_0]
+  /// Term by term.
   [[nodiscard]] bool operator==(const SeriesTerm&) const = default;
 };
 
@@ -50,6 +52,7 @@ struct SeriesTerm {
 struct SeriesTable {
   std::array<SeriesTerm, highest_order> latitude;  ///< P_1..P_6
   std::array<SeriesTerm, highest_order> height;    ///< Q_1 (unused), Q_2..Q_6
+  /// Term by term.
   [[nodiscard]] bool operator==(const SeriesTable&) const = default;
 };
 
@@ -65,17 +68,18 @@ enum class HeightFrom {
 
 /// The method with its options.
 struct PerturbationSeries {
-  int order = 4;  ///< 1..6
-  HeightFrom height = HeightFrom::series;
+  int order = 4;                           ///< 1..6
+  HeightFrom height = HeightFrom::series;  ///< how the height is found
 };
 
 /// A reverse transformation with its own check.
 template <class T>
 struct BasicReversed {
-  BasicGeodetic<T> position;
-  Outcome outcome = Outcome::success;
+  BasicGeodetic<T> position;           ///< NaN unless the outcome is success
+  Outcome outcome = Outcome::success;  ///< success, non_finite or outside_validity
   T miss{};  ///< distance in metres between the given point and the position sent forward again
 };
+/// In double precision.
 using Reversed = BasicReversed<double>;
 
 /// A miss beyond this part of the distance from the centre is the outcome `outside_validity`: no digit is

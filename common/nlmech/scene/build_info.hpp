@@ -11,7 +11,8 @@ namespace nlmech::scene {
 
 /// A library that the build found, with its version.
 struct LibraryVersion {
-  std::string name, version;
+  std::string name;     ///< as CMake knows it
+  std::string version;  ///< as found
 };
 
 /// Facts about the build; see provenance().

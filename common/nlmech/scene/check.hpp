@@ -14,22 +14,23 @@ namespace nlmech::scene {
 
 /// A published value with what we measured for it and the verdict.
 struct Checked {
-  PublishedValue value;
-  std::string chapter;
-  Measured measured;
-  Judgement judgement;
+  PublishedValue value;  ///< as printed
+  std::string chapter;   ///< that owns it
+  Measured measured;     ///< ours
+  Judgement judgement;   ///< by the evidence
 };
 
 /// A promised quantity of a scene.
 struct CheckedQuantity {
-  std::string scene;
-  Quantity quantity;
+  std::string scene;  ///< its name
+  Quantity quantity;  ///< with its range
 };
 
 /// Everything that a chapter promises.
 struct ChapterCheck {
-  std::vector<Checked> values;
-  std::vector<CheckedQuantity> quantities;
+  std::vector<Checked> values;              ///< in the order of the files
+  std::vector<CheckedQuantity> quantities;  ///< in the order of the scenes
+  /// Has every promise been kept?
   [[nodiscard]] bool kept() const;
 };
 

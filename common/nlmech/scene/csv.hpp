@@ -11,8 +11,8 @@ namespace nlmech::scene {
 
 /// One line of a CSV file with the number of the line (from 1).
 struct CsvRecord {
-  std::size_t line = 0;
-  std::vector<std::string> cells;
+  std::size_t line = 0;            ///< on which the record begins, from 1
+  std::vector<std::string> cells;  ///< unquoted
 };
 
 /// Splits @p text into records: commas, optional double quotes ("" inside is a quote), LF or CRLF. Blank
@@ -23,8 +23,9 @@ struct CsvRecord {
 
 /// Numbers by column: `column[i][row]`, and the line on which each row stands.
 struct NumberColumns {
-  std::vector<std::vector<double>> column;
-  std::vector<std::size_t> line;
+  std::vector<std::vector<double>> column;  ///< by column, then by row
+  std::vector<std::size_t> line;            ///< of the file, from 1
+  /// How many rows were read.
   [[nodiscard]] std::size_t rows() const { return line.size(); }
 };
 

@@ -8,6 +8,7 @@
 
 namespace nlmech::scene {
 
+/// What draw() makes.
 enum class PictureFormat { svg, png };
 
 /// Runs gnuplot on `figures/style.gp` and then on the template, in the folder @p folder, and returns what it

@@ -10,8 +10,9 @@ namespace nlmech::scene {
 
 /// What a program wrote, and how it ended.
 struct Finished {
-  int exit_code = 0;  ///< 128 + number of the signal if a signal ended it
-  std::string output, errors;
+  int exit_code = 0;   ///< 128 + number of the signal if a signal ended it
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
 };
 
 /// Runs @p arguments (the program first, looked up in PATH) in @p folder and waits for its end. Its standard

@@ -11,8 +11,8 @@ namespace nlmech::scene {
 /// Where scenes are put, and what of them.
 struct Publishing {
   std::filesystem::path out = ".";  ///< gets figures/, tables/, results/
-  bool plots = true;
-  bool png = false;  ///< a PNG image beside each SVG
+  bool plots = true;                ///< draw the figures
+  bool png = false;                 ///< a PNG image beside each SVG
 };
 
 /// Writes `results/<chapter>/<scene>.csv` and `.json`, `tables/<chapter>/<scene>.csv` and `.md`, and

@@ -44,14 +44,19 @@ class Tolerance {
 
 /// One printed number. The columns of `tables/published/<source>.csv`, which its README explains.
 struct PublishedValue {
-  std::string source, place, row, quantity;
-  std::string printed;  ///< as printed
-  double value = 0;     ///< the same as a number
-  std::string unit, kind;
-  std::string nominal,
-      inferred;  ///< what was found before, in words or numbers: "2.4e-11", "1.1e-6..1.3e-6 with c = 2.5"
-  Verdict expected = Verdict::not_built;
-  std::string tolerance, reading;
+  std::string source;    ///< name of the file: "elgohary"
+  std::string place;     ///< "table-4.2"
+  std::string row;       ///< the method or case, in the source's words
+  std::string quantity;  ///< what is printed
+  std::string printed;   ///< as printed
+  double value = 0;      ///< the same as a number
+  std::string unit;      ///< "1" if it has none
+  std::string kind;      ///< "error", "count", "time", "value" or "parameter"
+  std::string nominal;   ///< what was found before from the text as it stands, number or words: "2.4e-11"
+  std::string inferred;  ///< the same under a reading: "1.1e-6..1.3e-6 with c = 2.5"
+  Verdict expected = Verdict::not_built;  ///< which verdict the findings support
+  std::string tolerance;                  ///< see Tolerance
+  std::string reading;                    ///< how the text was understood, or the cause of a difference
 
   /// "elgohary/claim-2.4/order 4/height error, order of magnitude"
   [[nodiscard]] std::string name() const;
@@ -60,7 +65,11 @@ struct PublishedValue {
 /// A figure, table, claim or equation of a source, and the chapter that owns it: a row of
 /// `tables/places.csv`.
 struct Place {
-  std::string source, name, chapter, kind, subject;
+  std::string source;   ///< "elgohary"
+  std::string name;     ///< "fig-2.23"
+  std::string chapter;  ///< that owns it
+  std::string kind;     ///< "figure", "table", "claim" or "equation"
+  std::string subject;  ///< what it is about
 };
 
 /// All values of all files in `<data>/tables/published`, files in alphabetical order.
@@ -75,13 +84,14 @@ struct Place {
 
 /// What our own computation gives for a printed number under the nominal and under an inferred reading.
 struct Measured {
-  std::optional<double> nominal, inferred;
+  std::optional<double> nominal;   ///< from the text as it stands
+  std::optional<double> inferred;  ///< under a reading that evidence points to
 };
 
 /// A verdict, and whether it is the expected one.
 struct Judgement {
-  Verdict verdict = Verdict::not_built;
-  bool kept = false;
+  Verdict verdict = Verdict::not_built;  ///< by the evidence
+  bool kept = false;                     ///< is it the expected one?
 };
 
 /// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does

@@ -16,6 +16,7 @@ class Workshop;
 /// What all runs have in common: a name, the reading behind it, and the runs that it builds on.
 class AnyRun {
  public:
+  /// See the accessors of the same names.
   AnyRun(std::string name, std::string reading, std::vector<const AnyRun*> needs)
       : name_(std::move(name)), reading_(std::move(reading)), needs_(std::move(needs)) {}
   AnyRun(const AnyRun&) = delete;
@@ -26,6 +27,7 @@ class AnyRun {
   [[nodiscard]] const std::string& reading() const {
     return reading_;
   }  ///< how the source's text was understood
+  /// Runs that this one asks for while it is computed.
   [[nodiscard]] const std::vector<const AnyRun*>& needs() const { return needs_; }
 
  private:
@@ -37,7 +39,9 @@ class AnyRun {
 template <class Result>
 class Run : public AnyRun {
  public:
+  /// Computes the result; asks the workshop for the runs that it needs.
   using Compute = std::function<Result(Workshop&)>;
+  /// Made by Chapter::add_run().
   Run(std::string name, std::string reading, std::vector<const AnyRun*> needs, Compute compute)
       : AnyRun(std::move(name), std::move(reading), std::move(needs)), compute_(std::move(compute)) {}
 
@@ -54,6 +58,7 @@ class Workshop {
   /// @param quick fewer samples and shorter timings, never other methods
   explicit Workshop(bool quick) : quick_(quick) {}
 
+  /// Is less work asked for?
   [[nodiscard]] bool quick() const { return quick_; }
 
   /// The run's result; computed at the first call in the life of the process.

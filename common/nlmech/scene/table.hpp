@@ -30,7 +30,9 @@ class Table {
   /// @throws std::invalid_argument if the row has another number of cells than there are columns
   void add(std::vector<Cell> row);
 
+  /// As given.
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
+  /// In the order in which they were added.
   [[nodiscard]] const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
   /// Header and rows; real numbers with 17 significant digits, so that reading gives back the same number.

@@ -22,6 +22,7 @@ class Failure : public std::runtime_error {
  public:
   /// @param status not success
   explicit Failure(Status status) : std::runtime_error(status.text()), status_(std::move(status)) {}
+  /// @param sentence what could not be done, and why
   explicit Failure(const std::string& sentence) : std::runtime_error(sentence) {}
 
   /// Success if the failure is not one of a computation (a full disk, say).

@@ -21,6 +21,7 @@ struct Statistics {
   Statistics& operator+=(const Statistics& other) noexcept;
 };
 
+/// Sum, counter by counter.
 [[nodiscard]] inline Statistics operator+(Statistics a, const Statistics& b) noexcept { return a += b; }
 
 }  // namespace nlmech

@@ -41,7 +41,9 @@ class [[nodiscard]] Status {
   /// @throws std::invalid_argument if @p outcome is success or @p sentence is empty.
   static Status failure(Outcome outcome, std::string sentence);
 
+  /// Is it a success?
   [[nodiscard]] bool ok() const noexcept { return outcome_ == Outcome::success; }
+  /// Which way it ended.
   [[nodiscard]] Outcome outcome() const noexcept { return outcome_; }
   /// Empty for success.
   [[nodiscard]] const std::string& sentence() const noexcept { return sentence_; }

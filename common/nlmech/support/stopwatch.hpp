@@ -11,6 +11,7 @@ namespace nlmech {
 /// Starts when made. The clock never runs backwards.
 class Stopwatch {
  public:
+  /// Since it was made.
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -25,8 +26,10 @@ class Stopwatch {
 
 /// Timings of one piece of work. A wide gap between smallest and largest says that the machine was busy.
 struct Timing {
-  double median = 0, smallest = 0, largest = 0;  ///< seconds a call
-  int repeats = 0;                               ///< counted calls, after one that warms up
+  double median = 0;    ///< seconds a call
+  double smallest = 0;  ///< seconds of the fastest call
+  double largest = 0;   ///< seconds of the slowest call
+  int repeats = 0;      ///< counted calls, after one that warms up
 };
 
 /// Calls @p work once to warm up, then @p repeats times, each call timed by itself.
