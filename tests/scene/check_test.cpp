@@ -1,0 +1,206 @@
+#include "nlmech/scene/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "nlmech/support/errors.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+using tests::bytes_of;
+using tests::put;
+using tests::TemporaryFolder;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A source with two chapters, `ours` and `theirs`; tests write the values and measure them.
+class Check : public ::testing::Test {
+ protected:
+  Check() {
+    put(folder_ / "tables/places.csv",
+        "source,place,chapter,kind,subject\nbook,table-1,ours,table,x\nbook,table-2,theirs,table,y\n");
+  }
+  void publish(const std::string& rows) {
+    put(folder_ / "tables/published/book.csv",
+        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n" + rows);
+  }
+  void measure(const std::string& name, Measured measured) {
+    chapter_.add(Measurement{name, {}, [measured](Workshop&) { return measured; }});
+  }
+  ChapterCheck check_ours() { return check(chapter_, folder_.path(), false); }
+  std::string complaint() {
+    try {
+      static_cast<void>(check_ours());
+      return "";
+    } catch (const std::logic_error& error) {
+      return error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+  Chapter chapter_{"ours", "Our chapter"};
+};
+
+TEST_F(Check, JudgesTheValuesOfTheChapterAndNoOthers) {
+  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-2,b,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-1/a/x", {1.1, {}});
+  const ChapterCheck result = check_ours();
+  ASSERT_EQ(result.values.size(), 1U);
+  EXPECT_EQ(result.values[0].judgement.verdict, Verdict::reproduced);
+  EXPECT_TRUE(result.kept());
+}
+
+TEST_F(Check, MissesByOneValue) {
+  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-1/a/x", {1, {}});
+  measure("book/table-1/b/x", {2, {}});
+  EXPECT_FALSE(check_ours().kept());
+}
+
+TEST_F(Check, MissesByOneQuantity) {
+  publish("");
+  const auto shows = [](double value) {
+    return [value](Workshop&) {
+      Table table({{"x"}});
+      table.add({value});
+      return Showing{std::nullopt, std::move(table), {near("x", "1", value, 1, 0.1, "by definition")}};
+    };
+  };
+  chapter_.add({.name = "good", .title = "", .place = "", .needs = {}, .show = shows(1)});
+  EXPECT_TRUE(check_ours().kept());
+  chapter_.add({.name = "bad", .title = "", .place = "", .needs = {}, .show = shows(2)});
+  const ChapterCheck result = check_ours();
+  EXPECT_FALSE(result.kept());
+  ASSERT_EQ(result.quantities.size(), 2U);
+  EXPECT_EQ(result.quantities[1].scene, "bad");
+}
+
+TEST_F(Check, RefusesAPromiseWithoutAMeasurement) {
+  for (const char* promise :
+       {"reproduced", "\"reproduced, inferred reading\"", "better", "differs", "input"}) {
+    publish(std::string("table-1,a,x,1,1,error,,,") + promise + ",,\n");
+    EXPECT_EQ(complaint(), "chapter ours has no measurement for book/table-1/a/x") << promise;
+  }
+  for (const char* nothing : {"context", "not stated"}) {
+    publish(std::string("table-1,a,x,1,1,error,,,") + nothing + ",,\n");
+    EXPECT_EQ(complaint(), "") << nothing;
+  }
+}
+
+TEST_F(Check, RefusesAMeasurementOfWhatNobodyPrints) {
+  publish("table-2,b,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-2/b/x", {1, {}});
+  EXPECT_EQ(complaint(), "chapter ours measures book/table-2/b/x, which no source prints");
+}
+
+TEST_F(Check, HoldsMeasurementsToTheirDeclarations) {
+  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  const auto& run = chapter_.add_run<double>("run", "", {}, [](Workshop&) { return 1.0; });
+  chapter_.add(Measurement{"book/table-1/a/x", {}, [&run](Workshop& w) {
+                             return Measured{w.result(run), {}};
+                           }});
+  EXPECT_EQ(complaint(), "book/table-1/a/x uses run run without declaring it");
+}
+
+TEST_F(Check, LeavesWhatTheReportNeeds) {
+  publish(
+      "table-1,\"a; \"\"b\"\", c\",x,1,1,error,,,reproduced,,\n"
+      "table-1,i,x,1,1,error,,1.0..1.2,\"reproduced, inferred reading\",,\n"
+      "table-1,t,s,9,s,time,,,context,,\n"
+      "table-2,b,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-1/a; \"b\", c/x", {1 + 0x1p-52, {}});
+  measure("book/table-1/i/x", {7, 1.1});
+  write_check(check_ours(), "ours", folder_.path());
+  const std::string file = bytes_of(folder_ / "results/ours/check.csv");
+  EXPECT_EQ(file,
+            "name,nominal,inferred,verdict,kept\n"
+            "\"book/table-1/a; \"\"b\"\", c/x\",1.0000000000000002,,reproduced,1\n"
+            "book/table-1/i/x,7,1.1000000000000001,\"reproduced, inferred reading\",1\n"
+            "book/table-1/t/s,,,context,1\n");
+
+  const auto values = collect_checks({"ours"}, folder_.path(), folder_.path());
+  ASSERT_EQ(values.size(), 4U);
+  EXPECT_EQ(values[0].measured.nominal, 1 + 0x1p-52);
+  EXPECT_EQ(values[0].measured.inferred, std::nullopt);
+  EXPECT_EQ(values[1].measured.inferred, 1.1);
+  EXPECT_EQ(values[2].measured.nominal, std::nullopt);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(values[i].judgement.kept) << values[i].value.name();
+  EXPECT_EQ(values[3].judgement.verdict, Verdict::not_built);
+  EXPECT_EQ(values[3].chapter, "theirs");
+}
+
+// A method that diverges where the source prints a number: the report must say what the check said.
+TEST_F(Check, LeavesInfiniteAndUndefinedNumbersAsTheyAre) {
+  publish(
+      "table-1,inf,x,1,1,error,,,differs,,\ntable-1,gain,x,100,1,value,,,reproduced,at least 100,\n"
+      "table-1,nan,x,1,1,error,,,differs,,\n");
+  measure("book/table-1/inf/x", {-inf, {}});
+  measure("book/table-1/gain/x", {inf, {}});
+  measure("book/table-1/nan/x", {nan, {}});
+  const ChapterCheck result = check_ours();
+  write_check(result, "ours", folder_.path());
+  const auto values = collect_checks({"ours"}, folder_.path(), folder_.path());
+  ASSERT_EQ(values.size(), result.values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(values[i].judgement.kept, result.values[i].judgement.kept) << values[i].value.name();
+    EXPECT_EQ(values[i].judgement.verdict, result.values[i].judgement.verdict) << values[i].value.name();
+    EXPECT_TRUE(values[i].measured.nominal) << values[i].value.name();
+  }
+  EXPECT_TRUE(values[0].judgement.kept);
+  EXPECT_FALSE(values[2].judgement.kept);
+}
+
+TEST_F(Check, IsReadAgainUnderTheFileAsItIsNow) {
+  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-1/a/x", {1, {}});
+  write_check(check_ours(), "ours", folder_.path());
+  publish("table-1,a,x,2,1,error,,,reproduced,,\n");
+  EXPECT_FALSE(collect_checks({"ours"}, folder_.path(), folder_.path()).at(0).judgement.kept);
+}
+
+TEST_F(Check, SaysThatAReportLacksAFileOrAValue) {
+  const auto said = [&] {
+    try {
+      static_cast<void>(collect_checks({"ours"}, folder_.path(), folder_.path()));
+      return std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  EXPECT_EQ(said(), (folder_ / "results/ours/check.csv").string() + ": No such file or directory");
+  put(folder_ / "results/ours/check.csv", "name,nominal,inferred,verdict,kept\n");
+  EXPECT_EQ(said(), "results/ours/check.csv does not list book/table-1/a/x");
+  put(folder_ / "results/ours/check.csv", "name,nominal,inferred,verdict,kept\nbook/table-1/a/x,1\n");
+  EXPECT_EQ(said(), (folder_ / "results/ours/check.csv").string() + ": line 2: not 5 cells");
+}
+
+TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
+  publish(
+      "table-1,good,x,1,m,error,,,reproduced,,as printed\ntable-1,bad,x,1,m,error,,,reproduced,,\n"
+      "table-1,t|u,x,1,s,time,,,context,,\ntable-2,b,x,1,1,error,,,reproduced,,\n");
+  measure("book/table-1/good/x", {1.01, {}});
+  measure("book/table-1/bad/x", {3, {}});
+  write_check(check_ours(), "ours", folder_.path());
+  const auto values = collect_checks({"ours"}, folder_.path(), folder_.path());
+  const std::string text = reproduction_text(values), page = reproduction_page(values);
+  EXPECT_NE(text.find("       book/table-1/good/x: published 1, nominal 1.01: reproduced [as printed]\n"),
+            std::string::npos);
+  EXPECT_NE(
+      text.find("MISSED book/table-1/bad/x: published 1, nominal 3: differs (MISSED: expected reproduced)\n"),
+      std::string::npos);
+  EXPECT_NE(text.find("       book/table-2/b/x: published 1: not built\n"), std::string::npos)
+      << "what is not built is not missed";
+  EXPECT_NE(page.find("| table-1 | t\\|u | x | 1 | s |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| ours | 1 | 0 | 0 | 1 | 0 | 1 | 0 | 0 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| theirs | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |"), std::string::npos) << page;
+  EXPECT_EQ(page, reproduction_page(values));
+}
+
+}  // namespace
+}  // namespace nlmech::scene

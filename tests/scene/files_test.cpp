@@ -1,0 +1,160 @@
+#include "nlmech/scene/files.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+
+#include "nlmech/support/errors.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::bytes_of;
+using tests::files_in;
+using tests::put;
+using tests::TemporaryFolder;
+
+/// What is said by a write or read that fails; "" if it does not.
+template <class Error, class Action>
+std::string complaint(Action action) {
+  try {
+    action();
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(WriteWhole, MakesFoldersAndLeavesNothingElse) {
+  const TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n\xff", 6);
+  write_whole(folder / "x/y/z.csv", bytes);
+  EXPECT_EQ(files_in(folder.path()), (std::map<std::string, std::string>{{"x/y/z.csv", bytes}}));
+}
+
+TEST(WriteWhole, ReplacesWhatWasThere) {
+  const TemporaryFolder folder;
+  put(folder / "a.csv", "something longer than the new text");
+  write_whole(folder / "a.csv", "new");
+  write_whole(folder / "empty.csv", "");
+  EXPECT_EQ(files_in(folder.path()),
+            (std::map<std::string, std::string>{{"a.csv", "new"}, {"empty.csv", ""}}));
+  EXPECT_TRUE(fs::exists(folder / "empty.csv"));
+}
+
+TEST(WriteWhole, LeavesAnUnchangedFileAlone) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "a.csv";
+  write_whole(file, "1,2\n");
+  const auto old = fs::last_write_time(file) - std::chrono::hours(1);
+  fs::last_write_time(file, old);
+  write_whole(file, "1,2\n");
+  EXPECT_EQ(fs::last_write_time(file), old);
+  write_whole(file, "1,3\n");  // as long, but other bytes
+  EXPECT_NE(fs::last_write_time(file), old);
+  EXPECT_EQ(bytes_of(file), "1,3\n");
+}
+
+TEST(WriteWhole, WritesBesideTheCurrentFolder) {
+  const TemporaryFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  write_whole("plain.csv", "x");
+  fs::current_path(before);
+  EXPECT_EQ(files_in(folder.path()), (std::map<std::string, std::string>{{"plain.csv", "x"}}));
+}
+
+TEST(WriteWhole, SaysThatAFolderIsInTheWay) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "a.csv" / "inside");
+  const std::string said = complaint<Failure>([&] { write_whole(folder / "a.csv", "x"); });
+  EXPECT_TRUE(contains(said, (folder / "a.csv").string() + ": cannot be written: ")) << said;
+  EXPECT_TRUE(contains(said, "directory")) << said;
+  EXPECT_TRUE(files_in(folder.path()).empty()) << "the temporary file was left behind";
+}
+
+TEST(WriteWhole, SaysThatAFileStandsWhereAFolderShould) {
+  const TemporaryFolder folder;
+  put(folder / "results", "a file");
+  const std::string said = complaint<Failure>([&] { write_whole(folder / "results/a/b.csv", "x"); });
+  EXPECT_TRUE(contains(said, (folder / "results/a").string())) << said;
+  EXPECT_TRUE(contains(said, "Not a directory")) << said;
+}
+
+TEST(WriteWhole, SaysThatTheNameIsTooLong) {
+  const TemporaryFolder folder;
+  const std::string said = complaint<Failure>([&] { write_whole(folder / std::string(300, 'n'), "x"); });
+  EXPECT_TRUE(contains(said, "File name too long")) << said;
+}
+
+// Root may write everywhere: a test that runs as root steps down for a moment.
+TEST(WriteWhole, SaysThatTheFolderIsNotWritable) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "closed");
+  fs::permissions(folder / "closed", fs::perms{0555});
+  fs::permissions(folder.path(), fs::perms{0755});
+  constexpr uid_t nobody = 65534;
+  const bool root = ::geteuid() == 0;
+  if (root) {
+    ASSERT_EQ(::seteuid(nobody), 0);
+  }
+  const std::string said = complaint<Failure>([&] { write_whole(folder / "closed/a.csv", "x"); });
+  if (root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
+  fs::permissions(folder / "closed", fs::perms::owner_all);
+  EXPECT_EQ(said, (folder / "closed/a.csv").string() + ": cannot be written: Permission denied");
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+TEST(WriteWhole, SaysThatTheFileSystemRefuses) {
+  // Nobody can make a file in /proc, not even root.
+  const std::string said = complaint<Failure>([] { write_whole("/proc/nlmech.csv", "x"); });
+  EXPECT_TRUE(contains(said, "/proc/nlmech.csv: cannot be written: ")) << said;
+}
+
+TEST(ReadWhole, GivesAllBytes) {
+  const TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n\xff\n", 7);
+  put(folder / "a.csv", bytes);
+  put(folder / "empty.csv", "");
+  EXPECT_EQ(read_whole(folder / "a.csv"), bytes);
+  EXPECT_EQ(read_whole(folder / "empty.csv"), "");
+}
+
+TEST(ReadWhole, NamesTheFileThatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto said = [](const fs::path& path) {
+    return complaint<InputError>([&] { static_cast<void>(read_whole(path)); });
+  };
+  const std::string missing = (folder / "none.csv").string();
+  EXPECT_EQ(said(missing), missing + ": No such file or directory");
+  EXPECT_EQ(said(folder.path()), folder.string() + ": is a folder, not a file");
+  const std::string endless(300, 'n');
+  EXPECT_EQ(said(endless), endless + ": File name too long");
+}
+
+TEST(ReadWhole, SaysThatReadingFailed) {
+  // The first page of a process is never mapped: opening its memory works, reading fails.
+  const std::string said = complaint<InputError>([] { static_cast<void>(read_whole("/proc/self/mem")); });
+  EXPECT_TRUE(contains(said, "/proc/self/mem: ")) << said;
+}
+
+TEST(DataFolder, IsTheSourceTreeUnlessChosen) {
+  ::unsetenv("NLMECH_DATA");
+  EXPECT_EQ(data_folder(), NLMECH_SOURCE_DIR);
+  ::setenv("NLMECH_DATA", "/somewhere/else", 1);
+  EXPECT_EQ(data_folder(), "/somewhere/else");
+  ::unsetenv("NLMECH_DATA");
+}
+
+}  // namespace
+}  // namespace nlmech::scene

@@ -1,0 +1,213 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <ostream>
+
+#include "nlmech/scene/published.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+using Number = std::optional<double>;
+constexpr Number none = std::nullopt;
+
+/// A printed number, as the columns of the files have it.
+PublishedValue printed(double value, Verdict expected, std::string nominal = "", std::string inferred = "",
+                       std::string tolerance = "0.1", std::string kind = "error") {
+  PublishedValue p;
+  p.value = value;
+  p.expected = expected;
+  p.nominal = std::move(nominal);
+  p.inferred = std::move(inferred);
+  p.tolerance = std::move(tolerance);
+  p.kind = std::move(kind);
+  return p;
+}
+
+bool kept(const PublishedValue& value, Number nominal, Number inferred = none) {
+  const Judgement judgement = judge(value, {nominal, inferred});
+  if (judgement.kept) {
+    EXPECT_EQ(judgement.verdict, value.expected);
+  }
+  return judgement.kept;
+}
+
+TEST(Verdict, HasTheWordsOfTheFiles) {
+  EXPECT_EQ(to_string(Verdict::reproduced), "reproduced");
+  EXPECT_EQ(to_string(Verdict::reproduced_inferred), "reproduced, inferred reading");
+  EXPECT_EQ(to_string(Verdict::better), "better");
+  EXPECT_EQ(to_string(Verdict::differs), "differs");
+  EXPECT_EQ(to_string(Verdict::not_stated), "not stated");
+  EXPECT_EQ(to_string(Verdict::context), "context");
+  EXPECT_EQ(to_string(Verdict::input), "input");
+  EXPECT_EQ(to_string(Verdict::not_built), "not built");
+}
+
+TEST(Judge, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
+  const PublishedValue value = printed(2, Verdict::reproduced);
+  EXPECT_TRUE(kept(value, 2.19));
+  EXPECT_FALSE(kept(value, 2.21));
+  EXPECT_FALSE(kept(value, none, 2)) << "an inferred reading is not the nominal one";
+  EXPECT_FALSE(kept(value, nan));
+  EXPECT_FALSE(kept(value, inf));
+  EXPECT_FALSE(kept(value, none));
+}
+
+TEST(Judge, ReproducedMeasuresAgainstThePrintedNumberNotAgainstOurOldOne) {
+  const PublishedValue value = printed(2, Verdict::reproduced, "2.15");
+  EXPECT_TRUE(kept(value, 1.9));
+  EXPECT_FALSE(kept(value, 2.3)) << "beside our own 2.15, but not beside the printed 2";
+}
+
+TEST(Judge, InferredNeedsTheInferredNumberBesideTheRangeOfTheFile) {
+  const PublishedValue value =
+      printed(1.15e-5, Verdict::reproduced_inferred, "", "1.1e-5..1.3e-5 with c = 2.5");
+  EXPECT_TRUE(kept(value, none, 1.2e-5));
+  EXPECT_TRUE(kept(value, none, 1.0e-5)) << "a tenth below the range";
+  EXPECT_TRUE(kept(value, none, 1.42e-5));
+  EXPECT_FALSE(kept(value, none, 1.44e-5));
+  EXPECT_FALSE(kept(value, none, 0.98e-5));
+  EXPECT_FALSE(kept(value, 1.2e-5, none)) << "the nominal number is not the inferred one";
+  EXPECT_FALSE(kept(value, none, nan));
+}
+
+TEST(Judge, InferredWithoutARangeNeedsThePrintedNumber) {
+  for (const char* words :
+       {"", "2-cycle, relative residual 0.30373", "9-10 with half of d", "does not converge", "x3", "1,3"}) {
+    const PublishedValue value = printed(0.3, Verdict::reproduced_inferred, "", words);
+    EXPECT_TRUE(kept(value, none, 0.31)) << words;
+    EXPECT_FALSE(kept(value, none, 2)) << words;
+    EXPECT_FALSE(kept(value, none, 9)) << words;
+  }
+}
+
+TEST(Judge, BetterNeedsASmallerErrorBesideTheOneThatWasFound) {
+  const PublishedValue value = printed(1e-3, Verdict::better, "7.9e-7");
+  EXPECT_TRUE(kept(value, 7.9e-7));
+  EXPECT_TRUE(kept(value, 8.5e-7));
+  EXPECT_FALSE(kept(value, 9e-7)) << "no longer what was found";
+  EXPECT_FALSE(kept(value, 2e-3));
+  EXPECT_FALSE(kept(value, nan));
+  EXPECT_FALSE(kept(value, none));
+}
+
+TEST(Judge, BetterWithoutANumberOfOursNeedsASmallerError) {
+  const PublishedValue value = printed(1e-3, Verdict::better, "two digits smaller");
+  EXPECT_TRUE(kept(value, 9.9e-4));
+  EXPECT_TRUE(kept(value, -9.9e-4)) << "the magnitude counts";
+  EXPECT_TRUE(kept(value, 0));
+  EXPECT_FALSE(kept(value, 1e-3)) << "as large is not better";
+  EXPECT_FALSE(kept(value, -2e-3));
+}
+
+TEST(Judge, OnlyAnErrorCanBeBetter) {
+  EXPECT_FALSE(kept(printed(100, Verdict::better, "", "", "0.1", "count"), 50));
+  EXPECT_FALSE(kept(printed(100, Verdict::better, "", "", "0.1", "value"), 50));
+}
+
+TEST(Judge, DiffersNeedsAnotherNumberThanThePrintedOne) {
+  const PublishedValue value = printed(0.5, Verdict::differs);
+  EXPECT_TRUE(kept(value, 0.6));
+  EXPECT_TRUE(kept(value, inf)) << "a divergence differs";
+  EXPECT_FALSE(kept(value, 0.54)) << "beside the printed number";
+  EXPECT_FALSE(kept(value, nan)) << "NaN is no finding";
+  EXPECT_FALSE(kept(value, none));
+  EXPECT_FALSE(kept(value, none, 0.6));
+}
+
+TEST(Judge, DiffersKeepsToTheNumberThatWasFound) {
+  const PublishedValue value = printed(1000, Verdict::differs, "8 its");
+  EXPECT_TRUE(kept(value, 8));
+  EXPECT_FALSE(kept(value, 9));
+  EXPECT_FALSE(kept(value, 1000));
+  const PublishedValue range =
+      printed(9.6e-3, Verdict::differs, "4.7..1800 m (condition 2e17); 0.07 m with exact D");
+  EXPECT_TRUE(kept(range, 4.3));
+  EXPECT_TRUE(kept(range, 300));
+  EXPECT_FALSE(kept(range, 0.07));
+  EXPECT_FALSE(kept(range, 2000));
+}
+
+TEST(Judge, InputNeedsThePrintedNumberItself) {
+  const PublishedValue value = printed(0.1, Verdict::input, "", "", "", "parameter");
+  EXPECT_TRUE(kept(value, 0.1));
+  EXPECT_FALSE(kept(value, 0.1 + 2e-17));
+  EXPECT_FALSE(kept(value, none, 0.1));
+  EXPECT_FALSE(kept(value, nan));
+  EXPECT_TRUE(kept(printed(0, Verdict::input), 0));
+  EXPECT_FALSE(kept(printed(0, Verdict::input), 1e-300));
+}
+
+TEST(Judge, ContextAndNotStatedPromiseNothing) {
+  for (const Verdict verdict : {Verdict::context, Verdict::not_stated}) {
+    const PublishedValue value = printed(0.23, verdict);
+    EXPECT_TRUE(kept(value, none));
+    EXPECT_TRUE(kept(value, 17));
+    EXPECT_TRUE(kept(value, nan));
+  }
+}
+
+TEST(Judge, NothingKeepsNotBuilt) {
+  EXPECT_FALSE(kept(printed(1, Verdict::not_built), 1, 1));
+  EXPECT_FALSE(kept(printed(1, Verdict::not_built), none));
+}
+
+TEST(Judge, SaysWhatTheNumbersSupportInstead) {
+  const auto instead = [](const PublishedValue& value, Number nominal, Number inferred = none) {
+    const Judgement judgement = judge(value, {nominal, inferred});
+    EXPECT_FALSE(judgement.kept);
+    return judgement.verdict;
+  };
+  EXPECT_EQ(instead(printed(1, Verdict::differs), 1.01), Verdict::reproduced);
+  EXPECT_EQ(instead(printed(1, Verdict::differs), none, 1.01), Verdict::reproduced_inferred);
+  EXPECT_EQ(instead(printed(1, Verdict::reproduced), 0.5), Verdict::better);
+  EXPECT_EQ(instead(printed(1, Verdict::reproduced), 2), Verdict::differs);
+  EXPECT_EQ(instead(printed(1, Verdict::reproduced, "1", "", "0.1", "value"), 0.5), Verdict::differs);
+  EXPECT_EQ(instead(printed(1, Verdict::reproduced), 2, 1), Verdict::reproduced_inferred);
+  EXPECT_EQ(instead(printed(1, Verdict::input), 1.01), Verdict::reproduced);
+}
+
+// The number or range that a text of the columns nominal and inferred begins with, seen through `differs`.
+struct Beginning {
+  std::string words;
+  Number inside, outside;
+};
+
+std::ostream& operator<<(std::ostream& out, const Beginning& b) { return out << b.words; }
+
+class LeadingNumber : public ::testing::TestWithParam<Beginning> {};
+
+TEST_P(LeadingNumber, IsReadOffTheWords) {
+  const PublishedValue value = printed(1e9, Verdict::differs, GetParam().words, "", "1e-9");
+  EXPECT_TRUE(kept(value, GetParam().inside));
+  if (GetParam().outside) {
+    EXPECT_FALSE(kept(value, GetParam().outside));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Found, LeadingNumber,
+    ::testing::Values(Beginning{"2.4e-11", 2.4e-11, 2.5e-11}, Beginning{"236 lat; 287 h", 236, 287},
+                      Beginning{"8; more", 8, 9}, Beginning{"-0.3193", -0.3193, 0.3193},
+                      Beginning{"1.1e-6..1.3e-6", 1.2e-6, 1.4e-6},
+                      Beginning{"1.1e-6..1.3e-6 with c = 2.5, then 0.66", 1.3e-6, 0.66},
+                      Beginning{"1..3", 2, 4}, Beginning{"1..3 of 7", 3, 7}, Beginning{"-3..-1", -2, 2},
+                      Beginning{"-1..1", 0, 2}, Beginning{"0", 0, 1}, Beginning{"0.", 0, 1},
+                      Beginning{"5. text", 5, 6}, Beginning{"1.0..1.6 at equal accuracy", 1.5, 1.7}));
+
+// No number at the beginning: the words then ask for nothing, and any other number than the printed one will
+// do.
+INSTANTIATE_TEST_SUITE_P(
+    NotFound, LeadingNumber,
+    ::testing::Values(Beginning{"2-cycle, 4.389 lb", 7, none}, Beginning{"6-7 its", 7, none},
+                      Beginning{"x3", 7, none}, Beginning{"3x", 7, none}, Beginning{"", 7, none},
+                      Beginning{"distribution: median 100", 7, none}, Beginning{"1.2.3", 7, none},
+                      Beginning{"345/2", 7, none}, Beginning{"1e-6m", 7, none}, Beginning{"..3", 7, none},
+                      Beginning{"5..", 7, none}, Beginning{"1..2-cycle", 7, none}, Beginning{"nan", 7, none},
+                      Beginning{"inf", 7, none}, Beginning{"nan for h = 1", 7, none},
+                      Beginning{"1..nan", 7, none}, Beginning{"infeasible", 7, none}));
+
+}  // namespace
+}  // namespace nlmech::scene

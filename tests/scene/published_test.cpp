@@ -1,0 +1,208 @@
+#include "nlmech/scene/published.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/support/errors.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+using tests::put;
+using tests::TemporaryFolder;
+
+const char* header = "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n";
+
+std::string complaint(const std::filesystem::path& folder) {
+  try {
+    static_cast<void>(read_published(folder));
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(ReadPublished, ReadsEveryColumn) {
+  const TemporaryFolder folder;
+  put(folder / "tables/published/roy.csv",
+      std::string(header) +
+          "fig-2,\"RK6; p = 3\",\"step, smallest\",0.210,s,error,0.19..0.20 s,0.2,\"reproduced, inferred "
+          "reading\","
+          "factor 2,\"a, b\"\n");
+  const auto values = read_published(folder.path());
+  ASSERT_EQ(values.size(), 1U);
+  const PublishedValue& v = values[0];
+  EXPECT_EQ(v.name(), "roy/fig-2/RK6; p = 3/step, smallest");
+  EXPECT_EQ(v.printed, "0.210") << "digits as printed";
+  EXPECT_EQ(v.value, 0.21);
+  EXPECT_EQ(v.unit + v.kind, "serror");
+  EXPECT_EQ(v.nominal, "0.19..0.20 s");
+  EXPECT_EQ(v.inferred, "0.2");
+  EXPECT_EQ(v.expected, Verdict::reproduced_inferred);
+  EXPECT_EQ(v.tolerance, "factor 2");
+  EXPECT_EQ(v.reading, "a, b");
+}
+
+TEST(ReadPublished, TakesFilesInAlphabeticalOrderAndOnlyCsv) {
+  const TemporaryFolder folder;
+  const std::string row = "t,r,q,1,1,value,,,context,,\n";
+  for (const char* name : {"c.csv", "a.csv", "b.csv", "README.md", ".a.csv.17"}) {
+    put(folder / "tables/published" / name, header + row);
+  }
+  std::string order;
+  for (const PublishedValue& v : read_published(folder.path())) order += v.source;
+  EXPECT_EQ(order, "abc");
+}
+
+TEST(ReadPublished, NamesFileAndLineOfWhatItRefuses) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "tables/published/a.csv").string();
+  const auto refused = [&](const std::string& row) {
+    put(file, std::string(header) + "t,r,q,1,1,value,,,context,,\n" + row + "\n");
+    return complaint(folder.path());
+  };
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,"), file + ": line 3: 10 of 11 cells");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,,,"), file + ": line 3: 12 of 11 cells");
+  EXPECT_EQ(refused("t,r,q,1 s,1,value,,,context,,"),
+            file + ": line 3, column 4 (value): '1 s' is not a finite number");
+  EXPECT_EQ(refused("t,r,q,,1,value,,,context,,"),
+            file + ": line 3, column 4 (value): '' is not a finite number");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,splendid,,"), file + ": line 3: 'splendid' is no verdict");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,roughly,"), file + ": line 3: 'roughly' is no tolerance");
+}
+
+TEST(ReadPublished, NamesTheFolderThatIsMissing) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaint(folder.path()), (folder / "tables/published").string() + ": No such file or directory");
+}
+
+TEST(ReadPlaces, NamesFileAndLineOfAShortRow) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "tables/places.csv").string();
+  put(file, "source,place,chapter,kind,subject\nroy,fig-1,transversal,figure\n");
+  try {
+    static_cast<void>(read_places(folder.path()));
+    FAIL() << "a row of four cells was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file + ": line 2: 4 of 5 cells");
+  }
+}
+
+TEST(Owner, IsTheChapterOfThePlaceInThatSource) {
+  const std::vector<Place> places = {{"roy", "table-1", "transversal", "table", ""},
+                                     {"laier", "table-1", "hermitian", "table", ""}};
+  PublishedValue value;
+  value.source = "laier";
+  value.place = "table-1";
+  EXPECT_EQ(owner(value, places), "hermitian");
+  value.place = "table-9";
+  EXPECT_THROW(static_cast<void>(owner(value, places)), InputError);
+}
+
+// The files of this project.
+
+std::vector<PublishedValue> all_values() { return read_published(NLMECH_SOURCE_DIR); }
+
+TEST(PublishedFiles, CanBeRead) { EXPECT_GT(all_values().size(), 200U); }
+
+TEST(PublishedFiles, NameEveryValueOnce) {
+  std::set<std::string> names;
+  for (const PublishedValue& value : all_values()) {
+    EXPECT_TRUE(names.insert(value.name()).second) << value.name();
+    EXPECT_FALSE(value.place.empty() || value.row.empty() || value.quantity.empty()) << value.name();
+    EXPECT_EQ(value.name().find('\n'), std::string::npos);
+  }
+}
+
+TEST(PublishedFiles, StandInPlacesThatAreListed) {
+  const auto places = read_places(NLMECH_SOURCE_DIR);
+  for (const PublishedValue& value : all_values()) {
+    EXPECT_NO_THROW(static_cast<void>(owner(value, places))) << value.name();
+  }
+}
+
+TEST(PublishedFiles, UseTheirWordsRightly) {
+  const std::set<std::string> kinds = {"parameter", "value", "error", "count", "time"};
+  for (const PublishedValue& value : all_values()) {
+    EXPECT_TRUE(kinds.contains(value.kind)) << value.name() << ": " << value.kind;
+    EXPECT_FALSE(value.unit.empty()) << value.name() << ": a number without a unit has unit 1";
+    EXPECT_NE(value.expected, Verdict::not_built)
+        << value.name() << ": what a build leaves out is not for the file to say";
+    EXPECT_EQ(value.kind == "parameter", value.expected == Verdict::input) << value.name();
+    if (value.kind == "time") {
+      EXPECT_EQ(value.expected, Verdict::context) << value.name();
+    }
+    if (value.expected == Verdict::differs || value.expected == Verdict::not_stated) {
+      EXPECT_FALSE(value.reading.empty()) << value.name() << ": needs a cause";
+    }
+  }
+}
+
+/// The numbers at the beginning of a text, found without the code under test: "4.7..1800 m" has two,
+/// "2-cycle" none.
+std::vector<double> numbers_at_front(const std::string& text) {
+  const std::string first = text.substr(0, text.find_first_of(" ;"));
+  const auto dots = first.find("..");
+  double low = 0, high = 0;
+  if (dots == std::string::npos) return parse_number(first, low) ? std::vector{low} : std::vector<double>{};
+  return parse_number(first.substr(0, dots), low) && parse_number(first.substr(dots + 2), high)
+             ? std::vector{low, high}
+             : std::vector<double>{};
+}
+
+// The numbers that were found before must support the verdict that stands beside them. A range shows how
+// rounding noise or unstated settings scatter; for a reproduced value the printed number must lie within it
+// or as near as the tolerance says.
+TEST(PublishedFiles, AgreeWithThemselves) {
+  int judged = 0;
+  for (const PublishedValue& value : all_values()) {
+    std::vector<Measured> found;
+    for (const double x : numbers_at_front(value.nominal)) found.push_back({x, {}});
+    if (value.expected == Verdict::reproduced_inferred) {
+      found.clear();
+      for (const double x : numbers_at_front(value.inferred)) found.push_back({{}, x});
+    }
+    if (value.expected == Verdict::reproduced && found.size() == 2) {
+      EXPECT_TRUE(Tolerance(value.tolerance).allows(value.value, *found[0].nominal, *found[1].nominal))
+          << value.name();
+      found.clear();
+      ++judged;
+    }
+    for (const Measured& m : found) {
+      EXPECT_TRUE(judge(value, m).kept) << value.name() << ": expected " << to_string(value.expected)
+                                        << ", found " << m.nominal.value_or(m.inferred.value_or(0));
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 80);
+}
+
+// "Reproduced" under an inferred reading is a claim about the printed number, whatever range we found
+// ourselves.
+TEST(PublishedFiles, InferReadingsThatGiveThePrintedNumber) {
+  for (const PublishedValue& value : all_values()) {
+    const auto range = numbers_at_front(value.inferred);
+    if (value.expected != Verdict::reproduced_inferred || range.empty()) continue;
+    EXPECT_TRUE(Tolerance(value.tolerance).allows(value.value, range.front(), range.back())) << value.name();
+  }
+}
+
+TEST(Places, AreListedOnceEach) {
+  std::set<std::string> seen;
+  const std::set<std::string> kinds = {"figure", "table", "claim", "equation"};
+  for (const Place& place : read_places(NLMECH_SOURCE_DIR)) {
+    EXPECT_TRUE(seen.insert(place.source + "/" + place.name).second) << place.source << " " << place.name;
+    EXPECT_TRUE(kinds.contains(place.kind)) << place.name << ": " << place.kind;
+    EXPECT_EQ(place.kind == "figure", place.name.starts_with("fig-")) << place.name;
+    EXPECT_EQ(place.kind == "table", place.name.starts_with("table-")) << place.name;
+    EXPECT_FALSE(place.chapter.empty() || place.subject.empty()) << place.name;
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::scene

@@ -1,0 +1,73 @@
+#include "nlmech/support/stopwatch.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace {
+
+using nlmech::median;
+using nlmech::Stopwatch;
+using nlmech::time_repeats;
+using nlmech::Timing;
+
+TEST(Median, OfAnOddCountIsTheMiddleValue) {
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(median({5, -1, 9, 0, 2}), 2);
+}
+
+TEST(Median, OfAnEvenCountIsTheMeanOfTheMiddleTwo) {
+  EXPECT_EQ(median({1, 2}), 1.5);
+  EXPECT_EQ(median({10, 1, 2, 20}), 6);
+  EXPECT_EQ(median({4, 4, 4, 4}), 4);
+}
+
+TEST(Median, OfNothingIsRefused) { EXPECT_THROW(static_cast<void>(median({})), std::invalid_argument); }
+
+RC_GTEST_PROP(Median, IsWhatSortingGives, ()) {
+  const auto whole = *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(-1000, 1000)));
+  const std::vector<double> values(whole.begin(), whole.end());
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t n = sorted.size();
+  RC_ASSERT(median(values) == (sorted[(n - 1) / 2] + sorted[n / 2]) / 2);  // exact: halves of small integers
+}
+
+TEST(Stopwatch, NeverRunsBackwards) {
+  const Stopwatch watch;
+  double before = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double now = watch.seconds();
+    ASSERT_GE(now, before);
+    before = now;
+  }
+}
+
+TEST(TimeRepeats, WarmsUpOnceAndThenCounts) {
+  for (const int repeats : {1, 2, 7}) {
+    int calls = 0;
+    const Timing timing = time_repeats([&] { ++calls; }, repeats);
+    EXPECT_EQ(calls, repeats + 1);
+    EXPECT_EQ(timing.repeats, repeats);
+    EXPECT_LE(0, timing.smallest);
+    EXPECT_LE(timing.smallest, timing.median);
+    EXPECT_LE(timing.median, timing.largest);
+  }
+}
+
+TEST(TimeRepeats, NeedsARepeat) {
+  int calls = 0;
+  EXPECT_THROW(static_cast<void>(time_repeats([&] { ++calls; }, 0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(time_repeats([&] { ++calls; }, -3)), std::invalid_argument);
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(TimeRepeats, PassesOnWhatTheWorkThrows) {
+  EXPECT_THROW(static_cast<void>(time_repeats([] { throw std::runtime_error("stop"); }, 3)),
+               std::runtime_error);
+}
+
+}  // namespace
