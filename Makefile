@@ -10,7 +10,7 @@ SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS,$(if $($(v)),-D$(v)='$($(v
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 DRAWN = $(CHAPTERS:%=figures/%/.complete)
 
-.PHONY: help deps configure build programs figures tables test check book clean
+.PHONY: help deps configure build programs figures tables test check bench book clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -18,6 +18,7 @@ help:
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
 	@echo "make check           published beside reproduced, verdicts; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
+	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install missing Debian packages (packages.txt)"
 	@echo "make clean           remove what was built and generated"
@@ -65,6 +66,11 @@ check: programs
 	  $(BUILD)/bin/$$c check --out $(OUT) > /dev/null || missed=1; done; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
 	exit $$missed
+
+# Claims about speed, measured with nothing beside them; tables/BENCH.md.
+bench: configure
+	@cmake --build $(BUILD) --target benchmarks
+	@missed=0; for b in $(BUILD)/bin/*_bench; do $$b || missed=1; done; exit $$missed
 
 book: figures
 	@$(MAKE) --no-print-directory check > /dev/null

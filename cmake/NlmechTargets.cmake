@@ -59,3 +59,22 @@ function(nlmech_write_build_facts)
   list(JOIN libraries "\n" libraries)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/libraries.txt CONTENT "${libraries}\n" @ONLY)
 endfunction()
+
+# A program that measures claims about speed. Built by the target `benchmarks`, never by `all`; Google Benchmark is looked
+# for at that moment of need, so that a machine without it builds everything else.
+function(nlmech_bench name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  if(NOT TARGET benchmarks)
+    add_custom_target(benchmarks)
+  endif()
+  find_package(benchmark QUIET)
+  if(benchmark_FOUND)
+    add_executable(${name} EXCLUDE_FROM_ALL ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE ${arg_LINKS} benchmark::benchmark nlmech_options)
+    add_dependencies(benchmarks ${name})
+  else()
+    add_custom_target(${name} COMMAND ${CMAKE_COMMAND} -E echo "Google Benchmark was not found: apt-get install libbenchmark-dev"
+                              COMMAND ${CMAKE_COMMAND} -E false)
+    add_dependencies(benchmarks ${name})
+  endif()
+endfunction()

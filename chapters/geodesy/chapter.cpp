@@ -11,6 +11,9 @@ scene::Chapter geodesy_chapter() {
   add_error_maps(chapter, runs);
   add_table_2_6(chapter);
   add_order_study(chapter, runs);
+  add_height_study(chapter);
+  add_range(chapter);
+  add_error_vs_time(chapter);
   add_claims(chapter, runs);
   return chapter;
 }

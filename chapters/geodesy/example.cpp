@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <numbers>
 
-#include "nlmech/geodesy/perturbation.hpp"
+#include "nlmech/geodesy/reverse_transform.hpp"
 
 int main() {
   using namespace nlmech::geodesy;
-  const Cartesian satellite{4510731, 4510731, 2500000};  // metres
-  const auto found = reverse(satellite, Ellipsoid::wgs84(), PerturbationSeries{.order = 5});
+  const ReverseTransform reverse(Ellipsoid::wgs84());  // made once for an ellipsoid
+  const auto [position, outcome] = reverse(Cartesian{4510731, 4510731, 2500000});  // metres
   const double degree = std::numbers::pi / 180;
-  std::printf("%s: latitude %.10f, longitude %.10f, height %.3f\n", to_string(found.outcome).data(),
-              found.position.latitude / degree, found.position.longitude / degree, found.position.height);
+  std::printf("%s: latitude %.12f, longitude %.12f, height %.6f\n", to_string(outcome).data(),
+              position.latitude / degree, position.longitude / degree, position.height);
 }
 //! [example]

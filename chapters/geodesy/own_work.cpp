@@ -4,9 +4,12 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "chapters/geodesy/chapter.hpp"
 #include "nlmech/geodesy/perturbation.hpp"
+#include "nlmech/geodesy/reverse_transform.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/support/errors.hpp"
@@ -23,7 +26,7 @@ const std::vector<std::string> cartesian_names = {"x", "y", "z"};
 const std::vector<std::string> geodetic_names = {"latitude_deg", "longitude_deg", "height_m"};
 
 struct Request {
-  std::string file = "-", ellipsoid = "wgs84", method = "series", height = "series";
+  std::string file = "-", ellipsoid = "wgs84", method = "fast", height = "series";
   int order = 4;
 };
 
@@ -75,41 +78,71 @@ void warn_of_miss(double miss, std::size_t line, const Request& request) {
              request.order, line, miss);
 }
 
-void reverse(const Request& request) {
-  const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
+/// The points of the user's file by column, and what to call the file.
+struct Input {
+  std::string name;
+  scene::NumberColumns points;
+};
+
+Input read_input(const Request& request, const std::vector<std::string>& names) {
+  std::string name = name_of(request.file);
+  scene::NumberColumns points = scene::parse_numbers(scene::read_whole(request.file), name, names);
+  return {std::move(name), std::move(points)};
+}
+
+/// Full precision for every point. A finite point fails only where its distance from the centre overflows.
+std::string reverse_fast(const Input& in, const Ellipsoid& ellipsoid) {
+  const auto& [x, y, z] = std::tie(in.points.column[0], in.points.column[1], in.points.column[2]);
+  std::vector<double> latitude(x.size()), longitude(x.size()), height(x.size());
+  const auto report = geodesy::ReverseTransform(ellipsoid)(x, y, z, latitude, longitude, height);
+  if (report.non_finite > 0) {
+    throw Failure(Status::failure(
+        Outcome::non_finite,
+        fmt::format("{}, line {}: the distance from the centre overflows; use smaller numbers", in.name,
+                    in.points.line[report.first_non_finite])));
+  }
+  CsvWriter out(geodetic_names);
+  for (std::size_t i = 0; i < x.size(); ++i) out.add(latitude[i] / degree, longitude[i] / degree, height[i]);
+  return out.text();
+}
+
+std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const Request& request) {
   const geodesy::PerturbationSeries method{request.order, request.height == "series"
                                                               ? geodesy::HeightFrom::series
                                                               : geodesy::HeightFrom::projection};
-  const std::string name = name_of(request.file);
-  const auto points = scene::parse_numbers(scene::read_whole(request.file), name, cartesian_names);
-
   CsvWriter out(geodetic_names);
   double largest_miss = 0;
   std::size_t largest_line = 0;
-  for (std::size_t i = 0; i < points.rows(); ++i) {
-    const Cartesian p{points.column[0][i], points.column[1][i], points.column[2][i]};
+  for (std::size_t i = 0; i < in.points.rows(); ++i) {
+    const Cartesian p{in.points.column[0][i], in.points.column[1][i], in.points.column[2][i]};
     const geodesy::Reversed found = geodesy::reverse(p, ellipsoid, method);
     if (found.outcome != Outcome::success) {
       throw Failure(Status::failure(
           found.outcome,
-          fmt::format("{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}) m; it holds "
-                      "far from the centre of an ellipsoid of small flattening",
-                      name, points.line[i], request.order, p.x, p.y, p.z)));
+          fmt::format("{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}) m; use "
+                      "--method fast, which holds everywhere",
+                      in.name, in.points.line[i], request.order, p.x, p.y, p.z)));
     }
     if (found.miss > largest_miss) {
       largest_miss = found.miss;
-      largest_line = points.line[i];
+      largest_line = in.points.line[i];
     }
     out.add(found.position.latitude / degree, found.position.longitude / degree, found.position.height);
   }
   warn_of_miss(largest_miss, largest_line, request);
-  scene::print_result(out.text());
+  return out.text();
+}
+
+void reverse(const Request& request) {
+  const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
+  const Input in = read_input(request, cartesian_names);
+  scene::print_result(request.method == "fast" ? reverse_fast(in, ellipsoid)
+                                               : reverse_by_series(in, ellipsoid, request));
 }
 
 void forward(const Request& request) {
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
-  const std::string name = name_of(request.file);
-  const auto points = scene::parse_numbers(scene::read_whole(request.file), name, geodetic_names);
+  const auto [name, points] = read_input(request, geodetic_names);
   CsvWriter out(cartesian_names);
   for (std::size_t i = 0; i < points.rows(); ++i) {
     const double latitude = points.column[0][i];

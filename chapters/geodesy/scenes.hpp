@@ -28,4 +28,8 @@ void add_table_2_6(scene::Chapter& chapter);                            ///< pri
 void add_order_study(scene::Chapter& chapter, const SeriesRuns& runs);  ///< largest error against order
 void add_claims(scene::Chapter& chapter, const SeriesRuns& runs);       ///< the numbers of the running text
 
+void add_range(scene::Chapter& chapter);          ///< error against distance and flattening
+void add_height_study(scene::Chapter& chapter);   ///< formulas for the height
+void add_error_vs_time(scene::Chapter& chapter);  ///< ours and the peers
+
 }  // namespace nlmech::chapters

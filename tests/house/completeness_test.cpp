@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <utility>
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/process.hpp"
@@ -45,13 +46,13 @@ TEST(Completeness, EveryFigureAndTableIsAScene) {
 }
 
 TEST(Completeness, EveryNumberedSceneStandsInASource) {
-  std::set<std::string> places;
+  std::set<std::pair<std::string, std::string>> places;
   for (const scene::Place& place : scene::read_places(NLMECH_SOURCE_DIR))
-    places.insert(place.chapter + " " + place.name);
+    places.emplace(place.chapter, place.name);
   for (const auto& [chapter, scenes] : built_scenes()) {
     for (const std::string& scene : scenes) {
       if (!scene.starts_with("fig-") && !scene.starts_with("table-")) continue;
-      EXPECT_TRUE(places.contains(chapter + " " + scene))
+      EXPECT_TRUE(places.contains({chapter, scene}))
           << "tables/places.csv does not list " << scene << " of " << chapter;
     }
   }

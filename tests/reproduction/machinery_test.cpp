@@ -1,5 +1,6 @@
 /// The tests of the published values, on a chapter with made-up values: each one must fail for the reason it
 /// exists.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,23 +32,23 @@ class Machinery : public ::testing::Test {
   }
   /// What CMakeLists.txt of this folder does for a chapter, done for the fixture.
   void list_tests() const {
-    const std::string build = (folder_ / "build").string();
+    const std::string build = (folder_ / "build").string(), data = (folder_ / "data").string();
     const scene::Finished listed =
-        run({NLMECH_CMAKE, "-D", "PROGRAM=" NLMECH_REPRODUCTION, "-D",
-             "SOURCE=" + (folder_ / "data").string(), "-D", "CHAPTERS=" + build + "/chapters.txt", "-D",
-             "OUT=" + build, "-D", "LIST=" + build + "/values.cmake", "-P", here + "list_values.cmake"});
+        run({NLMECH_CMAKE, "-D", fmt::format("PROGRAM={}", NLMECH_REPRODUCTION), "-D", "SOURCE=" + data, "-D",
+             fmt::format("CHAPTERS={}/chapters.txt", build), "-D", "OUT=" + build, "-D",
+             fmt::format("LIST={}/values.cmake", build), "-P", here + "list_values.cmake"});
     ASSERT_EQ(listed.exit_code, 0) << listed.errors;
-    std::string tests = "include(\"" + build + "/values.cmake\")\n";
-    for (const std::string step : {"measure", "quantities"}) {
-      const std::string name = step == "measure" ? "check/fixture" : "check/fixture/quantities";
-      tests += "add_test(" + name + " \"" NLMECH_CMAKE "\" -D STEP=" + step +
-               " -D \"PROGRAM=" NLMECH_FIXTURE "\" -D CHAPTER=fixture -D \"OUT=" + build + "\" -P \"" + here +
-               "check.cmake\")\n";
-    }
-    tests +=
-        "set_tests_properties(check/fixture PROPERTIES FIXTURES_SETUP check_fixture)\n"
-        "set_tests_properties(check/fixture/quantities PROPERTIES FIXTURES_REQUIRED check_fixture)\n";
-    put(folder_ / "build/CTestTestfile.cmake", tests);
+    const auto step = [&](const char* name, const char* what) {
+      return fmt::format(
+          R"(add_test({} "{}" -D STEP={} -D "PROGRAM={}" -D CHAPTER=fixture -D "OUT={}" -P "{}check.cmake"))",
+          name, NLMECH_CMAKE, what, NLMECH_FIXTURE, build, here);
+    };
+    put(folder_ / "build/CTestTestfile.cmake",
+        fmt::format(
+            "include(\"{}/values.cmake\")\n{}\n{}\n"
+            "set_tests_properties(check/fixture PROPERTIES FIXTURES_SETUP check_fixture)\n"
+            "set_tests_properties(check/fixture/quantities PROPERTIES FIXTURES_REQUIRED check_fixture)\n",
+            build, step("check/fixture", "measure"), step("check/fixture/quantities", "quantities")));
   }
   /// How the test of a name ended, in the words of ctest: "Passed", "***Failed", "***Skipped", "***Not Run".
   std::string outcome(const std::string& report, const std::string& name) const {

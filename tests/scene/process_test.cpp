@@ -50,7 +50,8 @@ TEST(RunProgram, GivesItAnEmptyStandardInput) { EXPECT_EQ(run_program({"wc", "-c
 
 TEST(RunProgram, NamesTheProgramThatIsMissing) {
   const TemporaryFolder folder;  // a closed folder in the reader's own PATH would change the reason
-  const std::string path = std::getenv("PATH");
+  const char* before = std::getenv("PATH");
+  const std::string path = before == nullptr ? "" : before;
   ::setenv("PATH", folder.string().c_str(), 1);
   try {
     static_cast<void>(run_program({"no-such-program-at-all"}, {}));
@@ -89,9 +90,9 @@ TEST(RunProgram, TellsASignalFromAnExit) {
 // A parent that ignores SIGCHLD hands this down: the system then throws the exit code away, and it must not
 // read as 0.
 TEST(RunProgram, DoesNotTakeALostExitCodeForSuccess) {
-  const auto before = ::signal(SIGCHLD, SIG_IGN);
+  ASSERT_NE(::signal(SIGCHLD, SIG_IGN), SIG_ERR);
   EXPECT_THROW(static_cast<void>(shell("exit 3")), Failure);
-  ::signal(SIGCHLD, before);
+  ASSERT_NE(::signal(SIGCHLD, SIG_DFL), SIG_ERR);
 }
 
 TEST(RunProgram, LeavesNoDescriptorsOpen) {

@@ -59,7 +59,7 @@ TEST_F(Perform, GivesWhatIsShownAndAllRunsBehindIt) {
 
 TEST_F(Perform, RefusesASceneThatShowsNothing) {
   const std::string nothing = "scene fig-1 shows nothing";
-  const auto shows = [&](Showing showing) {
+  const auto shows = [&](const Showing& showing) {
     return complaint(a_scene({}, [showing](Workshop&) { return showing; }));
   };
   EXPECT_EQ(shows({std::nullopt, std::nullopt, {promise()}}), nothing);

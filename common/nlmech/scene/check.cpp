@@ -52,8 +52,6 @@ void refuse_orphans(const Chapter& chapter, const std::vector<Checked>& values) 
   }
 }
 
-Cell cell(const std::optional<double>& value) { return value ? Cell{*value} : Cell{}; }
-
 /// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
 std::optional<double> optional_number(const std::string& text) {
   double value = 0;
@@ -128,7 +126,7 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
 void write_check(const ChapterCheck& check, const std::string& chapter, const fs::path& out) {
   Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"kept"}});
   for (const Checked& c : check.values) {
-    table.add({c.value.name(), cell(c.measured.nominal), cell(c.measured.inferred),
+    table.add({c.value.name(), to_cell(c.measured.nominal), to_cell(c.measured.inferred),
                std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.kept}});
   }
   write_whole(out / "results" / chapter / "check.csv", table.csv());

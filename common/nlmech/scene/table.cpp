@@ -38,6 +38,11 @@ bool is_numeric(const std::vector<std::vector<Cell>>& rows, std::size_t column) 
 
 }  // namespace
 
+Cell to_cell(const std::optional<double>& value) {
+  if (value) return *value;
+  return {};
+}
+
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
   if (columns_.empty()) throw std::invalid_argument("Table: needs at least one column");
 }

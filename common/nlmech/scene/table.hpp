@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,6 +13,9 @@ namespace nlmech::scene {
 
 /// A text, a real number, a whole number, or nothing.
 using Cell = std::variant<std::monostate, std::string, double, std::int64_t>;
+
+/// A cell that is empty where there is no number.
+[[nodiscard]] Cell to_cell(const std::optional<double>& value);
 
 /// How a column is named and shown.
 struct Column {
