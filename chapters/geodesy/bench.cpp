@@ -72,6 +72,7 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Contender>& all, const P
   };
   const std::string peer = "GeographicLib, one point";
   add("fast, one point", peer, 3);
+  add("fast, baseline only, one point", peer, 3);
   add("fast, batch avx2", peer, 15);
   add("fast, batch avx512", peer, 25);
   for (const std::string set : {"baseline", "avx2", "avx512"}) {

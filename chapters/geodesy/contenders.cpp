@@ -73,8 +73,10 @@ std::string Contender::name() const {
 
 std::vector<Contender> contenders(const Ellipsoid& e) {
   std::vector<Contender> all;
-  const geodesy::ReverseTransform fast(e);
+  const geodesy::ReverseTransform fast(e), portable(e, InstructionSet::baseline);
   all.push_back(one_by_one("fast", [fast](const Cartesian& p) { return fast(p).position; }));
+  all.push_back(
+      one_by_one("fast, baseline only", [portable](const Cartesian& p) { return portable(p).position; }));
   all.push_back(
       one_by_one("series, order 4", [e](const Cartesian& p) { return geodesy::reverse(p, e, {}).position; }));
   add_geographiclib(all, e);

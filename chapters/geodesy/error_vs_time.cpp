@@ -1,5 +1,10 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "chapters/geodesy/contenders.hpp"
 #include "chapters/geodesy/reference.hpp"
@@ -72,15 +77,59 @@ std::vector<Cost> measure(bool quick) {
   return costs;
 }
 
-scene::Showing show(const std::vector<Cost>& costs) {
-  scene::Table data({{"method"},
-                     {"form"},
-                     {"instruction_set"},
+/// 0 for one point after the other, then the instruction sets.
+std::int64_t series_of(const Cost& c) {
+  return c.set.empty() ? 0 : c.set == "baseline" ? 1 : c.set == "avx2" ? 2 : 3;
+}
+
+/// Methods by number, from 1 in the order of the contenders; floors have none.
+std::map<std::string, std::int64_t> numbers_of(const std::vector<Cost>& costs) {
+  std::map<std::string, std::int64_t> numbers;
+  for (const Cost& c : costs) {
+    if (c.accuracy) numbers.emplace(c.method, static_cast<std::int64_t>(numbers.size()) + 1);
+  }
+  return numbers;
+}
+
+std::map<std::string, std::string> plot_variables(const std::vector<Cost>& costs) {
+  std::map<std::int64_t, std::string> names;
+  for (const auto& [method, number] : numbers_of(costs)) names[number] = method;
+  std::map<std::string, std::string> variables = {
+      {"heading", "Full precision at twice the cost of its two arctangents"}};
+  std::vector<std::string> legend;
+  for (const auto& [number, method] : names) legend.push_back(fmt::format("{} {}", number, method));
+  variables["legend"] = fmt::format("{}", fmt::join(legend, "|"));
+  std::set<std::int64_t> sets;
+  for (const Cost& c : costs) {
+    sets.insert(series_of(c));
+    if (!c.accuracy)
+      variables["floor_ns"] = fmt::format("{:.3g}", c.time_ns.median);  // of the last, the fastest set
+  }
+  variables["sets"] = fmt::format("{}", fmt::join(sets, " "));
+  return variables;
+}
+
+scene::Figure draw(const std::vector<Cost>& costs) {
+  scene::Table data({{"series"},
+                     {"number"},
                      {"time_ns_per_point"},
                      {"time_low_ns"},
                      {"time_high_ns"},
                      {"latitude_error_rad"},
-                     {"height_error_m"}});
+                     {"height_error_m"},
+                     {"method"}});
+  std::map<std::string, std::int64_t> numbers = numbers_of(costs);
+  for (const Cost& c : costs) {
+    const auto [latitude, height] =
+        c.accuracy ? std::pair(std::optional(c.accuracy->latitude_rad), std::optional(c.accuracy->height_m))
+                   : std::pair(std::optional<double>(), std::optional<double>());
+    data.add({series_of(c), numbers[c.method], c.time_ns.median, c.time_ns.smallest, c.time_ns.largest,
+              scene::to_cell(latitude), scene::to_cell(height), c.method});
+  }
+  return {std::move(data), "geodesy-error-vs-time", plot_variables(costs)};
+}
+
+scene::Table tabulate(const std::vector<Cost>& costs) {
   scene::Table table({{"method"},
                       {"form"},
                       {"time a point (ns)"},
@@ -88,28 +137,29 @@ scene::Showing show(const std::vector<Cost>& costs) {
                       {"to"},
                       {"max latitude error (rad)", 2},
                       {"max height error (m)", 2}});
-  Accuracy fast;
   for (const Cost& c : costs) {
-    scene::Cell latitude, height;
+    std::optional<double> latitude, height;
     if (c.accuracy) {
       latitude = c.accuracy->latitude_rad;
       height = c.accuracy->height_m;
-      if (c.method == "fast") {
-        fast.latitude_rad = std::max(fast.latitude_rad, c.accuracy->latitude_rad);
-        fast.height_m = std::max(fast.height_m, c.accuracy->height_m);
-      }
     }
-    const auto [median, low, high, repeats] = c.time_ns;
-    data.add({c.method, c.form, c.set, median, low, high, latitude, height});
-    table.add(
-        {c.method, c.set.empty() ? c.form : c.form + ", " + c.set, median, low, high, latitude, height});
+    table.add({c.method, c.set.empty() ? c.form : c.form + ", " + c.set, c.time_ns.median, c.time_ns.smallest,
+               c.time_ns.largest, scene::to_cell(latitude), scene::to_cell(height)});
   }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "geodesy-error-vs-time",
-                    {{"heading", "Full precision at the cost of two arctangents: error against time"}}};
-  showing.table = std::move(table);
+  return table;
+}
+
+scene::Showing show(const std::vector<Cost>& costs) {
+  Accuracy fast;
+  for (const Cost& c : costs) {
+    if (!c.method.starts_with("fast") || !c.accuracy) continue;
+    fast.latitude_rad = std::max(fast.latitude_rad, c.accuracy->latitude_rad);
+    fast.height_m = std::max(fast.height_m, c.accuracy->height_m);
+  }
   const char* statement = "error statement of ReverseTransform, in every form and instruction set";
+  scene::Showing showing;
+  showing.figure = draw(costs);
+  showing.table = tabulate(costs);
   showing.quantities = {
       scene::at_most("max latitude error of fast", "rad", fast.latitude_rad, 4.5e-16, statement),
       scene::at_most("max height error of fast", "m", fast.height_m, 2.2e-8, statement)};

@@ -19,6 +19,7 @@ if (!exists("heading")) heading = "The projection on the normal forgives an erro
 
 columns = "by_cosine_m by_sine_m by_projection_m exact_latitude_m"
 lowest  = 1e-11
+set datafile missing
 # Without a mark for missing values an empty cell is NaN, where the line breaks.
 number(name)    = strlen(strcol(name)) > 0 ? real(strcol(name)) : NaN
 magnitude(name) = abs(number(name)) > lowest ? abs(number(name)) : (number(name) == number(name) ? lowest : NaN)
