@@ -37,7 +37,8 @@ file(MAKE_DIRECTORY "${BOOK_FOLDER}/html" "${BOOK_FOLDER}/pages")
 book_load_references("${BOOK_SOURCE_DIR}/docs/references.bib")
 book_reads("${BOOK_SOURCE_DIR}/docs/references.bib")
 set(page_labels
-    "docs/glossary.md|glossary" "docs/architecture.md|architecture" "tables/REPRODUCTION.md|reproduction")
+    "docs/glossary.md|glossary" "docs/architecture.md|architecture" "tables/REPRODUCTION.md|reproduction"
+    "tables/BENCH.md|bench")
 foreach(chapter IN LISTS BOOK_CHAPTERS)
   list(APPEND page_labels "chapters/${chapter}/${chapter}.md|chapter_${chapter}")
 endforeach()

@@ -9,8 +9,8 @@ namespace nlmech::geodesy {
 
 /// Geodetic position with the outcome of its computation.
 struct GeodeticPoint {
-  Geodetic position;
-  Outcome outcome = Outcome::success;
+  Geodetic position;                   ///< radians and metres
+  Outcome outcome = Outcome::success;  ///< success or non_finite
 };
 
 /// Finds the point of the ellipsoid that is closest to a given point, from the centre of the Earth to the
@@ -41,6 +41,7 @@ class ClosestPoint {
   /// representable
   explicit ClosestPoint(const Ellipsoid& ellipsoid);
 
+  /// The position of one point; see the conventions above.
   [[nodiscard]] GeodeticPoint operator()(const Cartesian& point) const noexcept;
 
  private:

@@ -46,6 +46,7 @@ struct BatchReport {
 /// the last digits. All members are safe to call from several threads at once.
 class ReverseTransform {
  public:
+  /// Position and outcome.
   using Point = GeodeticPoint;
 
   /// @throws std::invalid_argument if this processor does not have @p set, or as ClosestPoint does
@@ -67,6 +68,7 @@ class ReverseTransform {
                          std::span<double> latitude, std::span<double> longitude,
                          std::span<double> height) const;
 
+  /// The set that the kernels use.
   [[nodiscard]] InstructionSet instruction_set() const noexcept { return set_; }
   /// Newton corrections after the polynomial (0, 1, 2), or -1 if every point goes to ClosestPoint.
   [[nodiscard]] int corrections() const noexcept { return corrections_; }

@@ -21,7 +21,8 @@ namespace nlmech::geodesy {
 /// Made in about a tenth of a millisecond from additions, multiplications, divisions and square roots alone,
 /// and so the same on every machine.
 struct TangentFit {
-  static constexpr std::size_t q_terms = 5, m_terms = 6;
+  static constexpr std::size_t q_terms = 5;  ///< powers of q
+  static constexpr std::size_t m_terms = 6;  ///< powers of m
   /// Least height that is covered, as a fraction of the smaller semi-axis below the smaller semi-axis: points
   /// with R >= (1 - depth) min(a, b), for the Earth h >= -15.9 km at the poles and -37 km on the equator.
   static constexpr double depth = 0.0025;

@@ -21,9 +21,15 @@ using nlmech::geodesy::Geodetic;
 
 /// What every method needs of the ellipsoid.
 struct EllipsoidConstants {
+  /// All of them.
   explicit EllipsoidConstants(const Ellipsoid& e)
       : a(e.a()), b(e.b()), e2(e.e2()), e4(e2 * e2), one_minus_e2(1 - e2), second_e2(e2 / (1 - e2)) {}
-  double a, b, e2, e4, one_minus_e2, second_e2;
+  double a;             ///< equatorial radius, m
+  double b;             ///< polar radius, m
+  double e2;            ///< squared eccentricity
+  double e4;            ///< its square
+  double one_minus_e2;  ///< b^2/a^2
+  double second_e2;     ///< second eccentricity squared, e2/(1 - e2)
 };
 
 /// From S : C = sin phi : cos phi to the position, phi in the first quadrant.
@@ -55,7 +61,9 @@ Geodetic bowring(double sin_beta, double cos_beta, double r, const Cartesian& p,
 template <int iterations>
 class Bowring1976 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Bowring1976(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     return bowring<iterations>(k_.a * std::abs(p.z), k_.b * r, r, p, k_);
@@ -70,7 +78,9 @@ class Bowring1976 {
 template <int iterations>
 class Bowring1985 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Bowring1985(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
     const double r2 = p.x * p.x + p.y * p.y, r = std::sqrt(r2), R = std::sqrt(r2 + p.z * p.z);
     return bowring<iterations>(k_.b * std::abs(p.z) * (R + k_.second_e2 * k_.b), k_.a * r * R, r, p, k_);
@@ -86,7 +96,9 @@ class Bowring1985 {
 template <int iterations>
 class Fukushima2006 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Fukushima2006(const Ellipsoid& e) : k_(e), b_over_a_(std::sqrt(k_.one_minus_e2)) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     if (r < 1e-16 * std::abs(p.z)) {
@@ -113,7 +125,9 @@ class Fukushima2006 {
 /// Geodesy 76 (2002) 451-454. Outside the evolute only.
 class Vermeille2002 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Vermeille2002(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
     const double xy2 = c.x * c.x + c.y * c.y, xy = std::sqrt(xy2), z2 = c.z * c.z, a2 = k_.a * k_.a;
     const double p = xy2 / a2, q = k_.one_minus_e2 * z2 / a2, r = (p + q - k_.e4) / 6;
@@ -133,7 +147,9 @@ class Vermeille2002 {
 /// 85 (2011) 105-117. Everywhere, the inside of the evolute and the disc included.
 class Vermeille2011 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Vermeille2011(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
     const double xy2 = c.x * c.x + c.y * c.y, z2 = c.z * c.z, a2 = k_.a * k_.a;
     const double p = xy2 / a2, q = k_.one_minus_e2 * z2 / a2, r = (p + q - k_.e4) / 6;
@@ -167,8 +183,10 @@ class Vermeille2011 {
 /// on Aerospace and Electronic Systems 32 (1996) 473-476. At least 100 km from the centre.
 class Olson1996 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Olson1996(const Ellipsoid& e)
       : k_(e), a1_(k_.a * k_.e2), a2_(a1_ * a1_), a3_(a1_ * k_.e2 / 2), a4_(2.5 * a2_), a5_(a1_ + a3_) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
     const double zp = std::abs(p.z), w2 = p.x * p.x + p.y * p.y, w = std::sqrt(w2), z2 = p.z * p.z;
     const double r2 = w2 + z2, r = std::sqrt(r2), s2 = z2 / r2, c2 = w2 / r2;
@@ -201,7 +219,9 @@ class Olson1996 {
 /// Aerospace and Electronic Systems 30 (1994) 957-961. Outside the evolute only.
 class Heikkinen1982 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit Heikkinen1982(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
     const double a2 = k_.a * k_.a, b2 = k_.b * k_.b, r2 = p.x * p.x + p.y * p.y, r = std::sqrt(r2),
                  z2 = p.z * p.z;
@@ -225,7 +245,9 @@ class Heikkinen1982 {
 template <int iterations>
 class LinWang1995 {
  public:
+  /// Prepares what depends on the ellipsoid alone.
   explicit LinWang1995(const Ellipsoid& e) : k_(e) {}
+  /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
     const double a = k_.a, b = k_.b, a2 = a * a, b2 = b * b;
     const double p2 = c.x * c.x + c.y * c.y, z2 = c.z * c.z, p = std::sqrt(p2), z = std::abs(c.z);

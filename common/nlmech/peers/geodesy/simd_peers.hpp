@@ -23,28 +23,43 @@ enum class SimdMethod {
   fukushima2006_1,
   fukushima2006_2
 };
+/// How many there are.
 inline constexpr std::size_t simd_method_count = 7;
 
+/// In words: "Bowring 1976, 2 iterations".
 [[nodiscard]] std::string_view to_string(SimdMethod method) noexcept;
 
+/// Columns of points and of results.
 struct SimdArrays {
-  const double *x, *y, *z;
-  double *latitude, *longitude, *height;
-  std::size_t size;  ///< a multiple of 8
+  const double* x;    ///< m
+  const double* y;    ///< m
+  const double* z;    ///< m
+  double* latitude;   ///< rad
+  double* longitude;  ///< rad
+  double* height;     ///< m
+  std::size_t size;   ///< a multiple of 8
 };
 
 /// Ellipsoid in units of its equatorial radius.
 struct UnitEllipsoid {
-  double a, inverse_a;
-  double b, e2, second_e2;  ///< b/a, first and second eccentricity squared
+  double a;          ///< equatorial radius, m
+  double inverse_a;  ///< 1/a
+  double b;          ///< polar radius over a
+  double e2;         ///< first eccentricity squared
+  double second_e2;  ///< second eccentricity squared
 };
 
+/// One method compiled for one instruction set.
 using SimdBatch = void (*)(const UnitEllipsoid&, const SimdArrays&) noexcept;
+/// All methods of one instruction set, in the order of SimdMethod.
 using SimdTable = std::array<SimdBatch, simd_method_count>;
 
+/// For each instruction set that the library is built with.
+/// @{
 extern const SimdTable baseline_peers;
 extern const SimdTable avx2_peers;
 extern const SimdTable avx512_peers;
+/// @}
 
 /// Runs @p method over the batch. @throws std::invalid_argument if the sizes differ or are no multiple of 8,
 /// or if the processor does not have @p set
