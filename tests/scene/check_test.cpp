@@ -55,6 +55,27 @@ TEST_F(Check, JudgesTheValuesOfTheChapterAndNoOthers) {
   EXPECT_TRUE(result.kept());
 }
 
+// A run that fails costs its own values and scenes, and leaves the others with their verdicts.
+TEST_F(Check, GoesOnAfterAFailure) {
+  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
+  chapter_.add(Measurement{"book/table-1/a/x", {}, [](Workshop&) -> Measured {
+                             throw Failure(Status::failure(Outcome::not_converged, "stalled at t = 3"));
+                           }});
+  measure("book/table-1/b/x", {1, {}});
+  chapter_.add(
+      Scene{.name = "broken", .title = "", .place = "", .needs = {}, .show = [](Workshop&) -> Showing {
+              throw Failure("no memory for the picture");
+            }});
+  const ChapterCheck result = check_ours();
+  EXPECT_FALSE(result.values[0].judgement.kept);
+  EXPECT_TRUE(result.values[1].judgement.kept);
+  EXPECT_NE(reproduction_text(result.values).find("stalled at t = 3"), std::string::npos);
+  ASSERT_EQ(result.quantities.size(), 1U);
+  EXPECT_FALSE(result.quantities[0].quantity.kept());
+  EXPECT_EQ(result.quantities[0].quantity.reason, "no memory for the picture");
+  EXPECT_FALSE(result.kept());
+}
+
 TEST_F(Check, MissesByOneValue) {
   publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
   measure("book/table-1/a/x", {1, {}});

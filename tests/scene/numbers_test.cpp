@@ -80,6 +80,10 @@ TEST(ParseNumbers, SkipsHeaderCommentsAndBlankLines) {
   EXPECT_EQ(read.line, (std::vector<std::size_t>{5, 7}));
 }
 
+TEST(ParseNumbers, SkipsTheMarkThatSpreadsheetsPutFirst) {
+  EXPECT_EQ(parse_numbers("\xEF\xBB\xBFx,y,z\n1,2,3\n", "points.csv", xyz).rows(), 1U);
+}
+
 TEST(ParseNumbers, ReadsNothingFromNothing) {
   for (const std::string text : {"", "\n\n", "# only a remark", "x,y,z\n"}) {
     const NumberColumns read = parse_numbers(text, "points.csv", xyz);

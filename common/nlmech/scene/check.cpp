@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -30,10 +31,14 @@ bool promises(const PublishedValue& value) {
 }
 
 Checked check_value(const PublishedValue& value, const Chapter& chapter, Workshop& workshop) {
-  Checked checked{value, chapter.name(), {}, {}};
+  Checked checked{value, chapter.name(), {}, {}, {}};
   if (const Measurement* m = find(chapter, value.name())) {
     workshop.open(m->name, m->needs);
-    checked.measured = m->measure(workshop);
+    try {
+      checked.measured = m->measure(workshop);
+    } catch (const Failure& failure) {
+      checked.failure = failure.what();
+    }
   } else if (promises(value)) {
     throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
   }
@@ -106,6 +111,21 @@ bool ChapterCheck::kept() const {
                      [](const CheckedQuantity& q) { return q.quantity.kept(); });
 }
 
+namespace {
+
+/// A scene that fails leaves one quantity that no number keeps.
+void check_scene(const Scene& scene, Workshop& workshop, std::vector<CheckedQuantity>& quantities) {
+  try {
+    for (Quantity& q : perform(scene, workshop).showing.quantities)
+      quantities.push_back({scene.name, std::move(q)});
+  } catch (const Failure& failure) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    quantities.push_back({scene.name, {"the scene itself", "1", none, none, none, failure.what()}});
+  }
+}
+
+}  // namespace
+
 ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick) {
   const std::vector<Place> places = read_places(data_folder);
   Workshop workshop(quick);
@@ -116,9 +136,7 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
   }
   refuse_orphans(chapter, result.values);
   for (const Scene& scene : chapter.scenes()) {
-    for (Quantity& q : perform(scene, workshop).showing.quantities) {
-      result.quantities.push_back({scene.name, std::move(q)});
-    }
+    check_scene(scene, workshop, result.quantities);
   }
   return result;
 }
@@ -140,7 +158,7 @@ std::vector<Checked> collect_checks(const std::vector<std::string>& built, const
 
   std::vector<Checked> values;
   for (PublishedValue& value : read_published(data_folder)) {
-    Checked checked{std::move(value), {}, {}, {}};
+    Checked checked{std::move(value), {}, {}, {}, {}};
     checked.chapter = owner(checked.value, places);
     if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
       const auto row = found->second.find(checked.value.name());
@@ -197,6 +215,7 @@ std::string reproduction_text(const std::vector<Checked>& values) {
     if (c.measured.nominal) text += ", nominal " + shown(c.measured.nominal);
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);
+    if (!c.failure.empty()) text += " because " + c.failure;
     if (!c.value.reading.empty()) text += " [" + c.value.reading + "]";
     text += '\n';
   }

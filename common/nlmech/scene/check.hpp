@@ -18,6 +18,7 @@ struct Checked {
   std::string chapter;   ///< that owns it
   Measured measured;     ///< ours
   Judgement judgement;   ///< by the evidence
+  std::string failure;   ///< why nothing could be measured; empty otherwise
 };
 
 /// A promised quantity of a scene.
@@ -34,7 +35,9 @@ struct ChapterCheck {
   [[nodiscard]] bool kept() const;
 };
 
-/// Measures every published value that belongs to the chapter and every quantity of its scenes.
+/// Measures every published value that belongs to the chapter and every quantity of its scenes. A run that
+/// ends in a Failure costs its own values and scenes and no others: they count as missed, with the sentence
+/// of the failure.
 /// @throws std::logic_error if a value that promises something has no measurement, or a measurement no value
 [[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder,
                                  bool quick);

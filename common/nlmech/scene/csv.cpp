@@ -66,6 +66,7 @@ bool parse_number(std::string_view text, double& value) {
 
 NumberColumns parse_numbers(std::string_view text, const std::string& name,
                             const std::vector<std::string>& names) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark that some spreadsheets put first
   NumberColumns out;
   out.column.resize(names.size());
   const auto most_rows = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
