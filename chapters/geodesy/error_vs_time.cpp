@@ -95,8 +95,9 @@ std::map<std::string, std::string> plot_variables(const std::vector<Cost>& costs
   std::map<std::int64_t, std::string> names;
   for (const auto& [method, number] : numbers_of(costs)) names[number] = method;
   std::map<std::string, std::string> variables = {
-      {"heading", "Full precision at twice the cost of its two arctangents"}};
+      {"heading", "Full precision in the time of four arctangents (batch)"}};
   std::vector<std::string> legend;
+  legend.reserve(names.size());
   for (const auto& [number, method] : names) legend.push_back(fmt::format("{} {}", number, method));
   variables["legend"] = fmt::format("{}", fmt::join(legend, "|"));
   std::set<std::int64_t> sets;

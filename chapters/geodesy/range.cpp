@@ -14,7 +14,6 @@ namespace {
 using geodesy::Cartesian;
 using geodesy::Ellipsoid;
 using geodesy::Geodetic;
-using scene::Run;
 using scene::Workshop;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -65,6 +64,7 @@ std::vector<RangeCurve> measure(const std::vector<double>& abscissas, const Elli
 
 std::vector<double> equal_ratios(double first, double last, int count) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i <= count; ++i) values.push_back(first * std::pow(last / first, double(i) / count));
   return values;
 }
@@ -146,7 +146,7 @@ scene::Showing show(const std::vector<RangeCurve>& distance, const std::vector<R
   scene::Showing showing;
   showing.figure = {std::move(data),
                     "geodesy-full-range",
-                    {{"heading", "Full accuracy from the centre to infinity, and for every flattening"},
+                    {{"heading", "Full accuracy from 1 m to a million km, and for flattenings to 0.9"},
                      {"geographiclib", find(distance, "GeographicLib") ? "yes" : "no"}}};
   constexpr double surface_km = 6368;  // above -10 km everywhere
   showing.quantities = {

@@ -15,13 +15,12 @@ if (!exists("heading")) heading = "Error against time"
 
 array form[4] = ["one point", "batch, baseline", "batch, AVX2", "batch, AVX-512"]
 array style[4] = [3, 2, 5, 1]
-array symbol[4] = [6, 5, 9, 7]
-set datafile missing NaN
+array symbol[4] = [13, 5, 9, 7]
 
 set title heading offset 0,2.2
 set logscale xy
 set format y power_of_ten
-set xrange [0.8:400]
+set xrange [0.5:600]
 set yrange [1e-18:1e-7]
 set ytics 100
 set xlabel "time a point (ns)"
@@ -48,8 +47,10 @@ of(s) = column("series") == s ? column("time_ns_per_point") : NaN
 # Numbers stand at four heights about their points, so that neighbours keep apart.
 array height[4] = [0.9, -0.9, 1.8, -1.8]
 raised(s, level) = column("series") == s && (int(column("number")) % 4 == level) ? column("time_ns_per_point") : NaN
-plot for [s in sets] data using (of(s + 0)):"latitude_error_rad":"time_low_ns":(column("time_ns_per_point") * 1.02) \
+plot for [s in sets] data using (of(s + 0)):"latitude_error_rad":"time_low_ns":"time_high_ns" \
        with xerrorbars linestyle style[s + 1] dashtype solid pointtype symbol[s + 1] pointsize 1 title form[s + 1], \
+     for [s in sets] data using (column("number") == 1 ? of(s + 0) : NaN):"latitude_error_rad" \
+       with points pointtype 6 pointsize 2 linecolor rgb ink notitle, \
      for [s in sets] for [level = 0:3] \
        data using (raised(s + 0, level)):"latitude_error_rad":(sprintf("%d", int(column("number")))) \
        with labels offset 0,height[level + 1] font sprintf("%s,%d", font_family, font_size - 3) notitle

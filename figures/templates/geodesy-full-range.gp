@@ -14,7 +14,6 @@ if (!exists("geographiclib")) geographiclib = "yes"
 
 at(name) = strcol("panel") eq name ? column("abscissa") : NaN
 floor_of(e) = e < 1e-17 ? 1e-17 : e  # zero has no logarithm
-set datafile missing NaN
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 set logscale xy

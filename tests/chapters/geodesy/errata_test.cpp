@@ -101,7 +101,8 @@ TEST(Errata, Equation2_48_StartingLatitude) {
   EXPECT_EQ(std::atan2(0.0, 7e6), 0);
   EXPECT_NEAR(printed(4e6, 3e6), std::atan2(3e6, 4e6), 1e-15);
   double worst = 0;
-  for (double z = 0.01; z < 1; z *= 1.01) {
+  for (int i = 0; i < 460; ++i) {
+    const double z = 0.01 * std::pow(1.01, i);  // to 1 m
     const auto truth = static_cast<double>(atan2(Real(z), Real(6.6e6)));
     worst = std::max(worst, std::abs(printed(6.6e6, z) - truth));
     EXPECT_NEAR(std::atan2(z, 6.6e6), truth, 1e-16 * truth + 1e-24);
