@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -147,6 +148,9 @@ scene::Table tabulate(const std::vector<Cost>& costs) {
     table.add({c.method, c.set.empty() ? c.form : c.form + ", " + c.set, c.time_ns.median, c.time_ns.smallest,
                c.time_ns.largest, scene::to_cell(latitude), scene::to_cell(height)});
   }
+  const bool with_peer =
+      std::any_of(costs.begin(), costs.end(), [](const Cost& c) { return c.method == "GeographicLib"; });
+  if (!with_peer) table.add({"GeographicLib", "not in this build", {}, {}, {}, {}, {}});
   return table;
 }
 

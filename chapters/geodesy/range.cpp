@@ -144,10 +144,13 @@ scene::Showing show(const std::vector<RangeCurve>& distance, const std::vector<R
   add_rows(data, "distance", distance);
   add_rows(data, "flattening", flattening);
   scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "geodesy-full-range",
-                    {{"heading", "Full accuracy from 1 m to a million km, and for flattenings to 0.9"},
-                     {"geographiclib", find(distance, "GeographicLib") ? "yes" : "no"}}};
+  const bool with_peer = find(distance, "GeographicLib") != nullptr;
+  showing.figure = {
+      std::move(data),
+      "geodesy-full-range",
+      {{"heading", with_peer ? "Full accuracy from 1 m to a million km, and for flattenings to 0.9"
+                             : "Full accuracy at every distance (built without GeographicLib)"},
+       {"geographiclib", with_peer ? "yes" : "no"}}};
   constexpr double surface_km = 6368;  // above -10 km everywhere
   showing.quantities = {
       scene::at_most("max latitude error of fast above -10 km", "rad",
