@@ -92,11 +92,21 @@ std::map<std::string, std::int64_t> numbers_of(const std::vector<Cost>& costs) {
   return numbers;
 }
 
+/// Our fastest batch in units of the floor of its instruction set: what this machine showed, not what another
+/// did.
+std::string heading_of(const std::vector<Cost>& costs) {
+  double fast = 0, floor = 1;
+  for (const Cost& c : costs) {
+    if (c.method == "fast" && c.form == "batch") fast = c.time_ns.median;  // the last set is the largest
+    if (!c.accuracy) floor = c.time_ns.median;
+  }
+  return fmt::format("Full precision in {:.1f} times the time of two arctangents", fast / floor);
+}
+
 std::map<std::string, std::string> plot_variables(const std::vector<Cost>& costs) {
   std::map<std::int64_t, std::string> names;
   for (const auto& [method, number] : numbers_of(costs)) names[number] = method;
-  std::map<std::string, std::string> variables = {
-      {"heading", "Full precision in the time of four arctangents (batch)"}};
+  std::map<std::string, std::string> variables = {{"heading", heading_of(costs)}};
   std::vector<std::string> legend;
   legend.reserve(names.size());
   for (const auto& [number, method] : names) legend.push_back(fmt::format("{} {}", number, method));

@@ -42,19 +42,25 @@ template <class V>
   s = S;
 }
 
+/// Bowring's iteration from a start s : c.
+template <int iterations, class V>
+[[gnu::always_inline]] inline Meridian<V> bowring(V s, V c, const Projected<V>& p, const UnitEllipsoid& k) {
+  bowring_step(s, c, p, k);
+  for (int n = 1; n < iterations; ++n) {
+    s = s * V::all(k.b);
+    bowring_step(s, c, p, k);
+  }
+  return finish(s, c, p, k);
+}
+
 /// Bowring, Survey Review 23 (1976) 323-327.
 template <int iterations>
 struct SimdBowring1976 {
   template <class V>
   [[gnu::always_inline]] static Meridian<V> meridian(V x, V y, V z, const UnitEllipsoid& k) {
     const Projected<V> p = project(x, y, z, k);
-    V s = p.z, c = p.r * V::all(k.b);
-    bowring_step(s, c, p, k);
-    for (int n = 1; n < iterations; ++n) {
-      s = s * V::all(k.b);
-      bowring_step(s, c, p, k);
-    }
-    return finish(s, c, p, k);
+    const V s = p.z, c = p.r * V::all(k.b);
+    return bowring<iterations>(s, c, p, k);
   }
 };
 
@@ -65,13 +71,8 @@ struct SimdBowring1985 {
   [[gnu::always_inline]] static Meridian<V> meridian(V x, V y, V z, const UnitEllipsoid& k) {
     const Projected<V> p = project(x, y, z, k);
     const V R = square_root(p.r2 + p.z2) * V::all(k.inverse_a);
-    V s = p.z * multiply_add(V::all(k.b), R, V::all(k.second_e2 * k.b * k.b)), c = p.r * R;
-    bowring_step(s, c, p, k);
-    for (int n = 1; n < iterations; ++n) {
-      s = s * V::all(k.b);
-      bowring_step(s, c, p, k);
-    }
-    return finish(s, c, p, k);
+    const V s = p.z * multiply_add(V::all(k.b), R, V::all(k.second_e2 * k.b * k.b)), c = p.r * R;
+    return bowring<iterations>(s, c, p, k);
   }
 };
 
