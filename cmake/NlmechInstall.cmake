@@ -5,6 +5,11 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/nlmech)
 install(EXPORT nlmech NAMESPACE nlmech:: FILE nlmechTargets.cmake DESTINATION ${package_dir})
+if(TARGET nlmech_ivp)
+  set(NLMECH_PACKAGE_NEEDS_EIGEN TRUE)
+else()
+  set(NLMECH_PACKAGE_NEEDS_EIGEN FALSE)
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/nlmechConfig.cmake.in ${PROJECT_BINARY_DIR}/nlmechConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
 # Below 1.0 a new minor version may change interfaces.

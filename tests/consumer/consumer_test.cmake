@@ -17,6 +17,9 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${PROJECT} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} ${flags})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
+if(EXISTS ${WORK}/build/pendulum)  # the floors for integration are part of this build
+  run(${WORK}/build/pendulum)
+endif()
 
 # An installed program reads templates and published values from the installation, not from the source tree.
 run(${WORK}/prefix/bin/geodesy run fig-2.27 --quick --out ${WORK}/out)

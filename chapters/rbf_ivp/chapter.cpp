@@ -1,0 +1,29 @@
+#include "chapters/rbf_ivp/chapter.hpp"
+
+#include "chapters/rbf_ivp/scenes.hpp"
+
+namespace nlmech::chapters {
+
+scene::Chapter rbf_ivp_chapter() {
+  scene::Chapter chapter(
+      "rbf_ivp",
+      "Collocation in time by radial basis functions against the classical integrators (chapter 4)");
+  add_drawings(chapter);
+  add_parameter_tables(chapter);
+  add_free_duffing(chapter);
+  add_impact(chapter);
+  add_three_masses(chapter);
+  add_readings(chapter);
+  add_mcpi_limit(chapter);
+  add_kernels(chapter);
+  add_fixed_step_more_nodes(chapter);
+  add_conditioning(chapter);
+  add_orders(chapter);
+  add_instability_windows(chapter);
+  add_stability(chapter);
+  add_extremes(chapter);
+  add_error_vs_time(chapter);
+  return chapter;
+}
+
+}  // namespace nlmech::chapters

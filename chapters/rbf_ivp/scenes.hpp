@@ -1,0 +1,28 @@
+/// @file
+/// The scenes of the chapter, one function a group.
+#pragma once
+
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters {
+
+// The dissertation's own.
+void add_drawings(scene::Chapter& chapter);          ///< figures 4.1 and 4.30
+void add_parameter_tables(scene::Chapter& chapter);  ///< tables 4.1, 4.3, 4.5
+void add_free_duffing(scene::Chapter& chapter);      ///< figures 4.2 to 4.16, table 4.2
+void add_impact(scene::Chapter& chapter);            ///< figures 4.17 to 4.29, table 4.4
+void add_three_masses(scene::Chapter& chapter);      ///< figures 4.31 to 4.56, table 4.6
+void add_readings(scene::Chapter& chapter);  ///< how many readings were tried, how many rows each explains
+
+// Ours.
+void add_mcpi_limit(scene::Chapter& chapter);             ///< Picard contraction against the step
+void add_kernels(scene::Chapter& chapter);                ///< the four radial functions
+void add_fixed_step_more_nodes(scene::Chapter& chapter);  ///< the claim that more nodes keep accuracy
+void add_conditioning(scene::Chapter& chapter);         ///< error of D against shape: truncation and rounding
+void add_orders(scene::Chapter& chapter);               ///< observed order of every method
+void add_instability_windows(scene::Chapter& chapter);  ///< LGL and RBF nodes grow, Radau stays bounded
+void add_stability(scene::Chapter& chapter);            ///< method by problem: status, digits, largest step
+void add_extremes(scene::Chapter& chapter);             ///< every method where there is no solution
+void add_error_vs_time(scene::Chapter& chapter);        ///< ours and the peers on the three problems
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,62 @@
+/// @file
+/// The four radial functions of Eq. 4.8 and their derivatives in time.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace nlmech::collocation {
+
+/// A radial function phi(r) of the distance r from its source, with a shape parameter c > 0 (Eq. 4.8).
+enum class Kernel {
+  gaussian,             ///< exp(-(c r)^2)
+  inverse_quadratic,    ///< 1/(1 + (c r)^2)
+  multiquadric,         ///< sqrt(1 + (c r)^2)
+  inverse_multiquadric  ///< 1/sqrt(1 + (c r)^2)
+};
+
+/// phi at r = t - t_k.
+/// @param c shape, 1/time
+/// @param r time since the source t_k, of either sign
+///
+/// Accuracy: 4 units in the last place in double, times 1 + (c r)^2 for the Gaussian.
+template <class T>
+[[nodiscard]] T phi(Kernel kernel, const T& c, const T& r) {
+  using std::exp, std::sqrt;
+  const T u = c * r, q = 1 + u * u;
+  switch (kernel) {
+    case Kernel::gaussian: return exp(-u * u);
+    case Kernel::inverse_quadratic: return 1 / q;
+    case Kernel::multiquadric: return sqrt(q);
+    case Kernel::inverse_multiquadric: return 1 / sqrt(q);
+  }
+  throw std::invalid_argument("phi: no such kernel");
+}
+
+/// d phi/dt at r = t - t_k; 1/time.
+/// @param c shape, 1/time
+/// @param r time since the source t_k, of either sign
+///
+/// Accuracy: 8 units in the last place in double, times 1 + (c r)^2 for the Gaussian.
+template <class T>
+[[nodiscard]] T phi_dot(Kernel kernel, const T& c, const T& r) {
+  using std::exp, std::sqrt;
+  const T u = c * r, q = 1 + u * u;
+  switch (kernel) {
+    case Kernel::gaussian: return -2 * c * u * exp(-u * u);
+    case Kernel::inverse_quadratic: return -2 * c * u / (q * q);
+    case Kernel::multiquadric: return c * u / sqrt(q);
+    case Kernel::inverse_multiquadric: return -c * u / (q * sqrt(q));
+  }
+  throw std::invalid_argument("phi_dot: no such kernel");
+}
+
+/// As on a command line: "inverse-multiquadric".
+[[nodiscard]] std::string_view to_string(Kernel kernel);
+
+/// The kernel of that name.
+/// @throws std::invalid_argument if there is none; the text lists all names
+[[nodiscard]] Kernel kernel_from_string(std::string_view name);
+
+}  // namespace nlmech::collocation

@@ -1,0 +1,12 @@
+#include "nlmech/ivp/backward_euler.hpp"
+
+namespace nlmech::ivp {
+
+template struct Integrator<System<1>, BackwardEuler>;
+template struct Integrator<System<2>, BackwardEuler>;
+template struct Integrator<System<3>, BackwardEuler>;
+template struct Integrator<System<4>, BackwardEuler>;
+template struct Integrator<System<6>, BackwardEuler>;
+template struct Integrator<System<Eigen::Dynamic>, BackwardEuler>;
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,199 @@
+/// @file
+/// A problem adapted to what methods ask of a system, without indirection: for users and benchmarks that want
+/// the right-hand side inlined into the method.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "nlmech/series/dual.hpp"
+#include "nlmech/series/vector.hpp"
+
+namespace nlmech::ivp {
+
+/// The state of n components as a column.
+template <int n>
+using State = Vector<double, n>;
+/// States at many nodes, one a column.
+template <int n>
+using Nodes = Matrix<double, n, Eigen::Dynamic>;
+/// df/dx.
+template <int n>
+using Jacobian = Matrix<double, n, n>;
+/// Half of a state: the positions, or the velocities, of a second-order problem.
+template <int n>
+inline constexpr int half = n == Eigen::Dynamic ? Eigen::Dynamic : n / 2;
+/// Positions, velocities or accelerations of a second-order problem.
+template <int n>
+using Half = Vector<double, half<n>>;
+
+namespace detail {
+
+/// True if the problem offers `acceleration(t, q, v, a)`.
+template <class Problem>
+concept GivesAcceleration = requires(const Problem& problem, double t,
+                                     const Vector<double, half<Problem::dimension>>& q,
+                                     Vector<double, half<Problem::dimension>>& a) {
+  problem.acceleration(t, q, q, a);
+};
+
+/// True if the problem offers `jacobian(t, x, j)`, which replaces the one by dual numbers.
+template <class Problem>
+concept GivesJacobian = requires(const Problem& problem, double t, const State<Problem::dimension>& x,
+                                 Jacobian<Problem::dimension>& j) {
+  problem.jacobian(t, x, j);
+};
+
+/// True if the right-hand side can be evaluated in the dual numbers D.
+template <class Problem, class D>
+concept TakesDual = requires(const Problem& problem, const D& t, const Vector<D, Problem::dimension>& x,
+                             Vector<D, Problem::dimension>& f) {
+  problem(t, x, f);
+};
+
+/// True if the problem announces where it is not smooth.
+template <class Problem>
+concept GivesDiscontinuities = requires(const Problem& problem, double t) {
+  problem.discontinuities(t, t);
+};
+
+/// Partial derivatives carried at once: all of them for a small problem, by eights for one of dynamic size.
+template <int n>
+inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
+
+}  // namespace detail
+
+/// A problem as a system, inlined. A problem is a callable
+/// `template <class T> void operator()(const T& t, const Vector<T, m>& x, Vector<T, m>& dxdt) const` with
+/// `static constexpr int dimension = m` (Eigen::Dynamic: a member `int size() const` beside it). It may
+/// offer:
+///  - `acceleration(t, q, v, a)`, the same template on the scalar: a second-order problem, state q then v;
+///  - `jacobian(t, x, j)` in double: used in place of dual numbers;
+///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
+///    travel. Methods step onto them. At such a time f is the limit from the right.
+/// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic
+template <class Problem, int n = Problem::dimension>
+class Direct {
+ public:
+  static_assert(n == Problem::dimension || n == Eigen::Dynamic, "a problem has the dimension of its system");
+  /// Number of components of the state, or Eigen::Dynamic.
+  static constexpr int dimension = n;
+
+  /// Takes a copy of the problem.
+  explicit Direct(Problem problem) : problem_(std::move(problem)) {}
+
+  /// Number of components of the state.
+  [[nodiscard]] int size() const {
+    if constexpr (m != Eigen::Dynamic) {
+      return m;
+    } else {
+      return problem_.size();
+    }
+  }
+  /// Does the problem give its acceleration?
+  [[nodiscard]] bool second_order() const { return detail::GivesAcceleration<Problem>; }
+  /// The problem itself.
+  [[nodiscard]] const Problem& problem() const { return problem_; }
+
+  /// dx/dt = f(t, x).
+  void rhs(double t, const State<n>& x, State<n>& dxdt) const {
+    if constexpr (n == m) {
+      problem_(t, x, dxdt);
+    } else {
+      State<m> f;
+      problem_(t, State<m>(x), f);
+      dxdt = f;
+    }
+  }
+
+  /// The same at many nodes: column k of @p dxdt is f(times[k], column k of @p x).
+  void rhs(std::span<const double> times, const Nodes<n>& x, Nodes<n>& dxdt) const {
+    State<n> at_node(size()), f(size());
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      at_node = x.col(column);
+      rhs(times[k], at_node, f);
+      dxdt.col(column) = f;
+    }
+  }
+
+  /// df/dx by dual numbers, exact to rounding, or by the problem's own member.
+  void jacobian(double t, const State<n>& x, Jacobian<n>& j) const {
+    if constexpr (detail::GivesJacobian<Problem>) {
+      Jacobian<m> own(size(), size());
+      problem_.jacobian(t, State<m>(x), own);
+      j = own;
+    } else {
+      by_dual_numbers(t, x, j);
+    }
+  }
+
+  /// df/dt at fixed x, which Rosenbrock methods ask for beside the Jacobian: by dual numbers, exact to
+  /// rounding. False, and nothing is written, for a problem that is written for double alone.
+  [[nodiscard]] bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const {
+    using D = Dual<double, 1>;
+    if constexpr (detail::TakesDual<Problem, D>) {
+      Vector<D, m> argument(size()), value(size());
+      for (int i = 0; i < size(); ++i) argument[i] = D(x[i]);
+      problem_(D::variable(t, 0), argument, value);
+      for (int i = 0; i < size(); ++i) dfdt[i] = value[i].partial[0];
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  /// Second-order problems: a(t, q, v). @throws std::logic_error if the problem gives no acceleration
+  void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const {
+    if constexpr (!detail::GivesAcceleration<Problem>) {
+      throw std::logic_error("this problem gives no acceleration(t, q, v)");
+    } else if constexpr (n == m) {
+      problem_.acceleration(t, q, v, a);
+    } else {
+      Half<m> own(size() / 2);
+      problem_.acceleration(t, Half<m>(q), Half<m>(v), own);
+      a = own;
+    }
+  }
+
+  /// Times strictly between @p t0 and @p t1, in the direction of travel, where f or a derivative jumps.
+  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
+    if constexpr (detail::GivesDiscontinuities<Problem>) {
+      return problem_.discontinuities(t0, t1);
+    } else {
+      return {};
+    }
+  }
+
+ private:
+  static constexpr int m = Problem::dimension;
+
+  void by_dual_numbers(double t, const State<n>& x, Jacobian<n>& j) const {
+    constexpr int lanes = detail::lanes<m>;
+    using D = Dual<double, lanes>;
+    Vector<D, m> argument(size()), value(size());
+    for (int first = 0; first < size(); first += lanes) {
+      for (int i = 0; i < size(); ++i) {
+        const int lane = i - first;
+        argument[i] = lane >= 0 && lane < lanes ? D::variable(x[i], lane) : D(x[i]);
+      }
+      problem_(D(t), argument, value);
+      for (int i = 0; i < size(); ++i) {
+        for (int lane = 0; lane < lanes && first + lane < size(); ++lane)
+          j(i, first + lane) = value[i].partial[static_cast<std::size_t>(lane)];
+      }
+    }
+  }
+
+  Problem problem_;
+};
+
+template <class Problem>
+Direct(Problem) -> Direct<Problem>;
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,85 @@
+#include "nlmech/ivp/failures.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::ivp {
+
+Status non_finite_state(std::string_view method, double t, double step) {
+  return Status::failure(
+      Outcome::non_finite,
+      fmt::format("{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; "
+                  "the solution may blow up there, else take a smaller step",
+                  method, step, t));
+}
+
+Status non_finite_rhs(std::string_view method, double t) {
+  return Status::failure(Outcome::non_finite,
+                         fmt::format("{}: the right-hand side is not finite at t = {:.17g}; "
+                                     "start from another state, or end before that time",
+                                     method, t));
+}
+
+Status step_underflow(std::string_view method, double t, double step) {
+  return Status::failure(Outcome::step_underflow,
+                         fmt::format("{}: a step of {:.6g} does not move t = {:.17g}; the solution may be "
+                                     "singular there, else loosen the tolerance",
+                                     method, step, t));
+}
+
+Status tolerance_missed(std::string_view method, double t, double step) {
+  return Status::failure(Outcome::step_underflow,
+                         fmt::format("{}: even the shortest step, {:.6g}, from t = {:.17g} misses the "
+                                     "tolerance; the solution may be singular there, else loosen it",
+                                     method, step, t));
+}
+
+Status step_limit(std::string_view method, double t, std::int64_t steps) {
+  return Status::failure(
+      Outcome::step_limit,
+      fmt::format("{}: {} steps were used up at t = {:.17g}; allow more, or take a larger step "
+                  "or tolerance",
+                  method, steps, t));
+}
+
+Status time_limit(std::string_view method, double t, double seconds) {
+  return Status::failure(
+      Outcome::time_limit,
+      fmt::format("{}: {:.6g} s of wall time were used up at t = {:.17g}; allow more, or take a "
+                  "larger step or tolerance",
+                  method, seconds, t));
+}
+
+Status interrupted(std::string_view method, double t) {
+  return Status::failure(Outcome::interrupted,
+                         fmt::format("{}: the observer ended the integration at t = {:.17g}", method, t));
+}
+
+Status step_not_solved(std::string_view method, Outcome outcome, double t, double step, int iterations) {
+  return Status::failure(outcome,
+                         fmt::format("{}: the equations of the step of {:.6g} from t = {:.17g} were not "
+                                     "solved in {} iterations ({}); take a smaller step",
+                                     method, step, t, iterations, to_string(outcome)));
+}
+
+void require_step(std::string_view method, double step) {
+  if (!(step > 0) || !std::isfinite(step))
+    throw std::invalid_argument(
+        fmt::format("{}: the step must be positive and finite, not {}", method, step));
+}
+
+void require_within(std::string_view method, std::string_view option, double value, double low, double high) {
+  if (!(value >= low && value <= high))
+    throw std::invalid_argument(
+        fmt::format("{}: {} must be between {:.6g} and {:.6g}, not {}", method, option, low, high, value));
+}
+
+void require_second_order(std::string_view method, bool second_order) {
+  if (!second_order)
+    throw std::invalid_argument(
+        fmt::format("{}: the problem gives no acceleration(t, q, v); this method needs one", method));
+}
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,36 @@
+/// @file
+/// The sentences with which integrations fail: one wording for all methods.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::ivp {
+
+/// The state that a step led to has a NaN or an infinity.
+[[nodiscard]] Status non_finite_state(std::string_view method, double t, double step);
+/// The right-hand side has a NaN or an infinity at a finite state.
+[[nodiscard]] Status non_finite_rhs(std::string_view method, double t);
+/// t + step == t.
+[[nodiscard]] Status step_underflow(std::string_view method, double t, double step);
+/// Step control arrived at the shortest step and still misses the tolerance: step_underflow.
+[[nodiscard]] Status tolerance_missed(std::string_view method, double t, double step);
+/// More steps than allowed.
+[[nodiscard]] Status step_limit(std::string_view method, double t, std::int64_t steps);
+/// More wall time than allowed.
+[[nodiscard]] Status time_limit(std::string_view method, double t, double seconds);
+/// The observer said stop.
+[[nodiscard]] Status interrupted(std::string_view method, double t);
+/// The nonlinear equations of a step were not solved. @p outcome as from algebraic::newton
+[[nodiscard]] Status step_not_solved(std::string_view method, Outcome outcome, double t, double step,
+                                     int iterations);
+/// @throws std::invalid_argument unless step is positive and finite
+void require_step(std::string_view method, double step);
+/// @throws std::invalid_argument naming @p option and its value unless low <= value <= high
+void require_within(std::string_view method, std::string_view option, double value, double low, double high);
+/// @throws std::invalid_argument unless @p second_order: the method is for problems with accelerations
+void require_second_order(std::string_view method, bool second_order);
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,62 @@
+/// @file
+/// The one function that integrates: any system, any method, one kind of answer.
+#pragma once
+
+#include <type_traits>
+
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/system.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::ivp {
+
+/// What is to be integrated, as a method gets it: arguments already checked, t0 != t1.
+template <SystemLike S>
+struct Task {
+  const S& system;                         ///< the equations
+  const State<S::dimension>& x0;           ///< finite initial state
+  double t0;                               ///< begin
+  double t1;                               ///< end, before or after t0
+  const Observer<S::dimension>& observer;  ///< may be empty
+  const Limits& limits;                    ///< bounds on the work
+};
+
+/// A method on a kind of system: each method's header specialises it with
+/// `static Solution<S::dimension> run(const Task<S>&, const Method&)`.
+template <class S, class Method>
+struct Integrator;
+
+namespace detail {
+/// Throws std::invalid_argument naming the value that cannot be meant.
+void check_arguments(double t0, double t1, Eigen::Index given_size, int size);
+/// Failure `non_finite` for an initial state with NaN or infinity, naming the component; else success.
+[[nodiscard]] Status check_initial_state(const double* x0, int size, double t0);
+}  // namespace detail
+
+/// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method.
+/// Never throws for what happens on the way: blow-up, non-convergence, step underflow and used-up limits are
+/// the solution's status.
+/// @param system a System, or a Direct for inlined right-hand sides
+/// @param x0 as many components as the system has
+/// @param t0 begin, finite
+/// @param t1 end, finite; equal to t0 gives x0 back
+/// @param method an aggregate such as `Rk4{.step = 0.01}`
+/// @param observer called after each accepted step
+/// @param limits bounds on steps and wall time
+/// @throws std::invalid_argument for a wrong size of x0, a time that is not finite, or options out of range
+template <SystemLike S, class Method>
+[[nodiscard]] Solution<S::dimension> integrate(const S& system,
+                                               const std::type_identity_t<State<S::dimension>>& x0, double t0,
+                                               double t1, const Method& method,
+                                               const Observer<S::dimension>& observer = {},
+                                               const Limits& limits = {}) {
+  detail::check_arguments(t0, t1, x0.size(), system.size());
+  const Stopwatch watch;
+  Solution<S::dimension> solution{t0, x0, detail::check_initial_state(x0.data(), system.size(), t0), {}};
+  if (solution.status.ok() && t0 != t1)
+    solution = Integrator<S, Method>::run(Task<S>{system, x0, t0, t1, observer, limits}, method);
+  solution.statistics.seconds = watch.seconds();
+  return solution;
+}
+
+}  // namespace nlmech::ivp

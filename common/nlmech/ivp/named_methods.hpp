@@ -1,0 +1,63 @@
+/// @file
+/// The methods by the names that command lines and tables use.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/system.hpp"
+
+namespace nlmech::ivp {
+
+/// What a user may set of a method. A step or a tolerance, not both; neither: default_tolerance.
+struct Settings {
+  std::optional<double> step = std::nullopt;  ///< length of a step; positive. Methods of fixed step only
+  std::optional<double> tolerance =
+      std::nullopt;  ///< relative and absolute; positive. Methods of fixed step: search_step()
+  std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; nothing: its default
+  std::optional<double> shape =
+      std::nullopt;  ///< c of rbf-coll in 1/time; positive; nothing: (N - 1) / (4 step)
+};
+
+/// The tolerance of Settings without step and tolerance.
+inline constexpr double default_tolerance = 1e-9;
+
+/// A method with its settings: integrates a system from x0 at t0 to t1, as integrate() does. The observer may
+/// be empty.
+template <int n>
+using NamedIntegrator = std::function<Solution<n>(const System<n>&, const State<n>& x0, double t0, double t1,
+                                                  const Observer<n>&, const Limits&)>;
+
+/// What there is to know of a method.
+struct MethodInfo {
+  std::string_view name;     ///< "rk4"
+  bool fixed_step;           ///< takes a step; else it chooses its steps by the tolerance
+  std::optional<int> order;  ///< of convergence; nothing if it depends on the nodes
+  std::string_view meaning;  ///< in a few words
+  bool second_order_only;    ///< for problems with accelerations alone
+  bool has_nodes;            ///< Settings::nodes counts
+  bool has_shape;            ///< Settings::shape counts
+};
+
+/// All methods, simple ones first.
+[[nodiscard]] std::span<const MethodInfo> named_methods();
+
+/// The method of that name. @throws std::invalid_argument listing the known names
+[[nodiscard]] const MethodInfo& method_info(std::string_view name);
+
+/// The method @p name for systems of n components: 1, 2, 3, 4, 6 or Eigen::Dynamic.
+///
+/// A method of fixed step that is given a tolerance searches its step by search_step(); tolerances of inner
+/// iterations stay as they are. rbf-coll then ends with `not_converged` also where its basis is to blame: if
+/// the shape follows the step (no Settings::shape), it does not converge for a vanishing step, but goes
+/// through the right states in a time that is wrong by a fixed share. For mcpi the N nodes are those of the
+/// polynomial of degree N - 1.
+/// @throws std::invalid_argument listing the known names, if there is none of that name; for settings that
+/// the method does not have or that are out of range, naming them; for a method for accelerations if n is odd
+template <int n>
+[[nodiscard]] NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings);
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,121 @@
+/// @file
+/// The compiled face of a problem: the one small interface from which every method takes what it needs.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "nlmech/ivp/direct.hpp"
+
+namespace nlmech::ivp {
+
+/// What a method asks of a system; Direct and System have it.
+template <class S>
+concept SystemLike = requires(const S& system, double t, const State<S::dimension>& x, State<S::dimension>& f,
+                              const Nodes<S::dimension>& xs, Nodes<S::dimension>& fs,
+                              Jacobian<S::dimension>& j, std::span<const double> times) {
+  { system.size() } -> std::same_as<int>;
+  { system.second_order() } -> std::same_as<bool>;
+  system.rhs(t, x, f);
+  system.rhs(times, xs, fs);
+  system.jacobian(t, x, j);
+  { system.time_derivative(t, x, f) } -> std::same_as<bool>;
+  system.discontinuities(t, t);
+};
+
+/// A problem behind a virtual interface. Methods are compiled once for System of the dimensions 1, 2, 3, 4, 6
+/// and Eigen::Dynamic, so that many problems and many methods cost their sum to compile, not their product. A
+/// call costs one indirection; rhs() over many nodes costs one for all of them. Copies share the problem.
+template <int n>
+class System {
+ public:
+  /// Number of components of the state, or Eigen::Dynamic.
+  static constexpr int dimension = n;
+
+  /// Compiles a problem: see Direct for what a problem has to offer. A problem of a fixed dimension also
+  /// makes a System<Eigen::Dynamic>.
+  template <class Problem>
+  requires(!std::same_as<std::remove_cvref_t<Problem>, System>) explicit System(Problem problem)
+      : face_(std::make_shared<const Compiled<Direct<Problem, n>>>(Direct<Problem, n>(std::move(problem)))) {}
+
+  /// Number of components of the state.
+  [[nodiscard]] int size() const { return face_->size(); }
+  /// Does the problem give its acceleration, so that its state is positions and then velocities?
+  [[nodiscard]] bool second_order() const { return face_->second_order(); }
+  /// dx/dt = f(t, x).
+  void rhs(double t, const State<n>& x, State<n>& dxdt) const { face_->rhs(t, x, dxdt); }
+  /// The same at many nodes: column k of @p dxdt is f(times[k], column k of @p x).
+  void rhs(std::span<const double> times, const Nodes<n>& x, Nodes<n>& dxdt) const {
+    face_->rhs(times, x, dxdt);
+  }
+  /// df/dx, exact to rounding.
+  void jacobian(double t, const State<n>& x, Jacobian<n>& j) const { face_->jacobian(t, x, j); }
+  /// df/dt at fixed x, exact to rounding. False, and nothing is written, for a problem that is written for
+  /// double alone.
+  [[nodiscard]] bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const {
+    return face_->time_derivative(t, x, dfdt);
+  }
+  /// Second-order problems only: a(t, q, v). @throws std::logic_error if the problem gives no acceleration
+  void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const {
+    face_->acceleration(t, q, v, a);
+  }
+  /// Times between @p t0 and @p t1, in the direction of travel, at which f or a derivative of it jumps.
+  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
+    return face_->discontinuities(t0, t1);
+  }
+
+ private:
+  struct Face {
+    Face() = default;
+    Face(const Face&) = delete;
+    Face& operator=(const Face&) = delete;
+    virtual ~Face() = default;
+    virtual int size() const = 0;
+    virtual bool second_order() const = 0;
+    virtual void rhs(double, const State<n>&, State<n>&) const = 0;
+    virtual void rhs(std::span<const double>, const Nodes<n>&, Nodes<n>&) const = 0;
+    virtual void jacobian(double, const State<n>&, Jacobian<n>&) const = 0;
+    virtual bool time_derivative(double, const State<n>&, State<n>&) const = 0;
+    virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
+    virtual std::vector<double> discontinuities(double, double) const = 0;
+  };
+  template <class D>
+  struct Compiled final : Face {
+    explicit Compiled(D d) : direct(std::move(d)) {}
+    int size() const override { return direct.size(); }
+    bool second_order() const override { return direct.second_order(); }
+    void rhs(double t, const State<n>& x, State<n>& f) const override { direct.rhs(t, x, f); }
+    void rhs(std::span<const double> t, const Nodes<n>& x, Nodes<n>& f) const override {
+      direct.rhs(t, x, f);
+    }
+    void jacobian(double t, const State<n>& x, Jacobian<n>& j) const override { direct.jacobian(t, x, j); }
+    bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const override {
+      return direct.time_derivative(t, x, dfdt);
+    }
+    void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const override {
+      direct.acceleration(t, q, v, a);
+    }
+    std::vector<double> discontinuities(double t0, double t1) const override {
+      return direct.discontinuities(t0, t1);
+    }
+    D direct;
+  };
+  std::shared_ptr<const Face> face_;
+};
+
+/// The dimension of the System that methods are compiled for: the problem's own if it is 1, 2, 3, 4 or 6.
+template <class Problem>
+inline constexpr int compiled_dimension =
+    (Problem::dimension >= 1 && Problem::dimension <= 4) || Problem::dimension == 6 ? Problem::dimension
+                                                                                    : Eigen::Dynamic;
+
+/// `System system(Duffing{})` is a System<2>.
+template <class Problem>
+System(Problem) -> System<compiled_dimension<Problem>>;
+
+}  // namespace nlmech::ivp

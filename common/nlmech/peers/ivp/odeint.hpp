@@ -1,0 +1,81 @@
+/// @file
+/// Boost.Odeint behind our interface, if this build has it.
+#pragma once
+
+#include <string_view>
+
+#include "nlmech/peers/ivp/run_peer.hpp"
+
+namespace nlmech::peers {
+
+/// Boost.Odeint (K. Ahnert, M. Mulansky, Odeint - Solving ordinary differential equations in C++, AIP Conf.
+/// Proc. 1389 (2011) 1586-1589) with its standard step control. rosenbrock4 gets the exact Jacobian and
+/// df/dt. Dense output of dopri5 and rosenbrock4 is the library's own of order 4 and 3; that of the others is
+/// a shorter integration of the same formula from the begin of the step, as accurate as the steps themselves.
+///
+/// States of 1, 2, 3, 4 or 6 components are std::array there, so that loops over them unroll, as ours do.
+struct Odeint {
+  /// Which formula.
+  enum class Formula {
+    dopri5,          ///< Dormand-Prince, order 5(4)
+    fehlberg78,      ///< Runge-Kutta-Fehlberg, order 8(7)
+    bulirsch_stoer,  ///< extrapolated midpoint rule, orders 4 to 18
+    rosenbrock4      ///< Rosenbrock method of order 4(3), for stiff problems
+  };
+  Formula formula = Formula::dopri5;  ///< formula
+  double relative_tolerance = 1e-9;   ///< of a step's error, maximum norm (rosenbrock4: root mean square)
+  double absolute_tolerance = 1e-9;   ///< added to it; positive
+
+  /// "odeint-dopri5", "odeint-fehlberg78", "odeint-bulirsch-stoer" or "odeint-rosenbrock4".
+  [[nodiscard]] std::string_view name() const {
+    switch (formula) {
+      case Formula::fehlberg78: return "odeint-fehlberg78";
+      case Formula::bulirsch_stoer: return "odeint-bulirsch-stoer";
+      case Formula::rosenbrock4: return "odeint-rosenbrock4";
+      case Formula::dopri5: break;
+    }
+    return "odeint-dopri5";
+  }
+};
+
+/// Was the library found when this program was built?
+[[nodiscard]] bool odeint_available() noexcept;
+
+/// Runs Odeint on arrays of any size. @throws std::logic_error if the build has no Odeint
+/// @throws std::invalid_argument for tolerances out of range
+[[nodiscard]] Status integrate_by_odeint(Run& run, const Odeint& method);
+
+/// The same for the compiled System of n = 1, 2, 3, 4 or 6 components, without a second indirection.
+template <int n>
+[[nodiscard]] Status integrate_by_odeint(EquationsOf<ivp::System<n>>& equations, Run& run,
+                                         const Odeint& method);
+
+extern template Status integrate_by_odeint(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
+extern template Status integrate_by_odeint(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
+extern template Status integrate_by_odeint(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
+extern template Status integrate_by_odeint(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
+extern template Status integrate_by_odeint(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
+
+namespace detail {
+/// Is the Integrator of S compiled in the library?
+template <class S>
+inline constexpr bool odeint_is_compiled =
+    std::is_same_v<S, ivp::System<S::dimension>>&& ivp::compiled_dimension<S> != Eigen::Dynamic;
+}  // namespace detail
+
+}  // namespace nlmech::peers
+
+/// Odeint as a method of integrate().
+template <nlmech::ivp::SystemLike S>
+struct nlmech::ivp::Integrator<S, nlmech::peers::Odeint> {
+  /// See integrate().
+  static Solution<S::dimension> run(const Task<S>& task, const peers::Odeint& method) {
+    return peers::run_peer(task, [&](peers::EquationsOf<S>& equations, peers::Run& run) {
+      if constexpr (peers::detail::odeint_is_compiled<S>) {
+        return peers::integrate_by_odeint(equations, run, method);
+      } else {
+        return peers::integrate_by_odeint(run, method);
+      }
+    });
+  }
+};

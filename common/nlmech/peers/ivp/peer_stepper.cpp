@@ -1,0 +1,104 @@
+#include "nlmech/peers/ivp/peer_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "nlmech/ivp/failures.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+/// The walk over one smooth segment, to @p end.
+Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, double end,
+                    const Stopwatch& watch, std::vector<double>& next) {
+  const int size = run.equations.size();
+  Statistics& done = run.statistics;
+  // Steps that halve their way towards a place where f is not finite end because they become too short. The
+  // place is the reason: the latest of these steps met it.
+  std::int64_t last_non_finite = -1;
+  const auto is_recent = [&] { return last_non_finite >= 0 && done.steps - last_non_finite <= 100; };
+  if (Status status = stepper.begin(run.t, run.x, end); !status.ok()) return status;
+  while (run.t != end) {
+    if (done.steps + done.rejected >= run.limits.steps)
+      return ivp::step_limit(method, run.t, run.limits.steps);
+    if (std::isfinite(run.limits.seconds) && watch.seconds() > run.limits.seconds)
+      return ivp::time_limit(method, run.t, run.limits.seconds);
+    const Attempt attempt = stepper.attempt(next.data(), done);
+    if (run.equations.met_non_finite()) last_non_finite = done.steps;
+    if (attempt.result == Attempt::Result::failed) {
+      const bool too_short = attempt.failure.outcome() == Outcome::step_underflow;
+      return too_short && is_recent() ? non_finite_rhs(method, run.t, attempt.step) : attempt.failure;
+    }
+    if (attempt.result == Attempt::Result::rejected) {
+      ++done.rejected;
+      continue;
+    }
+    if (!all_finite(next.data(), size)) return ivp::non_finite_state(method, run.t, attempt.step);
+    if (attempt.t == run.t) {
+      return is_recent() ? non_finite_rhs(method, run.t, attempt.step)
+                         : ivp::step_underflow(method, run.t, attempt.step);
+    }
+    ++done.steps;
+    const bool go_on =
+        !run.observer || run.observer->step(done.steps, run.t, attempt.t, run.x, next.data(), stepper);
+    std::copy(next.begin(), next.end(), run.x);
+    run.t = attempt.t;
+    if (!go_on) return ivp::interrupted(method, run.t);
+  }
+  return {};
+}
+
+}  // namespace
+
+void require_tolerances(std::string_view method, const Tolerances& tolerances) {
+  if (!(tolerances.relative >= 0) || !std::isfinite(tolerances.relative))
+    throw std::invalid_argument(
+        fmt::format("{}: the relative tolerance must be zero or more, not {}", method, tolerances.relative));
+  if (!(tolerances.absolute > 0) || !std::isfinite(tolerances.absolute))
+    throw std::invalid_argument(
+        fmt::format("{}: the absolute tolerance must be positive, not {}", method, tolerances.absolute));
+}
+
+double initial_step(double t, const double* x, const double* f, int size, double end,
+                    const Tolerances& tolerances) {
+  double state = 0, rate = 0;
+  for (int i = 0; i < size; ++i) {
+    const double scale = tolerances.absolute + tolerances.relative * std::abs(x[i]);
+    state = std::max(state, std::abs(x[i]) / scale);
+    rate = std::max(rate, std::abs(f[i]) / scale);
+  }
+  double length = state < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * (state / rate);
+  // A step must move t; how short it may become after that is for the library to find out.
+  length = std::max(length, 16 * (std::nextafter(std::abs(t), HUGE_VAL) - std::abs(t)));
+  return std::copysign(std::min(length, std::abs(end - t)), end - t);
+}
+
+Status non_finite_rhs(std::string_view method, double t, double step) {
+  return Status::failure(
+      Outcome::non_finite,
+      fmt::format("{}: the right-hand side is not finite within the step of {:.6g} from t = {:.17g}; end "
+                  "the integration before, or change the equations",
+                  method, step, t));
+}
+
+Status walk(std::string_view method, PeerStepper& stepper, Run& run) {
+  std::vector<double> ends = run.equations.discontinuities(run.t, run.t1);
+  ends.push_back(run.t1);
+  std::vector<double> next(static_cast<std::size_t>(run.equations.size()));
+  const Stopwatch watch;
+  Status status;
+  for (const double end : ends) {
+    run.equations.enter(run.t, end);
+    status = walk_segment(method, stepper, run, end, watch, next);
+    stepper.add_counters(run.statistics);
+    if (!status.ok()) break;
+  }
+  run.statistics.right_hand_sides += run.equations.right_hand_sides();
+  run.statistics.jacobians += run.equations.jacobians();
+  return status;
+}
+
+}  // namespace nlmech::peers

@@ -1,0 +1,113 @@
+#include "nlmech/peers/ivp/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <variant>
+
+#include "nlmech/peers/ivp/arkode.hpp"
+#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/gsl.hpp"
+#include "nlmech/peers/ivp/odeint.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using Method = std::variant<Cvode, Arkode, Gsl, Odeint>;
+
+struct Peer {
+  std::string_view library;
+  bool (*available)() noexcept;
+  bool implicit;
+  Method method;
+  [[nodiscard]] std::string_view name() const {
+    return std::visit([](const auto& m) { return m.name(); }, method);
+  }
+};
+
+const std::array<Peer, 13>& peers() {
+  using C = Cvode::Formula;
+  using A = Arkode::Formula;
+  using G = Gsl::Formula;
+  using O = Odeint::Formula;
+  static const std::array<Peer, 13> all = {{
+      {"CVODE", &cvode_available, false, Cvode{.formula = C::adams}},
+      {"CVODE", &cvode_available, true, Cvode{.formula = C::bdf}},
+      {"ARKODE", &arkode_available, false, Arkode{.formula = A::erk}},
+      {"ARKODE", &arkode_available, true, Arkode{.formula = A::dirk}},
+      {"GSL", &gsl_available, false, Gsl{.formula = G::rkf45}},
+      {"GSL", &gsl_available, false, Gsl{.formula = G::rk8pd}},
+      {"GSL", &gsl_available, true, Gsl{.formula = G::bsimp}},
+      {"GSL", &gsl_available, false, Gsl{.formula = G::msadams}},
+      {"GSL", &gsl_available, true, Gsl{.formula = G::msbdf}},
+      {"Odeint", &odeint_available, false, Odeint{.formula = O::dopri5}},
+      {"Odeint", &odeint_available, false, Odeint{.formula = O::fehlberg78}},
+      {"Odeint", &odeint_available, false, Odeint{.formula = O::bulirsch_stoer}},
+      {"Odeint", &odeint_available, true, Odeint{.formula = O::rosenbrock4}},
+  }};
+  return all;
+}
+
+const Peer& find(std::string_view name) {
+  for (const Peer& peer : peers()) {
+    if (peer.name() == name) return peer;
+  }
+  throw std::invalid_argument(
+      fmt::format("there is no peer '{}'; there is {}", name, fmt::join(all_peer_names(), ", ")));
+}
+
+}  // namespace
+
+std::vector<std::string> all_peer_names() {
+  std::vector<std::string> names;
+  for (const Peer& peer : peers()) names.emplace_back(peer.name());
+  return names;
+}
+
+std::vector<std::string> peer_names() {
+  std::vector<std::string> names;
+  for (const Peer& peer : peers()) {
+    if (peer.available()) names.emplace_back(peer.name());
+  }
+  return names;
+}
+
+bool is_peer(std::string_view name) {
+  return std::any_of(peers().begin(), peers().end(), [&](const Peer& peer) { return peer.name() == name; });
+}
+
+bool peer_available(std::string_view name) { return find(name).available(); }
+
+bool peer_is_implicit(std::string_view name) { return find(name).implicit; }
+
+std::string absent_peer_sentence(std::string_view name) {
+  return fmt::format("{} is not in this build: configure with {} (NLMECH_PEERS)", name, find(name).library);
+}
+
+template <int n>
+PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance) {
+  const Peer& peer = find(name);
+  require_tolerances(name, {tolerance, tolerance});
+  if (!peer.available()) throw std::logic_error(absent_peer_sentence(name));
+  return std::visit(
+      [&](auto method) {
+        method.relative_tolerance = method.absolute_tolerance = tolerance;
+        return PeerIntegrator<n>([method](const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+                                          double t1, const ivp::Observer<n>& observer,
+                                          const ivp::Limits& limits) {
+          return ivp::integrate(system, x0, t0, t1, method, observer, limits);
+        });
+      },
+      peer.method);
+}
+
+template PeerIntegrator<1> peer_integrator<1>(std::string_view, double);
+template PeerIntegrator<2> peer_integrator<2>(std::string_view, double);
+template PeerIntegrator<3> peer_integrator<3>(std::string_view, double);
+template PeerIntegrator<4> peer_integrator<4>(std::string_view, double);
+template PeerIntegrator<6> peer_integrator<6>(std::string_view, double);
+template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double);
+
+}  // namespace nlmech::peers

@@ -1,0 +1,58 @@
+/// @file
+/// The integrators of other authors by name: for command lines and for tables of all methods.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/system.hpp"
+
+namespace nlmech::peers {
+
+/// A peer with its tolerance: what is left is the problem.
+template <int n>
+using PeerIntegrator =
+    std::function<ivp::Solution<n>(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+                                   double t1, const ivp::Observer<n>& observer, const ivp::Limits& limits)>;
+
+/// All peers that integrate: "cvode-adams cvode-bdf arkode-erk arkode-dirk gsl-rkf45 gsl-rk8pd gsl-bsimp
+/// gsl-msadams gsl-msbdf odeint-dopri5 odeint-fehlberg78 odeint-bulirsch-stoer odeint-rosenbrock4", in this
+/// order.
+[[nodiscard]] std::vector<std::string> all_peer_names();
+
+/// Those of them that this build has.
+[[nodiscard]] std::vector<std::string> peer_names();
+
+/// Is @p name one of all_peer_names()?
+[[nodiscard]] bool is_peer(std::string_view name);
+
+/// Does this build have it? @throws std::invalid_argument if @p name is not one of all_peer_names()
+[[nodiscard]] bool peer_available(std::string_view name);
+
+/// Does it solve equations in each step, so that stiff problems do not slow it down?
+/// @throws std::invalid_argument if @p name is not one of all_peer_names()
+[[nodiscard]] bool peer_is_implicit(std::string_view name);
+
+/// "cvode-bdf is not in this build: configure with CVODE (NLMECH_PEERS)": for where an absent peer would
+/// stand.
+/// @throws std::invalid_argument if @p name is not one of all_peer_names()
+[[nodiscard]] std::string absent_peer_sentence(std::string_view name);
+
+/// The peer by its name with @p tolerance as relative and absolute one, for the compiled System of n = 1, 2,
+/// 3, 4, 6 or Eigen::Dynamic components.
+/// @throws std::invalid_argument if @p name is not one of all_peer_names(), or the tolerance is not positive
+/// @throws std::logic_error if this build does not have the peer
+template <int n>
+[[nodiscard]] PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance);
+
+extern template PeerIntegrator<1> peer_integrator<1>(std::string_view, double);
+extern template PeerIntegrator<2> peer_integrator<2>(std::string_view, double);
+extern template PeerIntegrator<3> peer_integrator<3>(std::string_view, double);
+extern template PeerIntegrator<4> peer_integrator<4>(std::string_view, double);
+extern template PeerIntegrator<6> peer_integrator<6>(std::string_view, double);
+extern template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double);
+
+}  // namespace nlmech::peers

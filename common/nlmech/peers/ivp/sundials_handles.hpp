@@ -1,0 +1,134 @@
+/// @file
+/// What CVODE and ARKODE share: owners of SUNDIALS objects, callbacks, and the meaning of return flags. Only
+/// sources that are compiled with SUNDIALS include this.
+#pragma once
+
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_types.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/peers/ivp/peer_stepper.hpp"
+
+namespace nlmech::peers {
+
+/// Frees a SUNDIALS object that is freed by its value.
+template <class Handle, auto release>
+class SundialsObject {
+ public:
+  /// Takes over @p handle. @throws std::bad_alloc if it is null: SUNDIALS had no memory
+  explicit SundialsObject(Handle handle) : handle_(handle) {
+    if (!handle_) throw std::bad_alloc();
+  }
+  ~SundialsObject() { release(handle_); }
+  SundialsObject(const SundialsObject&) = delete;
+  SundialsObject& operator=(const SundialsObject&) = delete;
+  /// For calls of the library.
+  [[nodiscard]] Handle get() const { return handle_; }
+
+ private:
+  Handle handle_;
+};
+
+/// The context that all objects of one integration belong to.
+class SundialsContext {
+ public:
+  SundialsContext() {
+    if (SUNContext_Create(nullptr, &context_) != 0) throw std::bad_alloc();
+  }
+  ~SundialsContext() { SUNContext_Free(&context_); }
+  SundialsContext(const SundialsContext&) = delete;
+  SundialsContext& operator=(const SundialsContext&) = delete;
+  /// For calls of the library.
+  [[nodiscard]] SUNContext get() const { return context_; }
+
+ private:
+  SUNContext context_ = nullptr;
+};
+
+/// Column of numbers.
+using SundialsVector = SundialsObject<N_Vector, &N_VDestroy>;
+/// Dense matrix.
+using SundialsMatrix = SundialsObject<SUNMatrix, &SUNMatDestroy>;
+/// Dense factorisation.
+using SundialsLinearSolver = SundialsObject<SUNLinearSolver, &SUNLinSolFree>;
+
+/// What callbacks get as their user data.
+struct SundialsCallbacks {
+  Equations& equations;  ///< to evaluate
+  Rethrower exceptions;  ///< of the equations
+
+  /// f; 1, "try a shorter step", if it is not finite. SUNDIALS itself would take a NaN for a number.
+  static int rhs(realtype t, N_Vector x, N_Vector f, void* data) noexcept {
+    auto& self = *static_cast<SundialsCallbacks*>(data);
+    return self.exceptions.keep(-1, [&] {
+      double* out = N_VGetArrayPointer(f);
+      self.equations.rhs(t, N_VGetArrayPointer(x), out);
+      return self.equations.check(out) ? 0 : 1;
+    });
+  }
+  /// df/dx, likewise.
+  static int jacobian(realtype t, N_Vector x, N_Vector /*f*/, SUNMatrix j, void* data, N_Vector, N_Vector,
+                      N_Vector) noexcept {
+    auto& self = *static_cast<SundialsCallbacks*>(data);
+    return self.exceptions.keep(-1, [&] {
+      double* out = SUNDenseMatrix_Data(j);
+      const int size = self.equations.size();
+      self.equations.jacobian(t, N_VGetArrayPointer(x), out);
+      return all_finite(out, size * size) ? 0 : 1;
+    });
+  }
+  /// SUNDIALS prints its errors and warnings unless it is told where to send them.
+  static void silence(int /*code*/, const char* /*module*/, const char* /*function*/, char* /*message*/,
+                      void* /*data*/) noexcept {}
+};
+
+/// SUNDIALS interpolates within the latest step alone, and leaves the vector as it is elsewhere.
+[[noreturn]] inline void refuse_dense_output(std::string_view method, double t) {
+  throw std::invalid_argument(fmt::format("{}: t = {:.17g} is not within the latest step", method, t));
+}
+
+/// The status of a negative return flag of CVode() or ARKStepEvolve(), which number them alike.
+[[nodiscard]] inline Status sundials_failure(std::string_view method, int flag, double t, double step) {
+  const auto sentence = [&](std::string_view what) {
+    return fmt::format("{}: at t = {:.17g}, with a step of {:.6g}, {} (flag {})", method, t, step, what,
+                       flag);
+  };
+  switch (flag) {
+    case -2:
+      return Status::failure(
+          Outcome::step_underflow,
+          sentence("the tolerance asks for more digits than double precision has; loosen it"));
+    case -3:
+      return Status::failure(Outcome::step_underflow,
+                             sentence("the error stays above the tolerance however short the step is; the "
+                                      "solution may be singular there, else loosen the tolerance"));
+    case -4:
+      return Status::failure(Outcome::newton_diverged,
+                             sentence("the equations of the step were not solved however short it is; the "
+                                      "solution may be singular there, else loosen the tolerance"));
+    case -6:
+    case -7:
+      return Status::failure(Outcome::singular_matrix,
+                             sentence("the Newton matrix could not be formed or factorised; loosen the "
+                                      "tolerance or take an explicit method"));
+    case -8:
+    case -9:
+    case -10:
+    case -11: return non_finite_rhs(method, t, step);
+    case -27: return ivp::step_underflow(method, t, step);
+    default:
+      return Status::failure(Outcome::not_converged,
+                             sentence("the library gave up; loosen the tolerance or take another method"));
+  }
+}
+
+}  // namespace nlmech::peers

@@ -1,0 +1,69 @@
+/// @file
+/// The next Taylor coefficient of a product, quotient or elementary function from those before it.
+///
+/// In all of them a, b are the coefficients of the arguments up to k, and r those of the result below k.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace nlmech::recurrence {
+
+/// Coefficient k of a b: the sum of a_i b_{k-i} (Cauchy's product).
+template <class T>
+[[nodiscard]] T product(const T* a, const T* b, std::size_t k) {
+  T sum = a[0] * b[k];
+  for (std::size_t i = 1; i <= k; ++i) sum += a[i] * b[k - i];
+  return sum;
+}
+
+/// Coefficient k of a/b, for b_0 != 0, from a = r b; @p a_k is the numerator's coefficient k.
+template <class T>
+[[nodiscard]] T quotient(T a_k, const T* b, const T* r, std::size_t k) {
+  for (std::size_t i = 1; i <= k; ++i) a_k -= b[i] * r[k - i];
+  return a_k / b[0];
+}
+
+/// Coefficient k of the root of a, for a_0 != 0, from a = r r.
+template <class T>
+[[nodiscard]] T root(const T* a, const T* r, std::size_t k) {
+  using std::sqrt;
+  if (k == 0) return sqrt(a[0]);
+  T sum = a[k];
+  for (std::size_t i = 1; i < k; ++i) sum -= r[i] * r[k - i];
+  return sum / (2 * r[0]);
+}
+
+/// Coefficient k - 1 of a' r, the sum of i a_i r_{k-i}: what functions with a differential equation need.
+template <class T>
+[[nodiscard]] T slope_product(const T* a, const T* r, std::size_t k) {
+  T sum = T(0);
+  for (std::size_t i = 1; i <= k; ++i) sum += static_cast<int>(i) * a[i] * r[k - i];
+  return sum;
+}
+
+/// Coefficient k of exp(a), from r' = a' r.
+template <class T>
+[[nodiscard]] T exponential(const T* a, const T* r, std::size_t k) {
+  using std::exp;
+  if (k == 0) return exp(a[0]);
+  return slope_product(a, r, k) / static_cast<int>(k);
+}
+
+/// Coefficient k of sin(a), from s' = a' c; @p c are the coefficients of cos(a) below k.
+template <class T>
+[[nodiscard]] T sine(const T* a, const T* c, std::size_t k) {
+  using std::sin;
+  if (k == 0) return sin(a[0]);
+  return slope_product(a, c, k) / static_cast<int>(k);
+}
+
+/// Coefficient k of cos(a), from c' = -a' s; @p s are the coefficients of sin(a) below k.
+template <class T>
+[[nodiscard]] T cosine(const T* a, const T* s, std::size_t k) {
+  using std::cos;
+  if (k == 0) return cos(a[0]);
+  return -slope_product(a, s, k) / static_cast<int>(k);
+}
+
+}  // namespace nlmech::recurrence

@@ -1,0 +1,39 @@
+# Every method on stiff problems: the largest step of use, or the digits at a tolerance, or how it fails.
+#
+#   gnuplot -e "data='results/rbf_ivp/stability.csv'; rows_fixed='13'; rows_adaptive='14'; height='620'" \
+#       figures/style.gp figures/templates/rbf_ivp-stability.gp > out.svg
+#
+# Variables: data, rows_fixed, rows_adaptive (required: rows of the two panels), heading (title; optional).
+#
+# Data: CSV with the header `panel,row,column,colour,mark,method,problem`. panel is fixed (colour: log10 of step times
+# rate) or adaptive (colour: digits); colour is empty where the method is of no use; mark stands in the cell.
+
+if (!exists("heading")) heading = "Every method on stiff problems"
+
+of(name) = strcol("panel") eq name ? column("column") : NaN
+small = "sans-serif,11"
+
+set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
+unset key
+unset grid
+unset border
+set tics scale 0
+set xrange [0.5:5.5]
+set xtics ("Duffing\n10^6" 1, "masses\n10^8" 2, "v. d. Pol\n10" 3, "v. d. Pol\n100" 4, "v. d. Pol\n1000" 5) font small
+unset ytics  # names are labels: tics taken from a column would stay from panel to panel
+set colorbox horizontal user origin 0,0 size 0.1,0.02
+
+do for [panel in "fixed adaptive"] {
+  rows = real(panel eq "fixed" ? rows_fixed : rows_adaptive)
+  left = panel eq "fixed" ? 0.165 : 0.675
+  set margins screen left, screen left + 0.32, screen 0.25, screen 0.86
+  set yrange [rows + 0.5 : 0.5]
+  set title (panel eq "fixed" ? "fixed step: largest of use × rate" : "tolerance 10^{−6}: digits") \
+      font sprintf("%s,%d", font_family, font_size) offset 0,0
+  if (panel eq "fixed") { set cbrange [-2:4]; set cbtics 2; set format cb "10^{%.0f}" } else { set cbrange [0:8]; set cbtics 2; set format cb "%.0f" }
+  set colorbox horizontal user origin screen left,screen 0.11 size screen 0.32,screen 0.02
+  plot data using (of(panel)):"row":(0.5):(0.5):"colour" with boxxyerror fillcolor palette fillstyle solid, \
+       data using (of(panel)):"row":5 with labels font small, \
+       data using (column("column") == 1 && of(panel) > 0 ? 0.5 : NaN):"row":6 with labels right offset -1,0 font small
+}
+unset multiplot

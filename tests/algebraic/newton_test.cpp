@@ -1,0 +1,111 @@
+#include "nlmech/algebraic/newton.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace nlmech::algebraic {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Two = Workspace<Vector2d, Matrix2d>;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// The circle x^2 + y^2 = 4 meets the hyperbola x y = 1 at x^2 = 2 + sqrt(3).
+const auto circle = [](const Vector2d& x, Vector2d& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; };
+const auto circle_derivative = [](const Vector2d& x, Matrix2d& j) { j << 2 * x[0], 2 * x[1], x[1], x[0]; };
+
+TEST(Newton, FindsARegularRootToRounding) {
+  Vector2d x(2, 1);
+  Two w(2);
+  Statistics cost;
+  ASSERT_EQ(solve(Newton{}, circle, circle_derivative, x, w, cost), Outcome::success);
+  const double exact = std::sqrt(2 + std::sqrt(3.0));
+  EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition of this root is below 2
+  EXPECT_NEAR(x[1], 1 / exact, 4 * eps);
+}
+
+TEST(Newton, ConvergesQuadraticallyAndCountsItsWork) {
+  Vector2d x(2, 1);
+  Two w(2);
+  Statistics cost;
+  ASSERT_EQ(solve(Newton{}, circle, circle_derivative, x, w, cost), Outcome::success);
+  // The start is 0.5 away: errors 0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-16, and one update that shows it.
+  EXPECT_LE(cost.newton_iterations, 6);
+  EXPECT_EQ(cost.jacobians, cost.newton_iterations);
+  EXPECT_EQ(cost.factorisations, cost.newton_iterations);
+}
+
+TEST(Newton, SingularDerivativeIsReported) {
+  Vector2d x(0, 0);
+  Two w(2);
+  Statistics cost;
+  EXPECT_EQ(solve(Newton{}, circle, circle_derivative, x, w, cost), Outcome::singular_matrix);
+}
+
+TEST(Newton, NonFiniteFunctionIsReported) {
+  const auto bad = [](const Vector2d&, Vector2d& f) { f << 0, std::numeric_limits<double>::quiet_NaN(); };
+  const auto infinite = [](const Vector2d&, Vector2d& f) { f << HUGE_VAL, 0; };
+  Two w(2);
+  Statistics cost;
+  Vector2d x(2, 1);
+  EXPECT_EQ(solve(Newton{}, bad, circle_derivative, x, w, cost), Outcome::non_finite);
+  EXPECT_EQ(solve(DampedNewton{}, bad, circle_derivative, x, w, cost), Outcome::non_finite);
+  EXPECT_EQ(solve(Newton{}, infinite, circle_derivative, x, w, cost), Outcome::non_finite);
+  EXPECT_EQ(solve(DampedNewton{}, infinite, circle_derivative, x, w, cost), Outcome::non_finite);
+}
+
+using One = Eigen::Matrix<double, 1, 1>;
+
+// Newton's iteration on atan diverges from beyond |x| = 1.3917; with damping it converges from anywhere.
+const auto arctangent = [](const One& x, One& f) { f[0] = std::atan(x[0]); };
+const auto arctangent_derivative = [](const One& x, One& j) { j(0, 0) = 1 / (1 + x[0] * x[0]); };
+
+TEST(Newton, DivergenceIsReported) {
+  One x(2);
+  Workspace<One, One> w(1);
+  Statistics cost;
+  const Outcome outcome = solve(Newton{}, arctangent, arctangent_derivative, x, w, cost);
+  EXPECT_TRUE(outcome == Outcome::newton_diverged || outcome == Outcome::singular_matrix ||
+              outcome == Outcome::non_finite);
+}
+
+RC_GTEST_PROP(DampedNewton, ConvergesWhereNewtonDiverges, ()) {
+  One x(*rc::gen::map(rc::gen::inRange(-100000, 100000), [](int k) { return k / 100.0; }));
+  Workspace<One, One> w(1);
+  Statistics cost;
+  RC_ASSERT(solve(DampedNewton{}, arctangent, arctangent_derivative, x, w, cost) == Outcome::success);
+  RC_ASSERT(std::abs(x[0]) <= 1e-12);  // the tolerance on the update, at a root with slope 1
+}
+
+TEST(DampedNewton, NoRootIsNotConverged) {
+  const auto f = [](const One& x, One& r) { r[0] = 1 + x[0] * x[0]; };
+  const auto df = [](const One& x, One& j) { j(0, 0) = 2 * x[0]; };
+  One x(1);
+  Workspace<One, One> w(1);
+  Statistics cost;
+  const Outcome outcome = solve(DampedNewton{}, f, df, x, w, cost);
+  EXPECT_NE(outcome, Outcome::success);
+}
+
+TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
+  // A residual with an error of 1e-9 that changes sign with every call: updates stay at 1e-9.
+  int calls = 0;
+  const auto noisy = [&calls](const One& x, One& f) { f[0] = x[0] - 1 + (calls++ % 2 == 0 ? 1e-9 : -1e-9); };
+  const auto slope = [](const One&, One& j) { j(0, 0) = 1; };
+  Workspace<One, One> w(1);
+  Statistics cost;
+  One x(3);
+  EXPECT_EQ(solve(Newton{.tolerance = 1e-12}, noisy, slope, x, w, cost), Outcome::not_converged);
+  x[0] = 3;
+  EXPECT_EQ(solve(Newton{.tolerance = 1e-12, .noise = 1e-8}, noisy, slope, x, w, cost), Outcome::success);
+  EXPECT_EQ(cost.fallbacks, 1);
+  EXPECT_NEAR(x[0], 1, 2e-9);
+}
+
+}  // namespace
+}  // namespace nlmech::algebraic

@@ -1,0 +1,358 @@
+/// `rbf_ivp integrate` and `rbf_ivp compare` as a user types them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/process.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech {
+namespace {
+
+using scene::Finished;
+
+const std::vector<std::string> duffing_columns = {"t", "x1", "v1"};
+
+/// Runs the program with words separated by blanks.
+Finished rbf_ivp(const std::string& words) {
+  std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/rbf_ivp"};
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    arguments.push_back(words.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return scene::run_program(arguments, {});
+}
+
+scene::NumberColumns trajectory(const std::string& words, const std::vector<std::string>& columns) {
+  const Finished f = rbf_ivp("integrate " + words);
+  EXPECT_EQ(f.exit_code, 0) << words << ": " << f.errors;
+  EXPECT_EQ(f.errors, "") << words;
+  std::string header;
+  for (const std::string& name : columns) header += (header.empty() ? "" : ",") + name;
+  EXPECT_TRUE(f.output.starts_with(header + "\n")) << f.output;
+  return scene::parse_numbers(f.output, "output", columns);
+}
+
+/// max |e_i| of the last row against (x, v).
+double last_error(const scene::NumberColumns& rows, const Vector<double, 2>& truth) {
+  return std::max(std::abs(rows.column[1].back() - truth[0]), std::abs(rows.column[2].back() - truth[1]));
+}
+
+TEST(Integrate, FirstAndLastRowWithoutEvery) {
+  const auto rows = trajectory("--problem duffing --until 20 --method radau-coll", duffing_columns);
+  ASSERT_EQ(rows.rows(), 2U);
+  EXPECT_EQ(rows.column[0], (std::vector<double>{0, 20}));
+  EXPECT_EQ(rows.column[1][0], 1);
+  EXPECT_EQ(rows.column[2][0], 0);
+  EXPECT_LE(last_error(rows, oracle::duffing(20)), 2e-9);  // the default tolerance, times 1 + |x|
+}
+
+// Every method reaches the end exactly; each with a step at which its order leaves some digits: the error of
+// Newmark's method, the least accurate of order 2 here, is 4e-4 at P/500 (findings of an independent program:
+// 3e-3 at t = 500), those of order 1 are three digits worse.
+TEST(Integrate, EveryMethodOfOursArrives) {
+  const Vector<double, 2> truth = oracle::duffing(5);
+  const std::vector<std::pair<std::string, double>> methods = {{"euler --step 1e-4", 1e-2},
+                                                               {"backward-euler --step 1e-4", 1e-2},
+                                                               {"explicit --step 0.01", 1e-3},
+                                                               {"rk4 --step 0.01", 1e-7},
+                                                               {"rk6 --step 0.02", 1e-9},
+                                                               {"ode45 --tolerance 1e-9", 1e-6},
+                                                               {"newmark --step 0.01", 1e-3},
+                                                               {"hht --step 0.01", 1e-3},
+                                                               {"generalized-alpha --step 0.01", 1e-3},
+                                                               {"mcpi --step 0.5", 1e-5},
+                                                               {"rbf-coll --step 0.4768 --shape 0.77", 1e-5},
+                                                               {"lgl-coll --step 0.2", 1e-6},
+                                                               {"radau-coll --step 0.5", 1e-6}};
+  for (const auto& [method, bound] : methods) {
+    const auto rows = trajectory("--problem duffing --until 5 --method " + method, duffing_columns);
+    EXPECT_EQ(rows.column[0].back(), 5) << method;
+    EXPECT_LE(last_error(rows, truth), bound) << method;
+  }
+}
+
+TEST(Integrate, PeersAnswerOrSayThatTheyAreAbsent) {
+  for (const std::string peer : {"cvode-adams", "arkode-erk", "gsl-rk8pd", "odeint-dopri5"}) {
+    const Finished f = rbf_ivp("integrate --problem duffing --until 5 --method " + peer);
+    if (f.exit_code == 0) {
+      const auto rows = scene::parse_numbers(f.output, "output", duffing_columns);
+      EXPECT_LE(last_error(rows, oracle::duffing(5)), 1e-6) << peer;  // 1e-9 in some hundred steps
+    } else {
+      EXPECT_EQ(f.exit_code, 2) << peer;
+      EXPECT_NE(f.errors.find(peer + " is not in this build"), std::string::npos) << f.errors;
+    }
+  }
+}
+
+TEST(Integrate, EveryGivesRowsByDenseOutput) {
+  const auto rows =
+      trajectory("--problem duffing --until 2.25 --method radau-coll --every 0.5", duffing_columns);
+  EXPECT_EQ(rows.column[0], (std::vector<double>{0, 0.5, 1, 1.5, 2, 2.25}));
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const Vector<double, 2> truth = oracle::duffing(rows.column[0][i]);
+    // Within a step a polynomial of degree 6 through values right to 1e-9.
+    EXPECT_NEAR(rows.column[1][i], truth[0], 1e-6);
+    EXPECT_NEAR(rows.column[2][i], truth[1], 1e-6);
+  }
+}
+
+// 0.1 ten times is not 1 in binary: still no second row for the end.
+TEST(Integrate, EveryThatDividesTheWayRepeatsNoRow) {
+  const auto rows =
+      trajectory("--problem duffing --until 1 --method rk4 --step 0.3 --every 0.1", duffing_columns);
+  ASSERT_EQ(rows.rows(), 11U);
+  EXPECT_EQ(rows.column[0].back(), 1);
+  const auto longer =
+      trajectory("--problem duffing --until 1 --method rk4 --step 0.3 --every 7", duffing_columns);
+  EXPECT_EQ(longer.column[0], (std::vector<double>{0, 1}));
+}
+
+TEST(Integrate, BackwardsInTime) {
+  const auto rows = trajectory("--problem duffing --until -5 --method rk6 --every 2", duffing_columns);
+  EXPECT_EQ(rows.column[0], (std::vector<double>{0, -2, -4, -5}));
+  EXPECT_LE(last_error(rows, oracle::duffing(-5)), 2e-9);
+  // There and back, from a state with a negative component.
+  const auto there = trajectory(
+      "--problem duffing --initial -1,-0.5 --from -1 --until 2.5 --method radau-coll", duffing_columns);
+  const auto back =
+      trajectory("--problem duffing --from 2.5 --until -1 --method radau-coll --initial " +
+                     fmt::format("{:.17g},{:.17g}", there.column[1].back(), there.column[2].back()),
+                 duffing_columns);
+  EXPECT_LE(last_error(back, {-1, -0.5}), 1e-8);
+}
+
+TEST(Integrate, ParametersAreSet) {
+  // Without hardening a harmonic oscillator.
+  const auto rows =
+      trajectory("--problem duffing --set hardening=0 --set natural-frequency=2 --until 3 --method rk6",
+                 duffing_columns);
+  EXPECT_LE(last_error(rows, {std::cos(6), -2 * std::sin(6)}), 4e-9);
+}
+
+TEST(Integrate, ColumnsFollowTheProblem) {
+  const auto chain = trajectory("--problem three-dof --until 1 --method rk4 --step 0.1",
+                                {"t", "x1", "x2", "x3", "v1", "v2", "v3"});
+  EXPECT_EQ(chain.rows(), 2U);
+  const auto blow = trajectory("--problem blow-up --until 0.25 --method rk6", {"t", "x1"});
+  EXPECT_NEAR(blow.column[1].back(), 1 / std::sqrt(0.5), 4e-9);
+  EXPECT_EQ(trajectory("--problem van-der-pol --until 1 --method ode45", duffing_columns).rows(), 2U);
+  EXPECT_EQ(trajectory("--problem impact --until 2 --method hht --step 0.1", duffing_columns).rows(), 2U);
+}
+
+TEST(Integrate, NoWayToGo) {
+  const auto rows = trajectory("--problem duffing --from 3 --until 3 --method rk4", duffing_columns);
+  EXPECT_EQ(rows.column[0], (std::vector<double>{3, 3}));
+  EXPECT_EQ(rows.column[1], (std::vector<double>{1, 1}));
+}
+
+struct Bad {
+  std::string words;
+  std::vector<std::string> says;
+};
+
+// Exit code 2, nothing on standard output, and a message with option, value and what there is.
+TEST(OwnWork, BadInputIsNamed) {
+  const std::string good = " --problem duffing --until 1";
+  const std::vector<Bad> cases = {
+      {"integrate --problem pendulum --until 1 --method rk4",
+       {"--problem pendulum", "duffing", "three-dof", "blow-up"}},
+      {"integrate --method magic" + good, {"--method", "'magic'", "rbf-coll", "odeint-dopri5"}},
+      {"compare --methods rk4,magic" + good, {"--methods", "'magic'", "rbf-coll"}},
+      {"compare --methods rk4," + good, {"--methods", "''"}},
+      {"integrate --method rk4 --set stiffness=2" + good, {"--set stiffness=2", "hardening"}},
+      {"integrate --method rk4 --set hardening" + good, {"--set hardening", "name=value"}},
+      {"integrate --method rk4 --set hardening=two" + good, {"--set hardening=two", "number"}},
+      {"integrate --method rk4 --initial 1" + good, {"--initial 1", "1 numbers", "x1,v1"}},
+      {"integrate --method rk4 --initial 1,2,3" + good, {"--initial 1,2,3", "3 numbers"}},
+      {"integrate --method rk4 --initial 1,two" + good, {"--initial 1,two", "'two'"}},
+      {"integrate --method rk4 --initial 1,nan" + good, {"--initial", "'nan'"}},
+      {"integrate --problem duffing --method rk4 --until inf", {"--until inf"}},
+      {"integrate --problem duffing --method rk4 --until 1e999", {"--until 1e999"}},
+      {"integrate --problem duffing --method rk4 --until soon", {"--until soon"}},
+      {"integrate --method rk4 --from -x" + good, {"-x"}},
+      {"integrate --method rk4 --step 0" + good, {"--step 0", "positive"}},
+      {"integrate --method rk4 --step -0.1" + good, {"--step -0.1", "positive"}},
+      {"integrate --method rk4 --tolerance -1e-9" + good, {"--tolerance -1e-9", "positive"}},
+      {"integrate --method rk4 --tolerance tight" + good, {"--tolerance tight"}},
+      {"integrate --method rk4 --step 0.1 --tolerance 1e-9" + good,
+       {"--step 0.1", "--tolerance 1e-9", "not both"}},
+      {"integrate --method rk4 --every 0" + good, {"--every 0", "positive"}},
+      {"integrate --method rk4 --every 1e-12" + good, {"--every 1e-12", "rows"}},
+      {"integrate --method rbf-coll --nodes 1" + good, {"--nodes 1", "2 to 200"}},
+      {"integrate --method rbf-coll --nodes 201" + good, {"--nodes 201", "2 to 200"}},
+      {"integrate --method rbf-coll --nodes 7.5" + good, {"--nodes 7.5", "whole"}},
+      {"integrate --method rk4 --nodes 7" + good, {"--method", "rk4", "no nodes"}},
+      {"integrate --method lgl-coll --shape 1" + good, {"lgl-coll", "no shape"}},
+      {"integrate --method rbf-coll --shape 0" + good, {"--shape 0", "positive"}},
+      {"integrate --method ode45 --step 0.1" + good, {"ode45", "tolerance, not a step"}},
+      {"integrate --method ode45 --tolerance 1e-17" + good, {"ode45", "1e-17"}},
+      {"compare --methods rk4,ode45 --step 0.1" + good, {"ode45", "tolerance, not a step"}},
+      {"compare --methods rk4,ode45 --nodes 7" + good, {"--nodes 7", "rk4,ode45"}},
+      {"compare --methods lgl-coll --shape 7" + good, {"--shape 7", "lgl-coll"}},
+      {"integrate --problem blow-up --until 0.1 --method newmark", {"newmark", "velocities"}},
+      {"integrate --method rk4 --limit 0" + good, {"--limit 0", "positive"}},
+      {"integrate --problem duffing --method rk4", {"--until"}},
+      {"integrate --until 1 --method rk4", {"--problem"}},
+      {"integrate" + good, {"--method"}},
+      {"compare" + good, {"--methods"}},
+      {"integrate --method rk4 --frobnicate 1" + good, {"--frobnicate"}},
+  };
+  for (const Bad& bad : cases) {
+    const Finished f = rbf_ivp(bad.words);
+    EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;
+    EXPECT_EQ(f.output, "") << bad.words;
+    for (const std::string& word : bad.says)
+      EXPECT_NE(f.errors.find(word), std::string::npos) << "no '" << word << "' in: " << f.errors;
+  }
+}
+
+// Exit code 1, a sentence with method, place and what to change, and nothing on standard output.
+TEST(Integrate, FailureSaysWhereAndWhatToChange) {
+  const Finished blow = rbf_ivp("integrate --problem blow-up --until 1 --method rk4 --step 0.01 --every 0.1");
+  EXPECT_EQ(blow.exit_code, 1);
+  EXPECT_EQ(blow.output, "");
+  for (const std::string word : {"rk4", "non_finite", "t = 0.5", "smaller step"})
+    EXPECT_NE(blow.errors.find(word), std::string::npos) << blow.errors;
+  const Finished dear = rbf_ivp("integrate --problem duffing --until 500 --method newmark");
+  EXPECT_EQ(dear.exit_code, 1);
+  EXPECT_EQ(dear.output, "");
+  EXPECT_NE(dear.errors.find("no step was found for the tolerance 1e-09"), std::string::npos) << dear.errors;
+  const Finished late =
+      rbf_ivp("integrate --problem duffing --until 1e6 --method euler --step 1e-6 --limit 0.05");
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_NE(late.errors.find("time_limit"), std::string::npos) << late.errors;
+}
+
+struct Row {
+  std::string method, setting, status, digits, seconds, evaluations;
+};
+
+std::vector<Row> comparison(const std::string& words, std::string& errors) {
+  const Finished f = rbf_ivp("compare " + words);
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  errors = f.errors;
+  const auto records = scene::parse_csv(f.output, "output");
+  EXPECT_EQ(records.at(0).cells, (std::vector<std::string>{"method", "setting", "status", "digits", "seconds",
+                                                           "rhs_evaluations"}));
+  std::vector<Row> rows;
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const auto& c = records[i].cells;
+    rows.push_back({c.at(0), c.at(1), c.at(2), c.at(3), c.at(4), c.at(5)});
+    EXPECT_GT(std::stod(rows.back().seconds), 0) << f.output;
+    EXPECT_GE(std::stoll(rows.back().evaluations), 0) << f.output;
+  }
+  return rows;
+}
+
+// The digits, from what `integrate` prints and from the elliptic functions in 50 digits.
+TEST(Compare, DigitsAreThoseOfTheEndState) {
+  const Vector<double, 2> truth = oracle::duffing(20);
+  std::string errors;
+  const auto rows =
+      comparison("--problem duffing --until 20 --methods rk4,ode45,radau-coll --tolerance 1e-7", errors);
+  EXPECT_EQ(errors, "");
+  ASSERT_EQ(rows.size(), 3U);
+  for (const Row& row : rows) {
+    EXPECT_EQ(row.status, "success");
+    EXPECT_EQ(row.setting, "tolerance 1e-07");
+    const auto end =
+        trajectory("--problem duffing --until 20 --tolerance 1e-7 --method " + row.method, duffing_columns);
+    double worst = 0;
+    for (int i = 0; i < 2; ++i)
+      worst = std::max(worst, std::abs(end.column[static_cast<std::size_t>(i) + 1].back() / truth[i] - 1));
+    EXPECT_NEAR(std::stod(row.digits), -std::log10(worst), 0.01) << row.method;
+    EXPECT_GT(std::stoll(row.evaluations), 100) << row.method;
+  }
+}
+
+TEST(Compare, SettingsGoToTheMethodsThatHaveThem) {
+  std::string errors;
+  const auto rows = comparison(
+      "--problem duffing --until 5 --methods rk4,rbf-coll,lgl-coll --step 0.5 --nodes 9 --shape 1", errors);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].setting, "step 0.5");
+  EXPECT_EQ(rows[1].setting, "step 0.5 nodes 9 shape 1");
+  EXPECT_EQ(rows[2].setting, "step 0.5 nodes 9");
+  EXPECT_EQ(rows[0].evaluations, "40");
+}
+
+TEST(Compare, FailuresKeepTheirRow) {
+  std::string errors;
+  const auto rows = comparison("--problem blow-up --until 1 --methods rk4,radau-coll --step 0.01", errors);
+  ASSERT_EQ(rows.size(), 2U);
+  for (const Row& row : rows) {
+    EXPECT_NE(row.status, "success");
+    EXPECT_EQ(row.digits, "");
+    EXPECT_NE(errors.find(row.method + ": "), std::string::npos) << errors;
+  }
+  EXPECT_EQ(rows[0].status, "non_finite");
+  EXPECT_NE(errors.find("no reference"), std::string::npos) << errors;
+}
+
+// y' = y^3 the other way: 1/sqrt(1 - 2 t), which is below 1 for t < 0. And across the discontinuities of the
+// impact, backwards from after them.
+TEST(Compare, BackwardsHasAReferenceToo) {
+  std::string errors;
+  const auto blow = comparison("--problem blow-up --until -3 --methods rk6 --tolerance 1e-12", errors);
+  ASSERT_EQ(blow.size(), 1U);
+  EXPECT_GT(std::stod(blow[0].digits), 11) << errors;
+  const auto end = trajectory("--problem blow-up --until -3 --method rk6 --tolerance 1e-12", {"t", "x1"});
+  EXPECT_NEAR(end.column[1].back(), 1 / std::sqrt(7.0), 1e-12);
+  const auto impact = comparison(
+      "--problem impact --from 3 --until -1 --initial 0.5,-0.25 --methods rk6,radau-coll --tolerance 1e-12",
+      errors);
+  ASSERT_EQ(impact.size(), 2U);
+  for (const Row& row : impact) EXPECT_GT(std::stod(row.digits), 10.5) << row.method << errors;
+}
+
+TEST(OwnWork, HelpNamesProblemsAndMethods) {
+  for (const std::string command : {"integrate", "compare"}) {
+    const Finished f = rbf_ivp(command + " --help");
+    EXPECT_EQ(f.exit_code, 0);
+    for (const std::string word :
+         {"three-dof", "hardening=1", "van-der-pol", "radau-coll", "gsl-rk8pd", "--tolerance"})
+      EXPECT_NE(f.output.find(word), std::string::npos) << command << ": no " << word;
+  }
+}
+
+/// The pendulum of the example, by the classical method with 100 000 steps in extended precision: its error
+/// is below (1e-4)^4 and rounding.
+std::array<long double, 2> pendulum() {
+  const auto f = [](const std::array<long double, 2>& x) {
+    return std::array<long double, 2>{x[1], -std::sin(x[0]) - x[1] / 10};
+  };
+  const auto add = [](const std::array<long double, 2>& x, long double h,
+                      const std::array<long double, 2>& k) {
+    return std::array<long double, 2>{x[0] + h * k[0], x[1] + h * k[1]};
+  };
+  std::array<long double, 2> x = {1, 0};
+  const long double h = 1e-4L;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto a = f(x), b = f(add(x, h / 2, a)), c = f(add(x, h / 2, b)), d = f(add(x, h, c));
+    x = add(add(add(add(x, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+  }
+  return x;
+}
+
+TEST(Example, OfThePageRuns) {
+  const Finished f = scene::run_program({NLMECH_BINARY_DIR "/bin/rbf_ivp_example"}, {});
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  const std::size_t comma = f.output.find(", v = ");
+  ASSERT_TRUE(f.output.starts_with("success: x = ") && comma != std::string::npos) << f.output;
+  const double x = std::stod(f.output.substr(13)), v = std::stod(f.output.substr(comma + 6));
+  // Twelve printed digits; Radau IIA of order 21 in ten steps has no visible error.
+  const auto truth = pendulum();
+  EXPECT_NEAR(x, static_cast<double>(truth[0]), 2e-12);
+  EXPECT_NEAR(v, static_cast<double>(truth[1]), 2e-12);
+}
+
+}  // namespace
+}  // namespace nlmech

@@ -1,0 +1,134 @@
+#include "nlmech/ivp/fixed_steps.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/problems/blow_up.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+RC_GTEST_PROP(StepGrid, CoversTheSegmentWithEqualStepsAndOneRest, ()) {
+  const auto real = [](int low, int high, double scale) {
+    return rc::gen::map(rc::gen::inRange(low, high), [scale](int k) { return k * scale; });
+  };
+  const double begin = *real(-1000, 1000, 0.1), span = *real(1, 100000, 0.001),
+               length = *real(1, 5000, 0.003);
+  const double sign = *rc::gen::element(-1.0, 1.0), end = begin + sign * span;
+  RC_PRE(end != begin);
+  const StepGrid grid = make_step_grid(begin, end, length);
+  RC_ASSERT(grid.time(0) == begin);
+  RC_ASSERT(grid.time(grid.count) == end);
+  for (std::int64_t k = 0; k < grid.count; ++k) {
+    const double actual = grid.time(k + 1) - grid.time(k);
+    RC_ASSERT(actual * sign > 0);
+    // Times round to an ulp of the largest of them.
+    RC_ASSERT(std::abs(actual - grid.length(k)) <= 4e-16 * (std::abs(begin) + std::abs(end) + length));
+    RC_ASSERT(std::abs(grid.length(k)) <= length * (1 + 1e-9));
+    if (k + 1 < grid.count) RC_ASSERT(grid.length(k) == grid.step);
+  }
+}
+
+TEST(StepGrid, AWholeNumberOfStepsHasNoRest) {
+  for (const double h : {0.1, 0.03, 0.006, 4.7680220291024608 / 500}) {
+    const StepGrid grid = make_step_grid(1, 1 + 16600 * h, h);
+    EXPECT_EQ(grid.count, 16600);
+    EXPECT_EQ(grid.last, grid.step);
+  }
+}
+
+TEST(Walk, LandsOnDiscontinuitiesAndOnTheEnd) {
+  const System system(problems::ImpactDuffing{});
+  std::vector<double> ends;
+  const auto s = integrate(system, {0, 0}, 0, 2, Rk4{.step = 0.3}, [&](const Step<2>& step) {
+    ends.push_back(step.t1);
+    return true;
+  });
+  EXPECT_TRUE(s.status.ok());
+  EXPECT_EQ(ends, (std::vector<double>{0.3, 0.5, 0.8, 1.0, 1.3, 1.6, 1.9, 2.0}));
+  EXPECT_EQ(s.statistics.steps, 8);
+}
+
+TEST(Walk, NoTimeNoStep) {
+  const System system(problems::Duffing{});
+  const auto s = integrate(system, {0.3, -2}, 4, 4, Rk4{});
+  EXPECT_TRUE(s.status.ok());
+  EXPECT_EQ(s.x, (State<2>(0.3, -2)));
+  EXPECT_EQ(s.statistics.steps, 0);
+}
+
+TEST(Walk, BlowUpEndsWithASentence) {
+  const System system(problems::BlowUp{});  // y' = y^3 from 1: infinite at t = 1/2
+  const auto s = integrate(system, State<1>(1), 0, 2, Rk4{.step = 0.01});
+  EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
+  EXPECT_NE(s.status.sentence().find("rk4: the step of 0.01 from t = 0.5"), std::string::npos)
+      << s.status.text();
+  EXPECT_TRUE(s.x.allFinite());
+  EXPECT_NEAR(s.t, 0.52, 0.02);  // the method steps over the pole, and is caught in the steps after it
+}
+
+struct NotANumberAfterOne {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    dxdt = x;
+    if (value_of(t) > 1) dxdt[0] = T(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+TEST(Walk, NotANumberEndsAtTheLastGoodStep) {
+  const auto s = integrate(System(NotANumberAfterOne{}), {1, 1}, 0, 2, Rk4{.step = 0.25});
+  EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
+  EXPECT_EQ(s.t, 1);
+  EXPECT_TRUE(s.x.allFinite());
+}
+
+TEST(Walk, BadInitialStateIsReported) {
+  const System system(problems::Duffing{});
+  const auto s = integrate(system, {1, -HUGE_VAL}, 0, 1, Rk4{});
+  EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
+  EXPECT_NE(s.status.sentence().find("component 2"), std::string::npos);
+}
+
+TEST(Walk, StepUnderflow) {
+  const System system(problems::Duffing{});
+  const auto s =
+      integrate(system, {1, 0}, 1e6, 1e6 + 1, Rk4{.step = 1e-11});  // half an ulp of 1e6 is 5.8e-11
+  EXPECT_EQ(s.status.outcome(), Outcome::step_underflow);
+  EXPECT_EQ(s.t, 1e6);
+}
+
+TEST(Walk, LimitsHold) {
+  const System system(problems::Duffing{});
+  const auto steps = integrate(system, {1, 0}, 0, 10, Rk4{.step = 0.01}, {}, {.steps = 50});
+  EXPECT_EQ(steps.status.outcome(), Outcome::step_limit);
+  EXPECT_EQ(steps.statistics.steps, 50);
+  EXPECT_NEAR(steps.t, 0.5, 1e-15);
+  const auto seconds = integrate(system, {1, 0}, 0, 1e9, Rk4{.step = 1e-3}, {}, {.seconds = 0.01});
+  EXPECT_EQ(seconds.status.outcome(), Outcome::time_limit);
+}
+
+TEST(Walk, TheObserverCanStop) {
+  const System system(problems::Duffing{});
+  const auto s =
+      integrate(system, {1, 0}, 0, 10, Rk4{.step = 0.01}, [](const Step<2>& step) { return step.index < 3; });
+  EXPECT_EQ(s.status.outcome(), Outcome::interrupted);
+  EXPECT_EQ(s.statistics.steps, 3);
+  EXPECT_NEAR(s.t, 0.03, 1e-15);
+}
+
+TEST(Integrate, RefusesWhatCannotBeMeant) {
+  const System system(problems::Duffing{});
+  const System<Eigen::Dynamic> dynamic(problems::Duffing{});
+  EXPECT_THROW((void)integrate(system, {1, 0}, 0, HUGE_VAL, Rk4{}), std::invalid_argument);
+  EXPECT_THROW((void)integrate(system, {1, 0}, std::nan(""), 1, Rk4{}), std::invalid_argument);
+  EXPECT_THROW((void)integrate(dynamic, Eigen::VectorXd::Zero(3), 0, 1, Rk4{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

@@ -1,0 +1,184 @@
+// What the tests of integrators share: equations with known solutions, and observers that measure.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/backward_euler.hpp"
+#include "nlmech/ivp/central_difference.hpp"
+#include "nlmech/ivp/dormand_prince.hpp"
+#include "nlmech/ivp/generalized_alpha.hpp"
+#include "nlmech/ivp/hht.hpp"
+#include "nlmech/ivp/newmark.hpp"
+#include "nlmech/problems/problem.hpp"
+#include "nlmech/series/value_of.hpp"
+
+namespace nlmech::ivp::testing {
+
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// q'' = -2 zeta q' - w2 q - cubic q^3 + f(t) with the f for which q = A cos t.
+struct Manufactured {
+  static constexpr int dimension = 2;
+  double damping = 0.3, stiffness = 1, cubic = 1, amplitude = 1;
+  template <class T>
+  void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& v, Vector<T, 1>& a) const {
+    using std::cos;
+    using std::sin;
+    const T c = amplitude * cos(t), x = q[0];
+    a[0] = -damping * v[0] - stiffness * x - cubic * (x * x * x) - damping * amplitude * sin(t) +
+           (stiffness - 1) * c + cubic * (c * c * c);
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+  [[nodiscard]] State<2> exact(double t) const { return {amplitude * std::cos(t), -amplitude * std::sin(t)}; }
+};
+
+// q'' = -w^2 q.
+struct Oscillator {
+  static constexpr int dimension = 2;
+  double frequency = 1;
+  template <class T>
+  void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = -(frequency * frequency) * q[0];
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+// q'' = before for t < at, then after: q is a parabola on both sides, so that every method but Euler's is
+// exact if it respects the jump, and wrong by a part of a step's jump if not.
+struct JumpingForce {
+  static constexpr int dimension = 2;
+  double at = 0.3, before = -1, after = 2;
+  template <class T>
+  void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = value_of(t) < at ? before : after;
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
+    if (at > std::min(t0, t1) && at < std::max(t0, t1)) return {at};
+    return {};
+  }
+  // The solution at rest in 0 at t = 0.
+  [[nodiscard]] State<2> exact(double t) const {
+    if (t < at) return {before * t * t / 2, before * t};
+    const double s = t - at;
+    return {before * at * at / 2 + before * at * s + after * s * s / 2, before * at + after * s};
+  }
+};
+
+// q'' = -q, but `value` from t = `at` on.
+struct Poisoned {
+  static constexpr int dimension = 2;
+  double at = 0.5, value = nan;
+  template <class T>
+  void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = value_of(t) < at ? T(-q[0]) : T(value);
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+// A problem without its announcement of discontinuities.
+template <class Problem>
+struct Unannounced {
+  static constexpr int dimension = Problem::dimension;
+  Problem problem = {};
+  template <class T>
+  void acceleration(const T& t, const Vector<T, dimension / 2>& q, const Vector<T, dimension / 2>& v,
+                    Vector<T, dimension / 2>& a) const {
+    problem.acceleration(t, q, v, a);
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, dimension>& x, Vector<T, dimension>& dxdt) const {
+    problem(t, x, dxdt);
+  }
+};
+
+// Root of the mean square.
+class Rms {
+ public:
+  void add(double error) {
+    sum_ += error * error;
+    ++count_;
+  }
+  [[nodiscard]] double value() const { return std::sqrt(sum_ / static_cast<double>(count_)); }
+
+ private:
+  double sum_ = 0;
+  std::int64_t count_ = 0;
+};
+
+// The same method with another step; for ode45 at tolerances that never reject, so that all steps are equal.
+template <class Method>
+[[nodiscard]] Method with_step(Method method, double step) {
+  if constexpr (requires { method.step; }) {
+    method.step = step;
+  } else {
+    method.initial_step = method.largest_step = step;
+    method.relative_tolerance = method.absolute_tolerance = 0.1;
+  }
+  return method;
+}
+
+// Largest error against exact(t) of both components, at step ends and, if asked, within the steps.
+template <class Problem, class Method>
+[[nodiscard]] double largest_error(const Problem& problem, const Method& method, double t0, double t1,
+                                   bool within = false) {
+  double largest = 0;
+  State<2> x;
+  const auto measure = [&](const Step<2>& step) {
+    largest = std::max(largest, (step.x1 - problem.exact(step.t1)).cwiseAbs().maxCoeff());
+    for (const double s : {0.3, 0.5, 0.9}) {
+      const double t = step.t0 + s * (step.t1 - step.t0);
+      step.dense.at(t, x);
+      if (within) largest = std::max(largest, (x - problem.exact(t)).cwiseAbs().maxCoeff());
+    }
+    return true;
+  };
+  const auto solution = integrate(System(problem), problem.exact(t0), t0, t1, method, measure);
+  EXPECT_TRUE(solution.status.ok()) << solution.status.text();
+  EXPECT_EQ(solution.t, t1);
+  return largest;
+}
+
+// Every method of this folder that has a step of its own choice or not, once.
+template <class Do>
+void for_each_method(Do&& action) {
+  action(BackwardEuler{});
+  action(CentralDifference{});
+  action(Newmark{});
+  action(Hht{});
+  action(GeneralizedAlpha{});
+  action(Ode45{});
+}
+
+// The text of the std::invalid_argument that an integration of the oscillator with these options throws.
+template <class Method>
+[[nodiscard]] std::string refusal(const Method& method) {
+  try {
+    (void)integrate(System(Oscillator{}), State<2>(1, 0), 0, 1, method);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace nlmech::ivp::testing

@@ -1,0 +1,217 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "nlmech/problems/blow_up.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "tests/ivp/methods.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using namespace testing;
+
+// Weights of the stages at the fraction s of a step.
+std::vector<double> weights(double s) {
+  std::vector<double> b;
+  for (const auto& w : dormand_prince::dense) b.push_back(s * (w[0] + s * (w[1] + s * (w[2] + s * w[3]))));
+  return b;
+}
+
+// The order conditions of the quartic, all eight trees up to order 4, at several fractions of the step: the
+// printed coefficients of the pair itself are judged by them too.
+TEST(Ode45, DenseOutputFulfilsAllConditionsOfOrderFour) {
+  using dormand_prince::a, dormand_prince::c;
+  constexpr std::size_t stages = dormand_prince::stages;
+  for (const double s : {0.1, 0.25, 0.5, 0.75, 1.0}) {
+    const std::vector<double> b = weights(s);
+    const auto sum = [&](const auto& term) {
+      double total = 0;
+      for (std::size_t i = 0; i < stages; ++i) total += b[i] * term(i);
+      return total;
+    };
+    const auto inner = [&](std::size_t i, const auto& term) {
+      double total = 0;
+      for (std::size_t j = 0; j < i; ++j) total += a[i][j] * term(j);
+      return total;
+    };
+    const auto one = [](std::size_t) { return 1.0; };
+    const auto ac = [&](std::size_t i) { return inner(i, [](std::size_t j) { return c[j]; }); };
+    const double tolerance = 64 * eps;  // weights up to 10 cancel
+    EXPECT_NEAR(sum(one), s, tolerance);
+    EXPECT_NEAR(sum([](std::size_t i) { return c[i]; }), s * s / 2, tolerance);
+    EXPECT_NEAR(sum([](std::size_t i) { return c[i] * c[i]; }), std::pow(s, 3) / 3, tolerance);
+    EXPECT_NEAR(sum(ac), std::pow(s, 3) / 6, tolerance);
+    EXPECT_NEAR(sum([](std::size_t i) { return c[i] * c[i] * c[i]; }), std::pow(s, 4) / 4, tolerance);
+    EXPECT_NEAR(sum([&](std::size_t i) { return c[i] * ac(i); }), std::pow(s, 4) / 8, tolerance);
+    EXPECT_NEAR(sum([&](std::size_t i) { return inner(i, [](std::size_t j) { return c[j] * c[j]; }); }),
+                std::pow(s, 4) / 12, tolerance);
+    EXPECT_NEAR(sum([&](std::size_t i) { return inner(i, ac); }), std::pow(s, 4) / 24, tolerance);
+  }
+  for (std::size_t i = 0; i < stages; ++i) {
+    EXPECT_NEAR(std::accumulate(a[i].begin(), a[i].end(), 0.0), c[i], 32 * eps);
+    // At the end of the step the quartic is the fifth-order formula, and its slope is f there.
+    EXPECT_NEAR(weights(1)[i], i + 1 < stages ? a[stages - 1][i] : 0, 16 * eps);
+    const auto& w = dormand_prince::dense[i];
+    EXPECT_NEAR(w[0] + 2 * w[1] + 3 * w[2] + 4 * w[3], i + 1 == stages ? 1 : 0, 64 * eps);
+  }
+}
+
+// The fourth-order companion: b minus the difference fulfils the quadrature conditions to order 4, and not
+// the fifth.
+TEST(Ode45, ErrorEstimateIsOfOrderFour) {
+  using dormand_prince::a, dormand_prince::c, dormand_prince::difference;
+  for (int power = 0; power < 5; ++power) {
+    double fifth = 0, gap = 0;
+    for (std::size_t i = 0; i < dormand_prince::stages; ++i) {
+      fifth += (i < 6 ? a[6][i] : 0) * std::pow(c[i], power);
+      gap += difference[i] * std::pow(c[i], power);
+    }
+    EXPECT_NEAR(fifth, 1.0 / (power + 1), 8 * eps) << power;
+    if (power < 4) {
+      EXPECT_NEAR(gap, 0, 4 * eps) << power;
+    } else {
+      EXPECT_GT(std::abs(gap), 1e-5);
+    }
+  }
+}
+
+// One step of length h: error h^6 at its end (times the number of steps: order 5), h^5 inside.
+TEST(Ode45, LocalErrorsHaveTheStatedExponents) {
+  const Manufactured problem;
+  const auto errors = [&](double h) {
+    State<2> middle;
+    const auto look = [&](const Step<2>& step) {
+      step.dense.at(0.5 * h, middle);
+      return true;
+    };
+    const auto solution = integrate(System(problem), State<2>(1, 0), 0, h, with_step(Ode45{}, h), look);
+    EXPECT_EQ(solution.statistics.steps, 1);
+    return State<2>((solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
+                    (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff());
+  };
+  const State<2> coarse = errors(0.1), fine = errors(0.05);
+  EXPECT_NEAR(std::log2(coarse[0] / fine[0]), 6, 0.3);
+  EXPECT_NEAR(std::log2(coarse[1] / fine[1]), 5, 0.3);
+  const double global = largest_error(problem, with_step(Ode45{}, 2 / 50.), 0, 2);
+  EXPECT_NEAR(std::log2(global / largest_error(problem, with_step(Ode45{}, 2 / 100.), 0, 2)), 5, 0.1);
+}
+
+TEST(Ode45, RefinedOutputIsTheDenseOutput) {
+  for (const int refine : {1, 4, 7}) {
+    State<2> x;
+    const auto compare = [&](const Step<2>& step) {
+      EXPECT_EQ(step.times.size(), static_cast<std::size_t>(refine));
+      EXPECT_EQ(step.times.back(), step.t1);
+      EXPECT_EQ(State<2>(step.states.col(refine - 1)), step.x1);
+      for (int i = 0; i < refine; ++i) {
+        const double t = step.t0 + (i + 1.0) / refine * (step.t1 - step.t0);
+        EXPECT_NEAR(step.times[static_cast<std::size_t>(i)], t, 4 * eps * std::abs(t));
+        step.dense.at(t, x);
+        EXPECT_LT((x - step.states.col(i)).cwiseAbs().maxCoeff(), 16 * eps);
+      }
+      return true;
+    };
+    EXPECT_TRUE(integrate(System(Manufactured{}), State<2>(1, 0), 0, 5, Ode45{.refine = refine}, compare)
+                    .status.ok());
+  }
+}
+
+// Six evaluations a trial, one for the start: the last stage of a step is the first of the next.
+TEST(Ode45, CountsItsWork) {
+  const auto s = integrate(System(problems::Duffing{}), State<2>(1, 0), 0, 50, Ode45{}).statistics;
+  EXPECT_GT(s.rejected, 0);
+  EXPECT_EQ(s.right_hand_sides, 6 * (s.steps + s.rejected) + 1);
+}
+
+// Every discontinuity is the end of a step, and the solution keeps the accuracy of a smooth one: with rtol =
+// 1e-9 the free oscillator has 1e-9 a unit of time (Table 4.2: 1e-6 after 477).
+TEST(Ode45, StopsAtDiscontinuities) {
+  const problems::ImpactDuffing problem;
+  const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> reference(
+      problem, Vector<long double, 2>(0, 0), 0, 10);
+  std::vector<double> ends;
+  const auto note = [&](const Step<2>& step) {
+    ends.push_back(step.t1);
+    return true;
+  };
+  const auto solution = integrate(System(problem), State<2>(0, 0), 0, 10, Ode45{}, note);
+  EXPECT_TRUE(solution.status.ok());
+  EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 1);
+  EXPECT_EQ(std::count(ends.begin(), ends.end(), 1.0), 1);
+  EXPECT_LT((solution.x - reference(10).cast<double>()).cwiseAbs().maxCoeff(), 2e-8);
+  const auto back = integrate(System(problem), solution.x, 10, 0, Ode45{}, note);
+  EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 2);
+  EXPECT_LT(back.x.cwiseAbs().maxCoeff(), 2e-8);
+}
+
+// y' = y^3 ends at t = 1/2. The shortest step there is 16 spacings, 1.8e-15; how near it comes is a matter of
+// the accumulated error, about the tolerance.
+TEST(Ode45, UnderflowsAtABlowUp) {
+  const auto solution = integrate(System(problems::BlowUp{}), State<1>(1.0), 0, 1, Ode45{});
+  EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << solution.status.text();
+  EXPECT_NEAR(solution.t, 0.5, 1e-7);
+  EXPECT_GT(solution.x[0], 1e3);
+  EXPECT_TRUE(solution.x.allFinite());
+  EXPECT_NE(solution.status.sentence().find("ode45"), std::string::npos);
+}
+
+TEST(Ode45, RefusesTheFirstStepThatIsTooLong) {
+  const auto solution =
+      integrate(System(Manufactured{}), State<2>(1, 0), 0, 5, Ode45{.initial_step = 5, .largest_step = 5});
+  EXPECT_TRUE(solution.status.ok());
+  EXPECT_GE(solution.statistics.rejected, 1);
+  EXPECT_LT((solution.x - Manufactured{}.exact(5)).cwiseAbs().maxCoeff(), 1e-7);
+}
+
+// Nothing is finite from 0.03 on: the first trial, of length 1, is followed by one of a tenth, then by
+// halves: 0.1, 0.05, 0.025, which is accepted.
+TEST(Ode45, ShrinksFirstToATenthAndThenByHalves) {
+  double first = 0;
+  const auto stop = [&](const Step<2>& step) {
+    first = step.t1;
+    return false;
+  };
+  const Ode45 method{.initial_step = 1, .largest_step = 1};
+  const auto solution = integrate(System(Poisoned{.at = 0.03}), State<2>(1, 0), 0, 2, method, stop);
+  EXPECT_EQ(first, 0.025);
+  EXPECT_EQ(solution.statistics.rejected, 3);
+}
+
+// A largest step below the spacing of doubles at t would never arrive.
+TEST(Ode45, NoticesAStepThatDoesNotMoveTime) {
+  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, 2, Ode45{.largest_step = 1e-20});
+  EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow);
+  EXPECT_EQ(solution.t, 1);
+}
+
+// An interval of a few doubles is one step.
+TEST(Ode45, CrossesTheSmallestInterval) {
+  const double end = std::nextafter(1.0, 2.0);
+  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, end, Ode45{});
+  EXPECT_TRUE(solution.status.ok()) << solution.status.text();
+  EXPECT_EQ(solution.t, end);
+}
+
+// At t0 = 0 the spacing of doubles is 5e-324, and halving towards it must end too.
+TEST(Ode45, GivesUpWhereNothingIsFinite) {
+  Poisoned problem{.at = 1e-300};
+  const auto solution = integrate(System(problem), State<2>(1, 0), 0, 1, Ode45{});
+  EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << solution.status.text();
+  EXPECT_TRUE(solution.x.allFinite());
+}
+
+TEST(Ode45, SaysWhichOptionIsWrong) {
+  EXPECT_EQ(refusal(Ode45{.relative_tolerance = 1e-15}),
+            "ode45: relative_tolerance must be between 2.22045e-14 and 0.1, not 1e-15");
+  EXPECT_NE(refusal(Ode45{.relative_tolerance = nan}).find("nan"), std::string::npos);
+  EXPECT_NE(refusal(Ode45{.absolute_tolerance = 0}).find("absolute_tolerance"), std::string::npos);
+  EXPECT_NE(refusal(Ode45{.initial_step = -1}).find("initial_step"), std::string::npos);
+  EXPECT_NE(refusal(Ode45{.largest_step = infinity}).find("largest_step"), std::string::npos);
+  EXPECT_NE(refusal(Ode45{.refine = 0}).find("refine"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

@@ -1,0 +1,114 @@
+#include "nlmech/ivp/system.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+// A chain of any length, to go through the sizes that dual numbers take by eights.
+struct Chain {
+  static constexpr int dimension = Eigen::Dynamic;
+  int masses;
+  [[nodiscard]] int size() const { return 2 * masses; }
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
+    for (int i = 0; i < masses; ++i) {
+      const T left = i > 0 ? x[i] - x[i - 1] : x[i], right = i + 1 < masses ? x[i + 1] - x[i] : -x[i];
+      dxdt[i] = x[masses + i];
+      dxdt[masses + i] = right - left + right * right * right - left * left * left;
+    }
+  }
+};
+
+double any_number() {
+  return *rc::gen::map(rc::gen::inRange(-3000, 3000), [](int k) { return k / 1000.0; });
+}
+
+// Central differences of step 1e-5 carry an error of about 1e-10 times the third derivative (at most 50 here)
+// and 1e-16/1e-5 times the function (at most 500).
+constexpr double difference_error = 2e-8;
+
+RC_GTEST_PROP(System, JacobianIsTheDerivativeOfTheRightHandSide, ()) {
+  const int masses = *rc::gen::inRange(1, 12), n = 2 * masses;
+  const System<Eigen::Dynamic> system(Chain{masses});
+  Eigen::VectorXd x(n), plus(n), minus(n);
+  for (int i = 0; i < n; ++i) x[i] = any_number();
+  Eigen::MatrixXd j(n, n);
+  system.jacobian(0, x, j);
+  for (int k = 0; k < n; ++k) {
+    Eigen::VectorXd y = x;
+    y[k] = x[k] + 1e-5;
+    system.rhs(0, y, plus);
+    y[k] = x[k] - 1e-5;
+    system.rhs(0, y, minus);
+    RC_ASSERT(((plus - minus) / 2e-5 - j.col(k)).cwiseAbs().maxCoeff() < difference_error);
+  }
+}
+
+TEST(System, FixedDynamicAndInlinedAgree) {
+  const problems::ThreeMassChain problem;
+  const System<6> fixed(problem);
+  const System<Eigen::Dynamic> dynamic(problem);
+  const Direct inlined(problem);
+  EXPECT_EQ(dynamic.size(), 6);
+  State<6> x, f, g;
+  x << 0.1, -0.2, 0.3, 0.4, -0.5, 0.6;
+  Eigen::VectorXd y = x, h(6);
+  fixed.rhs(1.5, x, f);
+  inlined.rhs(1.5, x, g);
+  dynamic.rhs(1.5, y, h);
+  EXPECT_EQ(f, g);
+  EXPECT_EQ(Eigen::VectorXd(f), h);
+  Jacobian<6> j;
+  Eigen::MatrixXd k(6, 6);
+  fixed.jacobian(1.5, x, j);
+  dynamic.jacobian(1.5, y, k);
+  EXPECT_EQ(Eigen::MatrixXd(j), k);
+}
+
+TEST(System, ManyNodesAreTheNodesOneByOne) {
+  const System system(problems::ImpactDuffing{});
+  const std::vector<double> times = {0.1, 0.4, 0.7, 1.3};
+  Nodes<2> x(2, 4), f(2, 4);
+  x << 1, 2, 3, 4, -1, -2, -3, -4;
+  system.rhs(times, x, f);
+  for (int k = 0; k < 4; ++k) {
+    State<2> one;
+    system.rhs(times[static_cast<std::size_t>(k)], x.col(k), one);
+    EXPECT_EQ(f.col(k), one);
+  }
+}
+
+TEST(System, KnowsItsOrderAndItsDiscontinuities) {
+  EXPECT_TRUE(System(problems::Duffing{}).second_order());
+  EXPECT_FALSE(System<Eigen::Dynamic>(Chain{2}).second_order());
+  const System impact(problems::ImpactDuffing{});
+  EXPECT_EQ(impact.discontinuities(0, 5), (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(impact.discontinuities(5, 0.7), (std::vector<double>{1}));
+  Half<Eigen::Dynamic> q(2), a(2);
+  EXPECT_THROW(System<Eigen::Dynamic>(Chain{2}).acceleration(0, q, q, a), std::logic_error);
+}
+
+struct OwnJacobian {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& dxdt) const {
+    dxdt = -x;
+  }
+  void jacobian(double, const State<1>&, Jacobian<1>& j) const { j(0, 0) = 42; }
+};
+
+TEST(System, AProblemsOwnJacobianIsUsed) {
+  Jacobian<1> j;
+  System(OwnJacobian{}).jacobian(0, State<1>(1), j);
+  EXPECT_EQ(j(0, 0), 42);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

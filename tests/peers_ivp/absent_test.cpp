@@ -1,0 +1,47 @@
+// A build without the libraries: the peers are known by name, and say that they are absent.
+#include "nlmech/peers/ivp/arkode.hpp"
+#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/gsl.hpp"
+#include "nlmech/peers/ivp/odeint.hpp"
+#include "tests/peers_ivp/peers.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using testing::Decay;
+
+TEST(AbsentPeers, AreKnownByName) {
+  EXPECT_EQ(all_peer_names().size(), 13U);
+  EXPECT_TRUE(peer_names().empty());
+  for (const std::string& name : all_peer_names()) {
+    EXPECT_FALSE(peer_available(name));
+    try {
+      (void)peer_integrator<2>(name, 1e-9);
+      FAIL() << name;
+    } catch (const std::logic_error& error) {
+      EXPECT_EQ(error.what(), absent_peer_sentence(name));
+    }
+  }
+}
+
+TEST(AbsentPeers, RefuseToIntegrate) {
+  const ivp::System system(Decay{});
+  const ivp::System<Eigen::Dynamic> dynamic{Decay{}};
+  const auto refuses = [&](const auto& method, const std::string& library) {
+    try {
+      (void)ivp::integrate(system, ivp::State<1>(1.0), 0, 1, method);
+      FAIL() << library;
+    } catch (const std::logic_error& error) {
+      EXPECT_EQ(error.what(), "this build has no " + library + " (NLMECH_PEERS)");
+    }
+    const ivp::State<Eigen::Dynamic> x0 = ivp::State<1>(1.0);
+    EXPECT_THROW((void)ivp::integrate(dynamic, x0, 0, 1, method), std::logic_error);
+  };
+  refuses(Cvode{}, "CVODE");
+  refuses(Arkode{}, "ARKODE");
+  refuses(Gsl{}, "GSL");
+  refuses(Odeint{}, "Odeint");
+}
+
+}  // namespace
+}  // namespace nlmech::peers

@@ -1,0 +1,47 @@
+// GSL ends the program at an error, unless it is told otherwise; the peers tell it, and take it back.
+#include <gsl/gsl_errno.h>
+
+#include "tests/peers_ivp/peers.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using namespace testing;
+
+void handler(const char* /*reason*/, const char* /*file*/, int /*line*/, int /*code*/) {}
+
+// x' = k x has a Newton matrix 1 - c h k, which is 0 for one k. bsimp's first is 1 - h k/2, and from 0 the
+// first step is 1e-6. GSL's error handler would end the program; without it bsimp makes 1e301 out of nothing.
+struct Unlucky {
+  static constexpr int dimension = 1;
+  double k = 2e6;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 1>& x, Vector<T, 1>& dxdt) const {
+    dxdt[0] = k * x[0];
+  }
+};
+
+TEST(SingularMatrix, IsNotTakenForASolvedStep) {
+  for (const std::string& name : peer_names()) {
+    // rosenbrock4 has 4/h - k.
+    const Unlucky problem{name == "odeint-rosenbrock4" ? 4e6 : 2e6};
+    const auto solution =
+        peer_integrator<1>(name, 1e-9)(ivp::System(problem), ivp::State<1>(0.0), 0, 1, {}, {.steps = 10000});
+    EXPECT_TRUE(solution.status.ok()) << solution.status.text();
+    EXPECT_EQ(solution.x[0], 0) << name;
+  }
+}
+
+TEST(GslErrors, GoToTheProgramsHandlerAgainAfterwards) {
+  gsl_error_handler_t* before = gsl_set_error_handler(&handler);
+  const auto look = [](const ivp::Step<1>&) {
+    gsl_error_handler_t* now = gsl_set_error_handler_off();  // which it is already
+    EXPECT_NE(now, &handler);
+    return true;
+  };
+  (void)peer_integrator<1>("gsl-rk8pd", 1e-9)(ivp::System(Decay{}), ivp::State<1>(1.0), 0, 1, look, {});
+  EXPECT_EQ(gsl_set_error_handler(before), &handler);
+}
+
+}  // namespace
+}  // namespace nlmech::peers

@@ -1,0 +1,46 @@
+// The inlined Odeint is the same Odeint.
+#include "nlmech/peers/ivp/odeint_direct.hpp"
+
+#include "nlmech/problems/duffing.hpp"
+#include "tests/peers_ivp/peers.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using namespace testing;
+
+OdeintDirect inlined(Odeint::Formula formula) {
+  OdeintDirect method;
+  method.formula = formula;
+  return method;
+}
+
+TEST(OdeintDirect, TakesTheSameSteps) {
+  const problems::Duffing duffing;
+  const ivp::Direct direct(duffing);
+  const ivp::System system(duffing);
+  for (const auto formula :
+       {Odeint::Formula::dopri5, Odeint::Formula::fehlberg78, Odeint::Formula::bulirsch_stoer}) {
+    const Odeint method{.formula = formula};
+    for (const double end : {20.0, -20.0}) {
+      const auto a = ivp::integrate(direct, {1, 0}, 0, end, inlined(formula));
+      const auto b = ivp::integrate(system, {1, 0}, 0, end, method);
+      const auto c = ivp::integrate(direct, {1, 0}, 0, end, method);  // states as std::vector
+      ASSERT_TRUE(a.status.ok() && b.status.ok() && c.status.ok()) << method.name();
+      EXPECT_EQ(a.statistics.steps, b.statistics.steps) << method.name();
+      EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name();
+      // Compiled separately: rounding may differ, a thousandth of the tolerance at most.
+      EXPECT_LT((a.x - b.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
+      EXPECT_LT((a.x - c.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
+    }
+  }
+}
+
+TEST(OdeintDirect, HasNoRosenbrockMethod) {
+  const ivp::Direct direct(problems::Duffing{});
+  EXPECT_THROW((void)ivp::integrate(direct, {1, 0}, 0, 1, inlined(Odeint::Formula::rosenbrock4)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::peers

@@ -1,0 +1,59 @@
+// Peers by name.
+#include <array>
+
+#include "nlmech/peers/ivp/cvode.hpp"
+#include "tests/peers_ivp/peers.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using namespace testing;
+
+TEST(Registry, HasThirteenPeers) {
+  const std::vector<std::string> names = {"cvode-adams",       "cvode-bdf",         "arkode-erk",
+                                          "arkode-dirk",       "gsl-rkf45",         "gsl-rk8pd",
+                                          "gsl-bsimp",         "gsl-msadams",       "gsl-msbdf",
+                                          "odeint-dopri5",     "odeint-fehlberg78", "odeint-bulirsch-stoer",
+                                          "odeint-rosenbrock4"};
+  EXPECT_EQ(all_peer_names(), names);
+  for (const std::string& name : names) EXPECT_TRUE(is_peer(name)) << name;
+  for (const std::string& name : peer_names()) EXPECT_TRUE(peer_available(name)) << name;
+  EXPECT_FALSE(is_peer("rk4"));
+}
+
+TEST(Registry, SaysWhichPeersThereAre) {
+  try {
+    (void)peer_integrator<2>("lsoda", 1e-9);
+    FAIL() << "there is no lsoda";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("there is no peer 'lsoda'; there is cvode-adams, cvode-bdf"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Registry, SaysWhatIsAbsent) {
+  EXPECT_EQ(absent_peer_sentence("gsl-msbdf"),
+            "gsl-msbdf is not in this build: configure with GSL (NLMECH_PEERS)");
+}
+
+TEST(Registry, RefusesTolerancesThatAreNone) {
+  for (const double tolerance : {0.0, -1e-9, nan, infinity}) {
+    EXPECT_THROW((void)peer_integrator<1>("odeint-dopri5", tolerance), std::invalid_argument) << tolerance;
+  }
+}
+
+TEST(Methods, RefuseTolerancesThatAreNone) {
+  if (!cvode_available()) GTEST_SKIP();
+  const ivp::System system(Decay{});
+  const auto with = [&](double relative, double absolute) {
+    return ivp::integrate(system, ivp::State<1>(1.0), 0, 1,
+                          Cvode{.relative_tolerance = relative, .absolute_tolerance = absolute});
+  };
+  EXPECT_THROW((void)with(-1, 1e-9), std::invalid_argument);
+  EXPECT_THROW((void)with(1e-9, 0), std::invalid_argument);
+  EXPECT_TRUE(with(0, 1e-9).status.ok());
+}
+
+}  // namespace
+}  // namespace nlmech::peers

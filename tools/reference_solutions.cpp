@@ -1,0 +1,202 @@
+/// @file
+/// Makes tables/reference/rbf_ivp.csv: end states of the initial value problems of nlmech/problems in
+/// extended precision. Each is computed twice, by Taylor series of two orders with steps of different
+/// lengths, and only digits on which both agree are printed.
+///
+///     reference_solutions > tables/reference/rbf_ivp.csv      all problems that take seconds
+///     reference_solutions duffing van-der-pol-stiff           these only; the stiff ones take an hour each
+
+#include <algorithm>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+
+namespace {
+
+namespace mp = boost::multiprecision;
+using nlmech::Vector;
+using namespace nlmech::problems;
+
+using Real = mp::number<mp::cpp_bin_float<60>, mp::et_off>;
+
+constexpr int fewest_digits = 30, most_digits = 50;
+
+/// Decimal digits on which two values agree, less one for the rounding of both.
+int agreed_digits(const Real& a, const Real& b) {
+  if (a == b) return most_digits;
+  const Real relative = abs(a - b) / std::max(Real(abs(a)), Real(abs(b)));
+  return std::clamp(static_cast<int>(-log10(relative)) - 1, 0, most_digits);
+}
+
+/// Where a row belongs: problem, parameters that differ from the default, time.
+struct Place {
+  std::string problem, parameters, time;
+};
+
+/// Prints a row. @throws std::runtime_error if the values agree on too few digits
+void print(const Place& place, const std::string& state, const Real& first, const Real& second) {
+  const int digits = agreed_digits(first, second);
+  const std::string text = second.str(digits - 1, std::ios_base::scientific);
+  if (digits < fewest_digits) {
+    throw std::runtime_error(place.problem + " " + place.parameters + " t = " + place.time + ": " + state +
+                             " agrees on " + std::to_string(digits) + " digits only");
+  }
+  std::printf("%s,%s,%s,%s,%s\n", place.problem.c_str(), place.parameters.c_str(), place.time.c_str(),
+              state.c_str(), text.c_str());
+}
+
+/// The same states by two orders.
+template <int n>
+struct Twice {
+  std::vector<Vector<Real, n>> first, second;
+};
+
+/// The two computations.
+struct Effort {
+  int order[2];
+  double tolerance[2];
+};
+constexpr Effort fine = {{46, 58}, {1e-62, 1e-64}};
+/// Where stability, not accuracy, holds the steps down: a lower order is cheaper.
+constexpr Effort stiff = {{28, 34}, {1e-42, 1e-44}};
+
+/// From the problem's own initial state at time 0. @throws std::runtime_error if a solution does not reach
+/// the end
+template <class Problem>
+Twice<Problem::dimension> solve_twice(const Problem& problem, const std::vector<Real>& times,
+                                      const Effort& effort) {
+  Twice<Problem::dimension> states;
+  const auto solve = [&](std::vector<Vector<Real, Problem::dimension>>& found, int order, double tolerance) {
+    const auto start = std::chrono::steady_clock::now();
+    const Vector<Real, Problem::dimension> x0 = Problem::initial_state().template cast<Real>();
+    const nlmech::Status status =
+        reference_states(problem, x0, Real(0), std::span<const Real>(times), found,
+                         {.order = order, .tolerance = tolerance, .most_steps = 100'000'000});
+    if (!status.ok()) throw std::runtime_error(status.text());
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    (void)std::fprintf(stderr, "%s: order %d, %.0f s\n", std::string(Problem::name).c_str(), order,
+                       seconds.count());
+  };
+  solve(states.first, effort.order[0], effort.tolerance[0]);
+  solve(states.second, effort.order[1], effort.tolerance[1]);
+  return states;
+}
+
+/// Rows for all states at the given times; @p texts say the times exactly.
+template <class Problem>
+Twice<Problem::dimension> tabulate(const Problem& problem, const std::string& parameters,
+                                   const std::vector<std::string>& texts, const Effort& effort = fine) {
+  std::vector<Real> times;
+  for (const std::string& text : texts) times.emplace_back(text);
+  auto states = solve_twice(problem, times, effort);
+  const auto names = state_names<Problem>();
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    for (int i = 0; i < Problem::dimension; ++i) {
+      print(Place{std::string(Problem::name), parameters, texts[k]}, names[static_cast<std::size_t>(i)],
+            states.first[k][i], states.second[k][i]);
+    }
+  }
+  return states;
+}
+
+/// The period from amplitude 1 by our formula, and by Boost's complete elliptic integral.
+void print_period(const Place& place, const Duffing& problem) {
+  const Real modulus = sqrt(problem.elliptic_parameter(Real(1)));
+  print(place, "period", problem.period(Real(1)),
+        Real(4 * boost::math::ellint_1(modulus) / problem.argument_frequency(Real(1))));
+}
+
+void duffing() {
+  const Duffing problem;
+  print_period(Place{"duffing", "", "0"}, problem);
+  tabulate(problem, "", {"500"});
+}
+
+/// Fast: 101 periods in 0.75 units of time.
+void duffing_hard() {
+  const Duffing problem{.hardening = 1e6};
+  print_period(Place{"duffing", "hardening=1e6", "0"}, problem);
+  tabulate(problem, "hardening=1e6", {"0.75"});
+}
+
+void impact() {
+  const ImpactDuffing problem;
+  const auto states = tabulate(problem, "", {"0.5", "1", "499", "500"});
+  // Of the free oscillation that the force leaves behind.
+  const Place place{"impact", "", "1"};
+  const Duffing free = problem.free();
+  const auto &a = states.first[1], &b = states.second[1];
+  print(place, "energy", free.invariants(Real(1), a)[0], free.invariants(Real(1), b)[0]);
+  print(place, "amplitude", free.amplitude(a), free.amplitude(b));
+  print(place, "period", free.period(free.amplitude(a)), free.period(free.amplitude(b)));
+}
+
+/// With the decimal numbers of the table, and with the doubles next to them: what a program in double solves.
+void three_masses() {
+  tabulate(BasicThreeMassChain<Real>(), "", {"200"});
+  tabulate(ThreeMassChain(), "as doubles", {"200"});
+}
+
+void three_masses_stiff() {
+  BasicThreeMassChain<Real> problem;
+  problem.k1 = 100'000'000;
+  tabulate(problem, "k1=1e8", {"200"}, stiff);
+}
+
+void van_der_pol() {
+  tabulate(VanDerPol{.mu = 10}, "mu=10", {"20", "100"});
+  tabulate(VanDerPol{.mu = 100}, "mu=100", {"200"});
+}
+
+void van_der_pol_stiff() { tabulate(VanDerPol{.mu = 1000}, "mu=1000", {"800", "1000", "2000"}); }
+
+struct Case {
+  const char* name;
+  void (*make)();
+  bool stiff = false;  // an explicit series takes hundreds of thousands of steps: only if asked for
+};
+constexpr Case cases[] = {{"duffing", duffing},
+                          {"duffing-hard", duffing_hard},
+                          {"impact", impact},
+                          {"three-dof", three_masses},
+                          {"three-dof-stiff", three_masses_stiff, true},
+                          {"van-der-pol", van_der_pol},
+                          {"van-der-pol-stiff", van_der_pol_stiff, true}};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::set<std::string> chosen(arguments + 1, arguments + count);
+  for (const std::string& name : chosen) {
+    if (std::none_of(std::begin(cases), std::end(cases), [&](const Case& c) { return name == c.name; })) {
+      (void)std::fprintf(stderr, "reference_solutions: there is no '%s'; there is", name.c_str());
+      for (const Case& c : cases) (void)std::fprintf(stderr, " %s", c.name);
+      (void)std::fprintf(stderr, "\n");
+      return 2;
+    }
+  }
+  try {
+    std::printf("problem,parameters,t,state,value\n");
+    for (const Case& c : cases) {
+      if (chosen.empty() ? !c.stiff : chosen.contains(c.name)) c.make();
+      std::fflush(stdout);
+    }
+  } catch (const std::exception& failed) {
+    (void)std::fprintf(stderr, "reference_solutions: %s\n", failed.what());
+    return 1;
+  }
+  return 0;
+}
