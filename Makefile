@@ -78,4 +78,4 @@ book: figures
 
 clean:
 	@rm -rf $(BUILD) results book
-	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published -exec rm -rf {} +
+	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published ! -name reference -exec rm -rf {} +

@@ -192,7 +192,7 @@ int main(int count, char** arguments) {
     std::printf("problem,parameters,t,state,value\n");
     for (const Case& c : cases) {
       if (chosen.empty() ? !c.stiff : chosen.contains(c.name)) c.make();
-      std::fflush(stdout);
+      (void)std::fflush(stdout);
     }
   } catch (const std::exception& failed) {
     (void)std::fprintf(stderr, "reference_solutions: %s\n", failed.what());

@@ -96,6 +96,8 @@ template <class T = double>
   throw std::invalid_argument("nodes: no such family");
 }
 
+/// @cond instances compiled in the library
 extern template Vector<double> jacobi_zeros(int m, int a, int b);
+/// @endcond
 
 }  // namespace nlmech::collocation

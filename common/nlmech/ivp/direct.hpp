@@ -193,6 +193,7 @@ class Direct {
   Problem problem_;
 };
 
+/// `Direct(problem)` is a Direct of the problem's own dimension.
 template <class Problem>
 Direct(Problem) -> Direct<Problem>;
 

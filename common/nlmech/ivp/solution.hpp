@@ -27,7 +27,9 @@ template <int n>
 class DenseOutput {
  public:
   DenseOutput() = default;
+  /// Copies.
   DenseOutput(const DenseOutput&) = default;
+  /// Copies.
   DenseOutput& operator=(const DenseOutput&) = default;
   virtual ~DenseOutput() = default;
   /// State at @p t within the latest step, in the accuracy that the method's header states.

@@ -15,10 +15,11 @@ namespace nlmech::problems {
 /// y' = s y^3, whose solution y0/sqrt(1 - 2 s y0^2 t) from y(0) = y0 ends at t = 1/(2 s y0^2) for s > 0. An
 /// integrator has to notice. State (y).
 struct BlowUp {
-  static constexpr int dimension = 1;                        ///< y alone
-  static constexpr std::string_view name = "blow-up";        ///< on command lines and in tables
-  static constexpr double initial_time = 0, final_time = 1;  ///< twice the life of the solution
-  double strength = 1;                                       ///< s
+  static constexpr int dimension = 1;                  ///< y alone
+  static constexpr std::string_view name = "blow-up";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;            ///< t_0
+  static constexpr double final_time = 1;              ///< twice the life of the solution
+  double strength = 1;                                 ///< s
 
   /// By name.
   static constexpr std::array parameters = {Parameter<BlowUp>{"strength", &BlowUp::strength}};

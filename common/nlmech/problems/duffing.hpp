@@ -18,11 +18,12 @@ namespace nlmech::problems {
 /// sqrt(m); argument_frequency(), elliptic_parameter() and period() are its constants. They hold for every
 /// eta for which w^2 + eta X^2 > 0.
 struct Duffing {
-  static constexpr int dimension = 2;                          ///< position and velocity
-  static constexpr std::string_view name = "duffing";          ///< on command lines and in tables
-  static constexpr double initial_time = 0, final_time = 500;  ///< Table 4.1, t_0 and t_F
-  double natural_frequency = 1;                                ///< w, of the linear oscillator, rad/time
-  double hardening = 1;                                        ///< eta, cubic stiffness; negative: softening
+  static constexpr int dimension = 2;                  ///< position and velocity
+  static constexpr std::string_view name = "duffing";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;            ///< t_0
+  static constexpr double final_time = 500;            ///< t_F, Table 4.1
+  double natural_frequency = 1;                        ///< w, of the linear oscillator, rad/time
+  double hardening = 1;                                ///< eta, cubic stiffness; negative: softening
 
   /// By name.
   static constexpr std::array parameters = {

@@ -20,13 +20,14 @@ namespace nlmech::problems {
 /// Eq. 4.24 prints a (1 - t), which is the same for the printed t1 = 1 only, and does not say that the force
 /// ends.
 struct ImpactDuffing {
-  static constexpr int dimension = 2;                          ///< position and velocity
-  static constexpr std::string_view name = "impact";           ///< on command lines and in tables
-  static constexpr double initial_time = 0, final_time = 500;  ///< Table 4.3, t_0 and t_F
-  double natural_frequency = 1;                                ///< w, of the linear oscillator, rad/time
-  double hardening = 1;                                        ///< eta, cubic stiffness
-  double slope = 2;                                            ///< a, of the rising force; its peak is a t1/2
-  double duration = 1;                                         ///< t1, of the force; 0 or less: no force
+  static constexpr int dimension = 2;                 ///< position and velocity
+  static constexpr std::string_view name = "impact";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;           ///< t_0
+  static constexpr double final_time = 500;           ///< t_F, Table 4.3
+  double natural_frequency = 1;                       ///< w, of the linear oscillator, rad/time
+  double hardening = 1;                               ///< eta, cubic stiffness
+  double slope = 2;                                   ///< a, of the rising force; its peak is a t1/2
+  double duration = 1;                                ///< t1, of the force; 0 or less: no force
 
   /// By name.
   static constexpr std::array parameters = {

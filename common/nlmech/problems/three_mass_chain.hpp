@@ -22,9 +22,10 @@ namespace nlmech::problems {
 /// @tparam Real type of the parameters; at most as precise as the T that the equation is evaluated with
 template <class Real>
 struct BasicThreeMassChain {
-  static constexpr int dimension = 6;                          ///< three positions, then three velocities
-  static constexpr std::string_view name = "three-dof";        ///< on command lines and in tables
-  static constexpr double initial_time = 0, final_time = 200;  ///< Table 4.5, t_0 and t_F
+  static constexpr int dimension = 6;                    ///< three positions, then three velocities
+  static constexpr std::string_view name = "three-dof";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;              ///< t_0
+  static constexpr double final_time = 200;              ///< t_F, Table 4.5
 
   Real m1 = 2;                   ///< first mass
   Real m2 = 1;                   ///< second mass, which carries the load

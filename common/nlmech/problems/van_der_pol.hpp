@@ -16,10 +16,11 @@ namespace nlmech::problems {
 /// For large mu the solution creeps along v = x/(mu (1 - x^2)), where the second eigenvalue is close to
 /// mu (1 - x^2), and leaps at |x| = 1 to the other side: half a period takes about (3/2 - ln 2) mu.
 struct VanDerPol {
-  static constexpr int dimension = 2;                         ///< position and velocity
-  static constexpr std::string_view name = "van-der-pol";     ///< on command lines and in tables
-  static constexpr double initial_time = 0, final_time = 20;  ///< four leaps for mu = 10 lie in between
-  double mu = 10;                                             ///< strength of the damping; 0 or more
+  static constexpr int dimension = 2;                      ///< position and velocity
+  static constexpr std::string_view name = "van-der-pol";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;                ///< t_0
+  static constexpr double final_time = 20;                 ///< four leaps for mu = 10 lie in between
+  double mu = 10;                                          ///< strength of the damping; 0 or more
 
   /// By name.
   static constexpr std::array parameters = {Parameter<VanDerPol>{"mu", &VanDerPol::mu}};

@@ -304,7 +304,8 @@ template <class T, int n, int rows>
 
 }  // namespace nlmech
 
-/// What Eigen has to know about dual numbers as entries of vectors and matrices.
+/// @cond Doxygen cannot follow specialisations of another library's templates
+// What Eigen has to know about dual numbers as entries of vectors and matrices.
 template <class T, int n>
 struct Eigen::NumTraits<nlmech::Dual<T, n>> : Eigen::GenericNumTraits<nlmech::Dual<T, n>> {
   using Real = nlmech::Dual<T, n>;        ///< not complex
@@ -341,3 +342,4 @@ requires std::convertible_to<S, T>
 struct Eigen::ScalarBinaryOpTraits<S, nlmech::Dual<T, n>, Operation> {
   using ReturnType = nlmech::Dual<T, n>;  ///< type of the result
 };
+/// @endcond

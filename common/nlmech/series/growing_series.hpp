@@ -186,7 +186,8 @@ class GrowingSeries {
 
 }  // namespace nlmech
 
-/// What Eigen has to know about growing series as entries of vectors.
+/// @cond Doxygen cannot follow specialisations of another library's templates
+// What Eigen has to know about growing series as entries of vectors.
 template <class T>
 struct Eigen::NumTraits<nlmech::GrowingSeries<T>> : Eigen::GenericNumTraits<nlmech::GrowingSeries<T>> {
   using Real = nlmech::GrowingSeries<T>;        ///< not complex
@@ -204,3 +205,4 @@ struct Eigen::NumTraits<nlmech::GrowingSeries<T>> : Eigen::GenericNumTraits<nlme
     MulCost = 100
   };
 };
+/// @endcond

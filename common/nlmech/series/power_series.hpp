@@ -224,7 +224,8 @@ extern template class PowerSeries<long double>;
 
 }  // namespace nlmech
 
-/// What Eigen has to know about power series as entries of vectors and matrices.
+/// @cond Doxygen cannot follow specialisations of another library's templates
+// What Eigen has to know about power series as entries of vectors and matrices.
 template <class T>
 struct Eigen::NumTraits<nlmech::PowerSeries<T>> : Eigen::GenericNumTraits<nlmech::PowerSeries<T>> {
   using Real = nlmech::PowerSeries<T>;        ///< not complex
@@ -242,3 +243,4 @@ struct Eigen::NumTraits<nlmech::PowerSeries<T>> : Eigen::GenericNumTraits<nlmech
     MulCost = 500
   };
 };
+/// @endcond

@@ -50,11 +50,13 @@ template <int n>
 [[nodiscard]] Status integrate_by_odeint(EquationsOf<ivp::System<n>>& equations, Run& run,
                                          const Odeint& method);
 
+/// @cond instances compiled in the library
 extern template Status integrate_by_odeint(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
 extern template Status integrate_by_odeint(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
 extern template Status integrate_by_odeint(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
 extern template Status integrate_by_odeint(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
 extern template Status integrate_by_odeint(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
+/// @endcond
 
 namespace detail {
 /// Is the Integrator of S compiled in the library?

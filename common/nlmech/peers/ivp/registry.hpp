@@ -48,11 +48,13 @@ using PeerIntegrator =
 template <int n>
 [[nodiscard]] PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance);
 
+/// @cond instances compiled in the library
 extern template PeerIntegrator<1> peer_integrator<1>(std::string_view, double);
 extern template PeerIntegrator<2> peer_integrator<2>(std::string_view, double);
 extern template PeerIntegrator<3> peer_integrator<3>(std::string_view, double);
 extern template PeerIntegrator<4> peer_integrator<4>(std::string_view, double);
 extern template PeerIntegrator<6> peer_integrator<6>(std::string_view, double);
 extern template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double);
+/// @endcond
 
 }  // namespace nlmech::peers
