@@ -206,6 +206,7 @@ scene::Showing show(const std::vector<Ends>& all, const std::vector<Odd>& odd) {
                      static_cast<double>(controlled_past_the_end), 0, "there is no solution beyond t = 1/2"),
       none("NaN", &Ends::nan),
       none("infinity", &Ends::infinity),
+      none("steps that t = 1e16 cannot hold", &Ends::underflow),
       {"methods that succeed over an interval without length", "1",
        count(all, &Ends::nothing, Outcome::success), methods, methods, "nothing is to be done"},
       {"least digits backwards", "1", least_backwards, 1, 16, "all of order 1 or more, 1000 steps"},
