@@ -1,4 +1,4 @@
-#include "chapters/rbf_ivp/any_method.hpp"
+#include "nlmech/comparison/any_method.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "nlmech/peers/ivp/registry.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::comparison {
 
 std::vector<std::string> any_method_names() {
   std::vector<std::string> names;
@@ -45,6 +45,10 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
 
 template ivp::NamedIntegrator<1> any_integrator<1>(const AnyMethod&, const ivp::Settings&);
 template ivp::NamedIntegrator<2> any_integrator<2>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<3> any_integrator<3>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<4> any_integrator<4>(const AnyMethod&, const ivp::Settings&);
 template ivp::NamedIntegrator<6> any_integrator<6>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<Eigen::Dynamic> any_integrator<Eigen::Dynamic>(const AnyMethod&,
+                                                                             const ivp::Settings&);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::comparison

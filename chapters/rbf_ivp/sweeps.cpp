@@ -1,38 +1,13 @@
-#include "chapters/rbf_ivp/contenders.hpp"
+#include "chapters/rbf_ivp/sweeps.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <span>
-#include <utility>
-
-#include "chapters/rbf_ivp/any_method.hpp"
 #include "chapters/rbf_ivp/cases.hpp"
-#include "nlmech/peers/ivp/registry.hpp"
 
 namespace nlmech::chapters {
 namespace {
 
-/// A sweep of steps, in units of a scale. Quick: every other.
-Contender by_steps(const char* name, std::optional<int> nodes, Kind kind, double scale,
-                   std::span<const double> factors, bool quick, double shape = 0) {
-  Contender c{name, nodes, kind, {}};
-  for (std::size_t i = 0; i < factors.size(); i += quick ? 2 : 1) {
-    ivp::Settings s{.step = scale * factors[i], .nodes = nodes};
-    if (shape > 0) s.shape = shape / *s.step;
-    c.settings.push_back({fmt::format("step {:.4g}", *s.step), s});
-  }
-  return c;
-}
-
-Contender by_tolerances(const std::string& name, Kind kind, bool quick) {
-  Contender c{name, {}, kind, {}};
-  for (int power = 4; power <= (quick ? 8 : 13); power += quick ? 4 : 1) {
-    ivp::Settings s{.tolerance = std::pow(10, -power)};
-    c.settings.push_back({fmt::format("tolerance {:.0e}", *s.tolerance), s});
-  }
-  return c;
-}
+using comparison::by_steps;
+using comparison::Contender;
+using comparison::Kind;
 
 constexpr double ladder[] = {2, 1, 0.5, 0.25};
 constexpr double long_ladder[] = {1, 0.5, 0.25, 0.125};
@@ -59,8 +34,6 @@ StepScales three_mass_steps() {
   return {.few_nodes = 0.625, .many_nodes = 20, .few_shape = 0.35 * 0.625, .many_shape = 0.39 * 20};
 }
 
-std::string Contender::label() const { return nodes ? fmt::format("{}, N = {}", name, *nodes) : name; }
-
 std::vector<Contender> contenders(const StepScales& s, bool quick) {
   const double few = s.few_nodes, many = s.many_nodes;
   std::vector<Contender> all = {
@@ -78,23 +51,9 @@ std::vector<Contender> contenders(const StepScales& s, bool quick) {
     all.push_back(by_steps(name, {}, Kind::classical, few, second_order_ladder, quick));
   for (const char* name : {"rk4", "rk6"})
     all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_ladder, quick));
-  all.push_back(by_tolerances("ode45", Kind::explicit_, quick));
-  for (const bool implicit : {false, true}) {
-    for (const std::string& name : peers::all_peer_names()) {
-      if (peers::peer_is_implicit(name) != implicit) continue;
-      all.push_back(by_tolerances(name, implicit ? Kind::implicit : Kind::explicit_, quick));
-      if (!peers::peer_available(name)) all.back().settings.clear();
-    }
-  }
+  all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
+  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
   return all;
 }
-
-template <int n>
-ivp::NamedIntegrator<n> integrator(const Contender& contender, const Setting& setting) {
-  return any_integrator<n>(any_method(contender.name), setting.settings);
-}
-
-template ivp::NamedIntegrator<2> integrator<2>(const Contender&, const Setting&);
-template ivp::NamedIntegrator<6> integrator<6>(const Contender&, const Setting&);
 
 }  // namespace nlmech::chapters

@@ -8,7 +8,7 @@
 
 #include "nlmech/ivp/named_methods.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::comparison {
 
 /// A method of ours or a peer.
 struct AnyMethod {
@@ -30,4 +30,4 @@ struct AnyMethod {
 template <int n>
 [[nodiscard]] ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Settings& settings);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::comparison

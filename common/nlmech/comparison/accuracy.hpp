@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "chapters/rbf_ivp/cases.hpp"
-#include "chapters/rbf_ivp/own_reference.hpp"
+#include "nlmech/comparison/example.hpp"
+#include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/ivp/named_methods.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::comparison {
 
 /// Ends of steps in the last tenth of the way: the first beyond each of 16 equidistant times, and the last 16
 /// of all, if that makes fewer, for methods of long steps. What 16 runs to these times would give.
@@ -58,13 +58,13 @@ struct Accuracy {
   Statistics work;              ///< what it cost
 };
 
-/// Runs an example to its nominal end.
+/// Runs an example to its end.
 template <int n>
-[[nodiscard]] Accuracy accuracy_of(const Case<n>& c, const ivp::NamedIntegrator<n>& run,
+[[nodiscard]] Accuracy accuracy_of(const Example<n>& c, const ivp::NamedIntegrator<n>& run,
                                    const ivp::Limits& limits) {
-  LastEnds<n> seen(c.t0, c.nominal_end);
+  LastEnds<n> seen(c.t0, c.t1);
   const auto observe = [&seen](const ivp::Step<n>& step) { return seen.see(step); };
-  const ivp::Solution<n> end = run(c.system, c.x0, c.t0, c.nominal_end, observe, limits);
+  const ivp::Solution<n> end = run(c.system, c.x0, c.t0, c.t1, observe, limits);
   Accuracy accuracy{end.status, {}, end.statistics};
   if (!end.status.ok()) return accuracy;
   std::vector<double> errors;
@@ -73,4 +73,4 @@ template <int n>
   return accuracy;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::comparison

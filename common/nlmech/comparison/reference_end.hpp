@@ -10,7 +10,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/series/value_of.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::comparison {
 
 /// A problem run backwards: dx/ds = -f(-s, x).
 template <class Problem>
@@ -96,4 +96,4 @@ template <int n>
   return -std::log10(std::max(error, std::numeric_limits<double>::epsilon() / 2));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::comparison
