@@ -21,6 +21,7 @@
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/series.hpp"
 #include "nlmech/ivp/step_search.hpp"
 
 namespace nlmech::ivp {
@@ -36,6 +37,13 @@ constexpr std::array methods = {
     MethodInfo{Rk4::name, true, 4, "the classical Runge-Kutta method", false, false, false},
     MethodInfo{Rk6::name, true, 6, "Butcher's Runge-Kutta method of 7 stages", false, false, false},
     MethodInfo{Ode45::name, false, 5, "Dormand and Prince's pair, controlled as MATLAB does", false, false,
+               false},
+    MethodInfo{Series::name,
+               false,
+               {},
+               "Taylor series, order and steps by the radius of convergence",
+               false,
+               false,
                false},
     MethodInfo{Newmark::name, true, 2, "Newmark's method, constant average acceleration", true, false, false},
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
@@ -160,10 +168,11 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
   return searching<n>(search, make, rate, rate && !settings.shape);
 }
 
-template <int n>
-NamedIntegrator<n> ode45(const Settings& settings) {
+/// A method that chooses its steps.
+template <int n, class Method>
+NamedIntegrator<n> adaptive(const Settings& settings) {
   const double tolerance = settings.tolerance.value_or(default_tolerance);
-  const Ode45 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  const Method method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
   check_options(method);
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
@@ -237,7 +246,8 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
   if (info.name == BackwardEuler::name) return with([](double step) { return BackwardEuler{.step = step}; });
   if (info.name == Rk4::name) return with([](double step) { return Rk4{.step = step}; });
   if (info.name == Rk6::name) return with([](double step) { return Rk6{.step = step}; });
-  if (info.name == Ode45::name) return ode45<n>(settings);
+  if (info.name == Ode45::name) return adaptive<n, Ode45>(settings);
+  if (info.name == Series::name) return adaptive<n, Series>(settings);
   if (auto method = collocation_by_name<n>(info, settings)) return method;
   return second_order_by_name<n>(info, settings);
 }
