@@ -25,7 +25,8 @@ struct Avx512Sum {
       const __m512d earlier = _mm512_maskz_loadu_pd(mirrored(few), b - i - 7);
       s = _mm512_fmadd_pd(later, reversed(earlier), s);
     }
-    const __m256d half = _mm256_add_pd(_mm512_castpd512_pd256(s), _mm512_extractf64x4_pd(s, 1));
+    const __m256d half =
+        _mm256_add_pd(_mm512_maskz_extractf64x4_pd(0xf, s, 0), _mm512_maskz_extractf64x4_pd(0xf, s, 1));
     const __m128d pair = _mm_add_pd(_mm256_castpd256_pd128(half), _mm256_extractf128_pd(half, 1));
     return _mm_cvtsd_f64(pair) + _mm_cvtsd_f64(_mm_unpackhi_pd(pair, pair));
   }
