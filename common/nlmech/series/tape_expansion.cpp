@@ -48,6 +48,10 @@ bool has_companion(Operation operation) { return operation >= Operation::circula
 
 }  // namespace
 
+InstructionSet replay_instruction_set() noexcept {
+  return available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
+}
+
 TapeExpansion::TapeExpansion(InstructionSet set) : replay_(kernel(set)) {}
 
 void TapeExpansion::load(Tape tape, int order) {
