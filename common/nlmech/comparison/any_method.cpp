@@ -26,7 +26,8 @@ AnyMethod any_method(std::string_view name) {
   return {.name = std::string(name),
           .fixed_step = info.fixed_step,
           .has_nodes = info.has_nodes,
-          .has_shape = info.has_shape};
+          .has_shape = info.has_shape,
+          .has_order = info.has_order};
 }
 
 template <int n>
@@ -40,6 +41,7 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
   if (settings.step) refuse("it chooses its steps itself; give a tolerance, not a step");
   if (settings.nodes) refuse("it has no nodes to choose");
   if (settings.shape) refuse("it has no shape to choose");
+  if (settings.order) refuse("it has no order to choose");
   return peers::peer_integrator<n>(method.name, settings.tolerance.value_or(ivp::default_tolerance));
 }
 

@@ -17,6 +17,7 @@ struct AnyMethod {
   bool fixed_step = false;  ///< takes a step; else a tolerance alone
   bool has_nodes = false;   ///< Settings::nodes counts
   bool has_shape = false;   ///< Settings::shape counts
+  bool has_order = false;   ///< Settings::order counts
 };
 
 /// @throws std::invalid_argument listing all methods and peers, if there is none of that name

@@ -17,7 +17,8 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string problem, initial, until, from, method, step, tolerance, nodes, shape, every, limit = "60";
+  std::string problem, initial, until, from, method, step, tolerance, nodes, shape, order, every,
+      limit = "60";
   std::vector<std::string> set;
 };
 
@@ -35,11 +36,11 @@ std::optional<double> positive(const char* option, const std::string& text) {
   return value;
 }
 
-std::optional<int> node_count(const std::string& text) {
+std::optional<int> whole(const char* option, const std::string& text, int least, int most) {
   if (text.empty()) return {};
-  const double value = number("--nodes", text);
-  if (value != std::floor(value) || value < 2 || value > 200)
-    throw InputError(fmt::format("--nodes {}: must be a whole number from 2 to 200", text));
+  const double value = number(option, text);
+  if (value != std::floor(value) || value < least || value > most)
+    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
   return static_cast<int>(value);
 }
 
@@ -54,8 +55,9 @@ Request understand(const Words& words, OwnProblem& problem) {
                                  words.tolerance));
   r.settings = {.step = positive("--step", words.step),
                 .tolerance = positive("--tolerance", words.tolerance),
-                .nodes = node_count(words.nodes),
-                .shape = positive("--shape", words.shape)};
+                .nodes = whole("--nodes", words.nodes, 2, 200),
+                .shape = positive("--shape", words.shape),
+                .order = whole("--order", words.order, 2, 100)};
   r.every = positive("--every", words.every);
   if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
     throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
@@ -80,6 +82,7 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
     all.push_back({method, settings});
     if (!method.has_nodes) all.back().settings.nodes.reset();
     if (!method.has_shape) all.back().settings.shape.reset();
+    if (!method.has_order) all.back().settings.order.reset();
     begin = comma + 1;
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
@@ -87,6 +90,8 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
     throw InputError(fmt::format("--nodes {}: none of the methods {} has nodes", *settings.nodes, list));
   if (settings.shape && !some([](const Choice& c) { return c.method.has_shape; }))
     throw InputError(fmt::format("--shape {}: none of the methods {} has a shape", *settings.shape, list));
+  if (settings.order && !some([](const Choice& c) { return c.method.has_order; }))
+    throw InputError(fmt::format("--order {}: none of the methods {} has an order", *settings.order, list));
   return all;
 }
 
@@ -103,7 +108,7 @@ void add_common(CLI::App& command, Words& words) {
   command.add_option("--initial", words.initial, "initial state: positions, then velocities, as in 1,-0.5");
   command.add_option("--from", words.from, "time at which it begins; 0 if not given");
   command.add_option("--until", words.until, "time at which it ends; earlier runs backwards")->required();
-  command.add_option("--step", words.step, "length of a step, for methods of fixed step");
+  command.add_option("--step", words.step, "length of a step, for methods of fixed step and series");
   command.add_option("--tolerance", words.tolerance,
                      "relative and absolute; 1e-9 without it. Methods of fixed step halve their step until "
                      "two runs agree");
@@ -117,6 +122,12 @@ void add_method_settings(CLI::App& command, Words& words) {
   command.add_option("--shape", words.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it");
 }
 
+/// What series has.
+void add_order(CLI::App& command, Words& words) {
+  command.add_option("--order", words.order,
+                     "N of series, 2 to 100; by the tolerance without it, 20 with a step");
+}
+
 }  // namespace
 
 void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std::string& only_method) {
@@ -126,10 +137,12 @@ void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std
   if (only_method.empty()) {
     command->add_option("--method", words->method, "one of the methods below")->required();
     add_method_settings(*command, *words);
+    add_order(*command, *words);
     command->footer(
         fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
   } else {
     words->method = only_method;
+    if (any_method(only_method).has_order) add_order(*command, *words);
     command->footer(describe_problems(problems));
   }
   command->add_option("--every", words->every,
@@ -145,6 +158,7 @@ void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::
   command->add_option("--methods", words->method, "methods with commas between: rbf-coll,ode45,cvode-adams")
       ->required();
   add_method_settings(*command, *words);
+  add_order(*command, *words);
   command->footer(
       fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
   command->callback([words, problems, program] { compare(*words, problems, program); });

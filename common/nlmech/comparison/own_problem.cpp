@@ -16,6 +16,7 @@ std::string Choice::setting() const {
                     : fmt::format("tolerance {:.6g}", settings.tolerance.value_or(ivp::default_tolerance));
   if (settings.nodes) text += fmt::format(" nodes {}", *settings.nodes);
   if (settings.shape) text += fmt::format(" shape {:.6g}", *settings.shape);
+  if (settings.order) text += fmt::format(" order {}", *settings.order);
   return text;
 }
 

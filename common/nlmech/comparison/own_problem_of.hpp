@@ -35,6 +35,8 @@ template <int n>
 template <class Problem>
 class OwnProblemOf final : public OwnProblem {
  public:
+  /// With the parameters as set.
+  [[nodiscard]] const Problem& problem() const { return problem_; }
   [[nodiscard]] std::string_view name() const override { return Problem::name; }
   [[nodiscard]] std::vector<std::pair<std::string, double>> parameters() const override {
     std::vector<std::pair<std::string, double>> all;
