@@ -23,7 +23,13 @@ namespace nlmech {
 
 namespace unrolled {
 
-inline constexpr int most_order = 40;                     ///< highest order of a solution
+/// Highest order of a solution. Instrumented code is many times larger and takes minutes to compile: with a
+/// sanitizer fewer orders are unrolled, and more left to the tape.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int most_order = 10;
+#else
+inline constexpr int most_order = 40;
+#endif
 inline constexpr std::ptrdiff_t stride = most_order + 8;  ///< from one series to the next in memory
 inline constexpr int endless = 1 << 20;                   ///< degree of what is no polynomial in the time
 
