@@ -17,13 +17,14 @@ namespace nlmech::ivp {
 ///
 /// As fast as it gets for small problems; a problem of many operations outgrows the instruction cache, and is
 /// better off with a tape.
-template <class Problem>
+/// @tparam most highest order, up to unrolled::most_order: each is a function to compile
+template <class Problem, int most = unrolled::most_order>
 class UnrolledTaylor {
  public:
   static constexpr int n = Problem::dimension;  ///< components of the state
 
   /// @param problem outlives this object
-  /// @param order from 1 to unrolled::most_order
+  /// @param order from 1 to most
   /// @param announced has the problem a member discontinuities(t0, t1)?
   UnrolledTaylor(const Problem& problem, int order, bool announced)
       : problem_(problem), order_(order), announced_(announced) {}
@@ -50,7 +51,7 @@ class UnrolledTaylor {
     memory[0] = t;
     memory[1] = scale;
     for (int i = 0; i < n; ++i) memory[(i + 1) * unrolled::stride] = x[i];
-    run(memory, std::make_integer_sequence<int, unrolled::most_order>());
+    run(memory, std::make_integer_sequence<int, most>());
   }
 
   /// Coefficients 0 to order of component @p i.
@@ -92,7 +93,7 @@ class UnrolledTaylor {
   int order_;
   bool announced_;
   double scale_ = 0;
-  std::array<double, unrolled::most_order> factor_{};
+  std::array<double, static_cast<std::size_t>(most)> factor_{};
   std::vector<double> memory_;
 };
 
