@@ -68,7 +68,8 @@ class TapeRecorder {
   /// An operation and its result.
   struct Node {
     Step step;        ///< operation
-    int a, b;         ///< operands, or the same one twice
+    int a;            ///< operand
+    int b;            ///< second operand, or the same one again
     double constant;  ///< see Step
     double value;     ///< of the result at the point of the recording
     int degree;       ///< of the result as a polynomial of the time

@@ -27,11 +27,17 @@ enum class Operation : std::uint8_t {
 
 /// One operation.
 struct Instruction {
-  Operation operation;            ///< what
-  bool line;                      ///< is `extra` the slope of a series of two coefficients?
-  int r, a, b, extra;             ///< series
-  int first, count;               ///< terms of a linear combination
-  double factor, divisor, shift;  ///< numbers, see Operation
+  Operation operation;  ///< what
+  bool line;            ///< is `extra` the slope of a series of two coefficients?
+  int r;                ///< series of the result
+  int a;                ///< series of the first operand
+  int b;                ///< series of the second operand
+  int extra;            ///< a further series, see Operation
+  int first;            ///< first term of a linear combination
+  int count;            ///< how many terms it has
+  double factor;        ///< a number, see Operation
+  double divisor;       ///< a number, see Operation
+  double shift;         ///< a number, see Operation
 };
 
 /// A term of a linear combination.
@@ -65,7 +71,8 @@ using Replay = void (*)(const Program& program, double* memory, std::int64_t str
 /// is divided.
 inline constexpr int first_reciprocal = 8;
 
-/// The same text compiled for three instruction sets.
-extern const Replay baseline_replay, avx2_replay, avx512_replay;
+extern const Replay baseline_replay;  ///< compiled for every machine
+extern const Replay avx2_replay;      ///< the same text compiled for AVX2
+extern const Replay avx512_replay;    ///< the same text compiled for AVX-512
 
 }  // namespace nlmech::tape
