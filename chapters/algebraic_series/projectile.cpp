@@ -1,8 +1,8 @@
-#include <cmath>
 #include <vector>
 
 #include "chapters/algebraic_series/samples.hpp"
 #include "chapters/algebraic_series/scenes.hpp"
+#include "nlmech/ivp/events.hpp"
 #include "nlmech/problems/projectile.hpp"
 
 namespace nlmech::chapters {
@@ -18,51 +18,25 @@ struct Flight {
   double x_without_wind = 0;  ///< at landing
 };
 
-/// Where a component passes through zero downwards: by bisection on the dense output of the step.
-class Crossing {
- public:
-  explicit Crossing(int component) : component_(component) {}
-  /// Looks at a step; true once found.
-  bool see(const ivp::Step<6>& step) {
-    if (found_ || !(step.x0[component_] > 0 && step.x1[component_] <= 0)) return found_;
-    double low = step.t0, high = step.t1;
-    State x = step.x1;
-    while (std::nextafter(low, high) < high) {
-      const double middle = low + (high - low) / 2;
-      if (middle <= low || middle >= high) break;
-      step.dense.at(middle, x);
-      (x[component_] > 0 ? low : high) = middle;
-    }
-    step.dense.at(high, x);
-    at_ = {high, x};
-    return found_ = true;
-  }
-  [[nodiscard]] const Sample<6>& at() const { return at_; }
-
- private:
-  int component_;
-  bool found_ = false;
-  Sample<6> at_{};
-};
-
 /// Flies until z = 0 with the printed T = 0.01 and N = 20.
 Flight fly(const Projectile& problem) {
   const ivp::System<6> system(problem);
   const State x0 = Projectile::initial_state();
-  Crossing apex(5), landing(2);
+  const std::vector<ivp::Event<6>> events = {
+      {[](double, const State& x) { return x[2]; }, ivp::Crossing::falling, true},
+      {[](double, const State& x) { return x[5]; }, ivp::Crossing::falling}};
   Flight flight;
   flight.path.push_back({0, x0});
-  const auto observe = [&](const ivp::Step<6>& step) {
-    apex.see(step);
-    const bool landed = landing.see(step);
-    flight.path.push_back(landed ? landing.at() : Sample<6>{step.t1, step.x1});
-    return !landed;
+  const auto observe = [&flight](const ivp::Step<6>& step) {
+    flight.path.push_back({step.t1, step.x1});
+    return true;
   };
-  // Ends with `interrupted` at the landing.
-  const auto end = ivp::integrate(system, x0, 0, 100, published_series(0.01, 20), observe);
-  if (end.status.outcome() != Outcome::interrupted) throw Failure(end.status);
-  flight.apex = apex.at();
-  flight.landing = landing.at();
+  const auto [end, hits] =
+      ivp::integrate_with_events(system, x0, 0, 100, published_series(0.01, 20), events, observe);
+  if (!end.status.ok() || hits.size() != 2) throw Failure(end.status);
+  flight.apex = {hits[0].t, hits[0].x};
+  flight.landing = {end.t, end.x};
+  flight.path.back() = flight.landing;
   return flight;
 }
 

@@ -60,6 +60,14 @@ Status time_limit(std::string_view method, double t, double seconds) {
                   method, seconds, t));
 }
 
+Status event_undefined(double t) {
+  return Status::failure(
+      Outcome::non_finite,
+      fmt::format("event: its function is not a number at t = {:.17g}; define it along the "
+                  "whole way",
+                  t));
+}
+
 Status interrupted(std::string_view method, double t) {
   return Status::failure(Outcome::interrupted,
                          fmt::format("{}: the observer ended the integration at t = {:.17g}", method, t));

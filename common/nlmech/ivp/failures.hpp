@@ -23,6 +23,8 @@ namespace nlmech::ivp {
 [[nodiscard]] Status step_limit(std::string_view method, double t, std::int64_t steps);
 /// More wall time than allowed.
 [[nodiscard]] Status time_limit(std::string_view method, double t, double seconds);
+/// The function of an event is NaN.
+[[nodiscard]] Status event_undefined(double t);
 /// The observer said stop.
 [[nodiscard]] Status interrupted(std::string_view method, double t);
 /// The nonlinear equations of a step were not solved. @p outcome as from algebraic::newton

@@ -1,0 +1,152 @@
+/// Events: where they are found, in which order, and what ends an integration.
+#include "nlmech/ivp/events.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <numbers>
+
+#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/series.hpp"
+#include "tests/ivp/methods.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using testing::eps;
+using testing::nan;
+
+constexpr Series accurate = {.relative_tolerance = 1e-15, .absolute_tolerance = 1e-15};
+
+// The first component less a level.
+Event<2> passes(double level, Crossing crossing = Crossing::either, bool ends = false) {
+  return {[level](double, const State<2>& x) { return x[0] - level; }, crossing, ends};
+}
+
+// q'' = -1.
+struct Fall {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    dxdt[0] = x[1];
+    dxdt[1] = T(-1);
+  }
+};
+
+// q = cos t passes zero at (k + 1/2) pi. Rounding of some ten steps, and half a spacing of the answer.
+TEST(Events, AreFoundToRounding) {
+  const auto [end, hits] =
+      integrate_with_events(Direct(testing::Oscillator{}), State<2>(1, 0), 0, 30, accurate, {passes(0)});
+  EXPECT_TRUE(end.status.ok());
+  EXPECT_EQ(end.t, 30);
+  ASSERT_EQ(hits.size(), 10U);  // 9.5 pi < 30 < 10.5 pi
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const double truth = (static_cast<double>(k) + 0.5) * std::numbers::pi;
+    EXPECT_NEAR(hits[k].t, truth, 16 * eps * truth) << k;
+    EXPECT_EQ(hits[k].rising, k % 2 == 1);
+    EXPECT_NEAR(hits[k].x[0], 0, 2 * eps * truth);
+  }
+}
+
+// Any level, frequency and direction of time: as many passages as the cosine has, each where it has it.
+RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
+  const double frequency = *rc::gen::inRange(1, 40) / 10.;
+  const double level = *rc::gen::inRange(-90, 90) / 100.;
+  const bool backwards = *rc::gen::arbitrary<bool>();
+  const double t1 = backwards ? -10.1 : 10.1;
+  const auto [end, hits] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
+                                                 State<2>(1, 0), 0, t1, accurate, {passes(level)});
+  RC_ASSERT(end.status.ok());
+  std::vector<double> truth;
+  const double turn = 2 * std::numbers::pi, angle = std::acos(level);
+  for (int k = 0; k < 10; ++k) {
+    for (const double a : {k * turn + angle, (k + 1) * turn - angle})
+      if (a / frequency < 10.1) truth.push_back(std::copysign(a / frequency, t1));
+  }
+  RC_ASSERT(hits.size() == truth.size());
+  // The slope there is sin(angle) >= 0.43: errors of the state of 100 eps become twice as large in the angle.
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    RC_ASSERT(std::abs(hits[k].t - truth[k]) <= 300 * eps * 10.1);
+}
+
+TEST(Events, DirectionCountsAlongTheWay) {
+  const System system(testing::Oscillator{});
+  const auto count = [&](Crossing crossing, double t1) {
+    return integrate_with_events(system, State<2>(1, 0), 0, t1, Series{}, {passes(0, crossing)}).hits.size();
+  };
+  EXPECT_EQ(count(Crossing::falling, 12), 2U);  // pi/2 and 5 pi/2
+  EXPECT_EQ(count(Crossing::rising, 12), 2U);   // 3 pi/2 and 7 pi/2
+  EXPECT_EQ(count(Crossing::falling, -3), 1U);  // backwards the cosine falls as well
+  EXPECT_EQ(count(Crossing::rising, -3), 0U);
+}
+
+TEST(Events, OfOneStepComeInTheirOrder) {
+  const System system(Fall{});  // one step of any length is exact
+  const auto down = integrate_with_events(system, State<2>(1, 0), 0, 4, Series{.order = 4, .step = 4},
+                                          {passes(0.25), passes(0.75), passes(0.5)});
+  ASSERT_EQ(down.hits.size(), 3U);
+  EXPECT_EQ(down.solution.statistics.steps, 1);
+  EXPECT_EQ(down.hits[0].event, 1U);
+  EXPECT_EQ(down.hits[1].event, 2U);
+  EXPECT_EQ(down.hits[2].event, 0U);
+  EXPECT_NEAR(down.hits[1].t, 1, 2 * eps);
+}
+
+// The ball comes back with half its speed: flights of 2 v after the first of 1. Each begins on the
+// ground, and one step is as long as all that is left: places are 1.25 apart.
+TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
+  const System system(Fall{});
+  double t = 0, expected = 0, speed = 1;
+  State<2> x(0.5, 0);
+  for (int bounce = 0; bounce < 20; ++bounce) {
+    const auto [end, hits] = integrate_with_events(system, x, t, t + 10, accurate,
+                                                   {passes(0, Crossing::falling, true), passes(10)});
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    ASSERT_EQ(hits.size(), 1U);
+    expected += bounce == 0 ? 1 : 2 * speed;
+    EXPECT_NEAR(end.t, expected, 8 * eps * expected) << bounce;
+    EXPECT_NEAR(end.x[1], -speed, 16 * eps);
+    EXPECT_EQ(end.t, hits[0].t);
+    speed /= 2;
+    t = end.t;
+    x = State<2>(0, speed);
+  }
+}
+
+// Its dense output interpolates to fourth order: the step is halved, the error falls by about 16.
+TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
+  const System system(testing::Oscillator{});
+  const auto error = [&](double step) {
+    const auto found = integrate_with_events(system, State<2>(1, 0), 0, 3, Rk4{.step = step}, {passes(0)});
+    EXPECT_EQ(found.hits.size(), 1U);
+    return std::abs(found.hits[0].t - std::numbers::pi / 2);
+  };
+  EXPECT_LT(error(0.05), 1e-6);
+  EXPECT_GT(error(0.1) / error(0.05), 8);
+  const auto [end, hits] = integrate_with_events(system, State<2>(1, 0), 0, 3, Ode45{}, {passes(0)});
+  ASSERT_EQ(hits.size(), 1U);
+  EXPECT_NEAR(hits[0].t, std::numbers::pi / 2, 1e-2);  // ode45's own tolerance is 1e-3
+}
+
+TEST(Events, MistakesAndFunctionsWithoutValue) {
+  const System system(testing::Oscillator{});
+  EXPECT_THROW((void)integrate_with_events(system, State<2>(1, 0), 0, 3, Series{}, {Event<2>{}}),
+               std::invalid_argument);
+  const auto [end, hits] = integrate_with_events(
+      system, State<2>(1, 0), 0, 3, Series{},
+      {{[](double t, const State<2>&) { return t < 1 ? 1. : nan; }, Crossing::either, false}});
+  EXPECT_EQ(end.status.outcome(), Outcome::non_finite);
+  EXPECT_NE(end.status.text().find("event"), std::string::npos) << end.status.text();
+  EXPECT_TRUE(hits.empty());
+}
+
+TEST(Events, TheObserverStillEndsTheIntegration) {
+  const System system(testing::Oscillator{});
+  const auto [end, hits] = integrate_with_events(system, State<2>(1, 0), 0, 30, Series{}, {passes(0)},
+                                                 [](const Step<2>& step) { return step.t1 < 2; });
+  EXPECT_EQ(end.status.outcome(), Outcome::interrupted);
+  EXPECT_EQ(hits.size(), end.t > 1.5 * std::numbers::pi ? 2U : 1U);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp
