@@ -20,7 +20,7 @@ set ytics (1)
 set format y power_of_ten
 do for [k = -70:0:10] {set ytics add (sprintf("10^{%d}", k) 10.0**k)}
 set xrange [0:1]
-set key inside bottom left
+set key at graph 0.34, 0.52 left top
 plot data using "tau":"error" every :::2::2 with lines linestyle 5 title "J_0, T = 10, 20 terms", \
      data using "tau":"error" every :::0::0 with lines linestyle 2 title "J_2, T = 5, 20 terms", \
      data using "tau":"error" every :::3::3 with lines linestyle 1 title "J_0, T = 10, 100 terms", \
