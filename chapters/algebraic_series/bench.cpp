@@ -164,7 +164,7 @@ void add_coefficients(std::vector<Work>& all) {
       return fmt::format("coefficients to order {}, {}", order, way);
     };
     all.push_back({name("plain loop"), [order, x, c = std::vector<double>(303)]() mutable {
-                     for (int i = 0; i < 3; ++i) c[static_cast<std::size_t>(101 * i)] = x[i];
+                     for (int i = 0; i < 3; ++i) c[101 * static_cast<std::size_t>(i)] = x[i];
                      lorenz_loop(c.data(), c.data() + 101, c.data() + 202, order);
                      benchmark::DoNotOptimize(c.data());
                      benchmark::ClobberMemory();

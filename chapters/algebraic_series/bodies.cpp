@@ -24,8 +24,8 @@ struct Orbits {
 
 double nearest_distance(const State& x) {
   double nearest = HUGE_VAL;
-  for (int i = 0; i < 4; ++i) {
-    for (int k = i + 1; k < 4; ++k)
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    for (Eigen::Index k = i + 1; k < 4; ++k)
       nearest = std::min(nearest, (x.segment<3>(3 * k) - x.segment<3>(3 * i)).norm());
   }
   return nearest;

@@ -58,7 +58,7 @@ void TapeExpansion::load(Tape tape, int order) {
   tape_ = std::move(tape);
   order_ = order;
   // Whole lines of memory, an odd number of them.
-  stride_ = (order + 8) / 8 * 8;
+  stride_ = std::ptrdiff_t{8} * ((order + 8) / 8);
   if (stride_ % 16 == 0) stride_ += 8;
   memory_.assign(static_cast<std::size_t>(tape_.series() * stride_), 0.0);
   factor_.assign(static_cast<std::size_t>(order) + 1, 0.0);
