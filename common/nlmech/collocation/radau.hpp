@@ -1,0 +1,37 @@
+/// @file
+/// What a step by collocation at Radau nodes needs to know: the method Radau IIA as matrices on [0, 1].
+#pragma once
+
+#include <Eigen/Core>
+
+namespace nlmech::collocation {
+
+/// Collocation at the s Radau nodes of the unit interval, the last of which is its end, for a slope that is
+/// polynomial of degree s - 1. With F the values of the slope at the nodes, x_i = x_0 + h sum_j A_ij F_j; the
+/// last row of A are the weights of the quadrature. Order 2s - 1 at the end, s + 1 between (E. Hairer and
+/// G. Wanner, Solving Ordinary Differential Equations II, section IV.5). For accelerations the positions
+/// follow by A A. Computed with 64 digits of mantissa and rounded: within an ulp of the largest entry.
+template <int s>
+struct Radau {
+  static constexpr int stages = s;             ///< number of nodes
+  using Column = Eigen::Matrix<double, s, 1>;  ///< a number for each node
+  using Square = Eigen::Matrix<double, s, s>;  ///< a number for each pair
+
+  Column nodes;     ///< c_i, ascending, in (0, 1]
+  Square integral;  ///< A
+  Square twice;     ///< A A
+  Column left;      ///< l_j(0): from values at the nodes to the value at the begin
+  Square legendre;  ///< row k: from values at the nodes to the coefficient of P_k(2 c - 1)
+};
+
+/// The tables, made at the first call. @tparam s 3 to 16
+template <int s>
+[[nodiscard]] const Radau<s>& radau();
+
+/// @cond instances compiled in the library
+extern template const Radau<8>& radau<8>();
+extern template const Radau<12>& radau<12>();
+extern template const Radau<16>& radau<16>();
+/// @endcond
+
+}  // namespace nlmech::collocation
