@@ -42,6 +42,9 @@ const Radau<s>& radau() {
   return tables;
 }
 
+template const Radau<3>& radau<3>();
+template const Radau<5>& radau<5>();
+template const Radau<7>& radau<7>();
 template const Radau<8>& radau<8>();
 template const Radau<12>& radau<12>();
 template const Radau<16>& radau<16>();

@@ -29,6 +29,9 @@ template <int s>
 [[nodiscard]] const Radau<s>& radau();
 
 /// @cond instances compiled in the library
+extern template const Radau<3>& radau<3>();
+extern template const Radau<5>& radau<5>();
+extern template const Radau<7>& radau<7>();
 extern template const Radau<8>& radau<8>();
 extern template const Radau<12>& radau<12>();
 extern template const Radau<16>& radau<16>();

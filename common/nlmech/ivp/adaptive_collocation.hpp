@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/ivp/collocation_newton.hpp"
 #include "nlmech/ivp/collocation_sweeps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
@@ -33,17 +34,19 @@ void check_options(const AdaptiveCollocation& method);
 
 namespace adaptive {
 
-/// One integration from begin to end by an engine: sweeps::Sweeper.
-template <class S, class Engine>
+/// One integration from begin to end. It begins with sweeps, goes over to Newton's iteration where their
+/// contraction bounds the steps more than the error does, and comes back where the steps have become short
+/// against the time constants.
+template <class S, class Sweeps, class Newton>
 class Run {
  public:
   static constexpr int n = S::dimension;  ///< components of the state
-  /// @param task outlives the run  @param order of the error in the step
-  Run(const Task<S>& task, const AdaptiveCollocation& method, Engine engine, int order)
+  /// @param task outlives the run
+  Run(const Task<S>& task, const AdaptiveCollocation& method)
       : task_(task),
         largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
-        order_(order),
-        engine_(std::move(engine)),
+        sweeps_(task.system, {method.absolute_tolerance, method.relative_tolerance}),
+        newton_(task.system, {method.absolute_tolerance, method.relative_tolerance}),
         now_{task.t0, task.x0, {}, {}},
         states_(task.system.size(), 1) {}
 
@@ -61,21 +64,34 @@ class Run {
  private:
   static constexpr std::string_view name = AdaptiveCollocation::name;
   static constexpr double safety = 0.85;
-  static constexpr double rest = 1.2;        ///< a longer step has to be longer by this
-  static constexpr int many_sweeps = 8;      ///< more than that are dearer than shorter steps
-  static constexpr double most_growth = 2;   ///< of a step
-  static constexpr double first_growth = 8;  ///< of the first ones, whose length was a guess
+  static constexpr double rest = 1.2;        // a longer step has to be longer by this
+  static constexpr int many_sweeps = 8;      // more than that are dearer than shorter steps
+  static constexpr double most_growth = 2;   // of a step
+  static constexpr double first_growth = 8;  // of the first ones, whose length was a guess
+  static constexpr int patience = 6;         // trials that contraction bounds, before Newton's iteration
+  static constexpr int calm = 20;            // steps short against the time constants, before sweeps
+  static constexpr double gentle = 1;        // h |J| of such steps
+
+  template <class Work>
+  auto engine(Work work) {
+    return is_stiff_ ? work(newton_) : work(sweeps_);
+  }
 
   Status cross(double end) {
-    engine_.begin_segment(now_.t, end, now_.x);
-    ++now_.statistics.right_hand_sides;
-    if (!engine_.begin_is_finite()) return non_finite_rhs(name, now_.t);
-    length_ = std::min(largest_, engine_.first_length(std::abs(end - now_.t)));
-    before_ = 0;
-    guesses_ = 3;
+    begin(end);
+    if (!engine([](auto& e) { return e.begin_is_finite(); })) return non_finite_rhs(name, now_.t);
+    length_ = std::min(largest_, sweeps_.first_length(now_.x, std::abs(end - now_.t)));
     Status status;
     while (now_.t != end && status.ok()) status = step(end);
     return status;
+  }
+  void begin(double end) {
+    if (is_stiff_) sweeps_.begin_segment(now_.t, end, now_.x, now_.statistics);
+    engine([&](auto& e) { e.begin_segment(now_.t, end, now_.x, now_.statistics); });
+    before_ = 0;
+    guesses_ = 3;
+    slow_ = 0;
+    calm_ = 0;
   }
 
   [[nodiscard]] static double spacing(double t) {
@@ -93,45 +109,65 @@ class Run {
       const double taken = length_ >= left ? left : std::min(length_, std::max(left / 2, shortest));
       const double t1 = taken >= left ? end : now_.t + std::copysign(taken, end - now_.t);
       if (t1 == now_.t) return step_underflow(name, now_.t, length_);
-      const sweeps::Trial trial = engine_.attempt(now_.t, t1, now_.statistics);
-      now_.statistics.newton_iterations += trial.sweeps;
-      if (trial.converged && trial.error <= 1) return accept(t1, taken, trial);
+      const Trial trial = engine([&](auto& e) { return e.attempt(now_.t, t1, now_.statistics); });
+      if (trial.converged && trial.error <= 1) return accept(t1, taken, end, trial);
       ++now_.statistics.rejected;
       if (taken <= shortest) return tolerance_missed(name, now_.t, t1 - now_.t);
-      const double change = trial.error > 1 ? std::clamp(safety / root(trial.error), 0.2, 0.9) : 0.5;
+      const double change =
+          trial.error > 1 ? std::clamp(safety / root(trial.error), 0.2, 0.9) : std::max(trial.shorter, 0.1);
       length_ = std::max(shortest, taken * change);
+      if (!is_stiff_ && !trial.converged && trial.error == 0 && ++slow_ >= patience) change_engine(end);
     }
   }
 
-  [[nodiscard]] double root(double error) const { return std::pow(std::max(error, 1e-30), 1. / order_); }
+  [[nodiscard]] double root(double error) const {
+    return std::pow(std::max(error, 1e-30), 1. / (is_stiff_ ? Newton::error_order : Sweeps::error_order));
+  }
 
-  Status accept(double t1, double taken, const sweeps::Trial& trial) {
+  void change_engine(double end) {
+    is_stiff_ = !is_stiff_;
+    begin(end);
+  }
+
+  Status accept(double t1, double taken, double end, const Trial& trial) {
     ++now_.statistics.steps;
     Status status;
-    if (task_.observer) {
-      states_.col(0) = engine_.end_state();
-      if (!task_.observer({now_.statistics.steps, now_.t, t1, engine_.begin_state(), engine_.end_state(),
-                           std::span(&t1, 1), states_, engine_}))
-        status = interrupted(name, t1);
-    }
+    if (task_.observer && !engine([&](auto& e) { return observe(e, t1); })) status = interrupted(name, t1);
     length_ = std::max(taken < length_ ? length_ : 0, taken * growth(taken, trial));
-    now_.x = engine_.end_state();
+    engine([&](auto& e) {
+      now_.x = e.end_state();
+      e.accept();
+    });
     now_.t = t1;
-    engine_.accept();
+    if (t1 != end && (is_stiff_ ? calm_ >= calm : slow_ >= patience)) change_engine(end);
     return status;
+  }
+  template <class Engine>
+  bool observe(const Engine& e, double t1) {
+    states_.col(0) = e.end_state();
+    return task_.observer(
+        {now_.statistics.steps, now_.t, t1, e.begin_state(), e.end_state(), std::span(&t1, 1), states_, e});
   }
 
   // What the next step may be times as long: by the error, as it grows from step to step (Gustafsson), and by
-  // the sweeps.
-  [[nodiscard]] double growth(double taken, const sweeps::Trial& trial) {
+  // the iterations.
+  [[nodiscard]] double growth(double taken, const Trial& trial) {
     const double r = root(trial.error);
     double change = safety / r;
     if (before_ > 0) change = std::min(change, change * (taken / before_) * (root_before_ / r));
     before_ = taken;
     root_before_ = r;
+    if (is_stiff_) {
+      calm_ = newton_.stiffness() < gentle ? calm_ + 1 : 0;
+    } else {
+      if (change < 2) slow_ = 0;  // it is the error that bounds the steps
+      if (trial.iterations > many_sweeps) {
+        const double by_sweeps = std::pow(static_cast<double>(many_sweeps) / trial.iterations, 0.7);
+        if (change > 2 * by_sweeps) ++slow_;
+        change = std::min(change, by_sweeps);
+      }
+    }
     if (change >= 1 && change < rest) change = 1;
-    if (trial.sweeps > many_sweeps)
-      change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial.sweeps, 0.7));
     return std::clamp(change, 0.2, guesses_-- > 0 ? first_growth : most_growth);
   }
 
@@ -145,25 +181,23 @@ class Run {
 
   const Task<S>& task_;
   double largest_, length_ = 0, before_ = 0, root_before_ = 0;
-  int order_, guesses_ = 0;
-  Engine engine_;
+  int guesses_ = 0, slow_ = 0, calm_ = 0;
+  bool is_stiff_ = false;
+  Sweeps sweeps_;
+  Newton newton_;
   Solution<n> now_;
   Nodes<n> states_;
   Stopwatch watch_;
 };
 
-/// Runs sweeps of s nodes.
-template <int s, class S>
-[[nodiscard]] Solution<S::dimension> run_sweeps(const Task<S>& task, const AdaptiveCollocation& method) {
-  const sweeps::Tolerance tolerance{method.absolute_tolerance, method.relative_tolerance};
+/// With s nodes in sweeps and r in Newton's iterations.
+template <int s, int r, class S>
+[[nodiscard]] Solution<S::dimension> run(const Task<S>& task, const AdaptiveCollocation& method) {
   if constexpr (has_halves<S::dimension>) {
-    if (task.system.second_order() && task.system.size() % 2 == 0) {
-      using Engine = sweeps::Sweeper<S, s, true>;
-      return Run<S, Engine>(task, method, Engine(task.system, tolerance), 2 * s).run();
-    }
+    if (task.system.second_order() && task.system.size() % 2 == 0)
+      return Run<S, Sweeper<S, s, true>, NewtonSteps<S, r>>(task, method).run();
   }
-  using Engine = sweeps::Sweeper<S, s, false>;
-  return Run<S, Engine>(task, method, Engine(task.system, tolerance), 2 * s).run();
+  return Run<S, Sweeper<S, s, false>, NewtonSteps<S, r>>(task, method).run();
 }
 
 /// Nodes that cost least for a tolerance, on problems of a few components.
@@ -183,9 +217,9 @@ Solution<S::dimension> Integrator<S, AdaptiveCollocation>::run(const Task<S>& ta
                                                                const AdaptiveCollocation& method) {
   check_options(method);
   switch (method.nodes > 0 ? method.nodes : adaptive::nodes_for(method.relative_tolerance)) {
-    case 9: return adaptive::run_sweeps<8>(task, method);
-    case 13: return adaptive::run_sweeps<12>(task, method);
-    default: return adaptive::run_sweeps<16>(task, method);
+    case 9: return adaptive::run<8, 3>(task, method);
+    case 13: return adaptive::run<12, 5>(task, method);
+    default: return adaptive::run<16, 7>(task, method);
   }
 }
 

@@ -10,25 +10,13 @@
 #include <utility>
 
 #include "nlmech/collocation/radau.hpp"
+#include "nlmech/ivp/collocation_trial.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/ivp/solution.hpp"
 #include "nlmech/support/statistics.hpp"
 
-namespace nlmech::ivp::sweeps {
-
-/// How accurate a step is to be: |e_i| against absolute + relative |x_i|.
-struct Tolerance {
-  double absolute;  ///< positive
-  double relative;  ///< 0 or more
-};
-
-/// What came of a trial step.
-struct Trial {
-  bool converged;  ///< are the collocation equations solved?
-  double error;    ///< estimate over tolerance; of the unfinished trial, if it was given up early
-  int sweeps;      ///< how many it took
-};
+namespace nlmech::ivp::adaptive {
 
 /// Steps of s nodes. The unknowns are the slopes at the nodes: accelerations of a second-order problem, else
 /// all of dx/dt; states follow from them by quadrature. A sweep goes through the nodes from left to right,
@@ -45,6 +33,7 @@ struct Trial {
 template <SystemLike S, int s, bool second>
 class Sweeper : public DenseOutput<S::dimension> {
  public:
+  static constexpr int error_order = 2 * s;                         ///< of the estimate in the step
   static constexpr int n = S::dimension;                            ///< components of the state
   using Slope = Vector<double, second ? half<n> : n>;               ///< what is unknown at a node
   static constexpr std::string_view name = "adaptive-collocation";  ///< in sentences
@@ -67,12 +56,13 @@ class Sweeper : public DenseOutput<S::dimension> {
         v_(f0_) {}
 
   /// Starts a segment at (t, x).
-  void begin_segment(double t, double end, const State<n>& x) {
+  void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     carry_.setZero();
     last_length_ = 0;
     slope(t, x, f0_);
+    ++statistics.right_hand_sides;
   }
   /// Is the slope at the begin finite?
   [[nodiscard]] bool begin_is_finite() const { return f0_.allFinite(); }
@@ -80,13 +70,13 @@ class Sweeper : public DenseOutput<S::dimension> {
   [[nodiscard]] const State<n>& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State<n>& end_state() const { return x1_; }
-  /// A time in which the state does not change by more than its size.
-  [[nodiscard]] double first_length(double interval) const {
+  /// A time in which the state, @p x0 with the slope at the begin, changes by a tenth of its size.
+  [[nodiscard]] double first_length(const State<n>& x0, double interval) const {
     const Eigen::Index m = f_.cols();
     double rate = 0;
-    for (Eigen::Index i = 0; i < x0_.size(); ++i) {
-      const double size = std::max(std::abs(x0_[i]), tolerance_.absolute);
-      const double change = second && i < m ? x0_[m + i] : f0_[second ? i - m : i];
+    for (Eigen::Index i = 0; i < x0.size(); ++i) {
+      const double size = std::max(std::abs(x0[i]), tolerance_.absolute);
+      const double change = second && i < m ? x0[m + i] : f0_[second ? i - m : i];
       rate = std::max(rate, std::abs(change) / size);
     }
     return rate * interval > first_share ? first_share / rate : interval;
@@ -127,6 +117,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   static constexpr double slowest = 0.9;  ///< contraction of a sweep with which there is no point in going on
   static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
   static constexpr double share = 0.05;    ///< of the tolerance that the iteration may leave
+  static constexpr double outside = 10;
   static constexpr int most_extrapolated = 7;  ///< degree that is trusted outside the interval
 
   void slope(double t, const State<n>& x, Slope& f) {
@@ -231,12 +222,13 @@ class Sweeper : public DenseOutput<S::dimension> {
           (contraction < 1 && update * contraction / (1 - contraction) < share) || update <= noise();
       if (done && (count > 1 || update == 0)) {
         finish();
-        return {x1_.allFinite(), error(), count};
+        // What the iteration has left is not the solution's: the polynomial enlarges it outside the nodes.
+        return {x1_.allFinite(), error(outside * update * std::min(contraction, 1.)), count, 0};
       }
       if (count == most_sweeps || !std::isfinite(update) || (count > 3 && contraction > slowest))
-        return {false, 0, count};
+        return {false, 0, count, 0.5};
       if (may_give_up && count == 3) {
-        if (const double e = error(); e > hopeless) return {false, e, count};
+        if (const double e = error(0); e > hopeless) return {false, e, count, 0};
       }
       before = update;
     }
@@ -292,7 +284,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
   // See the class.
-  [[nodiscard]] double error() const {
+  [[nodiscard]] double error(double left) const {
     double residual = 0, size = 0;
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
       const auto f = f_.col(d);
@@ -302,6 +294,7 @@ class Sweeper : public DenseOutput<S::dimension> {
       residual = std::max(residual, measure(d, std::max(begin, tail)));
       size = std::max(size, measure(d, f.cwiseAbs().maxCoeff()));
     }
+    residual -= left;
     return residual > 0 ? residual * (residual / std::max(size, residual)) : 0;
   }
 
@@ -316,4 +309,4 @@ class Sweeper : public DenseOutput<S::dimension> {
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0;
 };
 
-}  // namespace nlmech::ivp::sweeps
+}  // namespace nlmech::ivp::adaptive
