@@ -1,27 +1,14 @@
 /// @file
-/// Instruction sets for which the batch kernels are compiled, and the choice among them at run time.
+/// The instruction sets of the batch kernels, under the names that this component uses.
 #pragma once
 
-#include <cstdint>
-#include <string_view>
+#include "nlmech/support/instruction_set.hpp"
 
 namespace nlmech::geodesy {
 
-/// Sets of vector instructions, each containing the one before.
-enum class InstructionSet : std::uint8_t {
-  baseline,  ///< what every processor of the architecture has (x86-64: SSE2, two lanes, no fused
-             ///< multiply-add)
-  avx2,      ///< AVX2 and FMA, four lanes
-  avx512     ///< AVX-512 F, DQ and VL, eight lanes
-};
-
-/// The enumerator's own spelling.
-[[nodiscard]] std::string_view to_string(InstructionSet set) noexcept;
-
-/// Whether this processor (and operating system) can execute @p set and this library was built with it.
-[[nodiscard]] bool available(InstructionSet set) noexcept;
-
-/// The largest set that is available.
-[[nodiscard]] InstructionSet best_instruction_set() noexcept;
+using nlmech::available;
+using nlmech::best_instruction_set;
+using nlmech::InstructionSet;
+using nlmech::to_string;
 
 }  // namespace nlmech::geodesy

@@ -1,6 +1,6 @@
-#include "nlmech/geodesy/instruction_set.hpp"
+#include "nlmech/support/instruction_set.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech {
 
 std::string_view to_string(InstructionSet set) noexcept {
   switch (set) {
@@ -29,4 +29,4 @@ InstructionSet best_instruction_set() noexcept {
   return available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
 }
 
-}  // namespace nlmech::geodesy
+}  // namespace nlmech
