@@ -21,6 +21,7 @@
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/ivp/step_search.hpp"
 
 namespace nlmech::ivp {
@@ -36,6 +37,9 @@ constexpr std::array methods = {
     MethodInfo{Rk4::name, true, 4, "the classical Runge-Kutta method", false, false, false},
     MethodInfo{Rk6::name, true, 6, "Butcher's Runge-Kutta method of 7 stages", false, false, false},
     MethodInfo{Ode45::name, false, 5, "Dormand and Prince's pair, controlled as MATLAB does", false, false,
+               false},
+    MethodInfo{Rkn1210::name, false, 12,
+               "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", true, false,
                false},
     MethodInfo{Newmark::name, true, 2, "Newmark's method, constant average acceleration", true, false, false},
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
@@ -170,6 +174,16 @@ NamedIntegrator<n> ode45(const Settings& settings) {
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
 }
 
+template <int n>
+NamedIntegrator<n> nystroem(const Settings& settings) {
+  const double tolerance = settings.tolerance.value_or(default_tolerance);
+  const Rkn1210 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  check_options(method);
+  return
+      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
 /// Methods with nodes; nothing for another name.
 template <int n>
 NamedIntegrator<n> collocation_by_name(const MethodInfo& info, const Settings& settings) {
@@ -201,6 +215,7 @@ template <int n>
 NamedIntegrator<n> second_order_by_name(const MethodInfo& info, const Settings& settings) {
   if constexpr (has_halves<n>) {
     const auto with = [&](auto make) { return fixed_step<n>(info, settings, info.order, make); };
+    if (info.name == Rkn1210::name) return nystroem<n>(settings);
     if (info.name == CentralDifference::name)
       return with([](double step) { return CentralDifference{.step = step}; });
     if (info.name == Newmark::name) return with([](double step) { return Newmark{.step = step}; });

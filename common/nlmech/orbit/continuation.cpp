@@ -36,9 +36,9 @@ double rough_log2(double x) {
   return exponent + m * (1.4208 + m * (-0.5769 + m * 0.1561));
 }
 double rough_exp2(double x) {
-  const double whole = std::floor(x), m = x - whole;
+  const double bounded = std::clamp(x, -1000.0, 1000.0), whole = std::floor(bounded), m = bounded - whole;
   const double fraction = 1 + m * (0.6953 + m * (0.2263 + m * 0.0784));
-  return std::ldexp(fraction, static_cast<int>(std::clamp(whole, -1000.0, 1000.0)));
+  return fraction * std::bit_cast<double>(static_cast<std::int64_t>(whole + 1023) << 52U);
 }
 
 /// log2 of the step for which k |r_k| h^(k-1) is the wanted change of the velocity; its square's log2 is

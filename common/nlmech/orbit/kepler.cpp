@@ -59,8 +59,8 @@ double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]
 
 KeplerSolution propagate_kepler(const State& start, double time, double mu) {
   check_arguments(start, time, mu, "propagate_kepler");
-  const auto c = lagrange_coefficients(start, time, mu);
-  KeplerSolution solution{moved(start, c), {}, c.iterations};
+  KeplerSolution solution;
+  solution.state = kepler_state(start, time, mu, &solution.iterations);
   if (!solution.state.position.allFinite() || !solution.state.velocity.allFinite() ||
       solution.state.position == Vector3<double>::Zero()) {
     solution.state = start;

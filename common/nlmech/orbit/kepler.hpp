@@ -44,11 +44,82 @@ template <class T>
   return {c.f * s.position + c.g * s.velocity, c.f_rate * s.position + c.g_rate * s.velocity};
 }
 
+namespace detail {
+
+/// Through the periapsis of a hyperbola that is entered from far, where the terms of F and G cancel: times
+/// are counted from the periapsis, t_p = r_p s + e s^3 c_3, in which nothing does, and the place is found by
+/// true anomalies, tan(nu/2) = ((1 + e)/r_p)^(1/2) U_1(s/2)/U_0(s/2). Units as in Universal, r_0 along @p
+/// direction, @p v the velocity.
+template <class T>
+[[nodiscard]] BasicState<T> along_hyperbola(const Vector3<T>& direction, const Vector3<T>& v, const T& t) {
+  using std::abs;
+  using std::asinh;
+  using std::sqrt;
+  const T alpha = 2 - v.dot(v), sigma = direction.dot(v);
+  const Vector3<T> across = v - sigma * direction;
+  const T p = across.dot(across), root = sqrt(p);
+  const Vector3<T> ahead = p > 0 ? Vector3<T>(across / root) : Vector3<T>(Vector3<T>::Zero());
+  const T x = p - 1, y = sigma * root, e = sqrt(x * x + y * y), rp = p / (1 + e), k = sqrt(-alpha);
+  // Kepler's equation from the periapsis is the universal one with r_0 = r_p and sigma = 0: in the unit r_p
+  // it would be singular for straight lines, so it is solved here, by Newton's iteration on a function
+  // without inflection for s > 0, from beyond the root.
+  const auto time_at = [&](const T& s) {
+    const Stumpff<T> c = stumpff(T(alpha * s * s));
+    return T(rp * s + e * s * s * s * c.c3);
+  };
+  const T s0 = asinh(T(sigma * k / e)) / k, wanted = time_at(s0) + t, goal = abs(wanted);
+  // From e (sinh H - H) <= N: H is at most asinh(N/e) plus asinh of what that leaves out.
+  const T n = goal * k * -alpha;
+  T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
+  for (int i = 0; i < 200; ++i) {
+    const Stumpff<T> c = stumpff(T(alpha * s * s));
+    const T r = rp + e * s * s * c.c2, next = s - (rp * s + e * s * s * s * c.c3 - goal) / r;
+    if (!(next < s)) break;  // monotone until rounding
+    s = next;
+  }
+  if (wanted < 0) s = -s;
+  const auto anomaly = [&](const T& at, T& cosine, T& sine) {
+    const Stumpff<T> c = stumpff(T(alpha * at * at / 4));
+    const T tangent = at / 2 * c.c1 / c.c0, square = (1 + e) * tangent * tangent, sum = rp + square;
+    cosine = (rp - square) / sum;
+    sine = 2 * sqrt(rp * (1 + e)) * tangent / sum;
+  };
+  T c0, s0_sine, c1, s1_sine;
+  anomaly(s0, c0, s0_sine);
+  anomaly(s, c1, s1_sine);
+  const T turn_cos = c1 * c0 + s1_sine * s0_sine, turn_sin = s1_sine * c0 - c1 * s0_sine;
+  const Vector3<T> outwards = turn_cos * direction + turn_sin * ahead,
+                   forwards = turn_cos * ahead - turn_sin * direction;
+  const Stumpff<T> c = stumpff(T(alpha * s * s));
+  const T r = rp + e * s * s * c.c2;
+  return {r * outwards, (e * s * c.c1 / r) * outwards + (root / r) * forwards};
+}
+
+}  // namespace detail
+
+/// The state that Kepler's motion leads to, in any type of number: by Lagrange's coefficients, or, where
+/// their terms would cancel (a hyperbola flown towards its periapsis), by anomalies. Arguments as of
+/// lagrange_coefficients().
+template <class T>
+[[nodiscard]] BasicState<T> kepler_state(const BasicState<T>& s, const T& time, const T& mu,
+                                         int* evaluations = nullptr) {
+  using std::sqrt;
+  const T r0 = sqrt(s.position.dot(s.position)), speed = sqrt(mu / r0);
+  const Vector3<T> direction = s.position / r0, v = s.velocity / speed;
+  if (v.dot(v) > 3 && direction.dot(v) * time < 0) {
+    const BasicState<T> end = detail::along_hyperbola<T>(direction, v, T(time * speed / r0));
+    return {r0 * end.position, speed * end.velocity};
+  }
+  const auto c = lagrange_coefficients(s, time, mu);
+  if (evaluations != nullptr) *evaluations = c.iterations;
+  return moved(s, c);
+}
+
 /// A state on a conic.
 struct KeplerSolution {
   State state;         ///< at the asked time; the given one after a failure
   Status status;       ///< success, or `collision` if the body is in the centre at that very time
-  int iterations = 0;  ///< evaluations of Kepler's equation
+  int iterations = 0;  ///< evaluations of Kepler's equation; 0 on hyperbolas flown inwards
 };
 
 /// Moves @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and |v|,

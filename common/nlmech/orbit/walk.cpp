@@ -19,11 +19,6 @@ const kernels::Kernel& kernel_for(InstructionSet set) {
   return kernels::baseline_kernel;
 }
 
-double square(const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
-
-/// As many as follow_units() lets the time scale change: 2^8 to the 100th stays within doubles.
-constexpr int most_drift = 8;
-
 void times_power_of_two(double* x, int exponent) {
   for (int i = 0; i < 3; ++i) x[i] = std::ldexp(x[i], exponent);
 }
@@ -45,14 +40,18 @@ Walk::Walk(const State& start, double t0, double t1, const Gravity& gravity, con
     body_.position[i] = start.position[i];
     body_.velocity[i] = start.velocity[i];
   }
+  mu_ = gravity.mu;
   choose_units();
 }
 
 void Walk::choose_units() {
   const double r = Vector3<double>(body_.position[0], body_.position[1], body_.position[2]).stableNorm();
   const int length = std::ilogb(r);
-  // (r^3/mu)^(1/2) in units of the walk; the exponents are added in integers, which cannot overflow.
-  const int time = (3 * length - std::ilogb(mu_)) / 2;
+  // The shorter of (r^3/mu)^(1/2) and r/|v|, in units of the walk; the exponents are added in integers, which
+  // cannot overflow.
+  const double v = Vector3<double>(body_.velocity[0], body_.velocity[1], body_.velocity[2]).stableNorm();
+  int time = (3 * length - std::ilogb(mu_)) / 2;
+  if (v > 0) time = std::min(time, length - std::ilogb(v));
   length_exponent_ += length;
   time_exponent_ += time;
   for (double* x : {body_.position, body_.position_low}) times_power_of_two(x, -length);
@@ -61,10 +60,6 @@ void Walk::choose_units() {
   time_unit_ = std::ldexp(1, time_exponent_);
   mu_ = std::ldexp(gravity_.mu, 2 * time_exponent_ - 3 * length_exponent_);
   if (expansion_) expansion_->set_units(mu_, gravity_.radius / length_unit_);
-}
-
-void Walk::follow_units(double h) {
-  if (std::abs(std::ilogb(h)) > most_drift) choose_units();
 }
 
 bool Walk::unrolled(int order) const {
@@ -159,11 +154,6 @@ Status Walk::finish(double h, bool last) {
   return {};
 }
 
-bool Walk::is_lost(double h) const {
-  const double scale = std::max({std::abs(t_), std::abs(t1_), std::abs(t1_ - t0_)});
-  return !(std::abs(in_time(h)) > std::numeric_limits<double>::epsilon() * scale);
-}
-
 Status Walk::lost(double h) const {
   const double r = std::sqrt(square(body_.position)) * length_unit_;
   double inwards = 0;
@@ -181,12 +171,6 @@ Status Walk::lost(double h) const {
           "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too small for the "
           "asked interval",
           options_.name, t_, in_time(h), r));
-}
-
-double Walk::square_of(int k) const { return square(series_.row[k]); }
-
-double Walk::speed_square() const {
-  return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
 }
 
 State Walk::user_state() const {

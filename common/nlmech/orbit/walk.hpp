@@ -2,7 +2,10 @@
 /// The walk from step to step that both kinds of analytic continuation share. Internal to the component.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -41,15 +44,22 @@ class Walk : public Arc {
   /// Distance to the end in the walk's units, with sign.
   [[nodiscard]] double remaining() const { return ((t1_ - t_) - t_low_) / time_unit_; }
   /// Is a step this short lost in the time?
-  [[nodiscard]] bool is_lost(double h) const;
+  [[nodiscard]] bool is_lost(double h) const {
+    const double scale = std::max({std::abs(t_), std::abs(t1_), std::abs(t1_ - t0_)});
+    return !(std::abs(in_time(h)) > std::numeric_limits<double>::epsilon() * scale);
+  }
   /// The failure for it: a collision, if the body is on its way into the centre.
   [[nodiscard]] Status lost(double h) const;
   /// |r_k|^2 of the latest series.
-  [[nodiscard]] double square_of(int k) const;
+  [[nodiscard]] double square_of(int k) const { return square(series_.row[k]); }
   /// Square of the larger of |v| and the circular speed.
-  [[nodiscard]] double speed_square() const;
+  [[nodiscard]] double speed_square() const {
+    return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
+  }
   /// Chooses units anew if the last step, @p h, says that the time scale is no longer theirs.
-  void follow_units(double h);
+  void follow_units(double h) {
+    if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
+  }
   /// By how many per cent does work grow when the order does by one: exponent of the cost in the order.
   [[nodiscard]] double cost_exponent() const;
   /// Has the walk arrived (or nowhere to go)?
@@ -61,6 +71,10 @@ class Walk : public Arc {
   [[nodiscard]] State at(double t) const override;
 
  private:
+  /// To the 200th power, in a square of the last coefficient, it stays within doubles.
+  static constexpr double most_drift = 16;
+
+  static double square(const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
   void choose_units();
   [[nodiscard]] bool unrolled(int order) const;
   [[nodiscard]] State user_state() const;

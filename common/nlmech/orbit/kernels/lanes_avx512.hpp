@@ -51,9 +51,7 @@ struct Avx512 {
     [[gnu::always_inline]] double fourth() const { return v[3]; }
     [[gnu::always_inline]] double fifth() const { return v[4]; }
   };
-  [[gnu::always_inline]] static double fused(double a, double b, double c) {
-    return _mm_cvtsd_f64(_mm_fmadd_sd(_mm_set_sd(a), _mm_set_sd(b), _mm_set_sd(c)));
-  }
+  [[gnu::always_inline]] static double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
 };
 
 }  // namespace nlmech::orbit::kernels

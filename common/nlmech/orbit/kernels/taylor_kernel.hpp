@@ -9,20 +9,23 @@
 
 namespace nlmech::orbit::kernels {
 
-// Normalised coefficients of f = r.r (Eq. 3.62), g = -mu f^(-3/2) (Eqs 3.63, 3.66 as corrected) and r (3.68):
+// Normalised coefficients of f = r.r (Eq. 3.61), g = -mu f^(-3/2) (Eqs 3.63, 3.66 as corrected) and r (3.68):
 //
-//     f_n = sum_{m=0}^{n} r_m . r_{n-m}
 //     g_n = -(P_n + Q_n/(2n))/f_0,  P_n = sum_{m=1}^{n} f_m g_{n-m},  Q_n = sum_{m=1}^{n} m f_m g_{n-m}
 //     r_{n+2} = sum_{m=0}^{n} r_m g_{n-m} / ((n + 1)(n + 2))
+//
+// f itself needs no sum over products of r (3.62). With r'' = g r it follows from 3.61 that
+// f''' = 2 mu (f^(-1/2))', and as f g = -mu f^(-1/2) has the coefficients -Q_n/(2n),
+//
+//     f_{n+2} = Q_n/(n (n + 1)(n + 2)).
 //
 // The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one Isa::Five, and each
 // term is one multiply-add with g in all lanes.
 //
 // What limits the speed is the chain from one order to the next, not the number of operations. So sums have
-// independent parts, and the last link to each new number is one multiply-add with all else prepared:
+// independent parts, and the last links to a new number are multiply-adds with all else prepared:
 //
-//     r_n = u_n + w_n g_{n-2},  w_n = r_0/((n - 1) n)
-//     f_n = (all that does not need g_{n-2}) + (2 f_0/((n - 1) n)) g_{n-2}
+//     r_{n+2} = u_n + w_n g_n,  w_n = r_0/((n + 1)(n + 2))
 //     g_n = (all that needs neither g_{n-1} nor f_n) - (1 + 1/(2n)) (f_1/f_0) g_{n-1} - (3/2) (g_0/f_0) f_n
 
 /// 1/d = high + low to twice the precision: a rounded reciprocal would be wrong by the same share in every
@@ -44,8 +47,8 @@ struct Taylor {
 
   Coefficients& c;
   Five five[size];
-  Four r[size], u[size];
-  double f[size], g[size];
+  Four r[size];
+  double f[size + 1], g[size];
   double f0_inverse, f1_ratio, f_factor;  ///< 1/f_0, f_1/f_0, (3/2) g_0/f_0
 
   [[gnu::always_inline]] explicit Taylor(Coefficients& out) : c(out) {}
@@ -67,11 +70,12 @@ struct Taylor {
     r[2] = r[0] * Four::all(0.5 * g[0]);
     r[2].store(c.row[2]);
     f[1] = 2 * sum3(r[0] * r[1]);
+    f[2] = Isa::fused(f[0], g[0], sum3(r[1] * r[1]));
     five[1] = Five::of(r[1], f[1], f[1]);
     f1_ratio = f[1] * f0_inverse;
     f_factor = 1.5 * g[0] * f0_inverse;
     g[1] = -f_factor * f[1];
-    u[2] = Four::all(0);
+    f[3] = over(f[1] * g[0], reciprocal(6));
     next<1>(r[1] * Four::all(g[0]));
   }
 
@@ -79,45 +83,20 @@ struct Taylor {
   template <int n>
   [[gnu::always_inline]] void next(Four sum) {
     constexpr Reciprocal d = reciprocal((n + 1) * (n + 2));
-    u[n + 2] = over(sum, d);
-    r[n + 2] = multiply_add(over(r[0], d), Four::all(g[n]), u[n + 2]);
+    r[n + 2] = multiply_add(over(r[0], d), Four::all(g[n]), over(sum, d));
     r[n + 2].store(c.row[n + 2]);
   }
 
-  /// f_n: every product occurs twice, but for that of the middle.
-  template <int n>
-  [[gnu::always_inline]] double square() const {
-    constexpr int pairs = (n + 1) / 2;  // m = 0 .. pairs - 1
-    Four a = Four::all(0);
-    if constexpr (pairs > 2) {
-      constexpr int parts = pairs > 8 ? 2 : 1;
-      Four part[2] = {r[2] * r[n - 2], Four::all(0)};
-      if constexpr (parts == 2) part[1] = r[3] * r[n - 3];
-#pragma GCC unroll 16
-      for (int m = 2 + parts; m < pairs; ++m) part[m % parts] = multiply_add(r[m], r[n - m], part[m % parts]);
-      a = part[0];
-      if constexpr (parts == 2) a = a + part[1];
-      a = multiply_add(r[1], r[n - 1], a);
-    } else if constexpr (pairs == 2) {
-      a = r[1] * r[n - 1];
-    }
-    if constexpr (n > 2) a = pairs > 1 ? multiply_add(r[0], u[n], a) : r[0] * u[n];
-    a = a + a;
-    if constexpr (n % 2 == 0) a = multiply_add(r[n / 2], r[n / 2], a);
-    return Isa::fused(over(2 * f[0], reciprocal((n - 1) * n)), g[n - 2], sum3(a));
-  }
-
-  /// f_n, g_n and r_{n+2} for n > 1.
+  /// g_n, f_{n+2} and r_{n+2} for n > 1.
   template <int n>
   [[gnu::always_inline]] void order() {
-    f[n] = square<n>();
     five[n] = Five::of(r[n], f[n], n * f[n]);
     const double factor = f1_ratio + over(f1_ratio, reciprocal(2 * n));
     const double known_late = Isa::fused(factor, g[n - 1], f_factor * f[n]);
-    Four sum = Four::all(0);
+    double q = Isa::fused(f[1], g[n - 1], n * (f[n] * g[0]));
+    Four sum = multiply_add(r[1], Four::all(g[n - 1]), r[n] * Four::all(g[0]));
     if constexpr (n == 2) {
       g[2] = -known_late;
-      sum = r[1] * Four::all(g[1]);
     } else {
       // Terms m = 2 .. n - 1 in parts, the one with g_{n-2} last.
       constexpr int parts = n > 14 ? 3 : n > 6 ? 2 : 1;
@@ -133,9 +112,11 @@ struct Taylor {
       if constexpr (n > 3) all = multiply_add(five[2], g[n - 2], all);
       const double known = all.fourth() + over(all.fifth(), reciprocal(2 * n));
       g[n] = -Isa::fused(known, f0_inverse, known_late);
-      sum = multiply_add(r[1], Four::all(g[n - 1]), all.four());
+      q += all.fifth();
+      sum = sum + all.four();
     }
-    next<n>(multiply_add(r[n], Four::all(g[0]), sum));
+    f[n + 2] = over(q, reciprocal(n * (n + 1) * (n + 2)));
+    next<n>(sum);
   }
 
   /// Orders n to `most_unrolled`, left early at the wanted one.
@@ -159,31 +140,36 @@ struct Taylor {
   struct Change {
     Four position, velocity;
   };
-  /// sum_{k>=1} r_k h^k and sum_{k>=2} k r_k h^(k-1), even and odd powers of h each by themselves.
+  /// sum_{k>=1} r_k h^k and sum_{k>=2} k r_k h^(k-1), the powers k = 0 .. 3 modulo 4 each by themselves:
+  /// Horner's rule waits for every product.
   [[gnu::always_inline]] static Change change(const Coefficients& c, int order, double h) {
-    const Four step = Four::all(h), square = step * step;
-    int k = order;
-    double factor = order;
-    Four row = Four::load(c.row[k]), below = Four::load(c.row[k - 1]);
-    Four ra = row, rb = below, va = row * Four::all(factor), vb = below * Four::all(factor - 1);
-    if (order == 2) vb = Four::all(0);  // row 1 is no part of the second sum
-    for (k -= 2, factor -= 2; k >= 3; k -= 2, factor -= 2) {
-      row = Four::load(c.row[k]);
-      below = Four::load(c.row[k - 1]);
-      ra = multiply_add(ra, square, row);
-      rb = multiply_add(rb, square, below);
-      va = multiply_add(va, square, row * Four::all(factor));
-      vb = multiply_add(vb, square, below * Four::all(factor - 1));
+    const Four step = Four::all(h), square = step * step, fourth = square * square;
+    Four p[4], v[4];  // of the position and of the velocity
+    int base = order & ~3;
+    for (int j = 0; j < 4; ++j) {
+      p[j] = base + j <= order ? Four::load(c.row[base + j]) : Four::all(0);
+      v[j] = p[j] * Four::all(base + j);
     }
-    if (k == 2) {
-      row = Four::load(c.row[2]);
-      ra = multiply_add(ra, square, row);
-      rb = multiply_add(rb, square, Four::load(c.row[1]));
-      va = multiply_add(va, square, row + row);
+    if (base == 0) p[0] = v[0] = v[1] = Four::all(0);
+    for (base -= 4; base > 0; base -= 4) {
+#pragma GCC unroll 4
+      for (int j = 0; j < 4; ++j) {
+        const Four row = Four::load(c.row[base + j]);
+        p[j] = multiply_add(p[j], fourth, row);
+        v[j] = multiply_add(v[j], fourth, row * Four::all(base + j));
+      }
     }
-    if (order % 2 == 0) return {multiply_add(ra, step, rb) * step, multiply_add(vb, step, va) * step};
-    ra = multiply_add(ra, square, Four::load(c.row[1]));
-    return {multiply_add(rb, step, ra) * step, multiply_add(va, step, vb) * step};
+    if (base ==
+        0) {  // p[0] begins with r_4 and v[1] with 5 r_5: rows 0, and 1 of the velocity, are no change
+      const Four third = Four::load(c.row[3]), second = Four::load(c.row[2]);
+      p[1] = multiply_add(p[1], fourth, Four::load(c.row[1]));
+      p[2] = multiply_add(p[2], fourth, second);
+      p[3] = multiply_add(p[3], fourth, third);
+      v[2] = multiply_add(v[2], fourth, second + second);
+      v[3] = multiply_add(v[3], fourth, third * Four::all(3));
+    }
+    return {multiply_add(multiply_add(p[0], step, p[3]), square, multiply_add(p[2], step, p[1])) * step,
+            multiply_add(multiply_add(v[1], step, v[0]), square, multiply_add(v[3], step, v[2])) * step};
   }
 
   static void increments(const Coefficients& c, int order, double h, double* position,
