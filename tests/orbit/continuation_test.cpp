@@ -24,7 +24,9 @@ double error_of(const Continued& c, const State& start, double time, double mu) 
   return relative_distance(c.state.position, kepler(start, time, mu).position);
 }
 
-// A step's error is below the tolerance, and moves the end by at most kappa times that; n steps sum up.
+// What follows a last term of the size of the tolerance is a geometric series of ratio x = h/rho, at most 2/3
+// for the loosest tolerances here: 2 of it at most. It moves the end by at most kappa times that; n steps sum
+// up.
 RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   const double tolerance = std::pow(10, *between(-15, -4));
   const State s = random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8));
@@ -32,7 +34,7 @@ RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   const Continued c = propagate(s, 0, time, unit, {.tolerance = tolerance});
   const double kappa = kepler_condition(s, time, 1).position;
   const auto n = static_cast<double>(c.statistics.steps);
-  RC_ASSERT(error_of(c, s, time, 1) <= kappa * (n * tolerance + (8 + std::sqrt(n)) * eps));
+  RC_ASSERT(error_of(c, s, time, 1) <= kappa * (2 * n * tolerance + (8 + std::sqrt(n)) * eps));
 }
 
 // At the default tolerance rounding alone is left: one of eps a step at most, carried with compensation. At
@@ -115,7 +117,7 @@ TEST(FixedContinuation, EveryOrder) {
 
 TEST(Continuation, EveryOrder) {
   const State s = at_periapsis(0.5);
-  for (const int order : {4, 5, 11, 12, 13, 29, 30, 31, 60, 100}) {
+  for (const int order : {4, 5, 11, 12, 30, 39, 40, 41, 60, 100}) {
     const Continued c = propagate(s, 0, 6, unit, {.tolerance = 1e-10, .order = order});
     EXPECT_LE(error_of(c, s, 6, 1),
               1e-10 * static_cast<double>(c.statistics.steps) * kepler_condition(s, 6, 1).position)
@@ -203,12 +205,11 @@ TEST(Continuation, UnitsDoNotMatter) {
             8 * eps * kepler_condition(low_orbit, time, earth_mu).position);
 }
 
-// All kernels that this machine has, and the recursion of Expansion, which forced rounding brings in at order
-// 11 and 31, give one orbit.
+// All kernels that this machine has give one orbit.
 TEST(Continuation, InstructionSetsAgree) {
   const State s = at_periapsis(0.6);
   const double room = 8 * eps * kepler_condition(s, 9, 1).position;
-  for (const int order : {12, 19, 24, 30}) {
+  for (const int order : {12, 19, 24, 30, 40}) {
     for (const InstructionSet set :
          {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
       AnalyticContinuation method{.tolerance = 1e-17, .order = order, .instructions = set};

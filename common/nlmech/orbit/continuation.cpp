@@ -57,11 +57,19 @@ struct StepOfTerm {
   }
 };
 
+/// Below it no tolerance is worth its overhead.
+constexpr int least_chosen = 12;
+
 /// Order and step of the adaptive method.
 class Control {
  public:
   Control(const AnalyticContinuation& method, double cost_exponent)
-      : wanted_(2 * std::log2(method.tolerance)), cost_exponent_(cost_exponent), chooses_(method.order == 0) {
+      : wanted_(2 * std::log2(method.tolerance)),
+        cost_exponent_(cost_exponent),
+        // A circle's series converges everywhere, but like that of exp(i h): terms of the size exp(h v/r)
+        // cancel, and eps of them is an error.
+        most_(std::max(1.5, std::log(method.tolerance / std::numeric_limits<double>::epsilon()))),
+        chooses_(method.order == 0) {
     // The step rho tol^(1/K) for work K^s is best at K = -ln(tol)/s.
     order_ = chooses_ ? bounded(static_cast<int>(std::lround(-std::log(method.tolerance) / cost_exponent)))
                       : method.order;
@@ -70,9 +78,10 @@ class Control {
   /// Length of the step by the series just made; then the order of the next.
   double step(const detail::Walk& walk) {
     static const StepOfTerm of_term;
-    const double wanted = wanted_ + rough_log2(walk.speed_square());
+    const double speed_square = walk.speed_square(), wanted = wanted_ + rough_log2(speed_square);
     const double last = of_term(wanted, walk.square_of(order_), order_);
     const double before = of_term(wanted, walk.square_of(order_ - 1), order_ - 1);
+    const int used = order_;
     if (chooses_) {
       // d ln(step)/d ln(order) against d ln(work)/d ln(order).
       const double earlier = of_term(wanted, walk.square_of(order_ - 2), order_ - 2);
@@ -80,12 +89,17 @@ class Control {
       if (gain > 1.1 * cost_exponent_) order_ = bounded(order_ + 1);
       if (gain < 0.9 * cost_exponent_) order_ = bounded(order_ - 1);
     }
-    return rough_exp2(std::min(last, before));
+    const double step = rough_exp2(std::min(last, before)),
+                 most = most_ * std::sqrt(walk.square_of(0) / speed_square);
+    if (step <= most) return step;
+    if (chooses_) order_ = bounded(used - 1);
+    return most;
   }
 
  private:
-  static int bounded(int order) { return std::clamp(order, kernels::least_unrolled, kernels::most_unrolled); }
+  static int bounded(int order) { return std::clamp(order, least_chosen, kernels::most_unrolled); }
   double wanted_, cost_exponent_;
+  double most_;  ///< longest step in units of r/|v|
   bool chooses_;
   int order_ = 0;
 };

@@ -5,7 +5,7 @@
 namespace nlmech::orbit::kernels {
 
 /// The smallest and largest order with unrolled sums, and the largest order at all.
-inline constexpr int least_unrolled = 12, most_unrolled = 30, most = 100;
+inline constexpr int least_unrolled = 4, most_unrolled = 40, most = 100;
 
 /// Taylor coefficients of the position, r(t + h) = sum over k of row[k] h^k; x, y, z and a pad.
 struct alignas(64) Coefficients {

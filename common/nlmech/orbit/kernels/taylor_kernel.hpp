@@ -103,7 +103,7 @@ struct Taylor {
       Five part[3] = {five[n - 1] * g[1], Five::zero(), Five::zero()};
       if constexpr (parts > 1) part[1] = five[n - 2] * g[2];
       if constexpr (parts > 2) part[2] = five[n - 3] * g[3];
-#pragma GCC unroll 32
+#pragma GCC unroll 40
       for (int m = n - 1 - parts; m >= 3; --m)
         part[(n - 1 - m) % parts] = multiply_add(five[m], g[n - m], part[(n - 1 - m) % parts]);
       Five all = part[0];
