@@ -45,11 +45,11 @@ struct Taylor {
   using Five = typename Isa::Five;
   static constexpr int size = most_unrolled + 1;
 
-  Coefficients& c;
   Five five[size];
   Four r[size];
   double f[size + 1], g[size];
   double f0_inverse, f1_ratio, f_factor;  ///< 1/f_0, f_1/f_0, (3/2) g_0/f_0
+  Coefficients& c;
 
   [[gnu::always_inline]] explicit Taylor(Coefficients& out) : c(out) {}
 
