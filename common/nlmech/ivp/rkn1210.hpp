@@ -352,4 +352,11 @@ struct Integrator<S, Rkn1210> {
   }
 };
 
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, Rkn1210>;
+extern template struct Integrator<System<4>, Rkn1210>;
+extern template struct Integrator<System<6>, Rkn1210>;
+extern template struct Integrator<System<Eigen::Dynamic>, Rkn1210>;
+/// @endcond
+
 }  // namespace nlmech::ivp
