@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/accuracy.hpp"
-#include "chapters/rbf_ivp/contenders.hpp"
+#include "chapters/rbf_ivp/cases.hpp"
+#include "chapters/rbf_ivp/sweeps.hpp"
+#include "nlmech/comparison/accuracy.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/scene/bench.hpp"
@@ -21,8 +22,8 @@ namespace {
 
 using namespace nlmech;
 using chapters::Case;
-using chapters::Contender;
-using chapters::Setting;
+using comparison::Contender;
+using comparison::Setting;
 
 constexpr double wanted = 1e-6;  // six digits, which most methods reach
 
@@ -55,8 +56,8 @@ struct Work {
 template <int n>
 Work work_of(const Case<n>& c, const Contender& contender, const Setting& setting) {
   return {fmt::format("{}, {}", c.name, contender.label()),
-          [&c, run = chapters::integrator<n>(contender, setting)] {
-            auto end = run(c.system, c.x0, c.t0, c.nominal_end, {}, {});
+          [&c, run = comparison::integrator<n>(contender, setting)] {
+            auto end = run(c.system, c.x0, c.t0, c.t1, {}, {});
             benchmark::DoNotOptimize(end);
           }};
 }
@@ -68,7 +69,7 @@ std::optional<Work> fastest(const Case<n>& c, const Contender& contender) {
   double least = HUGE_VAL;
   for (const Setting& setting : contender.settings) {
     const ivp::Limits limits{.steps = 2'000'000};
-    const auto accuracy = chapters::accuracy_of(c, chapters::integrator<n>(contender, setting), limits);
+    const auto accuracy = comparison::accuracy_of(c, comparison::integrator<n>(contender, setting), limits);
     if (!accuracy.error || *accuracy.error > wanted) continue;
     Work work = work_of(c, contender, setting);
     const double seconds = time_repeats(work.run, 3).smallest;
@@ -89,7 +90,7 @@ std::vector<Work> rivals(const Case<n>& c, const chapters::StepScales& scales,
   double least = HUGE_VAL;
   for (const Contender& contender : chapters::contenders(scales, false)) {
     const bool mine = std::find(ours.begin(), ours.end(), contender.label()) != ours.end();
-    const bool library = contender.kind == chapters::Kind::explicit_ && contender.name != "ode45";
+    const bool library = contender.kind == comparison::Kind::explicit_ && contender.name != "ode45";
     if (!mine && !library) continue;
     const auto work = fastest(c, contender);
     if (!work) continue;

@@ -46,15 +46,15 @@ Case<2> make_free_duffing() {
   const Extended X = problem.amplitude(problem.initial_state());
   const Extended period = problem.period(X);
   const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, problem.initial_state())[0]);
-  return {.name = "duffing",
-          .system = ivp::System<2>(problem),
-          .x0 = problem.initial_state(),
-          .t0 = problems::Duffing::initial_time,
-          .nominal_end = problems::Duffing::final_time,
-          .inferred_end = static_cast<double>(100 * period),
-          .amplitude = {static_cast<double>(X), greatest_speed},
-          .half_period = static_cast<double>(period / 2),
-          .reference = [=](double t) { return elliptic(problem, X, period, t); }};
+  return {{.name = "duffing",
+           .system = ivp::System<2>(problem),
+           .x0 = problem.initial_state(),
+           .t0 = problems::Duffing::initial_time,
+           .t1 = problems::Duffing::final_time,
+           .amplitude = {static_cast<double>(X), greatest_speed},
+           .reference = [=](double t) { return elliptic(problem, X, period, t); }},
+          static_cast<double>(100 * period),
+          static_cast<double>(period / 2)};
 }
 
 Case<2> make_impact() {
@@ -62,15 +62,15 @@ Case<2> make_impact() {
   const auto trajectory = trajectory_of(problem, problems::ImpactDuffing::final_time + beyond);
   const Vector<double, 2> after = (*trajectory)(problem.duration).cast<double>();
   const problems::Duffing free = problem.free();
-  return {.name = "impact",
-          .system = ivp::System<2>(problem),
-          .x0 = problem.initial_state(),
-          .t0 = problems::ImpactDuffing::initial_time,
-          .nominal_end = problems::ImpactDuffing::final_time,
-          .inferred_end = 499,
-          .amplitude = {free.amplitude(after), std::sqrt(2 * free.invariants(0.0, after)[0])},
-          .half_period = free.period(free.amplitude(after)) / 2,
-          .reference = [trajectory](double t) { return (*trajectory)(t); }};
+  return {{.name = "impact",
+           .system = ivp::System<2>(problem),
+           .x0 = problem.initial_state(),
+           .t0 = problems::ImpactDuffing::initial_time,
+           .t1 = problems::ImpactDuffing::final_time,
+           .amplitude = {free.amplitude(after), std::sqrt(2 * free.invariants(0.0, after)[0])},
+           .reference = [trajectory](double t) { return (*trajectory)(t); }},
+          499,
+          free.period(free.amplitude(after)) / 2};
 }
 
 /// The impact problem without its list of kinks.
@@ -97,15 +97,15 @@ Case<6> make_three_masses() {
     const ivp::State<6> x = (*trajectory)(Chain::final_time * i / samples).cast<double>();
     amplitude = amplitude.cwiseMax(x.cwiseAbs());
   }
-  return {.name = "three-masses",
-          .system = ivp::System<6>(Chain{}),
-          .x0 = Chain::initial_state(),
-          .t0 = Chain::initial_time,
-          .nominal_end = Chain::final_time,
-          .inferred_end = Chain::final_time,
-          .amplitude = amplitude,
-          .half_period = std::numbers::pi / chain_frequencies()[0],
-          .reference = [trajectory](double t) { return (*trajectory)(t); }};
+  return {{.name = "three-masses",
+           .system = ivp::System<6>(Chain{}),
+           .x0 = Chain::initial_state(),
+           .t0 = Chain::initial_time,
+           .t1 = Chain::final_time,
+           .amplitude = amplitude,
+           .reference = [trajectory](double t) { return (*trajectory)(t); }},
+          Chain::final_time,
+          std::numbers::pi / chain_frequencies()[0]};
 }
 
 }  // namespace

@@ -3,29 +3,20 @@
 /// to some 18 digits, by which every method of this chapter is judged.
 #pragma once
 
-#include <functional>
 #include <span>
-#include <string>
 
-#include "nlmech/ivp/system.hpp"
+#include "nlmech/comparison/example.hpp"
 
 namespace nlmech::chapters {
 
 using Extended = long double;  ///< x86: 64-bit significand, 11 bits more than double
 
-/// An example: what is integrated, how long, and what should come out.
+/// An example of the dissertation. It ends at the printed time; its reference reaches 5 s further, within
+/// 2e-16 of the truth.
 template <int n>
-struct Case {
-  std::string name;         ///< begins the names of its runs: "duffing", "impact", "three-masses"
-  ivp::System<n> system;    ///< with the parameters of Table 4.1, 4.3 or 4.5
-  ivp::State<n> x0;         ///< initial state
-  double t0;                ///< begin
-  double nominal_end;       ///< end as printed
-  double inferred_end;      ///< end to which the printed errors belong: 100 P, 499; else the printed one
-  ivp::State<n> amplitude;  ///< greatest |x_i| of the response, the divisors of Eq. 4.21
-  double half_period;       ///< of the slowest oscillation; figures show the greatest error of each such time
-  /// The solution at a time from t0 to nominal_end + 5, within 2e-16 of the truth.
-  std::function<Vector<Extended, n>(double t)> reference;
+struct Case : comparison::Example<n> {
+  double inferred_end;  ///< end to which the printed errors belong: 100 P, 499; else the printed one
+  double half_period;   ///< of the slowest oscillation; figures show the greatest error of each such time
 };
 
 /// Eq. 4.22 with Table 4.1; the reference is Eq. 4.23, X cn(omega t | m), evaluated in extended precision.

@@ -49,7 +49,7 @@ Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
   p.acceleration(0.0, q, v0, a);
   const double back = start == ExplicitStart::half_step ? h / 2 : start == ExplicitStart::as_given ? 0 : h;
   Vector3 half = v0 - back * a, before = half;
-  const auto steps = static_cast<int>(std::lround((c.nominal_end - c.t0) / h));
+  const auto steps = static_cast<int>(std::lround((c.t1 - c.t0) / h));
   Trace trace{{}, c.amplitude[0]};
   trace.values.reserve(static_cast<std::size_t>(steps));
   for (int k = 0; k < steps; ++k) {

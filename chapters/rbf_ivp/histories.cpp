@@ -21,10 +21,10 @@ struct Thinning {
 template <int n>
 Thinning thinning_of(const Record<n>& record, const Case<n>& c) {
   constexpr std::int64_t few = 20;
-  const int bins = static_cast<int>(std::round((c.nominal_end - c.t0) / c.half_period));
+  const int bins = static_cast<int>(std::round((c.t1 - c.t0) / c.half_period));
   if (record.statistics.steps <= few) return {false, 0, "all nodes"};
   if (record.statistics.steps <= bins) return {true, 0, "greatest within each step"};
-  return {false, bins, fmt::format("greatest of each {:.1f} s", (c.nominal_end - c.t0) / bins)};
+  return {false, bins, fmt::format("greatest of each {:.1f} s", (c.t1 - c.t0) / bins)};
 }
 
 /// One line or row of dots.
@@ -55,7 +55,7 @@ std::vector<TimeError> errors_of(const Record<n>& record, const Case<n>& c, Poin
     step_begins = value.end;
   }
   const bool sparse = all.size() <= 2 * static_cast<std::size_t>(thinning.bins);
-  return sparse || thinning.bins == 0 ? all : greatest_by_bin(all, c.t0, c.nominal_end, thinning.bins);
+  return sparse || thinning.bins == 0 ? all : greatest_by_bin(all, c.t0, c.t1, thinning.bins);
 }
 
 double greatest(const std::vector<TimeError>& errors) {
@@ -160,7 +160,7 @@ scene::Showing show(const Example<n>& example, const Row<n>& row, const History&
       curves,
       {{"heading", fmt::format("{} ({}): {}", row.reading.method, row.reading.setting, seen)},
        {"quantity", fmt::format("normalised {}, {}", word_for(history.shown), thinning_of(record, c).text)},
-       {"end", fmt::format("{:g}", c.nominal_end)},
+       {"end", fmt::format("{:g}", c.t1)},
        {"dot_size", record.statistics.steps <= 20   ? "0.9"
                     : record.statistics.steps <= 60 ? "0.5"
                                                     : "0.35"}});

@@ -116,7 +116,7 @@ template <int n>
 double limit_over_time(const Case<n>& c, int order) {
   return largest_step(0.5, 1, [&](double step) {
     const ivp::Mcpi method = {.step = step, .order = order};
-    return ivp::integrate(c.system, c.x0, c.t0, c.nominal_end, method).status.ok();
+    return ivp::integrate(c.system, c.x0, c.t0, c.t1, method).status.ok();
   });
 }
 
@@ -125,7 +125,7 @@ double limit_over_time(const Case<n>& c, int order) {
 std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
   const Case<2>& c = free_duffing_case();
   const ivp::Mcpi method = {.step = periods * duffing_period(), .order = order};
-  const auto solution = ivp::integrate(c.system, c.x0, c.t0, c.nominal_end, method);
+  const auto solution = ivp::integrate(c.system, c.x0, c.t0, c.t1, method);
   if (solution.status.ok()) return std::nullopt;
   return solution.statistics.steps;
 }

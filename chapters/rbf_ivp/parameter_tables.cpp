@@ -35,7 +35,7 @@ scene::Showing free_duffing_parameters() {
   const Case<2>& c = free_duffing_case();
   scene::Table table = parameter_table();
   add_row(table, "t_0", "0", c.t0);
-  add_row(table, "t_F", "500", c.nominal_end, "the errors of Table 4.2 belong to 100 P = 476.802");
+  add_row(table, "t_F", "500", c.t1, "the errors of Table 4.2 belong to 100 P = 476.802");
   add_row(table, "x_1(0)", "1", c.x0[0]);
   add_row(table, "x_2(0)", "0", c.x0[1]);
   add_row(table, "omega_n", "1", p.natural_frequency);
@@ -58,7 +58,7 @@ scene::Showing impact_parameters() {
   add_row(table, "t_0", "0", c.t0);
   add_row(table, "t_1", "1", p.duration,
           "Eq. 4.24 prints the falling force as a (1 - t): a (t_1 - t) is meant");
-  add_row(table, "t_F", "500", c.nominal_end, "the errors of Table 4.4 belong to 499");
+  add_row(table, "t_F", "500", c.t1, "the errors of Table 4.4 belong to 499");
   add_row(table, "x_1(0)", "0", c.x0[0]);
   add_row(table, "x_2(0)", "0", c.x0[1]);
   add_row(table, "omega_n", "1", p.natural_frequency);
@@ -84,7 +84,7 @@ scene::Showing chain_parameters() {
   const Case<6>& c = three_mass_case();
   scene::Table table = parameter_table();
   add_row(table, "t_0", "0", c.t0);
-  add_row(table, "t_F", "200", c.nominal_end);
+  add_row(table, "t_F", "200", c.t1);
   add_row(table, "x_0", "0", 0, "all three masses at rest");
   const auto add = [&](const char* name, const char* printed, double used) {
     add_row(table, name, printed, used);

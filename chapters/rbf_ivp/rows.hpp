@@ -101,7 +101,7 @@ struct Example {
         [made = made, procedure = std::move(procedure), keeping = keeping](scene::Workshop& w) {
           Keeping chosen = keeping;
           chosen.repeats = w.quick() ? 1 : 9;
-          return record<n>(made(), made().nominal_end, procedure, chosen);
+          return record<n>(made(), made().t1, procedure, chosen);
         });
   }
 };

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/any_method.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
+#include "nlmech/comparison/any_method.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 
 namespace nlmech::chapters {
@@ -33,9 +33,10 @@ struct Fate {
 };
 
 template <int n>
-Fate run(const AnyMethod& method, const Stiff<n>& problem, const ivp::Settings& settings, std::int64_t most) {
+Fate run(const comparison::AnyMethod& method, const Stiff<n>& problem, const ivp::Settings& settings,
+         std::int64_t most) {
   const ivp::Limits limits{.steps = most};
-  const auto integrate = any_integrator<n>(method, settings);
+  const auto integrate = comparison::any_integrator<n>(method, settings);
   const ivp::Solution<n> s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
   Fate fate{method.name, problem.name,      method.fixed_step, s.status.outcome(), false, 0, 0,
             0,           s.statistics.steps};
@@ -48,7 +49,7 @@ Fate run(const AnyMethod& method, const Stiff<n>& problem, const ivp::Settings& 
 }
 
 /// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, collocations dear.
-int most_halvings(const AnyMethod& method, bool quick) {
+int most_halvings(const comparison::AnyMethod& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
   const int halvings = method.has_nodes ? 17 : is_explicit ? 23 : 20;
@@ -58,7 +59,7 @@ int most_halvings(const AnyMethod& method, bool quick) {
 /// Halves the step from the whole interval on until two in a row are of use, then lengthens the first of them
 /// by quarters of an octave.
 template <int n>
-Fate with_largest_step(const AnyMethod& method, const Stiff<n>& problem, int halvings) {
+Fate with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& problem, int halvings) {
   const auto with_steps = [&](std::int64_t count) {
     const double step = problem.end / static_cast<double>(count);
     ivp::Settings settings{.step = step};
@@ -82,7 +83,7 @@ Fate with_largest_step(const AnyMethod& method, const Stiff<n>& problem, int hal
 }
 
 template <int n>
-Fate fate_of(const AnyMethod& method, const Stiff<n>& problem, bool quick) {
+Fate fate_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
   if (method.fixed_step) return with_largest_step(method, problem, most_halvings(method, quick));
   return run(method, problem, {.tolerance = tolerance}, std::int64_t{1} << (quick ? 14 : 18));
 }
@@ -91,8 +92,8 @@ Fate fate_of(const AnyMethod& method, const Stiff<n>& problem, bool quick) {
 std::vector<Fate> all_fates(bool quick) {
   const std::vector<AnyStiff> problems = stiff_problems(quick);
   std::vector<Fate> fates;
-  for (const std::string& name : any_method_names()) {
-    const AnyMethod method = any_method(name);
+  for (const std::string& name : comparison::any_method_names()) {
+    const comparison::AnyMethod method = comparison::any_method(name);
     if (method.peer && !peers::peer_available(name)) continue;
     for (const AnyStiff& problem : problems)
       fates.push_back(std::visit([&](const auto& p) { return fate_of(method, p, quick); }, problem));

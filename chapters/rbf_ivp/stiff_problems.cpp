@@ -13,7 +13,7 @@ namespace {
 template <class Problem>
 Stiff<Problem::dimension> stiff(std::string name, const Problem& problem, double end, double rate) {
   const auto x0 = Problem::initial_state();
-  const auto reference = reference_end(problem, x0, 0.0, end, 2'000'000);
+  const auto reference = comparison::reference_end(problem, x0, 0.0, end, 2'000'000);
   if (!reference.status.ok()) throw Failure(reference.status);
   return {std::move(name), ivp::System<Problem::dimension>(problem), x0, end, rate, reference.x};
 }

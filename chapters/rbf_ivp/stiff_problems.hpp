@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "chapters/rbf_ivp/own_reference.hpp"
+#include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::chapters {
@@ -26,7 +26,7 @@ struct Stiff {
   [[nodiscard]] double digits(const ivp::State<n>& found) const {
     const auto error = static_cast<double>(
         (found.template cast<long double>() - truth).cwiseAbs().maxCoeff() / truth.cwiseAbs().maxCoeff());
-    return std::isfinite(error) ? std::max(0.0, digits_of(error)) : 0;
+    return std::isfinite(error) ? std::max(0.0, comparison::digits_of(error)) : 0;
   }
 };
 

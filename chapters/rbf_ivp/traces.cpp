@@ -22,7 +22,7 @@ Case<2> duffing_by_series() {
 
 template <int n>
 Trace trace_of(const Case<n>& c, const Procedure<n>& procedure) {
-  const Record<n> kept = record(c, c.nominal_end, procedure);
+  const Record<n> kept = record(c, c.t1, procedure);
   Trace trace{{}, c.amplitude[0]};
   trace.values.reserve(kept.values.size());
   for (const auto& v : kept.values)

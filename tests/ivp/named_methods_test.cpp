@@ -47,7 +47,7 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
     EXPECT_FALSE(m.has_shape && !m.has_nodes) << m.name;
   }
   EXPECT_EQ(names, (std::set<std::string>{"euler", "backward-euler", "explicit", "rk4", "rk6", "ode45",
-                                          "rkn1210", "newmark", "hht", "generalized-alpha", "mcpi",
+                                          "rkn1210", "series", "newmark", "hht", "generalized-alpha", "mcpi",
                                           "rbf-coll", "lgl-coll", "radau-coll"}));
 }
 

@@ -12,6 +12,7 @@
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/ivp/series.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
 namespace nlmech::ivp {
@@ -44,6 +45,8 @@ TEST(NoAllocation, InSteps) {
   expect_no_allocation(
       Rkn1210{.relative_tolerance = 0.1, .absolute_tolerance = 0.1, .initial_step = 0.5, .largest_step = 0.5},
       problems::ThreeMassChain{.c2 = 0});
+  expect_no_allocation(Series{.order = 12, .step = 0.5});
+  expect_no_allocation(Series{.largest_step = 0.5});
   expect_no_allocation(Mcpi{.step = 0.5, .order = 8});
   expect_no_allocation(RbfCollocation{.step = 0.5, .nodes = 7, .shape = 0.4});
   expect_no_allocation(PolynomialCollocation{.step = 0.5, .nodes = 7});

@@ -177,6 +177,13 @@ TEST_P(EveryPeerFails, OrNotOnTheShortestWay) {
   }
 }
 
+// At t = 1e16 doubles are two apart: every step of x'' + x = 0 is rounded. Left alone, CVODE, ARKODE, rk8pd
+// and bsimp arrive at t1 in another state.
+TEST_P(EveryPeerFails, WhereTimeHasNoRoomForAStep) {
+  const auto solution = run<2>(ivp::System(problems::Duffing{.hardening = 0}), {1, 0}, 1e16, 1e16 + 64);
+  expect_failure(solution, Outcome::step_underflow);
+}
+
 TEST_P(EveryPeerFails, OrNotWithATolerancePastDoublePrecision) {
   const auto solution =
       run<2>(ivp::System(problems::Duffing{}), {1, 0}, 0, 0.5, 1e-18, {}, {.steps = 20000, .seconds = 2});

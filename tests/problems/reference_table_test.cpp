@@ -65,7 +65,10 @@ TEST_P(KnownDigits, AreThoseOfTheTable) {
   const Real difference = reference(row.problem, "", row.t, row.state) - Real(digits);
   EXPECT_LE(abs(difference), pow(Real(10), -decimals)) << row.problem << " " << row.state;
 }
-INSTANTIATE_TEST_SUITE_P(All, KnownDigits, ::testing::ValuesIn(known));
+INSTANTIATE_TEST_SUITE_P(All, KnownDigits, ::testing::ValuesIn(known), [](const auto& known_row) {
+  // A name is letters, digits and underscores; rows are unique by their place.
+  return std::string(known_row.param.state) + "_of_row_" + std::to_string(known_row.index);
+});
 
 // The phase omega t carries 707 units of rounding at t = 500, and 530 000 for the hard spring.
 TEST(ReferenceTable, FreeOscillationIsAJacobiFunction) {

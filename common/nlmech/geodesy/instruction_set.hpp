@@ -1,5 +1,5 @@
 /// @file
-/// The instruction sets of the batch kernels, under the names that this component uses.
+/// The instruction sets of the batch kernels, under the names of this component.
 #pragma once
 
 #include "nlmech/support/instruction_set.hpp"

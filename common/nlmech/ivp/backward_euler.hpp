@@ -91,11 +91,23 @@ class BackwardEulerStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, BackwardEuler> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const BackwardEuler& method) {
-    require_step(method.name, method.step);
-    BackwardEulerStepper<S> stepper(task.system, method.newton);
-    return walk(task, method.step, stepper);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const BackwardEuler& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, BackwardEuler>::run(const Task<S>& task, const BackwardEuler& method) {
+  require_step(method.name, method.step);
+  BackwardEulerStepper<S> stepper(task.system, method.newton);
+  return walk(task, method.step, stepper);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, BackwardEuler>;
+extern template struct Integrator<System<2>, BackwardEuler>;
+extern template struct Integrator<System<3>, BackwardEuler>;
+extern template struct Integrator<System<4>, BackwardEuler>;
+extern template struct Integrator<System<6>, BackwardEuler>;
+extern template struct Integrator<System<Eigen::Dynamic>, BackwardEuler>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -132,12 +132,23 @@ class CentralDifferenceStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, CentralDifference> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const CentralDifference& method) {
-    require_step(method.name, method.step);
-    require_accelerations(method.name, task.system);
-    CentralDifferenceStepper<S> stepper(task.system, method);
-    return walk(task, method.step, stepper);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const CentralDifference& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, CentralDifference>::run(const Task<S>& task,
+                                                             const CentralDifference& method) {
+  require_step(method.name, method.step);
+  require_accelerations(method.name, task.system);
+  CentralDifferenceStepper<S> stepper(task.system, method);
+  return walk(task, method.step, stepper);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, CentralDifference>;
+extern template struct Integrator<System<4>, CentralDifference>;
+extern template struct Integrator<System<6>, CentralDifference>;
+extern template struct Integrator<System<Eigen::Dynamic>, CentralDifference>;
+/// @endcond
 
 }  // namespace nlmech::ivp

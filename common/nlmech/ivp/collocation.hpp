@@ -189,18 +189,40 @@ template <SystemLike S, class Method>
 template <SystemLike S>
 struct Integrator<S, RbfCollocation> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const RbfCollocation& method) {
-    return detail::collocate(task, method);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const RbfCollocation& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, RbfCollocation>::run(const Task<S>& task, const RbfCollocation& method) {
+  return detail::collocate(task, method);
+}
 
 /// Runs PolynomialCollocation.
 template <SystemLike S>
 struct Integrator<S, PolynomialCollocation> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const PolynomialCollocation& method) {
-    return detail::collocate(task, method);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const PolynomialCollocation& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, PolynomialCollocation>::run(const Task<S>& task,
+                                                                 const PolynomialCollocation& method) {
+  return detail::collocate(task, method);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, RbfCollocation>;
+extern template struct Integrator<System<2>, RbfCollocation>;
+extern template struct Integrator<System<3>, RbfCollocation>;
+extern template struct Integrator<System<4>, RbfCollocation>;
+extern template struct Integrator<System<6>, RbfCollocation>;
+extern template struct Integrator<System<Eigen::Dynamic>, RbfCollocation>;
+extern template struct Integrator<System<1>, PolynomialCollocation>;
+extern template struct Integrator<System<2>, PolynomialCollocation>;
+extern template struct Integrator<System<3>, PolynomialCollocation>;
+extern template struct Integrator<System<4>, PolynomialCollocation>;
+extern template struct Integrator<System<6>, PolynomialCollocation>;
+extern template struct Integrator<System<Eigen::Dynamic>, PolynomialCollocation>;
+/// @endcond
 
 }  // namespace nlmech::ivp

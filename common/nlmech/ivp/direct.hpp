@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/ivp/taylor.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/series/tape.hpp"
 #include "nlmech/series/vector.hpp"
 
 namespace nlmech::ivp {
@@ -61,6 +63,9 @@ template <class Problem>
 concept GivesDiscontinuities = requires(const Problem& problem, double t) {
   problem.discontinuities(t, t);
 };
+
+/// Up to this dimension a problem's Taylor coefficients are unrolled; beyond, by a tape.
+inline constexpr int most_unrolled = 8;
 
 /// Partial derivatives carried at once: all of them for a small problem, by eights for one of dynamic size.
 template <int n>
@@ -167,6 +172,32 @@ class Direct {
       return problem_.discontinuities(t0, t1);
     } else {
       return {};
+    }
+  }
+
+  /// The right-hand side as a tape: called once, at (t, x).
+  /// @throws std::invalid_argument if it is written for double alone, or branches on the state, or branches
+  /// on the time and the problem does not announce discontinuities
+  [[nodiscard]] Tape record(double t, const State<n>& x) const {
+    if constexpr (detail::TakesDual<Problem, Recorded>) {
+      return nlmech::record<Problem, m>(problem_, t, State<m>(x), detail::GivesDiscontinuities<Problem>);
+    } else {
+      throw std::invalid_argument(
+          "series: this problem is written for double alone; make its call operator a template on the "
+          "scalar");
+    }
+  }
+
+  /// The Taylor coefficients of solutions, to the order @p order >= 1: an object that refers to this one,
+  /// with begin_segment(t, x), expand(t, x, scale) and coefficients(i); see TapedTaylor. Up to 8 components
+  /// and order unrolled::most_order the problem is inlined into it.
+  [[nodiscard]] auto taylor(int order) const {
+    constexpr bool inlined =
+        n == m && m >= 1 && m <= detail::most_unrolled && detail::TakesDual<Problem, UnrolledSeries<1>>;
+    if constexpr (inlined) {
+      return DirectTaylor<Direct, Problem>(*this, order, detail::GivesDiscontinuities<Problem>);
+    } else {
+      return TapedTaylor<Direct>(*this, order);
     }
   }
 

@@ -284,10 +284,22 @@ class Run {
 template <SystemLike S>
 struct Integrator<S, Ode45> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method) {
-    check_options(method);
-    return dormand_prince::Run<S>(task, method).run();
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Ode45>::run(const Task<S>& task, const Ode45& method) {
+  check_options(method);
+  return dormand_prince::Run<S>(task, method).run();
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, Ode45>;
+extern template struct Integrator<System<2>, Ode45>;
+extern template struct Integrator<System<3>, Ode45>;
+extern template struct Integrator<System<4>, Ode45>;
+extern template struct Integrator<System<6>, Ode45>;
+extern template struct Integrator<System<Eigen::Dynamic>, Ode45>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -120,11 +120,35 @@ class ExplicitStepper : public Stepper<S::dimension> {
 template <SystemLike S, ExplicitMethod M>
 struct Integrator<S, M> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const M& method) {
-    require_step(M::name, method.step);
-    ExplicitStepper<S, M> stepper(task.system);
-    return walk(task, method.step, stepper);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const M& method);
 };
+
+template <SystemLike S, ExplicitMethod M>
+Solution<S::dimension> Integrator<S, M>::run(const Task<S>& task, const M& method) {
+  require_step(M::name, method.step);
+  ExplicitStepper<S, M> stepper(task.system);
+  return walk(task, method.step, stepper);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, Euler>;
+extern template struct Integrator<System<2>, Euler>;
+extern template struct Integrator<System<3>, Euler>;
+extern template struct Integrator<System<4>, Euler>;
+extern template struct Integrator<System<6>, Euler>;
+extern template struct Integrator<System<Eigen::Dynamic>, Euler>;
+extern template struct Integrator<System<1>, Rk4>;
+extern template struct Integrator<System<2>, Rk4>;
+extern template struct Integrator<System<3>, Rk4>;
+extern template struct Integrator<System<4>, Rk4>;
+extern template struct Integrator<System<6>, Rk4>;
+extern template struct Integrator<System<Eigen::Dynamic>, Rk4>;
+extern template struct Integrator<System<1>, Rk6>;
+extern template struct Integrator<System<2>, Rk6>;
+extern template struct Integrator<System<3>, Rk6>;
+extern template struct Integrator<System<4>, Rk6>;
+extern template struct Integrator<System<6>, Rk6>;
+extern template struct Integrator<System<Eigen::Dynamic>, Rk6>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -22,6 +22,14 @@ Status non_finite_rhs(std::string_view method, double t) {
                                      method, t));
 }
 
+Status non_finite_coefficients(std::string_view method, double t, int order) {
+  return Status::failure(Outcome::non_finite,
+                         fmt::format("{}: the Taylor coefficients to order {} at t = {:.17g} are not finite; "
+                                     "the solution may be singular there, else take a lower order or a "
+                                     "smaller step",
+                                     method, order, t));
+}
+
 Status step_underflow(std::string_view method, double t, double step) {
   return Status::failure(Outcome::step_underflow,
                          fmt::format("{}: a step of {:.6g} does not move t = {:.17g}; the solution may be "

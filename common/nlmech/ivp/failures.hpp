@@ -13,6 +13,8 @@ namespace nlmech::ivp {
 [[nodiscard]] Status non_finite_state(std::string_view method, double t, double step);
 /// The right-hand side has a NaN or an infinity at a finite state.
 [[nodiscard]] Status non_finite_rhs(std::string_view method, double t);
+/// A Taylor coefficient of the solution is not finite.
+[[nodiscard]] Status non_finite_coefficients(std::string_view method, double t, int order);
 /// t + step == t.
 [[nodiscard]] Status step_underflow(std::string_view method, double t, double step);
 /// Step control arrived at the shortest step and still misses the tolerance: step_underflow.

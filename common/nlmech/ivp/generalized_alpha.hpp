@@ -37,9 +37,20 @@ struct GeneralizedAlpha {
 template <SystemLike S>
 struct Integrator<S, GeneralizedAlpha> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const GeneralizedAlpha& method) {
-    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const GeneralizedAlpha& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, GeneralizedAlpha>::run(const Task<S>& task,
+                                                            const GeneralizedAlpha& method) {
+  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, GeneralizedAlpha>;
+extern template struct Integrator<System<4>, GeneralizedAlpha>;
+extern template struct Integrator<System<6>, GeneralizedAlpha>;
+extern template struct Integrator<System<Eigen::Dynamic>, GeneralizedAlpha>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -39,9 +39,19 @@ struct Hht {
 template <SystemLike S>
 struct Integrator<S, Hht> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const Hht& method) {
-    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const Hht& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Hht>::run(const Task<S>& task, const Hht& method) {
+  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, Hht>;
+extern template struct Integrator<System<4>, Hht>;
+extern template struct Integrator<System<6>, Hht>;
+extern template struct Integrator<System<Eigen::Dynamic>, Hht>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -22,6 +22,7 @@
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/ivp/series.hpp"
 #include "nlmech/ivp/step_search.hpp"
 
 namespace nlmech::ivp {
@@ -41,6 +42,14 @@ constexpr std::array methods = {
     MethodInfo{Rkn1210::name, false, 12,
                "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", true, false,
                false},
+    MethodInfo{Series::name,
+               false,
+               {},
+               "Taylor series, order and steps by the radius of convergence",
+               false,
+               false,
+               false,
+               true},
     MethodInfo{Newmark::name, true, 2, "Newmark's method, constant average acceleration", true, false, false},
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
     MethodInfo{GeneralizedAlpha::name, true, 2, "the generalised alpha method, rho = 0.8", true, false,
@@ -82,10 +91,11 @@ void check(const MethodInfo& method, const Settings& settings) {
   check_positive(method.name, "tolerance", settings.tolerance);
   check_positive(method.name, "shape", settings.shape);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
-  if (settings.step && !method.fixed_step)
+  if (settings.step && !method.fixed_step && !method.has_order)
     refuse("it chooses its steps itself; give a tolerance, not a step");
   if (settings.nodes && !method.has_nodes) refuse("it has no nodes to choose");
   if (settings.shape && !method.has_shape) refuse("it has no shape to choose");
+  if (settings.order && !method.has_order) refuse("it has no order to choose");
   if (settings.nodes && (*settings.nodes < 2 || *settings.nodes > collocation::max_nodes))
     refuse(fmt::format("the nodes must be from 2 to {}, not {}", collocation::max_nodes, *settings.nodes));
 }
@@ -164,10 +174,10 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
   return searching<n>(search, make, rate, rate && !settings.shape);
 }
 
-template <int n>
-NamedIntegrator<n> ode45(const Settings& settings) {
-  const double tolerance = settings.tolerance.value_or(default_tolerance);
-  const Ode45 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+/// A method that chooses its steps; @p method has all else.
+template <int n, class Method>
+NamedIntegrator<n> adaptive(const Settings& settings, Method method = {}) {
+  method.relative_tolerance = method.absolute_tolerance = settings.tolerance.value_or(default_tolerance);
   check_options(method);
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
@@ -252,7 +262,12 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
   if (info.name == BackwardEuler::name) return with([](double step) { return BackwardEuler{.step = step}; });
   if (info.name == Rk4::name) return with([](double step) { return Rk4{.step = step}; });
   if (info.name == Rk6::name) return with([](double step) { return Rk6{.step = step}; });
-  if (info.name == Ode45::name) return ode45<n>(settings);
+  if (info.name == Ode45::name) return adaptive<n, Ode45>(settings);
+  if (info.name == Series::name) {
+    const double step = settings.step.value_or(0);
+    const int order = settings.order.value_or(settings.step ? published_order : 0);
+    return adaptive<n, Series>(settings, {.order = order, .step = step});
+  }
   if (auto method = collocation_by_name<n>(info, settings)) return method;
   return second_order_by_name<n>(info, settings);
 }

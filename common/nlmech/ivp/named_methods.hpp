@@ -20,10 +20,15 @@ struct Settings {
   std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; nothing: its default
   std::optional<double> shape =
       std::nullopt;  ///< c of rbf-coll in 1/time; positive; nothing: (N - 1) / (4 step)
+  std::optional<int> order = std::nullopt;  ///< N of series, from 2 to 100; nothing: by the tolerance, or
+                                            ///< published_order if there is a step
 };
 
 /// The tolerance of Settings without step and tolerance.
 inline constexpr double default_tolerance = 1e-9;
+/// The order of series with a step and without Settings::order: what Filipich and Rosales take for most of
+/// their examples.
+inline constexpr int published_order = 20;
 
 /// A method with its settings: integrates a system from x0 at t0 to t1, as integrate() does. The observer may
 /// be empty.
@@ -40,6 +45,7 @@ struct MethodInfo {
   bool second_order_only;    ///< for problems with accelerations alone
   bool has_nodes;            ///< Settings::nodes counts
   bool has_shape;            ///< Settings::shape counts
+  bool has_order = false;    ///< Settings::order counts; takes a step as well as a tolerance
 };
 
 /// All methods, simple ones first.

@@ -31,9 +31,19 @@ struct Newmark {
 template <SystemLike S>
 struct Integrator<S, Newmark> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const Newmark& method) {
-    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const Newmark& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Newmark>::run(const Task<S>& task, const Newmark& method) {
+  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, Newmark>;
+extern template struct Integrator<System<4>, Newmark>;
+extern template struct Integrator<System<6>, Newmark>;
+extern template struct Integrator<System<Eigen::Dynamic>, Newmark>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -133,11 +133,23 @@ class PicardStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, Mcpi> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Mcpi& method) {
-    require_step(Mcpi::name, method.step);
-    PicardStepper<S> stepper(task.system, method);
-    return walk(task, method.step, stepper);
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const Mcpi& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Mcpi>::run(const Task<S>& task, const Mcpi& method) {
+  require_step(Mcpi::name, method.step);
+  PicardStepper<S> stepper(task.system, method);
+  return walk(task, method.step, stepper);
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, Mcpi>;
+extern template struct Integrator<System<2>, Mcpi>;
+extern template struct Integrator<System<3>, Mcpi>;
+extern template struct Integrator<System<4>, Mcpi>;
+extern template struct Integrator<System<6>, Mcpi>;
+extern template struct Integrator<System<Eigen::Dynamic>, Mcpi>;
+/// @endcond
 
 }  // namespace nlmech::ivp

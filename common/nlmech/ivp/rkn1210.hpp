@@ -345,12 +345,15 @@ class Run {
 template <SystemLike S>
 struct Integrator<S, Rkn1210> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Rkn1210& method) {
-    check_options(method);
-    require_accelerations(method.name, task.system);
-    return rkn1210::Run<S>(task, method).run();
-  }
+  static Solution<S::dimension> run(const Task<S>& task, const Rkn1210& method);
 };
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Rkn1210>::run(const Task<S>& task, const Rkn1210& method) {
+  check_options(method);
+  require_accelerations(method.name, task.system);
+  return rkn1210::Run<S>(task, method).run();
+}
 
 /// @cond instances compiled in the library
 extern template struct Integrator<System<2>, Rkn1210>;

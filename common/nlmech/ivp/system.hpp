@@ -68,6 +68,11 @@ class System {
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     return face_->discontinuities(t0, t1);
   }
+  /// The right-hand side as a tape: called once, at (t, x). @throws std::invalid_argument as Direct::record()
+  [[nodiscard]] Tape record(double t, const State<n>& x) const { return face_->record(t, x); }
+  /// The Taylor coefficients of solutions, to the order @p order >= 1, through the tape: an object that
+  /// refers to this one; see TapedTaylor.
+  [[nodiscard]] TapedTaylor<System> taylor(int order) const { return {*this, order}; }
 
  private:
   struct Face {
@@ -83,6 +88,7 @@ class System {
     virtual bool time_derivative(double, const State<n>&, State<n>&) const = 0;
     virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
     virtual std::vector<double> discontinuities(double, double) const = 0;
+    virtual Tape record(double, const State<n>&) const = 0;
   };
   template <class D>
   struct Compiled final : Face {
@@ -103,6 +109,7 @@ class System {
     std::vector<double> discontinuities(double t0, double t1) const override {
       return direct.discontinuities(t0, t1);
     }
+    Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
     D direct;
   };
   std::shared_ptr<const Face> face_;

@@ -14,6 +14,7 @@
 ///   right-hand side or one of its derivatives jumps. A right-hand side that branches on value_of(t) must
 ///   have it.
 /// - `invariants(t, x)`: a vector of quantities that stay constant along every solution.
+/// - `state_names()`: names of the components of its state, for the heads of columns.
 /// - `initial_state()`, `initial_time`, `final_time`: the data of the publication.
 #pragma once
 
@@ -54,14 +55,25 @@ void first_order_form(const Problem& problem, const T& t, const Vector<T, n>& x,
   dxdt.template tail<n / 2>() = a;
 }
 
-/// Column names of a state: x1, x2, ..., v1, v2, ... for a second-order problem, else x1, x2, ...
+/// Does the problem have names of its own for the components of its state?
+template <class Problem>
+concept NamesItsState = requires {
+  Problem::state_names();
+};
+
+/// Column names of a state: the problem's own; else x1, x2, ..., v1, v2, ... for a second-order problem, and
+/// x1, x2, ... for others.
 template <class Problem>
 [[nodiscard]] std::vector<std::string> state_names() {
-  std::vector<std::string> names;
-  const int positions = SecondOrder<Problem> ? Problem::dimension / 2 : Problem::dimension;
-  for (int i = 1; i <= positions; ++i) names.push_back("x" + std::to_string(i));
-  for (int i = 1; i <= Problem::dimension - positions; ++i) names.push_back("v" + std::to_string(i));
-  return names;
+  if constexpr (NamesItsState<Problem>) {
+    return Problem::state_names();
+  } else {
+    std::vector<std::string> names;
+    const int positions = SecondOrder<Problem> ? Problem::dimension / 2 : Problem::dimension;
+    for (int i = 1; i <= positions; ++i) names.push_back("x" + std::to_string(i));
+    for (int i = 1; i <= Problem::dimension - positions; ++i) names.push_back("v" + std::to_string(i));
+    return names;
+  }
 }
 
 }  // namespace nlmech::problems

@@ -152,6 +152,57 @@ class GrowingSeries {
   friend GrowingSeries sin(const GrowingSeries& a) { return sin_cos(a).first; }
   /// Cosine.
   friend GrowingSeries cos(const GrowingSeries& a) { return sin_cos(a).second; }
+  /// Natural logarithm, for c_0 > 0.
+  friend GrowingSeries log(const GrowingSeries& a) {
+    using std::log;
+    if (a.is_constant()) return T(log(a.constant_));
+    return result(a, a, [&](std::size_t k, const T* r) { return recurrence::logarithm(a.data(), r, k); });
+  }
+  /// a^p for a real exponent, for c_0 > 0.
+  template <class P>
+  requires(!std::integral<P> && std::convertible_to<P, T>) friend GrowingSeries
+      pow(const GrowingSeries& a, const P& p) {
+    using std::pow;
+    const T exponent = static_cast<T>(p);
+    if (a.is_constant()) return T(pow(a.constant_, exponent));
+    return result(a, a,
+                  [&](std::size_t k, const T* r) { return recurrence::power(a.data(), exponent, r, k); });
+  }
+  /// Hyperbolic sine and cosine of one argument, which need each other.
+  friend std::pair<GrowingSeries, GrowingSeries> sinh_cosh(const GrowingSeries& a) {
+    using std::cosh;
+    using std::sinh;
+    if (a.is_constant()) return {T(sinh(a.constant_)), T(cosh(a.constant_))};
+    return a.companions(recurrence::hyperbolic_sine<T>, recurrence::hyperbolic_cosine<T>);
+  }
+  /// Hyperbolic sine.
+  friend GrowingSeries sinh(const GrowingSeries& a) { return sinh_cosh(a).first; }
+  /// Hyperbolic cosine.
+  friend GrowingSeries cosh(const GrowingSeries& a) { return sinh_cosh(a).second; }
+  /// Tangent.
+  friend GrowingSeries tan(const GrowingSeries& a) {
+    using std::tan;
+    if (a.is_constant()) return T(tan(a.constant_));
+    return a
+        .companions(recurrence::tangent<T>,
+                    [](const T*, const T* r, std::size_t k) {
+                      return k == 0 ? T(1 + r[0] * r[0]) : recurrence::product(r, r, k);
+                    })
+        .first;
+  }
+  /// Hyperbolic tangent.
+  friend GrowingSeries tanh(const GrowingSeries& a) {
+    using std::cosh;
+    using std::tanh;
+    if (a.is_constant()) return T(tanh(a.constant_));
+    return a
+        .companions(recurrence::hyperbolic_tangent<T>,
+                    [](const T* c, const T* r, std::size_t k) {
+                      const T root = cosh(c[0]);
+                      return k == 0 ? T(1 / (root * root)) : T(-recurrence::product(r, r, k));
+                    })
+        .first;
+  }
   /// a^p for an integer exponent, by repeated squaring; a^0 is the constant 1.
   friend GrowingSeries pow(const GrowingSeries& a, int p) {
     GrowingSeries power(T(1)), square = a;
@@ -177,6 +228,17 @@ class GrowingSeries {
     const std::size_t series = memory.add(), k = memory.pass();
     memory[series][k] = next(k, memory[series]);
     return GrowingSeries(memory, series);
+  }
+
+  /// Two operations of the pass that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
+  template <class First, class Second>
+  [[nodiscard]] std::pair<GrowingSeries, GrowingSeries> companions(const First& first,
+                                                                   const Second& second) const {
+    SeriesMemory<T>& memory = *memory_;
+    const std::size_t one = memory.add(), other = memory.add(), k = memory.pass();
+    memory[one][k] = first(data(), memory[other], k);
+    memory[other][k] = second(data(), memory[one], k);
+    return {GrowingSeries(memory, one), GrowingSeries(memory, other)};
   }
 
   SeriesMemory<T>* memory_ = nullptr;

@@ -66,4 +66,58 @@ template <class T>
   return -slope_product(a, s, k) / static_cast<int>(k);
 }
 
+/// Coefficient k of log(a), for a_0 > 0, from a r' = a'.
+template <class T>
+[[nodiscard]] T logarithm(const T* a, const T* r, std::size_t k) {
+  using std::log;
+  if (k == 0) return log(a[0]);
+  T sum = static_cast<int>(k) * a[k];
+  for (std::size_t i = 1; i < k; ++i) sum -= static_cast<int>(i) * r[i] * a[k - i];
+  return sum / (static_cast<int>(k) * a[0]);
+}
+
+/// Coefficient k of a^p for a real exponent and a_0 > 0, from a r' = p a' r: O(k) operations, whatever p is.
+template <class T, class P>
+[[nodiscard]] T power(const T* a, const P& p, const T* r, std::size_t k) {
+  using std::pow;
+  if (k == 0) return pow(a[0], p);
+  T sum = T(0);
+  for (std::size_t j = 0; j < k; ++j) {
+    sum += (p * static_cast<int>(k - j) - static_cast<int>(j)) * a[k - j] * r[j];
+  }
+  return sum / (static_cast<int>(k) * a[0]);
+}
+
+/// Coefficient k of sinh(a), from s' = a' c; @p c are the coefficients of cosh(a) below k.
+template <class T>
+[[nodiscard]] T hyperbolic_sine(const T* a, const T* c, std::size_t k) {
+  using std::sinh;
+  if (k == 0) return sinh(a[0]);
+  return slope_product(a, c, k) / static_cast<int>(k);
+}
+
+/// Coefficient k of cosh(a), from c' = a' s; @p s are the coefficients of sinh(a) below k.
+template <class T>
+[[nodiscard]] T hyperbolic_cosine(const T* a, const T* s, std::size_t k) {
+  using std::cosh;
+  if (k == 0) return cosh(a[0]);
+  return slope_product(a, s, k) / static_cast<int>(k);
+}
+
+/// Coefficient k of tan(a), from r' = a' g; @p g are the coefficients of 1 + tan^2(a) below k.
+template <class T>
+[[nodiscard]] T tangent(const T* a, const T* g, std::size_t k) {
+  using std::tan;
+  if (k == 0) return tan(a[0]);
+  return slope_product(a, g, k) / static_cast<int>(k);
+}
+
+/// Coefficient k of tanh(a), from r' = a' g; @p g are the coefficients of 1 - tanh^2(a) below k.
+template <class T>
+[[nodiscard]] T hyperbolic_tangent(const T* a, const T* g, std::size_t k) {
+  using std::tanh;
+  if (k == 0) return tanh(a[0]);
+  return slope_product(a, g, k) / static_cast<int>(k);
+}
+
 }  // namespace nlmech::recurrence

@@ -11,6 +11,18 @@
 namespace nlmech::peers {
 namespace {
 
+/// Distance of the doubles next to |t|.
+double spacing(double t) { return std::nextafter(std::abs(t), HUGE_VAL) - std::abs(t); }
+
+/// Was the step so short that rounding of t changed its length? Then the state and its time have parted:
+/// libraries go on all the same, and arrive somewhere else. The last step of a segment may be as short as the
+/// way that was left, but it may not be called longer than it was.
+bool is_lost_in_rounding(double t, const Attempt& attempt, double end) {
+  const double length = std::abs(attempt.step);
+  if (attempt.t == end) return std::abs(end - t) > 1.125 * length;
+  return length < 16 * spacing(t);
+}
+
 /// The walk over one smooth segment, to @p end.
 Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, double end,
                     const Stopwatch& watch, std::vector<double>& next) {
@@ -37,7 +49,7 @@ Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, dou
       continue;
     }
     if (!all_finite(next.data(), size)) return ivp::non_finite_state(method, run.t, attempt.step);
-    if (attempt.t == run.t) {
+    if (attempt.t == run.t || is_lost_in_rounding(run.t, attempt, end)) {
       return is_recent() ? non_finite_rhs(method, run.t, attempt.step)
                          : ivp::step_underflow(method, run.t, attempt.step);
     }
@@ -72,7 +84,7 @@ double initial_step(double t, const double* x, const double* f, int size, double
   }
   double length = state < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * (state / rate);
   // A step must move t; how short it may become after that is for the library to find out.
-  length = std::max(length, 16 * (std::nextafter(std::abs(t), HUGE_VAL) - std::abs(t)));
+  length = std::max(length, 16 * spacing(t));
   return std::copysign(std::min(length, std::abs(end - t)), end - t);
 }
 

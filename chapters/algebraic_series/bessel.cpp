@@ -1,0 +1,123 @@
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <vector>
+
+#include "chapters/algebraic_series/scenes.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
+
+/// J_nu for a whole number nu by its series about 0, whose terms at x = 10 are a thousand times the sum.
+Real bessel_j(int nu, const Real& x) {
+  Real term = 1;
+  for (int i = 1; i <= nu; ++i) term *= x / (2 * i);
+  Real sum = 0;
+  for (int k = 1; k < 120; ++k) {
+    sum += term;
+    term *= -(x * x) / (4 * k * (k + nu));
+  }
+  return sum;
+}
+
+/// J_nu' = (J_(nu-1) - J_(nu+1))/2; J_(-1) = -J_1.
+Real bessel_j_prime(int nu, const Real& x) {
+  return nu == 0 ? Real(-bessel_j(1, x)) : Real((bessel_j(nu - 1, x) - bessel_j(nu + 1, x)) / 2);
+}
+
+/// Bessel's equation on (0, T), Eq. 32, expanded about tau = x/T = 1.
+struct Expansion {
+  int order;                ///< of the equation, nu
+  int length;               ///< T
+  std::vector<Real> value;  ///< coefficients of (tau - 1)^i
+
+  /// The sum of the first @p terms.
+  [[nodiscard]] Real at(const Real& tau, int terms) const {
+    Real sum = 0;
+    for (int i = terms - 1; i >= 0; --i) sum = sum * (tau - 1) + value[static_cast<std::size_t>(i)];
+    return sum;
+  }
+};
+
+/// The recurrence of Eqs. 36 to 38 with alpha = (1, 1, 0, ...), beta = (1, 2, 1, 0, ...), from A_0 and A_1.
+/// D_i, the coefficient of tau^2 v, has three terms, C_i two, B_i two.
+Expansion continued(Expansion e, int terms) {
+  const int nu = e.order, T = e.length;
+  const auto A = [&](int i) { return i < 0 ? Real(0) : e.value[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i + 2 < terms; ++i) {
+    const Real B = 2 * (Real(i) * (i + 1)) * A(i + 1) + (Real(i - 1) * i) * A(i);
+    const Real C = Real(i + 1) * A(i + 1) + Real(i) * A(i);
+    const Real D = A(i) + 2 * A(i - 1) + A(i - 2);
+    e.value.push_back((Real(nu) * nu * A(i) - (B + C + Real(T) * T * D)) / (Real(i + 1) * (i + 2)));
+  }
+  return e;
+}
+
+/// The solution that is J_nu(T tau).
+Expansion expand(int nu, int T, int terms) {
+  return continued({nu, T, {bessel_j(nu, Real(T)), T * bessel_j_prime(nu, Real(T))}}, terms);
+}
+
+double error(const Expansion& e, const Real& tau, int terms) {
+  return static_cast<double>(abs(e.at(tau, terms) - bessel_j(e.order, Real(e.length * tau))));
+}
+
+/// Another solution: A_0 = 1, A_1 = 0. It has the logarithm of Y_nu in it, and does not converge at 0.
+double growth_of_the_free_solution(int nu, int T, int terms) {
+  const Expansion e = continued({nu, T, {1, 0}}, terms);
+  return static_cast<double>(abs(e.value.back() / e.value[e.value.size() - 2]));
+}
+
+scene::Showing show(bool quick) {
+  scene::Table data({{"case", 3, true}, {"tau"}, {"error"}});
+  const Expansion two = expand(2, 5, 100), zero = expand(0, 10, 100);
+  const int samples = quick ? 50 : 200;
+  const auto add = [&](const char* name, const Expansion& e, int terms) {
+    for (int k = 1; k < samples; ++k) {
+      const double tau = static_cast<double>(k) / samples;
+      data.add({name, tau, std::max(error(e, tau, terms), 1e-70)});
+    }
+  };
+  add("J2 T=5, 20 terms", two, 20);
+  add("J2 T=5, 100 terms", two, 100);
+  add("J0 T=10, 20 terms", zero, 20);
+  add("J0 T=10, 100 terms", zero, 100);
+  scene::Showing showing;
+  showing.figure = {std::move(data),
+                    "algebraic_series-bessel",
+                    {{"heading", "Bessel functions about tau = 1: the terms decide, not the unit interval"}}};
+  const char* known = "an independent program, one digit; a factor of two either way";
+  const Real near_zero = Real(1) / 100, near_one = Real(9) / 10;
+  const auto about = [&](const char* name, double value, double reference) {
+    return scene::Quantity{name, "1", value, reference / 2, reference * 2, known};
+  };
+  showing.quantities = {
+      about("error of 20 terms, J_2, T = 5, tau = 0.9", error(two, near_one, 20), 1e-26),
+      about("error of 20 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 20), 2e-7),
+      scene::near("error of 20 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 20), 5.2, 0.02,
+                  "an independent program: 5.2; half a unit of its last digit"),
+      scene::at_most("error of 100 terms, J_2, T = 5, tau = 0.01", "1", error(two, near_zero, 100), 4e-27,
+                     "an independent program: 2e-27, its rounding"),
+      scene::at_most("error of 100 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 100), 8e-26,
+                     "an independent program: 4e-26, its rounding"),
+      scene::near("ratio of the last coefficients of the solution with A_0 = 1, A_1 = 0", "1",
+                  growth_of_the_free_solution(2, 5, 400), 1, 0.02,
+                  "a singularity at tau = 0: the ratio tends to 1/rho = 1 like 1 + O(1/i)")};
+  return showing;
+}
+
+}  // namespace
+
+void add_bessel(scene::Chapter& chapter) {
+  chapter.add({.name = "bessel",
+               .title = "Bessel's equation expanded about tau = 1: error against tau and terms",
+               .place = "our own, for section 3.1",
+               .needs = {},
+               .seconds = 0.5,
+               .show = [](Workshop& w) { return show(w.quick()); }});
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,51 @@
+/// @file
+/// When a run leaves the solution: the paper's claim is that its steps never do.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/algebraic_series/samples.hpp"
+#include "nlmech/comparison/example.hpp"
+
+namespace nlmech::chapters {
+
+/// The distance from the solution at the ends of steps.
+struct Departure {
+  std::string status;         ///< "success", or how the run failed
+  std::vector<double> t;      ///< ends of steps
+  std::vector<double> error;  ///< max_i |error of x_i| there
+
+  /// The first time at which the error exceeds @p bound; nothing if it never does.
+  [[nodiscard]] std::optional<double> first_above(double bound) const {
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      if (!(error[i] <= bound)) return t[i];
+    }
+    return {};
+  }
+  /// Of all errors up to @p end.
+  [[nodiscard]] double greatest(double end) const {
+    double greatest = 0;
+    for (std::size_t i = 0; i < t.size() && t[i] <= end; ++i) greatest = std::max(greatest, error[i]);
+    return greatest;
+  }
+};
+
+/// Runs a method from the begin of an example to @p end, which may lie beyond its own, as far as its
+/// reference reaches. A run that fails is cut off there.
+template <int n, class Method>
+[[nodiscard]] Departure departure(const comparison::Example<n>& example, const Method& method, double end) {
+  Departure seen;
+  const auto observe = [&](const ivp::Step<n>& step) {
+    const ivp::State<n> truth = example.reference(step.t1).template cast<double>();
+    seen.t.push_back(step.t1);
+    seen.error.push_back((step.x1 - truth).cwiseAbs().maxCoeff());
+    return true;
+  };
+  const auto solution = ivp::integrate(example.system, example.x0, example.t0, end, method, observe);
+  seen.status = to_string(solution.status.outcome());
+  return seen;
+}
+
+}  // namespace nlmech::chapters

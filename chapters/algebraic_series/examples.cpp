@@ -1,0 +1,77 @@
+#include "chapters/algebraic_series/examples.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+// Lorenz's motion loses sixteen digits in 40 units of time.
+using Digits35 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<35>, boost::multiprecision::et_off>;
+
+/// @param Extended the equation with parameters in 35 digits
+/// @param Plain the same in double
+/// @param t0 begin, @param duration of the example, @param beyond how far the reference goes on
+template <template <class> class Problem, int n = Problem<double>::dimension>
+comparison::Example<n> make(const Digits35& t0, double duration, double beyond) {
+  using Trajectory = problems::ReferenceTrajectory<Digits35, Problem<Digits35>>;
+  constexpr int size = Problem<double>::dimension;
+  const auto x0 = Problem<double>::initial_state();
+  const auto trajectory = std::make_shared<const Trajectory>(
+      Problem<Digits35>{}, Vector<Digits35, size>(x0.template cast<Digits35>()), t0, t0 + duration + beyond);
+  if (!trajectory->status().ok()) throw Failure(trajectory->status());
+  // Times are doubles; that of the begin is not pi but the double next to it.
+  const auto begin = static_cast<double>(t0);
+  const auto at = [trajectory, t0, begin](double t) -> Vector<long double, n> {
+    const Digits35 exact = t == begin ? t0 : Digits35(t);
+    return (*trajectory)(exact).template cast<long double>();
+  };
+  ivp::State<n> amplitude = at(begin).template cast<double>().cwiseAbs();
+  constexpr int samples = 4000;
+  for (int i = 1; i <= samples; ++i) {
+    const Vector<long double, n> x = at(begin + duration * i / samples);
+    amplitude = amplitude.cwiseMax(x.template cast<double>().cwiseAbs());
+  }
+  return {.name = std::string(Problem<double>::name),
+          .system = ivp::System<n>(Problem<double>{}),
+          .x0 = x0,
+          .t0 = begin,
+          .t1 = begin + duration,
+          .amplitude = amplitude,
+          .reference = at};
+}
+
+template <class Real>
+using FourBodies = problems::BasicBodies<Real, 4>;
+
+}  // namespace
+
+const comparison::Example<3>& lorenz_example() {
+  static const auto example = make<problems::BasicLorenz>(0, 20, 20);
+  return example;
+}
+
+const comparison::Example<2>& forced_duffing_example() {
+  static const auto example = make<problems::BasicForcedDuffing>(0, 50, 50);
+  return example;
+}
+
+const comparison::Example<2>& oscillator_example() {
+  static const auto example =
+      make<problems::BasicStrongOscillator>(boost::math::constants::pi<Digits35>(), 375, 375);
+  return example;
+}
+
+const comparison::Example<Eigen::Dynamic>& bodies_example() {
+  static const auto example = make<FourBodies, Eigen::Dynamic>(0, 3000, 0);
+  return example;
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "chapters/algebraic_series/chapter.hpp"
+#include "chapters/algebraic_series/sections.hpp"
+#include "nlmech/comparison/ivp_commands.hpp"
+#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/problems/bodies.hpp"
+#include "nlmech/problems/forced_duffing.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/projectile.hpp"
+#include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/scene/csv.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string sections, initial;
+  std::vector<std::string> set;
+};
+
+// The paper's Duffing oscillator is the only one here.
+struct Duffing : problems::ForcedDuffing {
+  static constexpr std::string_view name = "duffing";
+};
+
+std::string section_rows(const Words& words) {
+  double count = 0;
+  if (!scene::parse_number(words.sections, count) || count != std::floor(count) || count < 1 || count > 1e7)
+    throw InputError(
+        fmt::format("--sections {}: must be a whole number from 1 to 10 million", words.sections));
+  comparison::OwnProblemOf<problems::StrongOscillator> problem;
+  for (const std::string& assignment : words.set) comparison::apply_setting(problem, assignment);
+  const std::vector<double> x0 = comparison::initial_state(problem, words.initial);
+  const auto all =
+      sections(problem.problem(), {x0[0], x0[1]}, problem.initial_time(), static_cast<std::int64_t>(count));
+  std::string text = "section,x,v\n";
+  for (std::size_t k = 0; k < all.size(); ++k)
+    fmt::format_to(std::back_inserter(text), "{},{:.17g},{:.17g}\n", k, all[k][0], all[k][1]);
+  return text;
+}
+
+void add_poincare_command(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand(
+      "poincare", "States of the oscillator every pi, from t = pi on, as CSV: section,x,v");
+  command->add_option("--sections", words->sections, "how many, the first of them the initial state")
+      ->required();
+  command->add_option("--initial", words->initial, "initial state x,v; -0.5,0 if not given");
+  command->add_option("--set", words->set, "name=value of stiffness or epsilon; may be repeated")
+      ->allow_extra_args(false);
+  command->callback([words] { scene::print_result(section_rows(*words)); });
+}
+
+}  // namespace
+
+void algebraic_series_work(CLI::App& app) {
+  using comparison::own_problem;
+  const comparison::OwnProblems problems = {
+      &own_problem<problems::Lorenz>, &own_problem<Duffing>, &own_problem<problems::StrongOscillator>,
+      &own_problem<problems::Projectile>, &own_problem<problems::FourBodies>};
+  comparison::add_integrate_command(app, problems, "series");
+  comparison::add_compare_command(app, problems, "algebraic_series");
+  add_poincare_command(app);
+}
+
+}  // namespace nlmech::chapters

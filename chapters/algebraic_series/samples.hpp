@@ -1,0 +1,51 @@
+/// @file
+/// A solution at many equidistant times, by dense output: what curves are drawn from.
+#pragma once
+
+#include <vector>
+
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/series.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+
+/// A state at a time.
+template <int n>
+struct Sample {
+  double t;         ///< time
+  ivp::State<n> x;  ///< state
+};
+
+/// States at t0, t0 + dt, t0 + 2 dt, ... up to the end of an integration. @throws Failure if it fails
+/// @tparam Method any of the library's
+template <int n, class Method>
+[[nodiscard]] std::vector<Sample<n>> sampled(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+                                             double t1, const Method& method, double dt) {
+  std::vector<Sample<n>> samples = {{t0, x0}};
+  // Rounding of k dt loses no sample at the end.
+  const auto next = [&] { return t0 + dt * static_cast<double>(samples.size()); };
+  const auto observe = [&](const ivp::Step<n>& step) {
+    for (double t = next(); t <= step.t1 || (step.t1 == t1 && t <= t1 + 1e-9 * dt); t = next()) {
+      ivp::State<n> x;
+      step.dense.at(std::min(t, step.t1), x);
+      samples.push_back({t, x});
+    }
+    return true;
+  };
+  const auto solution = ivp::integrate(system, x0, t0, t1, method, observe);
+  if (!solution.status.ok()) throw Failure(solution.status);
+  return samples;
+}
+
+/// Order and steps by the radius of convergence, as tight as double allows.
+[[nodiscard]] inline ivp::Series accurate_series() {
+  return {.relative_tolerance = 1e-16, .absolute_tolerance = 1e-16};
+}
+
+/// The scheme as published: @p order terms beyond the first, steps of T.
+[[nodiscard]] inline ivp::Series published_series(double step, int order) {
+  return {.order = order, .step = step};
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,7 @@
+#include "chapters/two_body_series/scenes.hpp"
+
+namespace nlmech::chapters {
+
+void add_elements(scene::Chapter& /*chapter*/) {}
+
+}  // namespace nlmech::chapters

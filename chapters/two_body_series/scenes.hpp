@@ -1,0 +1,24 @@
+/// @file
+/// The scenes of the chapter, one function a group.
+#pragma once
+
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters {
+
+// The dissertation's own.
+void add_elements(scene::Chapter& chapter);       ///< equations 3.72 and 3.74
+void add_algorithm(scene::Chapter& chapter);      ///< figure 3.21
+void add_histories(scene::Chapter& chapter);      ///< figures 3.22 and 3.23
+void add_tables(scene::Chapter& chapter);         ///< tables 3.2 and 3.3
+void add_reading_study(scene::Chapter& chapter);  ///< which degrees and steps the printed values fit
+
+// Ours.
+void add_convergence_radius(scene::Chapter& chapter);  ///< printed steps against the radius of convergence
+void add_cost(scene::Chapter& chapter);      ///< time of a step against its order, of a run against orbits
+void add_drift(scene::Chapter& chapter);     ///< energy over ten thousand orbits
+void add_zonal(scene::Chapter& chapter);     ///< a day about an oblate Earth
+void add_extremes(scene::Chapter& chapter);  ///< where the methods end
+void add_error_vs_time(scene::Chapter& chapter);  ///< all propagators
+
+}  // namespace nlmech::chapters

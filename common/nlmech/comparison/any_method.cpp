@@ -1,0 +1,56 @@
+#include "nlmech/comparison/any_method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "nlmech/peers/ivp/registry.hpp"
+
+namespace nlmech::comparison {
+
+std::vector<std::string> any_method_names() {
+  std::vector<std::string> names;
+  for (const ivp::MethodInfo& info : ivp::named_methods()) names.emplace_back(info.name);
+  for (const std::string& peer : peers::all_peer_names()) names.push_back(peer);
+  return names;
+}
+
+AnyMethod any_method(std::string_view name) {
+  if (peers::is_peer(name)) return {.name = std::string(name), .peer = true};
+  const auto names = any_method_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw std::invalid_argument(
+        fmt::format("there is no method '{}'; there is {}", name, fmt::join(names, ", ")));
+  const ivp::MethodInfo& info = ivp::method_info(name);
+  return {.name = std::string(name),
+          .fixed_step = info.fixed_step,
+          .has_nodes = info.has_nodes,
+          .has_shape = info.has_shape,
+          .has_order = info.has_order};
+}
+
+template <int n>
+ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Settings& settings) {
+  if (!method.peer) return ivp::named_integrator<n>(method.name, settings);
+  if (!peers::peer_available(method.name))
+    throw std::invalid_argument(peers::absent_peer_sentence(method.name));
+  const auto refuse = [&](std::string_view why) {
+    throw std::invalid_argument(fmt::format("{}: {}", method.name, why));
+  };
+  if (settings.step) refuse("it chooses its steps itself; give a tolerance, not a step");
+  if (settings.nodes) refuse("it has no nodes to choose");
+  if (settings.shape) refuse("it has no shape to choose");
+  if (settings.order) refuse("it has no order to choose");
+  return peers::peer_integrator<n>(method.name, settings.tolerance.value_or(ivp::default_tolerance));
+}
+
+template ivp::NamedIntegrator<1> any_integrator<1>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<2> any_integrator<2>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<3> any_integrator<3>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<4> any_integrator<4>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<6> any_integrator<6>(const AnyMethod&, const ivp::Settings&);
+template ivp::NamedIntegrator<Eigen::Dynamic> any_integrator<Eigen::Dynamic>(const AnyMethod&,
+                                                                             const ivp::Settings&);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,34 @@
+/// @file
+/// Our methods and the peers by name, side by side.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nlmech/ivp/named_methods.hpp"
+
+namespace nlmech::comparison {
+
+/// A method of ours or a peer.
+struct AnyMethod {
+  std::string name;         ///< "rbf-coll", "cvode-bdf"
+  bool peer = false;        ///< another author's
+  bool fixed_step = false;  ///< takes a step; else a tolerance alone
+  bool has_nodes = false;   ///< Settings::nodes counts
+  bool has_shape = false;   ///< Settings::shape counts
+  bool has_order = false;   ///< Settings::order counts
+};
+
+/// @throws std::invalid_argument listing all methods and peers, if there is none of that name
+[[nodiscard]] AnyMethod any_method(std::string_view name);
+
+/// Names of ours, then of the peers, built or not.
+[[nodiscard]] std::vector<std::string> any_method_names();
+
+/// Ready to run. Settings of @p settings that the method does not have are refused.
+/// @throws std::invalid_argument for settings that cannot be meant, and for a peer that this build lacks
+template <int n>
+[[nodiscard]] ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Settings& settings);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,57 @@
+/// @file
+/// Methods and peers, each with a sweep of steps or tolerances: what is set side by side.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/named_methods.hpp"
+
+namespace nlmech::comparison {
+
+/// Which methods belong together in a picture.
+enum class Kind {
+  radial = 1,  ///< collocation by radial functions, steps by hand
+  polynomial,  ///< collocation by polynomials and Picard iteration, steps by hand
+  classical,   ///< the other methods of fixed step, steps by hand
+  explicit_,   ///< step control, explicit
+  implicit,    ///< step control, implicit
+  series       ///< Taylor series
+};
+
+/// One setting of a method.
+struct Setting {
+  std::string text;        ///< "step 0.5", "tolerance 1e-06"
+  ivp::Settings settings;  ///< the same
+};
+
+/// One method with its sweep, or a peer that this build lacks: no settings.
+struct Contender {
+  std::string name;               ///< of the method or peer: "rbf-coll"
+  std::optional<int> nodes;       ///< of a collocation
+  Kind kind;                      ///< for its colour
+  std::vector<Setting> settings;  ///< cheapest first
+
+  /// "rbf-coll, N = 35"
+  [[nodiscard]] std::string label() const;
+};
+
+/// A sweep of steps: @p factors times @p scale. @param shape c times the step, of radial functions
+/// @param quick every other step
+[[nodiscard]] Contender by_steps(const std::string& name, std::optional<int> nodes, Kind kind, double scale,
+                                 std::span<const double> factors, bool quick, double shape = 0);
+
+/// The sweep of tolerances that all methods with step control share: 1e-4, 1e-5, ..., 1e-13.
+/// @param quick 1e-4 and 1e-8 alone
+[[nodiscard]] Contender by_tolerances(const std::string& name, Kind kind, bool quick);
+
+/// All peers with that sweep, explicit ones first.
+[[nodiscard]] std::vector<Contender> all_peers(bool quick);
+
+/// Ready to run.
+template <int n>
+[[nodiscard]] ivp::NamedIntegrator<n> integrator(const Contender& contender, const Setting& setting);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,100 @@
+/// @file
+/// Error against cost: each setting of each method run on an example, as a figure and a table.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/accuracy.hpp"
+#include "nlmech/comparison/contenders.hpp"
+#include "nlmech/scene/scene.hpp"
+#include "nlmech/support/errors.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::comparison {
+
+/// What one setting of one method came to.
+struct Cost {
+  std::string setting;          ///< "tolerance 1e-06"
+  std::string status;           ///< "success"
+  std::optional<double> error;  ///< median of the relative errors; nothing if the run failed
+  Statistics work;              ///< of one run
+  Timing time;                  ///< seconds
+};
+
+/// A method with what its settings cost.
+struct Curve {
+  std::string name;         ///< of the method
+  Kind kind;                ///< for its colour
+  std::vector<Cost> costs;  ///< empty: not in this build
+};
+
+/// Repeats for a tenth of a second; a run that takes @p first > 0.1 s counts by itself, and so does any if
+/// @p quick.
+[[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
+
+/// Every setting of every method. No clock calls a run off, but 20 million steps do: it is to come out the
+/// same twice.
+template <int n>
+[[nodiscard]] std::vector<Curve> cost_curves(const Example<n>& c, const std::vector<Contender>& contenders,
+                                             bool quick) {
+  const ivp::Limits limits{.steps = 20'000'000};
+  std::vector<Curve> curves;
+  for (const Contender& contender : contenders) {
+    Curve curve{contender.label(), contender.kind, {}};
+    for (const Setting& setting : contender.settings) {
+      const ivp::NamedIntegrator<n> run = integrator<n>(contender, setting);
+      const Accuracy seen = accuracy_of(c, run, limits);
+      const auto again = [&] { static_cast<void>(run(c.system, c.x0, c.t0, c.t1, {}, limits)); };
+      curve.costs.push_back({setting.text, std::string(to_string(seen.status.outcome())), seen.error,
+                             seen.work, repeated_timing(again, seen.work.seconds, quick)});
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+/// The condition of an example: greatest change of the end, in amplitudes, for a change of the begin by one.
+/// By differences of runs whose error is far below them.
+/// @param change of each component of the begin, in amplitudes; small enough for a linear answer
+/// @throws Failure if a run fails
+template <int n>
+[[nodiscard]] double condition_of(const Example<n>& c, const ivp::NamedIntegrator<n>& run,
+                                  double change = 1e-6) {
+  const auto end = [&](const ivp::State<n>& x0) {
+    const auto solution = run(c.system, x0, c.t0, c.t1, {}, {});
+    if (!solution.status.ok()) throw Failure(solution.status);
+    return solution.x;
+  };
+  const ivp::State<n> plain = end(c.x0);
+  double greatest = 0;
+  for (Eigen::Index i = 0; i < plain.size(); ++i) {
+    ivp::State<n> x0 = c.x0;
+    x0[i] += change * c.amplitude[i];
+    const ivp::State<n> moved = (end(x0) - plain).cwiseQuotient(c.amplitude) / change;
+    greatest = std::max(greatest, moved.cwiseAbs().maxCoeff());
+  }
+  return greatest;
+}
+
+/// The setting of a curve with the smallest error; nothing if all failed.
+[[nodiscard]] const Cost* best_of(const Curve& curve);
+
+/// The smallest error of a method; NaN if all its runs failed. @throws std::out_of_range naming the method,
+/// if there is no curve of it
+[[nodiscard]] double least_error(const std::vector<Curve>& curves, const std::string& name);
+
+/// The curve of a method. @throws std::out_of_range naming the method, if there is none
+[[nodiscard]] const Curve& curve_of(const std::vector<Curve>& curves, const std::string& name);
+
+/// Digits against median seconds and against right-hand sides, drawn by the template `error-vs-time`.
+/// @param condition of the example; where half an epsilon times this lies, a line is drawn. None if 0.
+[[nodiscard]] scene::Figure cost_figure(const std::vector<Curve>& curves, std::string heading,
+                                        double condition);
+
+/// A row a setting.
+[[nodiscard]] scene::Table cost_table(const std::vector<Curve>& curves);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,167 @@
+#include "nlmech/comparison/ivp_commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/scene/command_line.hpp"
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string problem, initial, until, from, method, step, tolerance, nodes, shape, order, every,
+      limit = "60";
+  std::vector<std::string> set;
+};
+
+double number(const char* option, const std::string& text) {
+  double value = 0;
+  if (!scene::parse_number(text, value))
+    throw InputError(fmt::format("{} {}: not a finite number", option, text));
+  return value;
+}
+
+std::optional<double> positive(const char* option, const std::string& text) {
+  if (text.empty()) return {};
+  const double value = number(option, text);
+  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
+  return value;
+}
+
+std::optional<int> whole(const char* option, const std::string& text, int least, int most) {
+  if (text.empty()) return {};
+  const double value = number(option, text);
+  if (value != std::floor(value) || value < least || value > most)
+    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
+  return static_cast<int>(value);
+}
+
+Request understand(const Words& words, OwnProblem& problem) {
+  for (const std::string& assignment : words.set) apply_setting(problem, assignment);
+  Request r;
+  r.x0 = initial_state(problem, words.initial);
+  r.t0 = words.from.empty() ? problem.initial_time() : number("--from", words.from);
+  r.t1 = number("--until", words.until);
+  if (!words.step.empty() && !words.tolerance.empty())
+    throw InputError(fmt::format("--step {} --tolerance {}: give a step or a tolerance, not both", words.step,
+                                 words.tolerance));
+  r.settings = {.step = positive("--step", words.step),
+                .tolerance = positive("--tolerance", words.tolerance),
+                .nodes = whole("--nodes", words.nodes, 2, 200),
+                .shape = positive("--shape", words.shape),
+                .order = whole("--order", words.order, 2, 100)};
+  r.every = positive("--every", words.every);
+  if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
+    throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
+  r.limits.seconds = *positive("--limit", words.limit);
+  return r;
+}
+
+void integrate(const Words& words, const OwnProblems& problems) {
+  const auto problem = problem_by_name(problems, words.problem);
+  const Request r = understand(words, *problem);
+  const AnyMethod method = about("--method", [&] { return any_method(words.method); });
+  scene::print_result(problem->trajectory(r, method));
+}
+
+/// The methods of a list, each with those of the settings that it has.
+std::vector<Choice> choices(const std::string& list, const ivp::Settings& settings) {
+  std::vector<Choice> all;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    const AnyMethod method =
+        about("--methods", [&] { return any_method(list.substr(begin, comma - begin)); });
+    all.push_back({method, settings});
+    if (!method.has_nodes) all.back().settings.nodes.reset();
+    if (!method.has_shape) all.back().settings.shape.reset();
+    if (!method.has_order) all.back().settings.order.reset();
+    begin = comma + 1;
+  }
+  const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
+  if (settings.nodes && !some([](const Choice& c) { return c.method.has_nodes; }))
+    throw InputError(fmt::format("--nodes {}: none of the methods {} has nodes", *settings.nodes, list));
+  if (settings.shape && !some([](const Choice& c) { return c.method.has_shape; }))
+    throw InputError(fmt::format("--shape {}: none of the methods {} has a shape", *settings.shape, list));
+  if (settings.order && !some([](const Choice& c) { return c.method.has_order; }))
+    throw InputError(fmt::format("--order {}: none of the methods {} has an order", *settings.order, list));
+  return all;
+}
+
+void compare(const Words& words, const OwnProblems& problems, const std::string& program) {
+  const auto problem = problem_by_name(problems, words.problem);
+  const Request r = understand(words, *problem);
+  scene::print_result(problem->comparison(r, choices(words.method, r.settings), program));
+}
+
+void add_common(CLI::App& command, Words& words) {
+  command.add_option("--problem", words.problem, "which equation: see below")->required();
+  command.add_option("--set", words.set, "name=value of a parameter; may be repeated")
+      ->allow_extra_args(false);
+  command.add_option("--initial", words.initial, "initial state: positions, then velocities, as in 1,-0.5");
+  command.add_option("--from", words.from, "time at which it begins; 0 if not given");
+  command.add_option("--until", words.until, "time at which it ends; earlier runs backwards")->required();
+  command.add_option("--step", words.step, "length of a step, for methods of fixed step and series");
+  command.add_option("--tolerance", words.tolerance,
+                     "relative and absolute; 1e-9 without it. Methods of fixed step halve their step until "
+                     "two runs agree");
+  command.add_option("--limit", words.limit, "wall time in seconds, at most, for a method")
+      ->capture_default_str();
+}
+
+/// What some methods have and others have not.
+void add_method_settings(CLI::App& command, Words& words) {
+  command.add_option("--nodes", words.nodes, "nodes a step of a collocation, 2 to 200");
+  command.add_option("--shape", words.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it");
+}
+
+/// What series has.
+void add_order(CLI::App& command, Words& words) {
+  command.add_option("--order", words.order,
+                     "N of series, 2 to 100; by the tolerance without it, 20 with a step");
+}
+
+}  // namespace
+
+void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std::string& only_method) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
+  add_common(*command, *words);
+  if (only_method.empty()) {
+    command->add_option("--method", words->method, "one of the methods below")->required();
+    add_method_settings(*command, *words);
+    add_order(*command, *words);
+    command->footer(
+        fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
+  } else {
+    words->method = only_method;
+    if (any_method(only_method).has_order) add_order(*command, *words);
+    command->footer(describe_problems(problems));
+  }
+  command->add_option("--every", words->every,
+                      "rows at this distance in time; without it the first and the last");
+  command->callback([words, problems] { integrate(*words, problems); });
+}
+
+void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::string& program) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations as CSV");
+  add_common(*command, *words);
+  command->add_option("--methods", words->method, "methods with commas between: rbf-coll,ode45,cvode-adams")
+      ->required();
+  add_method_settings(*command, *words);
+  add_order(*command, *words);
+  command->footer(
+      fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
+  command->callback([words, problems, program] { compare(*words, problems, program); });
+}
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,101 @@
+/// @file
+/// A problem that a user names on the command line, with parameters and initial state of his own.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/reference_end.hpp"
+#include "nlmech/problems/parameters.hpp"
+#include "nlmech/problems/problem.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::comparison {
+
+/// Complaints about a method, under the name of the option that named it.
+template <class Work>
+auto about(const char* option, Work work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw InputError(std::string(option) + ": " + error.what());
+  }
+}
+
+/// What a user asks of a problem.
+struct Request {
+  std::vector<double> x0;       ///< initial state
+  double t0 = 0;                ///< begin
+  double t1 = 0;                ///< end
+  ivp::Settings settings;       ///< of the method
+  std::optional<double> every;  ///< distance of the rows in time; nothing: first and last alone
+  ivp::Limits limits;           ///< when to give up
+};
+
+/// A method of a list, with those of the settings that it has.
+struct Choice {
+  AnyMethod method;        ///< which
+  ivp::Settings settings;  ///< how
+
+  /// "step 0.5 nodes 7"
+  [[nodiscard]] std::string setting() const;
+};
+
+/// One problem behind one interface, whatever its dimension.
+class OwnProblem {
+ public:
+  OwnProblem() = default;
+  OwnProblem(const OwnProblem&) = delete;
+  OwnProblem& operator=(const OwnProblem&) = delete;
+  virtual ~OwnProblem() = default;
+
+  /// As on the command line: "three-dof".
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Names and values of its parameters.
+  [[nodiscard]] virtual std::vector<std::pair<std::string, double>> parameters() const = 0;
+  /// @throws std::invalid_argument listing the known names, if there is none of that name
+  virtual void set_parameter(std::string_view parameter, double value) = 0;
+  /// Column names: "x1", ..., "v1", ..., or the problem's own.
+  [[nodiscard]] virtual std::vector<std::string> state_names() const = 0;
+  /// The publication's.
+  [[nodiscard]] virtual std::vector<double> initial_state() const = 0;
+  /// Where the publication begins.
+  [[nodiscard]] virtual double initial_time() const = 0;
+  /// Rows `t,...` as CSV: the first, those at Request::every, and the last at t1 exactly.
+  /// @throws Failure if the method fails, InputError naming `--method` for settings that cannot be meant
+  [[nodiscard]] virtual std::string trajectory(const Request& request, const AnyMethod& method) const = 0;
+  /// Rows `method,setting,status,digits,seconds,rhs_evaluations` as CSV. Methods that fail keep their row and
+  /// say why on standard error, after the name of the @p program.
+  /// @throws InputError naming `--methods` for settings that cannot be meant
+  [[nodiscard]] virtual std::string comparison(const Request& request, const std::vector<Choice>& methods,
+                                               std::string_view program) const = 0;
+};
+
+/// Makes a problem of that type with the publication's parameters.
+template <class Problem>
+[[nodiscard]] std::unique_ptr<OwnProblem> own_problem();
+
+/// How to make each of the problems that a program offers.
+using OwnProblems = std::vector<std::unique_ptr<OwnProblem> (*)()>;
+
+/// The problem of that name.
+/// @throws InputError naming `--problem`, the name, and the known ones
+[[nodiscard]] std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::string& name);
+
+/// Applies "name=value". @throws InputError naming `--set`, the text, and the known parameters
+void apply_setting(OwnProblem& problem, const std::string& assignment);
+
+/// The initial state: the publication's for an empty text, else numbers with commas between.
+/// @throws InputError naming `--initial`, and how many numbers of which name there must be
+[[nodiscard]] std::vector<double> initial_state(const OwnProblem& problem, const std::string& text);
+
+/// For the help: each problem with its parameters and their values.
+[[nodiscard]] std::string describe_problems(const OwnProblems& all);
+
+}  // namespace nlmech::comparison

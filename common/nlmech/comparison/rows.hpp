@@ -1,0 +1,60 @@
+/// @file
+/// A trajectory as rows of CSV.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/own_problem.hpp"
+
+namespace nlmech::comparison {
+
+/// Collects the rows of a run: the first, those at equal distances, the last. Numbers with 17 digits.
+class Rows {
+ public:
+  /// With the header `t,name,...`.
+  Rows(const Request& request, const std::vector<std::string>& names);
+
+  /// A row.
+  template <class State>
+  void add(double t, const State& x) {
+    add(t, x.data(), static_cast<std::size_t>(x.size()));
+  }
+
+  /// The asked times within a step, by its dense output.
+  template <int n>
+  void add_within(const ivp::Step<n>& step) {
+    ivp::State<n> x;
+    for (double t = next(); is_inner(t) && !is_after(t, step.t1); t = next()) {
+      if (t == step.t1) {
+        x = step.x1;
+      } else {
+        step.dense.at(t, x);
+      }
+      add(t, x);
+      ++count_;
+    }
+  }
+  /// All of it.
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void add(double t, const double* x, std::size_t size);
+  [[nodiscard]] double next() const {
+    return request_.t0 +
+           std::copysign(static_cast<double>(count_) * *request_.every, request_.t1 - request_.t0);
+  }
+  [[nodiscard]] bool is_after(double a, double b) const { return request_.t1 > request_.t0 ? a > b : a < b; }
+  // The end has its own row; rounding of k DT makes no second one.
+  [[nodiscard]] bool is_inner(double t) const {
+    return is_after(request_.t1, t) && std::abs(request_.t1 - t) > 1e-9 * *request_.every;
+  }
+
+  const Request& request_;
+  std::string text_;
+  std::int64_t count_ = 1;
+};
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,78 @@
+/// @file
+/// A tape as the kernels read it: plain numbers in arrays.
+#pragma once
+
+#include <cstdint>
+
+namespace nlmech::tape {
+
+/// What an instruction computes, coefficient by coefficient; r is its own series, a and b are its arguments.
+enum class Operation : std::uint8_t {
+  linear,              ///< factor (shift + sum of terms) / divisor
+  product,             ///< a b
+  product_by_line,     ///< a b, where a has two coefficients
+  square,              ///< a a
+  quotient,            ///< a / b
+  reciprocal,          ///< factor / b
+  root,                ///< sqrt a
+  slope,               ///< s a'(s), s the variable of the series
+  exponential,         ///< exp a; extra: slope of a
+  circular,            ///< sin a, and cos a in r + 1; extra: slope of a
+  hyperbolic,          ///< sinh a, and cosh a in r + 1; extra: slope of a
+  tangent,             ///< tan a, and 1 + tan^2 in r + 1; extra: slope of a
+  hyperbolic_tangent,  ///< tanh a, and 1 - tanh^2 in r + 1; extra: slope of a
+  logarithm,           ///< log a, and its slope in r + 1
+  power                ///< a^factor, and its slope in r + 1; extra: slope of a
+};
+
+/// One operation.
+struct Instruction {
+  Operation operation;  ///< what
+  bool line;            ///< is `extra` the slope of a series of two coefficients?
+  int r;                ///< series of the result
+  int a;                ///< series of the first operand
+  int b;                ///< series of the second operand
+  int extra;            ///< a further series, see Operation
+  int first;            ///< first term of a linear combination
+  int count;            ///< how many terms it has
+  double factor;        ///< a number, see Operation
+  double divisor;       ///< a number, see Operation
+  double shift;         ///< a number, see Operation
+};
+
+/// A term of a linear combination.
+struct Term {
+  double factor;  ///< number
+  int series;     ///< times this series
+};
+
+/// A component of the right-hand side.
+struct Output {
+  int series;       ///< -1: a constant
+  double constant;  ///< its value
+};
+
+/// A tape. Series 0 is the time, 1 to size the state, then the results of the instructions.
+struct Program {
+  const Instruction* instructions;  ///< in the order of evaluation
+  int instruction_count;            ///< how many
+  const Term* terms;                ///< of all linear combinations
+  const Output* outputs;            ///< one a component of the state
+  int size;                         ///< components of the state
+};
+
+/// Coefficients k = 1, ..., order - 1 of all series, and 2, ..., order of the state. @p memory: series i
+/// begins at memory + i stride; @p factor: coefficient k + 1 of the state is factor[k] times that of the
+/// right-hand side, but for small k where it is divisor[k] that is divided by after factor[k].
+using Replay = void (*)(const Program& program, double* memory, std::int64_t stride, int order, double scale,
+                        const double* factor);
+
+/// From this coefficient on the state is multiplied by a rounded reciprocal. Below, where terms are large, it
+/// is divided.
+inline constexpr int first_reciprocal = 8;
+
+extern const Replay baseline_replay;  ///< compiled for every machine
+extern const Replay avx2_replay;      ///< the same text compiled for AVX2
+extern const Replay avx512_replay;    ///< the same text compiled for AVX-512
+
+}  // namespace nlmech::tape

@@ -1,0 +1,79 @@
+/// What the chapter's scenes stand on: references, sections, rotation numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "chapters/algebraic_series/departure.hpp"
+#include "chapters/algebraic_series/examples.hpp"
+#include "chapters/algebraic_series/sections.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+// Values of an independent program with 70 digits, printed to 16; double holds half a unit of that.
+TEST(References, AreThoseOfAnIndependentProgram) {
+  const auto lorenz = lorenz_example().reference(40);
+  EXPECT_NEAR(static_cast<double>(lorenz[0]), 2.228444506374958, 1e-15);
+  EXPECT_NEAR(static_cast<double>(lorenz[1]), 6.274269486486984, 2e-15);
+  EXPECT_NEAR(static_cast<double>(lorenz[2]), 26.28489561573609, 8e-15);
+  const auto duffing = forced_duffing_example().reference(100);
+  EXPECT_NEAR(static_cast<double>(duffing[0]), 0.694891370844674, 1e-15);
+  EXPECT_NEAR(static_cast<double>(duffing[1]), 3.554260292257302, 1e-15);
+  // The independent times are 375 + pi; ours is the double next to it, which moves x by 1e-14.
+  const auto oscillator = oscillator_example().reference(375 + std::numbers::pi);
+  EXPECT_NEAR(static_cast<double>(oscillator[0]), -0.302938936512582, 2e-14);
+  EXPECT_NEAR(static_cast<double>(oscillator[1]), -0.198146428424553, 2e-14);
+  const auto bodies = bodies_example().reference(3000);
+  EXPECT_NEAR(static_cast<double>(bodies[10]), 3.071464269641001, 1e-15);
+  EXPECT_NEAR(static_cast<double>(bodies[2]), 0.1432282180354737, 1e-16);
+}
+
+// A turn of a fixed angle, the same from every section to the next: the average is that angle.
+TEST(RotationNumber, OfATurnIsItsAngle) {
+  for (const double turns : {0.1, 8.0 / 31, 0.4999, 0.73}) {
+    std::vector<ivp::State<2>> circle;
+    for (int k = 0; k < 400; ++k) {
+      const double angle = -2 * std::numbers::pi * turns * k;
+      circle.push_back({std::cos(angle), std::sin(angle)});
+    }
+    EXPECT_NEAR(rotation_number(circle), turns, 1e-13);
+  }
+}
+
+// On an ellipse the angle advances unevenly; the weights average it out far below 1/400.
+TEST(RotationNumber, OfAnEllipseConverges) {
+  const double turns = std::sqrt(2.0) - 1;
+  std::vector<ivp::State<2>> ellipse;
+  for (int k = 0; k < 400; ++k) {
+    const double angle = -2 * std::numbers::pi * turns * k;
+    ellipse.push_back({std::cos(angle), 0.5 * std::sin(angle)});
+  }
+  EXPECT_NEAR(rotation_number(ellipse), turns, 1e-10);
+}
+
+TEST(IslandRadius, LooksAtEvery31stSection) {
+  std::vector<ivp::State<2>> sections(100, ivp::State<2>(7, 7));
+  for (const std::size_t k : {0U, 31U, 62U, 93U}) sections[k] = {1, 0.01 * static_cast<double>(k)};
+  EXPECT_DOUBLE_EQ(island_radius(sections, {1, 0}, 0, 40), 0.31);
+  EXPECT_DOUBLE_EQ(island_radius(sections, {1, 0}, 32, 100), 0.93);
+}
+
+TEST(Departure, FindsTheFirstTime) {
+  const Departure seen{"success", {1, 2, 3}, {0.1, 2, 0.3}};
+  EXPECT_EQ(seen.first_above(1), 2);
+  EXPECT_EQ(seen.first_above(3), std::nullopt);
+  EXPECT_EQ(seen.greatest(1.5), 0.1);
+  EXPECT_EQ(seen.greatest(10), 2);
+}
+
+TEST(Samples, StandAtEqualTimesUpToTheEnd) {
+  const auto& c = forced_duffing_example();
+  const auto samples = sampled<2>(c.system, c.x0, 0, 1, published_series(0.35, 20), 0.1);
+  ASSERT_EQ(samples.size(), 11U);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_NEAR(samples[i].t, 0.1 * static_cast<double>(i), 1e-15);
+}
+
+}  // namespace
+}  // namespace nlmech::chapters
