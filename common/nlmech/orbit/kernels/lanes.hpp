@@ -6,6 +6,7 @@ namespace nlmech::orbit::kernels {
 
 /// For any processor: the compiler makes of it what the architecture has. Products are rounded.
 struct Baseline {
+  static constexpr bool fuses = false;  ///< multiply_add() and fused() round once
   struct Four {
     using Lanes [[gnu::vector_size(32)]] = double;
     Lanes v;
@@ -20,6 +21,7 @@ struct Baseline {
     [[gnu::always_inline]] friend Four operator+(const Four& a, const Four& b) { return {a.v + b.v}; }
     [[gnu::always_inline]] friend Four operator-(const Four& a, const Four& b) { return {a.v - b.v}; }
     [[gnu::always_inline]] friend Four operator*(const Four& a, const Four& b) { return {a.v * b.v}; }
+    [[gnu::always_inline]] friend Four operator/(const Four& a, const Four& b) { return {a.v / b.v}; }
     /// a b + c
     [[gnu::always_inline]] friend Four multiply_add(const Four& a, const Four& b, const Four& c) {
       return {a.v * b.v + c.v};

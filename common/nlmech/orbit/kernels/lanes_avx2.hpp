@@ -31,6 +31,7 @@ struct QuadAvx2 {
 };
 
 struct Avx2 {
+  static constexpr bool fuses = true;  ///< multiply_add() and fused() round once
   using Four = QuadAvx2;
   struct Five {
     Four low;

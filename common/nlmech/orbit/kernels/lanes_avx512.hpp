@@ -31,6 +31,7 @@ struct QuadAvx512 {
 };
 
 struct Avx512 {
+  static constexpr bool fuses = true;  ///< multiply_add() and fused() round once
   using Four = QuadAvx512;
   struct Five {
     __m512d v;

@@ -29,14 +29,15 @@ namespace nlmech::orbit::kernels {
 //     g_n = (all that needs neither g_{n-1} nor f_n) - (1 + 1/(2n)) (f_1/f_0) g_{n-1} - (3/2) (g_0/f_0) f_n
 
 /// 1/d = high + low to twice the precision: a rounded reciprocal would be wrong by the same share in every
-/// step, and the energy would drift linearly.
+/// step, and the energy would drift linearly. Without fused multiply-adds the product with high is rounded
+/// before low can tell, so there the quotient is a division.
 struct Reciprocal {
-  double high, low;
+  double d, high, low;
 };
 constexpr Reciprocal reciprocal(int d) {
   // 1 - d high is exact in two pieces: high is split so that its products with a small integer are exact.
   const double high = 1.0 / d, split = high * 134217729.0, top = split - (split - high);
-  return {high, ((1 - d * top) - d * (high - top)) / d};
+  return {static_cast<double>(d), high, ((1 - d * top) - d * (high - top)) / d};
 }
 
 template <class Isa>
@@ -54,10 +55,18 @@ struct Taylor {
   [[gnu::always_inline]] explicit Taylor(Coefficients& out) : c(out) {}
 
   [[gnu::always_inline]] static double over(double x, Reciprocal d) {
-    return Isa::fused(x, d.high, x * d.low);
+    if constexpr (Isa::fuses) {
+      return Isa::fused(x, d.high, x * d.low);
+    } else {
+      return x / d.d;
+    }
   }
   [[gnu::always_inline]] static Four over(Four x, Reciprocal d) {
-    return multiply_add(x, Four::all(d.high), x * Four::all(d.low));
+    if constexpr (Isa::fuses) {
+      return multiply_add(x, Four::all(d.high), x * Four::all(d.low));
+    } else {
+      return x / Four::all(d.d);
+    }
   }
 
   /// Everything of orders 0 and 1.
