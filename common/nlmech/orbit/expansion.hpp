@@ -2,6 +2,7 @@
 /// Taylor series in time of the motion about a centre, for any type of number, order and zonal field.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -133,7 +134,8 @@ class Expansion {
     legendre_[0][n] = T(n == 0 ? 1 : 0);
     legendre_[1][n] = sine_[n];
     slope_[1][n] = legendre_[0][n];
-    const auto top = static_cast<std::size_t>(degree_) + 1;
+    const std::size_t top =
+        std::min(static_cast<std::size_t>(degree_) + 1, most - 1);  // as compilers cannot know
     for (std::size_t k = 1; k < top; ++k) {
       const T by_sine = product(sine_, legendre_[k], n);
       slope_[k + 1][n] = product(sine_, slope_[k], n) + T(k + 1) * legendre_[k][n];
