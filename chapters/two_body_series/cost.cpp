@@ -51,7 +51,7 @@ orbit::State by_expansion(int order, int orbits) {
 orbit::State by_derivatives(int order) {
   orbit::State s = on_ellipse(eccentricity);
   for (int i = 0; i < steps_an_orbit; ++i)
-    s = raw_step(raw_derivatives(s, 1.0, order, 1.5), revolution / steps_an_orbit);
+    s = raw_step(raw_derivatives(s, 1.0, order), revolution / steps_an_orbit);
   return s;
 }
 
