@@ -22,9 +22,9 @@ namespace {
 
 using scene::Workshop;
 
-/// The field as a problem for integrators in general: the gradient of the potential by dual numbers, with
+/// The attraction for integrators in general: the gradient of the potential by dual numbers, with
 /// nothing of the recursion.
-struct ZonalField {
+struct PotentialGradient {
   static constexpr int dimension = 6;
   orbit::Gravity gravity;
 
@@ -38,7 +38,7 @@ struct ZonalField {
 };
 
 orbit::Vector3<double> by_rkn(const orbit::State& start, int degree) {
-  const ivp::Direct system(ZonalField{orbit::earth(degree)});
+  const ivp::Direct system(PotentialGradient{orbit::earth(degree)});
   ivp::State<6> x;
   x << start.position, start.velocity;
   const auto end = ivp::integrate(system, x, 0, day,
