@@ -88,8 +88,10 @@ orbit::Gravity gravity_of(const Words& words) {
 }
 
 OrbitRequest understand(const Words& words) {
-  OrbitRequest r{
-      .start = state_of(words), .time = number("--time", words.time), .gravity = gravity_of(words)};
+  OrbitRequest r;
+  r.start = state_of(words);
+  r.time = number("--time", words.time);
+  r.gravity = gravity_of(words);
   if (!words.every.empty()) {
     r.every = positive("--every", words.every);
     if (std::abs(r.time) / *r.every > 1e7)
