@@ -31,8 +31,8 @@ do for [panel = 1:2] {
   set margins screen panel_left[panel], screen panel_left[panel] + 0.365, screen 0.135, screen 0.87
   set label 2 panel_e[panel] at graph 0.98, graph 0.06 right font sprintf("%s:Bold,%d", font_family, font_size)
   if (panel == 1) {set ylabel "energy error |E/E_0 − 1|" offset 0,0} else {unset ylabel}
-  set label 3 "~ t" at 12500, 7.5e-13 left offset 0.3,0 font small textcolor rgb soft_ink
-  set label 4 "~ t^{1/2}" at 12500, 1.68e-14 left offset 0.3,0 font small textcolor rgb soft_ink
+  set label 3 "t" at 12500, 7.5e-13 left offset 0.3,0 font small textcolor rgb soft_ink
+  set label 4 "t^{1/2}" at 12500, 1.68e-14 left offset 0.3,0 font small textcolor rgb soft_ink
   plot for [k = first:6] data using "orbits":"energy_error" every :::k + offset::k + offset with linespoints \
          linestyle style_of[k] title name[k], \
        1.5e-15*sqrt(x/100) with lines linestyle 13 notitle, \
