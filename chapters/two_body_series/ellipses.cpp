@@ -9,8 +9,7 @@
 namespace nlmech::chapters {
 namespace {
 
-using Digits50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 }  // namespace
 
@@ -26,7 +25,7 @@ double position_error(const orbit::State& start, double time, double mu,
   const orbit::BasicState<Digits50> s{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};
   const orbit::Vector3<Digits50> d =
       position.cast<Digits50>() - orbit::kepler_state<Digits50>(s, Digits50(time), Digits50(mu)).position;
-  return static_cast<double>(Digits50(sqrt(d.dot(d))));
+  return static_cast<double>(d.cast<long double>().norm());
 }
 
 double rounding_of_data(const orbit::State& start, double time, double mu) {
