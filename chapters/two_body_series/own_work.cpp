@@ -65,7 +65,7 @@ orbit::Vector3<double> vector(const char* option, const std::string& text) {
 }
 
 orbit::State state_of(const Words& words) {
-  const orbit::State s{vector("--position", words.position), vector("--velocity", words.velocity)};
+  orbit::State s{vector("--position", words.position), vector("--velocity", words.velocity)};
   if (s.position.isZero(0))
     throw InputError(
         fmt::format("--position {}: is the centre, where the attraction has no bound", words.position));

@@ -88,13 +88,14 @@ struct Trials {
   std::vector<Trial> drawn;             ///< steps varied
   std::vector<Trial> at_printed_steps;  ///< degrees varied
 
-  [[nodiscard]] const Trial& best_of(const Degrees& d, const Norms& printed) const {
-    const Trial* best = nullptr;
+  /// The nearest to print of a pair of degrees that is drawn.
+  [[nodiscard]] Trial best_of(const Degrees& d, const Norms& printed) const {
+    Trial best{d, 0, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
     for (const Trial& t : drawn) {
       if (t.degrees.position != d.position || t.degrees.velocity != d.velocity) continue;
-      if (best == nullptr || distance(t.norms, printed) < distance(best->norms, printed)) best = &t;
+      if (best.steps == 0 || distance(t.norms, printed) < distance(best.norms, printed)) best = t;
     }
-    return *best;
+    return best;
   }
 };
 
@@ -133,7 +134,7 @@ void add_series_rows(scene::Table& table, const Orbit& orbit, const Trials& tria
   const Norms printed = printed_norms(orbit);
   for (const Degrees& d : plan_of(orbit).degrees) {
     add_row(table, orbit, {"Analytic-Cont", d.text(), orbit.steps}, norms_of(orbit, d, orbit.steps), printed);
-    const Trial& best = trials.best_of(d, printed);
+    const Trial best = trials.best_of(d, printed);
     if (best.steps != orbit.steps)
       add_row(table, orbit, {"Analytic-Cont", d.text() + ", nearest", best.steps}, best.norms, printed);
   }

@@ -24,8 +24,12 @@ class Rows {
   template <class StateAt>
   void add_up_to(double t1, const StateAt& state_at) {
     if (!request_.every) return;
-    for (double t = next(); is_inner(t) && std::abs(t) <= std::abs(t1); ++count_, t = next())
+    double t = next();
+    while (is_inner(t) && std::abs(t) <= std::abs(t1)) {
       add(t, state_at(t));
+      ++count_;
+      t = next();
+    }
   }
   /// The last one.
   void finish(const orbit::State& s) {
