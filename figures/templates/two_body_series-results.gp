@@ -19,7 +19,7 @@ unset key
 
 set margins screen 0.33, screen 0.67, screen 0.11, screen 0.87
 set xlabel "norm of the relative energy error"
-set xtics 100
+set xtics 1e4
 set ytics scale 0
 plot data using "ours":"row":ytic(stringcolumn("label")) with points pointtype 7 pointsize 1.1 linecolor rgb colour(1), \
      data using "published":"row" with points pointtype 6 pointsize 2 linewidth 1.6 linecolor rgb ink
