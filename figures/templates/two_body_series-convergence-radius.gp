@@ -22,7 +22,7 @@ array name[4] = ["e = 0.1", "e = 0.7", "e = 0.9", "e = 0.99"]
 set arrow from -180, 0.04 to 180, 0.04 nohead linestyle 11
 set arrow from -180, 0.01 to 180, 0.01 nohead linestyle 11
 small = sprintf("%s,%d", font_family, font_size - 3)
-set label "marks: from the coefficients of orders 40 to 100" at -130, 1.4e-4 left font small textcolor rgb soft_ink
+set label "marks: from the coefficients of orders 40 to 100" at 176, 1.4e-4 right font small textcolor rgb soft_ink
 set label "25 steps an orbit" at 176, 0.04 right offset 0,-0.6 font small textcolor rgb soft_ink
 set label "100 steps an orbit" at 176, 0.01 right offset 0,-0.6 font small textcolor rgb soft_ink
 plot for [k = 1:4] data using "mean_anomaly_deg":"radius_orbits" every :::k - 1::k - 1 with lines \

@@ -14,7 +14,7 @@ small = sprintf("%s,%d", font_family, font_size - 3)
 set multiplot
 set label 1 heading at screen 0.5, screen 0.96 center font sprintf("%s:Bold,%d", font_family, font_size + 1)
 
-set margins screen 0.075, screen 0.44, screen 0.13, screen 0.86
+set margins screen 0.075, screen 0.44, screen 0.17, screen 0.86
 set size ratio -1
 set xrange [-9:9]
 set yrange [-9:9]
@@ -36,7 +36,7 @@ unset label
 unset object 1
 set size noratio
 
-set margins screen 0.57, screen 0.975, screen 0.13, screen 0.86
+set margins screen 0.57, screen 0.975, screen 0.17, screen 0.86
 set logscale y
 set xrange [0:24]
 set xtics 4
