@@ -85,7 +85,12 @@ Fate with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& prob
 template <int n>
 Fate fate_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
   if (method.fixed_step) return with_largest_step(method, problem, most_halvings(method, quick));
-  return run(method, problem, {.tolerance = tolerance}, std::int64_t{1} << (quick ? 14 : 18));
+  // RKN12(10) refuses accelerations that depend on velocities, before it begins.
+  try {
+    return run(method, problem, {.tolerance = tolerance}, std::int64_t{1} << (quick ? 14 : 18));
+  } catch (const std::invalid_argument&) {
+    return {.method = method.name, .problem = problem.name, .outcome = Outcome::outside_validity};
+  }
 }
 
 /// Every method and peer of this build on every problem, method by method.
@@ -135,6 +140,7 @@ std::string mark(const Fate& f) {
     case Outcome::not_converged: return "no root";
     case Outcome::non_finite: return "blows up";
     case Outcome::step_underflow: return "underflow";
+    case Outcome::outside_validity: return "refused";
     default: return "fails";
   }
 }

@@ -47,8 +47,8 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
     EXPECT_FALSE(m.has_shape && !m.has_nodes) << m.name;
   }
   EXPECT_EQ(names, (std::set<std::string>{"euler", "backward-euler", "explicit", "rk4", "rk6", "ode45",
-                                          "series", "newmark", "hht", "generalized-alpha", "mcpi", "rbf-coll",
-                                          "lgl-coll", "radau-coll"}));
+                                          "rkn1210", "series", "newmark", "hht", "generalized-alpha", "mcpi",
+                                          "rbf-coll", "lgl-coll", "radau-coll"}));
 }
 
 TEST(NamedMethods, UnknownNameListsTheKnownOnes) {
@@ -103,6 +103,7 @@ TEST(NamedMethods, ToleranceIsMet) {
 TEST(NamedMethods, DefaultToleranceIsOneInAMilliard) {
   EXPECT_EQ(duffing("rk6", {}, 5).x, duffing("rk6", {.tolerance = 1e-9}, 5).x);
   EXPECT_EQ(duffing("ode45", {}, 5).x, duffing("ode45", {.tolerance = 1e-9}, 5).x);
+  EXPECT_EQ(duffing("rkn1210", {}, 5).x, duffing("rkn1210", {.tolerance = 1e-9}, 5).x);
 }
 
 TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {

@@ -11,6 +11,7 @@
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/ivp/series.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
@@ -19,8 +20,8 @@ namespace {
 
 // Forbids the heap from the end of the first step to the begin of the last.
 template <class Method>
-void expect_no_allocation(const Method& method) {
-  const Direct<problems::ThreeMassChain> system{problems::ThreeMassChain{}};
+void expect_no_allocation(const Method& method, const problems::ThreeMassChain& chain = {}) {
+  const Direct<problems::ThreeMassChain> system{chain};
   const Observer<6> forbid = [](const Step<6>& step) {
     Eigen::internal::set_is_malloc_allowed(step.index >= 9);
     return true;
@@ -41,6 +42,9 @@ TEST(NoAllocation, InSteps) {
   expect_no_allocation(GeneralizedAlpha{.step = 0.5});
   expect_no_allocation(
       Ode45{.relative_tolerance = 0.1, .absolute_tolerance = 0.1, .initial_step = 0.5, .largest_step = 0.5});
+  expect_no_allocation(
+      Rkn1210{.relative_tolerance = 0.1, .absolute_tolerance = 0.1, .initial_step = 0.5, .largest_step = 0.5},
+      problems::ThreeMassChain{.c2 = 0});
   expect_no_allocation(Series{.order = 12, .step = 0.5});
   expect_no_allocation(Series{.largest_step = 0.5});
   expect_no_allocation(Mcpi{.step = 0.5, .order = 8});

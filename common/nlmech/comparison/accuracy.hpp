@@ -54,7 +54,7 @@ class LastEnds {
 /// What a run came to.
 struct Accuracy {
   Status status;                ///< how it ended
-  std::optional<double> error;  ///< median of relative_error() over LastEnds; nothing if it failed
+  std::optional<double> error;  ///< median of the example's error over LastEnds; nothing if it failed
   Statistics work;              ///< what it cost
 };
 
@@ -68,7 +68,10 @@ template <int n>
   Accuracy accuracy{end.status, {}, end.statistics};
   if (!end.status.ok()) return accuracy;
   std::vector<double> errors;
-  for (const auto& e : seen.get()) errors.push_back(relative_error<n>(e.x, c.reference(e.t), c.amplitude));
+  for (const auto& e : seen.get()) {
+    const Vector<long double, n> truth = c.reference(e.t);
+    errors.push_back(c.error ? c.error(e.x, truth) : relative_error<n>(e.x, truth, c.amplitude));
+  }
   accuracy.error = median(errors);
   return accuracy;
 }

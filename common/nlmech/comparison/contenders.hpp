@@ -18,7 +18,8 @@ enum class Kind {
   classical,   ///< the other methods of fixed step, steps by hand
   explicit_,   ///< step control, explicit
   implicit,    ///< step control, implicit
-  series       ///< Taylor series
+  series,      ///< Taylor series
+  closed_form  ///< no integration at all
 };
 
 /// One setting of a method.

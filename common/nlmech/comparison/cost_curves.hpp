@@ -35,22 +35,27 @@ struct Curve {
 /// @p quick.
 [[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
 
-/// Every setting of every method. No clock calls a run off, but 20 million steps do: it is to come out the
-/// same twice.
+/// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
+/// twice.
+template <int n>
+[[nodiscard]] Cost cost_of(const Example<n>& c, const std::string& setting,
+                           const ivp::NamedIntegrator<n>& run, bool quick) {
+  const ivp::Limits limits{.steps = 20'000'000};
+  const Accuracy seen = accuracy_of(c, run, limits);
+  const auto again = [&] { static_cast<void>(run(c.system, c.x0, c.t0, c.t1, {}, limits)); };
+  return {setting, std::string(to_string(seen.status.outcome())), seen.error, seen.work,
+          repeated_timing(again, seen.work.seconds, quick)};
+}
+
+/// Every setting of every method.
 template <int n>
 [[nodiscard]] std::vector<Curve> cost_curves(const Example<n>& c, const std::vector<Contender>& contenders,
                                              bool quick) {
-  const ivp::Limits limits{.steps = 20'000'000};
   std::vector<Curve> curves;
   for (const Contender& contender : contenders) {
     Curve curve{contender.label(), contender.kind, {}};
-    for (const Setting& setting : contender.settings) {
-      const ivp::NamedIntegrator<n> run = integrator<n>(contender, setting);
-      const Accuracy seen = accuracy_of(c, run, limits);
-      const auto again = [&] { static_cast<void>(run(c.system, c.x0, c.t0, c.t1, {}, limits)); };
-      curve.costs.push_back({setting.text, std::string(to_string(seen.status.outcome())), seen.error,
-                             seen.work, repeated_timing(again, seen.work.seconds, quick)});
-    }
+    for (const Setting& setting : contender.settings)
+      curve.costs.push_back(cost_of(c, setting.text, integrator<n>(contender, setting), quick));
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -21,6 +21,8 @@ struct Example {
   ivp::State<n> amplitude;  ///< greatest |x_i| of the response, the scale of errors where x_i is near zero
   /// The solution at a time from t0 to t1, to some 18 digits.
   std::function<Vector<long double, n>(double t)> reference;
+  /// How wrong a state is; empty: relative_error() with `amplitude`.
+  std::function<double(const ivp::State<n>& found, const Vector<long double, n>& truth)> error = {};
 };
 
 }  // namespace nlmech::comparison

@@ -21,6 +21,7 @@
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/ivp/series.hpp"
 #include "nlmech/ivp/step_search.hpp"
 
@@ -37,6 +38,9 @@ constexpr std::array methods = {
     MethodInfo{Rk4::name, true, 4, "the classical Runge-Kutta method", false, false, false},
     MethodInfo{Rk6::name, true, 6, "Butcher's Runge-Kutta method of 7 stages", false, false, false},
     MethodInfo{Ode45::name, false, 5, "Dormand and Prince's pair, controlled as MATLAB does", false, false,
+               false},
+    MethodInfo{Rkn1210::name, false, 12,
+               "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", true, false,
                false},
     MethodInfo{Series::name,
                false,
@@ -180,6 +184,16 @@ NamedIntegrator<n> adaptive(const Settings& settings, Method method = {}) {
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
 }
 
+template <int n>
+NamedIntegrator<n> nystroem(const Settings& settings) {
+  const double tolerance = settings.tolerance.value_or(default_tolerance);
+  const Rkn1210 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  check_options(method);
+  return
+      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
 /// Methods with nodes; nothing for another name.
 template <int n>
 NamedIntegrator<n> collocation_by_name(const MethodInfo& info, const Settings& settings) {
@@ -211,6 +225,7 @@ template <int n>
 NamedIntegrator<n> second_order_by_name(const MethodInfo& info, const Settings& settings) {
   if constexpr (has_halves<n>) {
     const auto with = [&](auto make) { return fixed_step<n>(info, settings, info.order, make); };
+    if (info.name == Rkn1210::name) return nystroem<n>(settings);
     if (info.name == CentralDifference::name)
       return with([](double step) { return CentralDifference{.step = step}; });
     if (info.name == Newmark::name) return with([](double step) { return Newmark{.step = step}; });

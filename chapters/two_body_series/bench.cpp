@@ -1,0 +1,227 @@
+/// @file
+/// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78 at equal achieved
+/// error, by Google Benchmark. Writes results/bench/two_body_series.json and tables/BENCH.md under the
+/// current folder; exit code 1 if a claim is not held.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/peers/ivp/odeint_direct.hpp"
+#include "nlmech/problems/two_body.hpp"
+#include "nlmech/scene/bench.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace {
+
+using namespace nlmech;
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+const double revolution = 2 * std::acos(-1.0);
+constexpr int orbits = 20, phases = 16;
+
+/// Keeps the CPU time of every repetition, in microseconds a run.
+class Keeper : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type == Run::RT_Iteration)
+        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+    }
+  }
+  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
+    std::vector<scene::BenchSeries> all;
+    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times;
+};
+
+/// An ellipse with a = 1 and mu = 1 from its periapsis, and where it is at the end times.
+struct Ellipse {
+  explicit Ellipse(double eccentricity)
+      : e(eccentricity), start{{1 - e, 0, 0}, {0, std::sqrt((1 + e) / (1 - e)), 0}} {
+    const orbit::BasicState<Real> s{start.position.cast<Real>(), start.velocity.cast<Real>()};
+    for (int i = 0; i < phases; ++i) {
+      times.push_back(revolution * (orbits - 1 + (i + 0.5) / phases));
+      const auto c = orbit::lagrange_coefficients(s, Real(times.back()), Real(1));
+      places.push_back(orbit::moved(s, c).position.cast<double>());
+    }
+  }
+  double e;
+  orbit::State start;
+  std::vector<double> times;
+  std::vector<orbit::Vector3<double>> places;
+};
+
+/// Integrates from the start to a time with a tolerance; nothing after a failure.
+using Integrator =
+    std::function<std::optional<orbit::Vector3<double>>(const orbit::State&, double time, double tolerance)>;
+
+struct Contender {
+  std::string name;
+  Integrator run;
+};
+
+template <class Method>
+Integrator general(Method (*make)(double tolerance)) {
+  return [make, system = ivp::Direct(problems::TwoBody{.mu = 1})](
+             const orbit::State& s, double time, double tolerance) -> std::optional<orbit::Vector3<double>> {
+    ivp::State<6> x;
+    x << s.position, s.velocity;
+    const auto end = ivp::integrate(system, x, 0, time, make(tolerance), {}, {.steps = 100'000});
+    if (!end.status.ok()) return std::nullopt;
+    return orbit::Vector3<double>(end.x[0], end.x[1], end.x[2]);
+  };
+}
+
+std::vector<Contender> contenders() {
+  const auto series = [](const orbit::State& s, double time,
+                         double tolerance) -> std::optional<orbit::Vector3<double>> {
+    const auto end = orbit::propagate(s, 0, time, orbit::Gravity{}, {.tolerance = tolerance});
+    if (!end.status.ok()) return std::nullopt;
+    return end.state.position;
+  };
+  return {{"analytic-continuation", series},
+          {"rkn1210", general<ivp::Rkn1210>([](double tolerance) {
+             return ivp::Rkn1210{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+           })},
+          {"odeint-fehlberg78", general<peers::OdeintDirect>([](double tolerance) {
+             return peers::OdeintDirect{{peers::Odeint::Formula::fehlberg78, tolerance, tolerance}};
+           })}};
+}
+
+/// Median over the end times of |dr|/a; infinite after a failure.
+double error_of(const Ellipse& ellipse, const Contender& contender, double tolerance) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < ellipse.times.size(); ++i) {
+    const auto end = contender.run(ellipse.start, ellipse.times[i], tolerance);
+    if (!end) return HUGE_VAL;
+    errors.push_back((*end - ellipse.places[i]).norm());
+  }
+  return median(errors);
+}
+
+/// A piece of work that is measured.
+struct Work {
+  std::string name;
+  std::function<void()> run;
+};
+
+/// The fastest tolerance of the sweep whose error is as wanted; nothing if none is. The same sweep for all.
+std::optional<Work> fastest(const Ellipse& ellipse, const Contender& contender, double wanted,
+                            const std::string& name) {
+  double best = 0, least = HUGE_VAL, error = 0;
+  for (int half_decade = 8; half_decade <= 33; ++half_decade) {
+    const double tolerance = std::pow(10, -0.5 * half_decade);
+    const double here = error_of(ellipse, contender, tolerance);
+    if (!(here <= wanted)) continue;
+    const auto work = [&] { (void)contender.run(ellipse.start, orbits * revolution, tolerance); };
+    const double seconds = time_repeats(work, 9).smallest;
+    if (seconds < least) {
+      least = seconds;
+      best = tolerance;
+      error = here;
+    }
+  }
+  if (best == 0) {
+    fmt::print("{}: not reached\n", name);
+    return std::nullopt;
+  }
+  fmt::print("{}: tolerance {:.1e}, error {:.1e}, {:.1f} us\n", name, best, error, 1e6 * least);
+  return Work{name, [&ellipse, &contender, best] {
+                auto end = contender.run(ellipse.start, orbits * revolution, best);
+                benchmark::DoNotOptimize(end);
+              }};
+}
+
+std::string name_of(const Ellipse& ellipse, const std::string& contender, double wanted) {
+  return fmt::format("e = {:g}, {} to {:g}", ellipse.e, contender, wanted);
+}
+
+/// What the chapter promises, as far as both get to the accuracy.
+std::vector<scene::SpeedClaim> claims(const std::vector<Ellipse>& ellipses, const std::vector<Work>& all) {
+  const auto has = [&all](const std::string& name) {
+    return std::any_of(all.begin(), all.end(), [&](const Work& w) { return w.name == name; });
+  };
+  std::vector<scene::SpeedClaim> out;
+  for (const Ellipse& ellipse : ellipses) {
+    const auto add = [&](const std::string& peer, double wanted, double least) {
+      const std::string ours = name_of(ellipse, "analytic-continuation", wanted),
+                        theirs = name_of(ellipse, peer, wanted);
+      if (has(ours) && has(theirs))
+        out.push_back({fmt::format("{} against {}", ours, peer), ours, theirs, least});
+    };
+    add("rkn1210", 1e-9, 1.8);
+    add("rkn1210", 1e-12, 2.3);
+    add("odeint-fehlberg78", 1e-9, 3.5);
+  }
+  return out;
+}
+
+int bench(int argc, char** argv) {
+  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
+  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
+                                       "--benchmark_enable_random_interleaving=true",
+                                       "--benchmark_min_time=0.02"};
+  std::vector<char*> options(argv, argv + argc);
+  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
+  int count = static_cast<int>(options.size());
+  benchmark::Initialize(&count, options.data());
+
+  const std::vector<Contender> all_contenders = contenders();
+  std::vector<Ellipse> ellipses;
+  for (const double e : {0.1, 0.7, 0.9, 0.99}) ellipses.emplace_back(e);
+  std::vector<Work> all;
+  for (const Ellipse& ellipse : ellipses) {
+    for (const double wanted : {1e-9, 1e-12}) {
+      for (const Contender& contender : all_contenders) {
+        if (auto work = fastest(ellipse, contender, wanted, name_of(ellipse, contender.name, wanted)))
+          all.push_back(*work);
+      }
+    }
+  }
+  for (const Work& w : all) {
+    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
+      for (auto _ : state) w.run();
+    })->Unit(benchmark::kMicrosecond);
+  }
+  Keeper keeper;
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+
+  std::vector<scene::SpeedResult> results;
+  bool held = true;
+  for (const scene::SpeedClaim& claim : claims(ellipses, all)) {
+    results.push_back(scene::judge_claim(claim, keeper.series()));
+    const scene::SpeedResult& r = results.back();
+    held = held && r.held;
+    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
+               r.ratio, r.low, r.high, claim.least);
+  }
+  scene::write_bench("two_body_series", keeper.series(), results, ".");
+  return held ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return bench(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "two_body_series_bench: {}\n", error.what());
+    return 1;
+  }
+}

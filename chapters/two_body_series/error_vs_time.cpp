@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "chapters/two_body_series/ellipses.hpp"
+#include "chapters/two_body_series/propagators.hpp"
+#include "chapters/two_body_series/scenes.hpp"
+#include "nlmech/comparison/cost_curves.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/problems/two_body.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using comparison::Cost;
+using comparison::Curve;
+using comparison::Example;
+using comparison::Kind;
+using scene::Workshop;
+using Digits50 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+constexpr int orbits = 20;
+const char* const ours = "analytic-continuation";
+
+/// What a scene is about.
+struct Subject {
+  std::string name, heading;
+  double eccentricity;
+  int order;               ///< of fixed continuation
+  std::vector<int> steps;  ///< an orbit, coarse first
+  int printed;             ///< index of the dissertation's among them; -1: none
+  double seconds;          ///< of the scene
+  double low, high;        ///< error of these, from an independent program
+};
+
+/// Twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
+Example<6> example_of(const Subject& subject) {
+  const orbit::State start = on_ellipse(subject.eccentricity);
+  const orbit::BasicState<Digits50> exact{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};
+  const auto reference = [exact](double t) -> Vector<long double, 6> {
+    const auto s = orbit::kepler_state<Digits50>(exact, Digits50(t), Digits50(1));
+    Vector<long double, 6> x;
+    for (int i = 0; i < 3; ++i) {
+      x[i] = static_cast<long double>(s.position[i]);
+      x[3 + i] = static_cast<long double>(s.velocity[i]);
+    }
+    return x;
+  };
+  const double greatest_speed = start.velocity.norm();
+  ivp::State<6> amplitude;
+  amplitude << 1 + subject.eccentricity, 1, 1, greatest_speed, greatest_speed, greatest_speed;
+  const auto error = [](const ivp::State<6>& found, const Vector<long double, 6>& truth) {
+    const Vector<long double, 3> d = found.head<3>().cast<long double>() - truth.head<3>();
+    return static_cast<double>(d.norm());
+  };
+  return {.name = subject.name,
+          .system = ivp::System<6>(problems::TwoBody{.mu = 1}),
+          .x0 = joined(start),
+          .t0 = 0,
+          .t1 = orbits * revolution,
+          .amplitude = amplitude,
+          .reference = reference,
+          .error = error};
+}
+
+/// Analytic continuation over the sweep of tolerances and on to what double can hold.
+Curve adaptive(const Example<6>& c, bool quick) {
+  Curve curve{ours, Kind::series, {}};
+  for (int power = 4; power <= 17; power += quick ? 6 : 1) {
+    const double tolerance = std::pow(10, -power);
+    curve.costs.push_back(
+        cost_of<6>(c, fmt::format("tolerance {:.0e}", tolerance),
+                   continuation_integrator(orbit::AnalyticContinuation{.tolerance = tolerance}, 1), quick));
+  }
+  return curve;
+}
+
+Curve fixed(const Example<6>& c, const Subject& subject, bool quick) {
+  Curve curve{fmt::format("fixed steps, order {}", subject.order), Kind::classical, {}};
+  for (std::size_t i = 0; i < subject.steps.size(); ++i) {
+    const orbit::FixedContinuation method{.step = revolution / subject.steps[i], .order = subject.order};
+    const char* remark = static_cast<int>(i) == subject.printed ? " (as printed)" : "";
+    curve.costs.push_back(cost_of<6>(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
+                                     continuation_integrator(method, 1), quick));
+  }
+  return curve;
+}
+
+/// Kepler's solution of the end, timed in thousands: one is as short as the clock's tick.
+Curve closed(const Example<6>& c, bool quick) {
+  const auto run = kepler_integrator(1);
+  Cost cost = cost_of<6>(c, "", run, true);
+  constexpr int calls = 1000;
+  const orbit::State start = parted(c.x0);
+  const auto work = [&] {
+    for (int i = 0; i < calls; ++i) static_cast<void>(orbit::propagate_kepler(start, c.t1 - i, 1));
+  };
+  const Timing t = time_repeats(work, quick ? 1 : 9);
+  cost.time = {t.median / calls, t.smallest / calls, t.largest / calls, t.repeats};
+  return {"Kepler", Kind::closed_form, {cost}};
+}
+
+struct Measured {
+  std::vector<Curve> curves;
+  double condition = 0;  ///< the floor of cost_figure(): rounding_of_data(), median near the end
+};
+
+/// As LastEnds sees it: the median over 16 times in the last tenth, in halves of eps.
+double condition_near_end(const Subject& subject) {
+  std::vector<double> all;
+  for (int i = 0; i < 16; ++i) {
+    const double t = orbits * revolution * (1 - 0.1 * (i + 0.5) / 16);
+    all.push_back(rounding_of_data(on_ellipse(subject.eccentricity), t, 1));
+  }
+  return median(all) / (std::numeric_limits<double>::epsilon() / 2);
+}
+
+Measured measure(const Subject& subject, bool quick) {
+  const Example<6> c = example_of(subject);
+  std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
+                                               comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
+                                               comparison::by_tolerances("ode45", Kind::explicit_, quick)};
+  for (const auto& peer : comparison::all_peers(quick)) others.push_back(peer);
+  Measured m{{closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)}, condition_near_end(subject)};
+  for (Curve& curve : comparison::cost_curves(c, others, quick)) m.curves.push_back(std::move(curve));
+  return m;
+}
+
+scene::Showing show(const Measured& m, const Subject& subject) {
+  scene::Showing showing;
+  showing.figure = comparison::cost_figure(m.curves, subject.heading, m.condition);
+  showing.figure->variables["floor_right"] = "1";  // Kepler stands at the left end
+  showing.table = comparison::cost_table(m.curves);
+  const double rounding = m.condition * std::numeric_limits<double>::epsilon();
+  const Curve& series = comparison::curve_of(m.curves, ours);
+  const double tightest = static_cast<double>(comparison::best_of(series)->work.steps);
+  showing.quantities = {
+      scene::at_most(
+          "least error of analytic continuation", "1", comparison::least_error(m.curves, ours), 8 * rounding,
+          "eight roundings of the data times the condition of Kepler's problem, by its derivatives"),
+      scene::at_most("error of Kepler's solution", "1", comparison::least_error(m.curves, "Kepler"),
+                     8 * rounding, "the same"),
+      scene::at_most("error of analytic continuation at a tolerance of 1e-10", "1",
+                     series.costs[series.costs.size() > 3 ? 6 : 1].error.value_or(HUGE_VAL),
+                     1e-10 * tightest * m.condition,
+                     "the tolerance in each step, all of one sign, times the condition"),
+      scene::at_most("least error of rkn1210", "1", comparison::least_error(m.curves, "rkn1210"),
+                     series.costs.size() > 3 ? 1e-13 * 600 * m.condition : 1e-8 * 600 * m.condition,
+                     "the tightest tolerance in each of at most 600 steps, times the condition")};
+  if (subject.printed >= 0) {
+    const Curve& steps = m.curves[2];
+    showing.quantities.push_back(
+        {"error of the printed steps", "1",
+         steps.costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL), subject.low,
+         subject.high,
+         "an independent program at the end of 20 orbits; the median of others within "
+         "a factor of ten"});
+  }
+  return showing;
+}
+
+void add_scene(scene::Chapter& chapter, const Subject& subject) {
+  const auto& run = chapter.add_run<Measured>(
+      "times-" + subject.name,
+      "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default settings, fixed "
+      "steps by hand; error: |dr|/a, median over 16 ends of steps in the last tenth, against Kepler's "
+      "equation "
+      "in 50 digits; one thread, median of repeats",
+      {}, [subject](Workshop& w) { return measure(subject, w.quick()); });
+  chapter.add({.name = "error-vs-time-" + subject.name,
+               .title = subject.heading,
+               .place = "our own",
+               .needs = {&run},
+               .seconds = subject.seconds,
+               .show = [&run, subject](Workshop& w) { return show(w.result(run), subject); }});
+}
+
+}  // namespace
+
+void add_error_vs_time(scene::Chapter& chapter) {
+  add_scene(chapter, {.name = "leo",
+                      .heading = "Twenty orbits, e = 0.1: digits against cost",
+                      .eccentricity = 0.1,
+                      .order = 10,
+                      .steps = {15, 25, 35, 50, 70, 100, 140},
+                      .printed = 1,
+                      .seconds = 7,
+                      .low = 1e-7,  // 7.6 m of 7.309e6 m
+                      .high = 1e-5});
+  add_scene(chapter, {.name = "heo",
+                      .heading = "Twenty orbits, e = 0.7: digits against cost",
+                      .eccentricity = 0.7,
+                      .order = 30,
+                      .steps = {50, 70, 100, 140},
+                      .printed = 2,
+                      .seconds = 9,
+                      .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
+                      .high = 9e-10});
+  add_scene(chapter, {.name = "e099",
+                      .heading = "Twenty orbits, e = 0.99: digits against cost",
+                      .eccentricity = 0.99,
+                      .order = 30,
+                      .steps = {10'000, 14'000, 20'000, 28'000},
+                      .printed = -1,
+                      .seconds = 17,
+                      .low = 0,
+                      .high = 0});
+}
+
+}  // namespace nlmech::chapters

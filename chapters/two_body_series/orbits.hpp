@@ -1,0 +1,26 @@
+/// @file
+/// The two orbits of the dissertation.
+#pragma once
+
+#include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/state.hpp"
+
+namespace nlmech::chapters {
+
+/// An orbit with what the dissertation asks of it. SI units.
+struct Orbit {
+  const char* name;    ///< "LEO", "HEO"
+  orbit::State start;  ///< Eq. 3.71 or 3.73
+  int steps;           ///< of Analytic-Cont, an orbit
+  int order;           ///< "Deriv Order"
+};
+
+/// mu of WGS 84, which the dissertation does not print; its states fit 3.98600433e14 to their last digit.
+inline constexpr double earth_mu = 3.986004418e14;
+
+/// Low, e = 0.1 (Eqs. 3.71, 3.72).
+[[nodiscard]] Orbit low_orbit();
+/// High and eccentric, e = 0.7 (Eqs. 3.73, 3.74).
+[[nodiscard]] Orbit high_orbit();
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,246 @@
+#include "chapters/two_body_series/published_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "nlmech/ivp/dormand_prince.hpp"
+#include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/problems/two_body.hpp"
+#include "nlmech/support/errors.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+/// What all propagators of a record share.
+class Recorder {
+ public:
+  Recorder(const Orbit& orbit, int orbits)
+      : start_(orbit.start),
+        before_(orbit::energy(orbit.start, earth_mu)),
+        points_(orbits * orbit.steps),
+        step_(period_of(orbit) / orbit.steps),
+        end_(orbits * period_of(orbit)) {}
+
+  /// Eq. 3.69.
+  [[nodiscard]] double error(const orbit::State& s) const {
+    return std::abs((orbit::energy(s, earth_mu) - before_) / before_);
+  }
+  void add(double t, const orbit::State& s) {
+    record.t.push_back(t);
+    record.error.push_back(error(s));
+  }
+  [[nodiscard]] double point(int k) const { return k == points_ ? end_ : k * step_; }
+  [[nodiscard]] int points() const { return points_; }
+  [[nodiscard]] double step() const { return step_; }
+  [[nodiscard]] double end() const { return end_; }
+
+  /// Distance of the end from Kepler's.
+  void finish(const orbit::State& s) {
+    using Real = boost::multiprecision::cpp_bin_float_50;
+    const orbit::BasicState<Real> start{start_.position.cast<Real>(), start_.velocity.cast<Real>()};
+    const auto exact = orbit::kepler_state(start, Real(end_), Real(earth_mu));
+    const orbit::Vector3<Real> miss = s.position.cast<Real>() - exact.position;
+    record.position_error = static_cast<double>(Real(sqrt(miss.dot(miss))));
+  }
+
+  EnergyRecord record;
+
+ private:
+  orbit::State start_;
+  double before_;
+  int points_;
+  double step_, end_;
+};
+
+orbit::State state_of(const ivp::State<6>& x) { return {x.head<3>(), x.tail<3>()}; }
+
+ivp::State<6> vector_of(const orbit::State& s) {
+  ivp::State<6> x;
+  x << s.position, s.velocity;
+  return x;
+}
+
+void time(EnergyRecord& record, int repeats, const std::function<void()>& work) {
+  record.milliseconds = 1e3 * time_repeats(work, repeats).median;
+}
+
+/// A closed solution, at every point from the begin.
+template <class Solve>
+EnergyRecord closed(const Orbit& orbit, int orbits, int repeats, const Solve& solve) {
+  Recorder r(orbit, orbits);
+  orbit::State s = orbit.start;
+  for (int k = 1; k <= r.points(); ++k) {
+    s = solve(r.point(k));
+    r.add(r.point(k), s);
+  }
+  r.finish(s);
+  r.record.steps = r.points();
+  time(r.record, repeats, [&] {
+    for (int k = 1; k <= r.points(); ++k) static_cast<void>(solve(r.point(k)));
+  });
+  return r.record;
+}
+
+EnergyRecord by_ode45(const Orbit& orbit, int orbits, int repeats) {
+  Recorder r(orbit, orbits);
+  const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
+  const ivp::Ode45 method{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
+  int k = 1;
+  const auto observe = [&](const ivp::Step<6>& step) {
+    for (; k <= r.points() && r.point(k) <= step.t1; ++k) {
+      ivp::State<6> x = step.x1;
+      if (r.point(k) < step.t1) step.dense.at(r.point(k), x);
+      r.add(r.point(k), state_of(x));
+    }
+    r.record.at_ends.push_back(r.error(state_of(step.x1)));
+    for (Eigen::Index i = 0; i < step.states.cols(); ++i)
+      r.record.at_refined.push_back(r.error(state_of(step.states.col(i))));
+    return true;
+  };
+  const auto end = ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method, observe);
+  if (!end.status.ok()) throw Failure(end.status);
+  r.finish(state_of(end.x));
+  r.record.steps = end.statistics.steps;
+  time(r.record, repeats,
+       [&] { static_cast<void>(ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method)); });
+  return r.record;
+}
+
+EnergyRecord by_rkn1210(const Orbit& orbit, int orbits, int repeats) {
+  Recorder r(orbit, orbits);
+  const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
+  const ivp::Rkn1210 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+  const auto observe = [&](const ivp::Step<6>& step) {
+    r.add(step.t1, state_of(step.x1));
+    return true;
+  };
+  const auto end = ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method, observe);
+  if (!end.status.ok()) throw Failure(end.status);
+  r.finish(state_of(end.x));
+  r.record.steps = end.statistics.steps;
+  time(r.record, repeats,
+       [&] { static_cast<void>(ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method)); });
+  return r.record;
+}
+
+EnergyRecord by_series(const Orbit& orbit, int orbits, int repeats) {
+  Recorder r(orbit, orbits);
+  const orbit::Gravity field{.mu = earth_mu};
+  const orbit::FixedContinuation method{.step = r.step(), .order = orbit.order};
+  const auto observe = [&](const orbit::ContinuationStep& step) {
+    r.add(step.t1, step.state1);
+    return true;
+  };
+  const auto end = orbit::propagate(orbit.start, 0, r.end(), field, method, observe);
+  if (!end.status.ok()) throw Failure(end.status);
+  r.finish(end.state);
+  r.record.steps = end.statistics.steps;
+  time(r.record, repeats,
+       [&] { static_cast<void>(orbit::propagate(orbit.start, 0, r.end(), field, method)); });
+  return r.record;
+}
+
+const char* reading_of(Propagator propagator) {
+  switch (propagator) {
+    case Propagator::f_and_g:
+      return "textbook F and G, at every point from the begin, time not reduced by revolutions";
+    case Propagator::ode45:
+      return "RelTol = AbsTol = 1e-6 in SI units; output at the points of Analytic-Cont by dense output";
+    case Propagator::rkn1210: return "rtol = atol = 1e-12 in SI units (not stated); output at its own steps";
+    case Propagator::series:
+      return "printed order K: r to degree K, v to degree K - 1; equal steps, an orbit in 25 (LEO) or 100 "
+             "(HEO)";
+    case Propagator::universal: return "the library's Kepler propagator, from the begin to every point";
+  }
+  return "";
+}
+
+const char* word_of(Propagator propagator) {
+  constexpr std::array words = {"f-and-g", "ode45", "rkn1210", "series", "universal"};
+  return words[static_cast<std::size_t>(propagator)];
+}
+
+}  // namespace
+
+double period_of(const Orbit& orbit) {
+  const double alpha = orbit::reciprocal_axis(orbit.start, earth_mu);
+  return 2 * std::numbers::pi / (alpha * std::sqrt(alpha * earth_mu));
+}
+
+double norm_of(const std::vector<double>& errors) {
+  double sum = 0;
+  for (const double e : errors) sum += e * e;
+  return std::sqrt(sum);
+}
+
+const char* name_of(Propagator propagator) {
+  constexpr std::array names = {"F&G", "ode45", "RKN12(10)", "Analytic-Cont", "F&G of the library"};
+  return names[static_cast<std::size_t>(propagator)];
+}
+
+orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu, double enough) {
+  const double r0 = start.position.norm(), a = 1 / orbit::reciprocal_axis(start, mu);
+  const double sigma = start.position.dot(start.velocity) / std::sqrt(mu * a), share = 1 - r0 / a;
+  const double n = std::sqrt(mu / a) / a, wanted = n * time;
+  double change = wanted;  // of the eccentric anomaly
+  for (int i = 0; i < 50; ++i) {
+    const double s = std::sin(change), c = std::cos(change);
+    const double step = (change - share * s + sigma * (1 - c) - wanted) / (1 - share * c + sigma * s);
+    change -= step;
+    if (std::abs(step) <= std::max(enough, 1e-15 * std::abs(change))) break;
+  }
+  const double s = std::sin(change), c = std::cos(change), r = a * (1 - share * c + sigma * s);
+  const double f = 1 - a / r0 * (1 - c), g = time - (change - s) / n;
+  const double f_rate = -std::sqrt(mu * a) / (r * r0) * s, g_rate = 1 - a / r * (1 - c);
+  return {f * start.position + g * start.velocity, f_rate * start.position + g_rate * start.velocity};
+}
+
+EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int repeats) {
+  switch (propagator) {
+    case Propagator::f_and_g:
+      return closed(orbit, orbits, repeats,
+                    [&](double t) { return textbook_f_and_g(orbit.start, t, earth_mu); });
+    case Propagator::ode45: return by_ode45(orbit, orbits, repeats);
+    case Propagator::rkn1210: return by_rkn1210(orbit, orbits, repeats);
+    case Propagator::series: return by_series(orbit, orbits, repeats);
+    case Propagator::universal:
+      return closed(orbit, orbits, repeats, [&](double t) {
+        const auto solution = orbit::propagate_kepler(orbit.start, t, earth_mu);
+        if (!solution.status.ok()) throw Failure(solution.status);
+        return solution.state;
+      });
+  }
+  throw std::invalid_argument("follow: no such propagator");
+}
+
+PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit) {
+  PublishedRuns runs{orbit, {}};
+  std::string begin = orbit.name;
+  for (char& c : begin) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (int p = 0; p < propagators; ++p) {
+    const auto propagator = static_cast<Propagator>(p);
+    for (std::size_t k = 0; k < revolutions.size(); ++k) {
+      const int orbits = revolutions[k];
+      runs.all[static_cast<std::size_t>(p)][k] = &chapter.add_run<EnergyRecord>(
+          fmt::format("{}-{}-{}-orbits", begin, word_of(propagator), orbits), reading_of(propagator), {},
+          [orbit, orbits, propagator](Workshop& w) {
+            return follow(orbit, orbits, propagator, w.quick() ? 1 : 9);
+          });
+    }
+  }
+  return runs;
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,69 @@
+/// @file
+/// The runs behind Figures 3.22 and 3.23 and Tables 3.2 and 3.3: four propagators, two orbits, three times.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "chapters/two_body_series/orbits.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters {
+
+/// Seconds of one revolution, 2 pi sqrt(a^3/mu).
+[[nodiscard]] double period_of(const Orbit& orbit);
+
+/// How a propagator kept the energy.
+struct EnergyRecord {
+  std::vector<double> t;           ///< output points without the begin, s
+  std::vector<double> error;       ///< |E_k/E_0 - 1| there (Eq. 3.69), E_k in double precision
+  std::vector<double> at_ends;     ///< ode45 alone: at the ends of its own steps
+  std::vector<double> at_refined;  ///< ode45 alone: at the four values a step that MATLAB gives by default
+  std::int64_t steps = 0;          ///< of the propagator; points for a closed solution
+  double position_error = 0;       ///< at the end, m, against Kepler's problem in 50 digits
+  double milliseconds = 0;         ///< median time of a run without output
+};
+
+/// ||eps||: root of the sum of squares, not of their mean.
+[[nodiscard]] double norm_of(const std::vector<double>& errors);
+
+/// The printed methods, and Lagrange's F and G as the library does it.
+enum class Propagator {
+  f_and_g,   ///< textbook form, from the begin to every point
+  ode45,     ///< RelTol = AbsTol = 1e-6 in SI units, output at the points of Analytic-Cont
+  rkn1210,   ///< rtol = atol = 1e-12 in SI units, output at its steps
+  series,    ///< Analytic-Cont: r to degree K, v to degree K - 1
+  universal  ///< the library's Kepler propagator, from the begin to every point
+};
+inline constexpr int propagators = 5;                           ///< how many
+inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tables
+
+/// As in the tables: "F&G".
+[[nodiscard]] const char* name_of(Propagator propagator);
+
+/// Follows an orbit for so many revolutions. @param repeats of the timing
+/// @throws Failure if the propagator does not get there
+[[nodiscard]] EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int repeats);
+
+/// The state after @p time by the textbook form of Lagrange's F and G: Kepler's equation in the change of the
+/// eccentric anomaly by Newton's iteration, G = t - sqrt(a^3/mu) (dE - sin dE) with t counted from the begin.
+/// Ellipses alone. @param enough Newton's iteration ends with a change of dE below it; 0: at rounding
+[[nodiscard]] orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu,
+                                            double enough = 0);
+
+/// The runs of one orbit.
+struct PublishedRuns {
+  Orbit orbit;                                                                       ///< which
+  std::array<std::array<const scene::Run<EnergyRecord>*, 3>, propagators> all = {};  ///< [propagator][k]
+
+  /// The run of a propagator over revolutions[k].
+  [[nodiscard]] const scene::Run<EnergyRecord>& of(Propagator propagator, std::size_t k) const {
+    return *all[static_cast<std::size_t>(propagator)][k];
+  }
+};
+
+/// Declares the fifteen runs of an orbit.
+[[nodiscard]] PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit);
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,117 @@
+#include "nlmech/orbit/elements.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "nlmech/orbit/gravity.hpp"
+
+namespace nlmech::orbit {
+namespace {
+
+constexpr double small = 4 * std::numeric_limits<double>::epsilon();
+const double two_pi = 4 * std::acos(0.0);
+
+using Vec = Vector3<double>;
+
+/// From 0 to 2 pi, the end left out.
+double turned_positive(double angle) {
+  if (angle >= 0) return angle;
+  const double up = angle + two_pi;
+  return up < two_pi ? up : 0;
+}
+
+/// A direction in the orbital plane, and the one a quarter turn ahead.
+struct Axes {
+  Vec first, second;
+};
+
+/// The angle at which @p x lies in the plane, from -pi to pi.
+double angle(const Axes& axes, const Vec& x) { return std::atan2(axes.second.dot(x), axes.first.dot(x)); }
+
+}  // namespace
+
+double Elements::period(double mu) const {
+  if (!(semi_major_axis > 0)) return std::numeric_limits<double>::infinity();
+  return two_pi * semi_major_axis * std::sqrt(semi_major_axis / mu);
+}
+
+Elements from_axis(double semi_major_axis, double eccentricity, double inclination, double ascending_node,
+                   double periapsis_argument, double true_anomaly) {
+  const double p = semi_major_axis * (1 - eccentricity) * (1 + eccentricity);
+  if (!(p > 0) || !(eccentricity >= 0)) {
+    throw std::invalid_argument(fmt::format(
+        "from_axis: a = {} and e = {} make no conic; a is positive for e < 1 and negative for e > 1",
+        semi_major_axis, eccentricity));
+  }
+  return {p, eccentricity, inclination, ascending_node, periapsis_argument, true_anomaly, semi_major_axis};
+}
+
+Elements elements_of(const State& state, double mu) {
+  check(state, "elements_of");
+  check(Gravity{.mu = mu});
+  const Vec h = angular_momentum(state);
+  const double hh = h.norm(), r = state.position.norm(), v = state.velocity.norm();
+  if (!(hh > small * r * v)) {
+    throw std::invalid_argument(
+        "elements_of: the body moves on a straight line through the centre, which has no classical elements");
+  }
+  const Vec normal = h / hh;
+  Elements e;
+  e.semi_latus_rectum = hh * (hh / mu);
+  const double along = state.position.dot(state.velocity);
+  // e cos nu = p/r - 1 and e sin nu = (r.v/r) sqrt(p/mu): no difference of vectors.
+  const double c = e.semi_latus_rectum / r - 1, s = along / r * (hh / mu);
+  e.eccentricity = std::hypot(c, s);
+  const double alpha = reciprocal_axis(state, mu);
+  e.semi_major_axis = alpha != 0 ? 1 / alpha : std::numeric_limits<double>::infinity();
+  const double sine = std::hypot(normal[0], normal[1]);
+  e.inclination = std::atan2(sine, normal[2]);
+  Vec node(1, 0, 0);
+  if (sine > small) {
+    node = Vec(-normal[1], normal[0], 0) / sine;
+    e.ascending_node = turned_positive(std::atan2(node[1], node[0]));
+  } else {
+    e.inclination = normal[2] > 0 ? 0 : two_pi / 2;
+  }
+  // Counted from the node; for no inclination the axes of state_of() are used, so that nothing is lost there.
+  const Axes axes{node, sine > small ? cross<double>(normal, node) : Vec(0, normal[2] > 0 ? 1 : -1, 0)};
+  const double latitude = angle(axes, state.position);
+  if (e.eccentricity > small) {
+    e.true_anomaly = std::atan2(s, c);
+    e.periapsis_argument = turned_positive(std::remainder(latitude - e.true_anomaly, two_pi));
+  } else {
+    e.eccentricity = 0;
+    e.true_anomaly = latitude;
+  }
+  return e;
+}
+
+State state_of(const Elements& e, double mu) {
+  check(Gravity{.mu = mu});
+  for (const double x : {e.inclination, e.ascending_node, e.periapsis_argument, e.true_anomaly}) {
+    if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("state_of: an angle is {}", x));
+  }
+  const double p = e.semi_latus_rectum;
+  if (!(p > 0) || !std::isfinite(p) || !(e.eccentricity >= 0) || !std::isfinite(e.eccentricity)) {
+    throw std::invalid_argument(fmt::format(
+        "state_of: p = {} and e = {} make no conic; p must be positive, e 0 or more", p, e.eccentricity));
+  }
+  const double denominator = 1 + e.eccentricity * std::cos(e.true_anomaly);
+  if (!(denominator > 0)) {
+    throw std::invalid_argument(
+        fmt::format("state_of: the true anomaly {} lies beyond the asymptote of a conic with e = {}",
+                    e.true_anomaly, e.eccentricity));
+  }
+  const double r = p / denominator, speed = std::sqrt(mu / p);
+  const double u = e.periapsis_argument + e.true_anomaly;
+  const double cu = std::cos(u), su = std::sin(u), co = std::cos(e.ascending_node),
+               so = std::sin(e.ascending_node), ci = std::cos(e.inclination), si = std::sin(e.inclination);
+  const Vec outwards(co * cu - so * ci * su, so * cu + co * ci * su, si * su);
+  const Vec ahead(-co * su - so * ci * cu, -so * su + co * ci * cu, si * cu);
+  return {r * outwards, speed * (e.eccentricity * std::sin(e.true_anomaly) * outwards + denominator * ahead)};
+}
+
+}  // namespace nlmech::orbit

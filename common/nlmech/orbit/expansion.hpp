@@ -1,0 +1,167 @@
+/// @file
+/// Taylor series in time of the motion about a centre, for any type of number, order and zonal field.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "nlmech/orbit/gravity.hpp"
+
+namespace nlmech::orbit {
+
+/// The recursion of analytic continuation, Eqs 3.61-3.68 of Elgohary 2015 as corrected, in normalised
+/// coefficients x_n = x^(n)/n!, which takes the binomial coefficients out of Leibniz' rule:
+///
+///     f = r.r,  g_p = f^(-p/2):   f_0 g_n = -(1/n) sum_{m=1}^{n} ((p/2) m + n - m) f_m g_{n-m}     (3.66)
+///     r'' = -mu g_3 r:            r_{n+2} = -mu sum_{m=0}^{n} r_m g_{n-m} / ((n + 1)(n + 2))       (3.68)
+///
+/// and, for zonal harmonics, with q = g_1, s = z q (the sine of the latitude) and w_k = R^k q^(k+2),
+///
+///     r'' = mu [(-g_3 + q sum_k J_k w_k P'_{k+1}(s)) r - z^ sum_k J_k w_k P'_k(s)],
+///
+/// the Legendre polynomials and their derivatives by their recurrences, products of series by Cauchy's
+/// formula. Quotients by integers are divisions: rounded reciprocals are wrong by the same share in every
+/// step and let the energy drift linearly. The sums have four independent parts.
+///
+/// Storage is allocated when the object is made and never after. The kernels of AnalyticContinuation are the
+/// same recursion for a point mass, faster; this one is for everything else and for extended precision.
+template <class T>
+class Expansion {
+ public:
+  /// For coefficients up to @p order, at least 2, in @p gravity (both not checked).
+  /// @param true_division false: multiplies by rounded -mu/((n + 1)(n + 2)), to show what that costs
+  Expansion(const BasicGravity<T>& gravity, int order, bool true_division = true)
+      : gravity_(gravity), degree_(gravity.degree()), order_(order), true_division_(true_division) {
+    for (Row* row : {&f_, &g_, &q_, &sine_, &axial_, &radial_, &field_, &square_}) resize(*row);
+    for (Row& row : r_) resize(row);
+    if (degree_ == 0) return;
+    for (auto* family : {&legendre_, &slope_, &weight_})
+      for (Row& row : *family) resize(row);
+  }
+
+  /// The same with mu and R in other units.
+  void set_units(const T& mu, const T& radius) {
+    gravity_.mu = mu;
+    gravity_.radius = radius;
+  }
+
+  /// The coefficients about @p s, up to @p order, at most the one of the constructor.
+  void expand(const BasicState<T>& s, int order) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      r_[i][0] = s.position[static_cast<int>(i)];
+      r_[i][1] = s.velocity[static_cast<int>(i)];
+    }
+    for (int n = 0; n + 2 <= order; ++n) {
+      const auto k = static_cast<std::size_t>(n);
+      f_[k] = square(r_[0], k) + square(r_[1], k) + square(r_[2], k);
+      power(g_, 3, k);
+      field_[k] = -g_[k];
+      if (degree_ > 0) zonal(k);
+      const T divisor = T((n + 1) * (n + 2));
+      for (std::size_t i = 0; i < 3; ++i) {
+        T sum = product(r_[i], field_, k);
+        if (degree_ > 0 && i == 2) sum -= axial_[k];
+        r_[i][k + 2] = true_division_ ? T(gravity_.mu * sum / divisor) : T(gravity_.mu / divisor * sum);
+      }
+    }
+  }
+
+  /// r_k, from the latest expand().
+  [[nodiscard]] Vector3<T> coefficient(int k) const {
+    const auto i = static_cast<std::size_t>(k);
+    return {r_[0][i], r_[1][i], r_[2][i]};
+  }
+
+  /// What the state changes by within the time @p h: the position by the series to @p position_degree, the
+  /// velocity to @p velocity_degree (the coefficient velocity_degree + 1 of the position counts). By Horner's
+  /// rule.
+  [[nodiscard]] BasicState<T> increments(const T& h, int position_degree, int velocity_degree) const {
+    BasicState<T> change{coefficient(position_degree),
+                         T(velocity_degree + 1) * coefficient(velocity_degree + 1)};
+    for (int k = position_degree - 1; k >= 1; --k) change.position = change.position * h + coefficient(k);
+    for (int k = velocity_degree; k >= 2; --k) change.velocity = change.velocity * h + T(k) * coefficient(k);
+    return {change.position * h, change.velocity * h};
+  }
+
+ private:
+  using Row = std::vector<T>;
+  static constexpr std::size_t most = 8;  ///< P'_7 is needed for J_6
+
+  void resize(Row& row) const { row.resize(static_cast<std::size_t>(order_) + 1); }
+
+  /// sum_{m=0}^{n} a_m b_{n-m}
+  static T product(const Row& a, const Row& b, std::size_t n) {
+    T part[4] = {T(0), T(0), T(0), T(0)};
+    std::size_t m = 0;
+    for (; m + 3 <= n; m += 4) {
+      for (std::size_t i = 0; i < 4; ++i) part[i] += a[m + i] * b[n - m - i];
+    }
+    for (; m <= n; ++m) part[m % 4] += a[m] * b[n - m];
+    return (part[0] + part[1]) + (part[2] + part[3]);
+  }
+  /// Of a by itself, each product once.
+  static T square(const Row& a, std::size_t n) {
+    T sum = T(0);
+    for (std::size_t m = 0; 2 * m < n; ++m) sum += a[m] * a[n - m];
+    sum += sum;
+    if (n % 2 == 0) sum += a[n / 2] * a[n / 2];
+    return sum;
+  }
+  /// Coefficient n of f^(-p/2).
+  void power(Row& g, int p, std::size_t n) {
+    using std::sqrt;
+    if (n == 0) {
+      const T inverse = 1 / sqrt(f_[0]);
+      g[0] = p == 1 ? inverse : T(inverse / f_[0]);
+      return;
+    }
+    T part[2] = {T(0), T(0)};  // twice the sum: (p m + 2 (n - m)) = 2 n + (p - 2) m is an integer
+    for (std::size_t m = 1; m <= n; ++m) {
+      const int weight = 2 * static_cast<int>(n) + (p - 2) * static_cast<int>(m);
+      part[m % 2] += T(weight) * (f_[m] * g[n - m]);
+    }
+    g[n] = -(part[0] + part[1]) / (T(2 * static_cast<int>(n)) * f_[0]);
+  }
+
+  /// Coefficient n of all that the zonal terms are made of; field_ and axial_ are what expand() uses.
+  void zonal(std::size_t n) {
+    power(q_, 1, n);
+    sine_[n] = product(r_[2], q_, n);
+    square_[n] = square(q_, n);
+    legendre_[0][n] = T(n == 0 ? 1 : 0);
+    legendre_[1][n] = sine_[n];
+    slope_[1][n] = legendre_[0][n];
+    const std::size_t top =
+        std::min(static_cast<std::size_t>(degree_) + 1, most - 1);  // as compilers cannot know
+    for (std::size_t k = 1; k < top; ++k) {
+      const T by_sine = product(sine_, legendre_[k], n);
+      slope_[k + 1][n] = product(sine_, slope_[k], n) + T(k + 1) * legendre_[k][n];
+      legendre_[k + 1][n] = (T(2 * k + 1) * by_sine - T(k) * legendre_[k - 1][n]) / T(k + 1);
+    }
+    weight_[2][n] = gravity_.radius * gravity_.radius * square(square_, n);
+    for (std::size_t k = 2; k + 1 < top; ++k)
+      weight_[k + 1][n] = gravity_.radius * product(weight_[k], q_, n);
+    T radial = T(0), axial = T(0);
+    for (std::size_t k = 2; k < top; ++k) {
+      const T& j = gravity_.zonal[k - 2];
+      if (j == T(0)) continue;
+      radial += j * product(weight_[k], slope_[k + 1], n);
+      axial += j * product(weight_[k], slope_[k], n);
+    }
+    radial_[n] = radial;
+    axial_[n] = axial;
+    field_[n] += product(q_, radial_, n);
+  }
+
+  BasicGravity<T> gravity_;
+  int degree_, order_;
+  bool true_division_;
+  std::array<Row, 3> r_;
+  Row f_, g_, q_, sine_, axial_, radial_, field_, square_;
+  std::array<Row, most> legendre_, slope_, weight_;  ///< P_k, P'_k and w_k at [k]
+};
+
+}  // namespace nlmech::orbit

@@ -1,0 +1,61 @@
+/// @file
+/// Position and velocity about a centre of attraction, and what Kepler's motion keeps of them.
+#pragma once
+
+#include <cmath>
+
+#include "nlmech/series/vector.hpp"
+
+namespace nlmech::orbit {
+
+/// Three components in an inertial frame.
+template <class T>
+using Vector3 = Vector<T, 3>;
+
+/// Where a body is and how it moves, in any consistent units.
+template <class T>
+struct BasicState {
+  Vector3<T> position;  ///< r, from the centre of attraction
+  Vector3<T> velocity;  ///< dr/dt
+};
+/// In double precision.
+using State = BasicState<double>;
+
+/// Energy a unit mass, E = v.v/2 - mu/r (Elgohary 2015, Eq. 3.70). Rounded: within 4 eps (v.v/2 + mu/r).
+template <class T>
+[[nodiscard]] T energy(const BasicState<T>& s, const T& mu) {
+  using std::sqrt;
+  return s.velocity.dot(s.velocity) / 2 - mu / sqrt(s.position.dot(s.position));
+}
+
+/// a x b.
+template <class T>
+[[nodiscard]] Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Angular momentum a unit mass, h = r x v.
+template <class T>
+[[nodiscard]] Vector3<T> angular_momentum(const BasicState<T>& s) {
+  return cross(s.position, s.velocity);
+}
+
+/// The Laplace vector over mu, e = v x h/mu - r/|r|: it points to the periapsis and is as long as the
+/// eccentricity. Rounded: within 8 eps (1 + r v.v/mu).
+template <class T>
+[[nodiscard]] Vector3<T> eccentricity_vector(const BasicState<T>& s, const T& mu) {
+  using std::sqrt;
+  // Expanded by v x (r x v) = r v.v - v r.v, which has one cancellation less.
+  const T r = sqrt(s.position.dot(s.position)), vv = s.velocity.dot(s.velocity);
+  const T along = s.position.dot(s.velocity);
+  return (vv / mu - 1 / r) * s.position - (along / mu) * s.velocity;
+}
+
+/// 1/a = 2/r - v.v/mu: positive for ellipses, 0 for parabolas, negative for hyperbolas.
+template <class T>
+[[nodiscard]] T reciprocal_axis(const BasicState<T>& s, const T& mu) {
+  using std::sqrt;
+  return 2 / sqrt(s.position.dot(s.position)) - s.velocity.dot(s.velocity) / mu;
+}
+
+}  // namespace nlmech::orbit

@@ -1,0 +1,214 @@
+#include "nlmech/orbit/walk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::orbit::detail {
+namespace {
+
+const kernels::Kernel& kernel_for(InstructionSet set) {
+  if (!available(set))
+    throw std::invalid_argument(fmt::format("the instruction set {} is not available here", to_string(set)));
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return kernels::avx512_kernel;
+  if (set == InstructionSet::avx2) return kernels::avx2_kernel;
+#endif
+  return kernels::baseline_kernel;
+}
+
+void times_power_of_two(double* x, int exponent) {
+  for (int i = 0; i < 3; ++i) x[i] = std::ldexp(x[i], exponent);
+}
+
+}  // namespace
+
+Walk::Walk(const State& start, double t0, double t1, const Gravity& gravity, const WalkOptions& options,
+           const ContinuationObserver& observer, const ContinuationLimits& limits)
+    : options_(options),
+      observer_(observer),
+      limits_(limits),
+      gravity_(gravity),
+      kernel_(&kernel_for(options.instructions.value_or(best_instruction_set()))),
+      t_(t0),
+      t1_(t1),
+      t0_(t0),
+      start_radius_(start.position.stableNorm()) {
+  for (int i = 0; i < 3; ++i) {
+    body_.position[i] = start.position[i];
+    body_.velocity[i] = start.velocity[i];
+  }
+  mu_ = gravity.mu;
+  choose_units();
+}
+
+void Walk::choose_units() {
+  const double r = Vector3<double>(body_.position[0], body_.position[1], body_.position[2]).stableNorm();
+  const int length = std::ilogb(r);
+  // The shorter of (r^3/mu)^(1/2) and r/|v|, in units of the walk; the exponents are added in integers, which
+  // cannot overflow.
+  const double v = Vector3<double>(body_.velocity[0], body_.velocity[1], body_.velocity[2]).stableNorm();
+  int time = (3 * length - std::ilogb(mu_)) / 2;
+  if (v > 0) time = std::min(time, length - std::ilogb(v));
+  length_exponent_ += length;
+  time_exponent_ += time;
+  for (double* x : {body_.position, body_.position_low}) times_power_of_two(x, -length);
+  for (double* x : {body_.velocity, body_.velocity_low}) times_power_of_two(x, time - length);
+  length_unit_ = std::ldexp(1, length_exponent_);
+  time_unit_ = std::ldexp(1, time_exponent_);
+  mu_ = std::ldexp(gravity_.mu, 2 * time_exponent_ - 3 * length_exponent_);
+  if (expansion_) expansion_->set_units(mu_, gravity_.radius / length_unit_);
+}
+
+bool Walk::unrolled(int order) const {
+  return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
+}
+
+double Walk::cost_exponent() const {
+  if (!options_.kernel) return 1.8;
+  return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;
+}
+
+void Walk::expand(int order) {
+  order_ = order;
+  if (unrolled(order)) {
+    std::copy_n(body_.position, 4, series_.row[0]);
+    std::copy_n(body_.velocity, 4, series_.row[1]);
+    kernel_->expand(mu_, order, series_);
+    return;
+  }
+  if (!expansion_) {
+    Gravity scaled = gravity_;
+    scaled.mu = mu_;
+    scaled.radius = gravity_.radius / length_unit_;
+    expansion_.emplace(scaled, options_.most_order, options_.true_division);
+  }
+  expansion_->expand({{body_.position[0], body_.position[1], body_.position[2]},
+                      {body_.velocity[0], body_.velocity[1], body_.velocity[2]}},
+                     order);
+  for (int k = 0; k <= order; ++k) {
+    const Vector3<double> c = expansion_->coefficient(k);
+    for (int i = 0; i < 3; ++i) series_.row[k][i] = c[i];
+    series_.row[k][3] = 0;
+  }
+}
+
+void Walk::advance(double h, int position_degree, int velocity_degree) {
+  if (observer_) before_ = user_state();
+  position_degree_ = position_degree;
+  velocity_degree_ = velocity_degree;
+  if (velocity_degree == position_degree - 1) {
+    kernel_->advance(series_, position_degree, h, options_.compensated, body_);
+    return;
+  }
+  // Positions first; then back to the velocities of before, with a series of their own.
+  kernels::Body other = body_;
+  kernel_->advance(series_, position_degree, h, options_.compensated, body_);
+  kernel_->advance(series_, velocity_degree + 1, h, options_.compensated, other);
+  std::copy_n(other.velocity, 4, body_.velocity);
+  std::copy_n(other.velocity_low, 4, body_.velocity_low);
+}
+
+Status Walk::finish(double h, bool last) {
+  step_begin_ = t_;
+  if (last) {
+    t_ = t1_;
+    t_low_ = 0;
+  } else {
+    const double change = t_low_ + in_time(h), sum = t_ + change, part = sum - t_;
+    t_low_ = (t_ - (sum - part)) + (change - part);
+    t_ = sum;
+  }
+  ++statistics_.steps;
+  orders_ += position_degree_;
+  if (!std::isfinite(square(body_.position) + square(body_.velocity))) {
+    return Status::failure(
+        Outcome::non_finite,
+        fmt::format(
+            "{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; take a shorter "
+            "step or a smaller tolerance",
+            options_.name, in_time(h), step_begin_));
+  }
+  if (observer_) {
+    const State after = user_state();
+    if (!observer_({statistics_.steps, step_begin_, t_, before_, after, position_degree_, *this})) {
+      return Status::failure(Outcome::interrupted,
+                             fmt::format("{}: stopped by the observer at t = {:.17g}", options_.name, t_));
+    }
+  }
+  if (last) return {};
+  if (statistics_.steps >= limits_.steps) {
+    return Status::failure(
+        Outcome::step_limit,
+        fmt::format("{}: {} steps were used up at t = {:.17g}; allow more, or a larger tolerance",
+                    options_.name, limits_.steps, t_));
+  }
+  if (std::isfinite(limits_.seconds) && watch_.seconds() > limits_.seconds) {
+    return Status::failure(
+        Outcome::time_limit,
+        fmt::format("{}: {} seconds were used up at t = {:.17g}; allow more, or a larger tolerance",
+                    options_.name, limits_.seconds, t_));
+  }
+  return {};
+}
+
+Status Walk::lost(double h) const {
+  const double r = std::sqrt(square(body_.position)) * length_unit_;
+  double inwards = 0;
+  for (int i = 0; i < 3; ++i) inwards -= body_.position[i] * body_.velocity[i];
+  if (inwards * h > 0 && r < 1e-6 * start_radius_) {
+    return Status::failure(Outcome::collision,
+                           fmt::format("{}: the body falls into the centre of attraction at t = {:.17g}; "
+                                       "Kepler's solution (method kepler) "
+                                       "goes through, a series cannot",
+                                       options_.name, t_));
+  }
+  return Status::failure(
+      Outcome::step_underflow,
+      fmt::format(
+          "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too small for the "
+          "asked interval",
+          options_.name, t_, in_time(h), r));
+}
+
+State Walk::user_state() const {
+  State s;
+  for (int i = 0; i < 3; ++i) {
+    s.position[i] = std::ldexp(body_.position[i], length_exponent_);
+    s.velocity[i] = std::ldexp(body_.velocity[i], length_exponent_ - time_exponent_);
+  }
+  return s;
+}
+
+State Walk::at(double t) const {
+  const double h = (t - step_begin_) / time_unit_;
+  double position[4], velocity[4], unused[4];
+  kernel_->increments(series_, position_degree_, h, position, velocity);
+  if (velocity_degree_ != position_degree_ - 1)
+    kernel_->increments(series_, velocity_degree_ + 1, h, unused, velocity);
+  State s;
+  for (int i = 0; i < 3; ++i) {
+    s.position[i] = std::ldexp(series_.row[0][i] + position[i], length_exponent_);
+    s.velocity[i] = std::ldexp(series_.row[1][i] + velocity[i], length_exponent_ - time_exponent_);
+  }
+  return s;
+}
+
+Continued Walk::result(Status status) const {
+  Continued c{t_, user_state(), std::move(status), statistics_, 0};
+  if (c.status.outcome() == Outcome::non_finite) {
+    // The last good step: the one that the series starts from.
+    c.t = step_begin_;
+    for (int i = 0; i < 3; ++i) {
+      c.state.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
+      c.state.velocity[i] = std::ldexp(series_.row[1][i], length_exponent_ - time_exponent_);
+    }
+  }
+  if (statistics_.steps > 0) c.mean_order = orders_ / static_cast<double>(statistics_.steps);
+  c.statistics.seconds = watch_.seconds();
+  return c;
+}
+
+}  // namespace nlmech::orbit::detail

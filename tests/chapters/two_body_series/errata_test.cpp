@@ -1,0 +1,171 @@
+/// Misprints of section 3.2: printed and corrected form, both against an independent oracle.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "chapters/two_body_series/published_runs.hpp"
+#include "chapters/two_body_series/raw_recursion.hpp"
+#include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/expansion.hpp"
+#include "nlmech/orbit/kepler.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using Real = boost::multiprecision::cpp_bin_float_50;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+Real length(const orbit::Vector3<Real>& v) { return sqrt(v.dot(v)); }
+
+orbit::BasicState<Real> extended(const orbit::State& s) {
+  return {s.position.cast<Real>(), s.velocity.cast<Real>()};
+}
+
+/// r^(n)(0)/n! of Kepler's motion by Cauchy's integral over a circle in the complex plane would need complex
+/// Stumpff functions; on the real line the polynomial through 31 places of the closed solution has them too.
+/// What it leaves out is (15 d/rho)^(31 - n), d the distance of the places: below 1e-17 of r_0 for n <= 10.
+std::vector<orbit::Vector3<Real>> coefficients_of_the_closed_solution(const Orbit& orbit, int order) {
+  constexpr int count = 31;
+  const Real d = period_of(orbit) / 4000;
+  std::vector<Real> t;
+  std::vector<orbit::Vector3<Real>> c;
+  for (int i = 0; i < count; ++i) {
+    t.emplace_back((i - count / 2) * d);
+    c.push_back(orbit::kepler_state(extended(orbit.start), t.back(), Real(earth_mu)).position);
+  }
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  for (int level = 1; level < count; ++level) {  // divided differences
+    for (int i = count - 1; i >= level; --i)
+      c[at(i)] = (c[at(i)] - c[at(i - 1)]) / Real(t[at(i)] - t[at(i - level)]);
+  }
+  std::vector<orbit::Vector3<Real>> p(count, orbit::Vector3<Real>::Zero());
+  for (int i = count - 1; i >= 0; --i) {  // p <- p (t - t_i) + c_i
+    for (int k = count - 1; k > 0; --k) p[at(k)] = p[at(k - 1)] - t[at(i)] * p[at(k)];
+    p[0] = c[at(i)] - t[at(i)] * p[0];
+  }
+  p.resize(at(order) + 1);
+  return p;
+}
+
+/// Relative error of r^(n)/n! of the dissertation's recursion with Eq. 3.66 so read.
+std::vector<double> errors_of_recursion(const Orbit& orbit, Equation366 reading, int order) {
+  const auto exact = coefficients_of_the_closed_solution(orbit, order);
+  const auto found = raw_derivatives<Real>(extended(orbit.start), Real(earth_mu), order, reading);
+  std::vector<double> errors;
+  Real factorial = 1;
+  for (int n = 0; n <= order; ++n) {
+    if (n > 1) factorial *= n;
+    const auto i = static_cast<std::size_t>(n);
+    errors.push_back(static_cast<double>(Real(length(found[i] / factorial - exact[i]) / length(exact[i]))));
+  }
+  return errors;
+}
+
+// Eq. 3.66 prints C(p, 2) where the number p/2 must stand, and no bracket. Both states are at their
+// periapsis, where f' = 0: the first shows in g'', that is in the fourth coefficient (an independent program:
+// 20 %), the second where a binomial coefficient is not 1, in the sixth.
+TEST(Errata, Equation3_66) {
+  for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
+    const auto corrected = errors_of_recursion(orbit, Equation366::corrected, 10),
+               bracketed = errors_of_recursion(orbit, Equation366::bracketed, 10),
+               literal = errors_of_recursion(orbit, Equation366::literal, 10);
+    for (std::size_t n = 0; n <= 10; ++n) EXPECT_LT(corrected[n], 1e-12) << orbit.name << " " << n;
+    for (const auto& printed : {bracketed, literal}) {
+      for (std::size_t n = 0; n <= 3; ++n) EXPECT_LT(printed[n], 1e-12) << orbit.name << " " << n;
+      for (std::size_t n = 4; n <= 10; ++n) EXPECT_GT(printed[n], 0.01) << orbit.name << " " << n;
+    }
+    EXPECT_NEAR(bracketed[5], literal[5], 1e-12);
+    EXPECT_GT(std::abs(bracketed[6] - literal[6]), 1e-3);
+  }
+  EXPECT_NEAR(errors_of_recursion(low_orbit(), Equation366::literal, 4)[4], 0.2, 0.05);
+}
+
+/// Greatest energy error over orbits in the dissertation's steps.
+double greatest_error(const Orbit& orbit, int orbits, Equation366 reading) {
+  orbit::State s = orbit.start;
+  const double before = orbit::energy(s, earth_mu), step = period_of(orbit) / orbit.steps;
+  double greatest = 0;
+  for (int k = 0; k < orbits * orbit.steps; ++k) {
+    s = raw_step(raw_derivatives<double>(s, earth_mu, orbit.order, reading), step);
+    greatest = std::max(greatest, std::abs(orbit::energy(s, earth_mu) / before - 1));
+  }
+  return greatest;
+}
+
+// So the program behind the tables had p/2: with the misprint the error is a thousand times the printed one
+// (an independent program: 1.9e-3 over five orbits).
+TEST(Errata, Equation3_66InOrbit) {
+  EXPECT_NEAR(greatest_error(low_orbit(), 5, Equation366::bracketed), 1.9e-3, 0.05e-3);
+  EXPECT_LT(greatest_error(low_orbit(), 5, Equation366::corrected), 1e-8);
+}
+
+// Derivatives and binomial coefficients, in metres and seconds, are the library's normalised coefficients:
+// the same step to rounding of the terms, of which the largest are r and h v.
+TEST(Recursion, AsPrintedIsTheLibrarys) {
+  for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
+    orbit::State s = orbit.start;
+    const double step = period_of(orbit) / orbit.steps;
+    for (int k = 0; k < orbit.steps; ++k) {
+      const auto ours = orbit::propagate(s, 0, step, orbit::Gravity{.mu = earth_mu},
+                                         orbit::FixedContinuation{.step = step, .order = orbit.order});
+      ASSERT_TRUE(ours.status.ok());
+      const orbit::State theirs = raw_step(raw_derivatives<double>(s, earth_mu, orbit.order), step);
+      const double r = s.position.norm(), v = s.velocity.norm();
+      EXPECT_LE((theirs.position - ours.state.position).norm(), 8 * eps * (r + step * v)) << orbit.name << k;
+      EXPECT_LE((theirs.velocity - ours.state.velocity).norm(), 32 * eps * (v + step * earth_mu / (r * r)))
+          << orbit.name << k;
+      s = ours.state;
+    }
+  }
+}
+
+// At order 30 in SI units no derivative comes near the ends of doubles: they fall like n!/rho^n.
+TEST(Recursion, RawDerivativesStayWithinDoubles) {
+  const Orbit orbit = high_orbit();
+  for (const double turns : {0.0, 0.01, 0.1, 0.5}) {
+    const orbit::State s = orbit::propagate_kepler(orbit.start, turns * period_of(orbit), earth_mu).state;
+    for (const auto& d : raw_derivatives<double>(s, earth_mu, 30)) {
+      EXPECT_GT(d.norm(), 1e-100) << turns;
+      EXPECT_LT(d.norm(), 1e8) << turns;
+    }
+  }
+}
+
+// "Combining Eq. (3.61), Eq. (3.66) and Eq. (3.68)": f itself (3.61) has no derivatives in it; with f^(n)
+// held at f for n = 0 and 0 else, g is constant and the orbit a harmonic oscillation. It takes 3.62.
+TEST(Errata, Equation3_62IsMeantWhereTheTextSays3_61) {
+  const Orbit orbit = low_orbit();
+  const auto exact = coefficients_of_the_closed_solution(orbit, 4);
+  const Real r = length(exact[0]), rate = Real(earth_mu) / (r * r * r);
+  EXPECT_LT(length(-rate * exact[0] / 2 - exact[2]), Real(1e-12) * length(exact[2]));
+  EXPECT_GT(length(rate * rate * exact[0] / 24 - exact[4]), Real(0.1) * length(exact[4]));
+}
+
+// The textbook form of Lagrange's F and G against Kepler's problem in 50 digits: eps times what twenty orbits
+// amplify (kappa).
+TEST(TextbookForm, IsKeplersMotion) {
+  for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
+    for (const double turns : {0.01, 0.3, 0.5, 1.0, 7.77, 20.0}) {
+      const double t = turns * period_of(orbit);
+      const auto exact = orbit::kepler_state(extended(orbit.start), Real(t), Real(earth_mu));
+      const orbit::State s = textbook_f_and_g(orbit.start, t, earth_mu);
+      const double kappa = orbit::kepler_condition(orbit.start, t, earth_mu).position;
+      EXPECT_LE(static_cast<double>(
+                    Real(length(s.position.cast<Real>() - exact.position) / length(exact.position))),
+                16 * eps * kappa)
+          << orbit.name << " " << turns;
+    }
+  }
+}
+
+// Two-norms, not root mean squares: over twice the orbits a linearly growing error has 2^1.5 times the norm.
+TEST(Norm, IsTheRootOfTheSum) {
+  EXPECT_EQ(norm_of({3, 4}), 5);
+  EXPECT_EQ(norm_of({}), 0);
+}
+
+}  // namespace
+}  // namespace nlmech::chapters

@@ -1,0 +1,250 @@
+/// RKN12(10): its coefficients fulfil the order conditions in extended precision, converge with the orders 12
+/// and 10, and the method does what its header says.
+#include "nlmech/ivp/rkn1210.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using namespace testing;
+using oracle::Real;
+
+/// tables/reference/rkn12_10.csv, by symbol, i and j, as it is written.
+std::map<std::string, std::string> written() {
+  std::ifstream file(NLMECH_SOURCE_DIR "/tables/reference/rkn12_10.csv");
+  std::map<std::string, std::string> values;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#' || line.starts_with("symbol")) continue;
+    const auto last = line.rfind(',');
+    values[line.substr(0, last)] = line.substr(last + 1);
+  }
+  EXPECT_EQ(values.size(), 181U);
+  return values;
+}
+
+/// The coefficients with all their digits.
+struct Exact {
+  static constexpr int stages = 17;
+  Real a[stages][stages], c[stages], position[stages], velocity[stages], low_position[stages],
+      low_velocity[stages];
+  Exact() {
+    const auto values = written();
+    const auto get = [&](const std::string& key) {
+      const auto found = values.find(key);
+      return found == values.end() ? Real(0) : Real(found->second);
+    };
+    for (int i = 0; i < stages; ++i) {
+      const std::string n = std::to_string(i + 1);
+      c[i] = get("c," + n + ",");
+      position[i] = get("b_high," + n + ",");
+      velocity[i] = get("b_prime_high," + n + ",");
+      low_position[i] = get("b_low," + n + ",");
+      low_velocity[i] = get("b_prime_low," + n + ",");
+      for (int j = 0; j < stages; ++j) a[i][j] = get("a," + n + "," + std::to_string(j + 1));
+    }
+  }
+};
+
+const Exact& exact() {
+  static const Exact coefficients;
+  return coefficients;
+}
+
+constexpr double digits = 4e-28;  // thirty of them, summed over seventeen stages of size up to 50
+
+TEST(Rkn1210Coefficients, RowsSumToHalfTheSquareOfTheirAbscissa) {
+  const Exact& e = exact();
+  for (int i = 0; i < Exact::stages; ++i) {
+    Real sum = 0;
+    for (int j = 0; j < i; ++j) sum += e.a[i][j];
+    EXPECT_LT(abs(Real(sum - e.c[i] * e.c[i] / 2)), Real(digits)) << i + 1;
+  }
+}
+
+// sum b' c^q = 1/(q + 1) for q < order and sum b c^q = 1/((q + 1)(q + 2)) for q < order - 1; not one more.
+TEST(Rkn1210Coefficients, QuadratureConditions) {
+  const Exact& e = exact();
+  const auto moment = [&](const Real* weights, int q) {
+    Real sum = 0;
+    for (int i = 0; i < Exact::stages; ++i) sum += weights[i] * (q == 0 ? Real(1) : Real(pow(e.c[i], q)));
+    return sum;
+  };
+  const auto check = [&](const Real* position, const Real* velocity, int order) {
+    for (int q = 0; q < order; ++q) {
+      EXPECT_LT(abs(Real(moment(velocity, q) - Real(1) / (q + 1))), Real(digits)) << order << " " << q;
+      if (q < order - 1) {
+        EXPECT_LT(abs(Real(moment(position, q) - Real(1) / ((q + 1) * (q + 2)))), Real(digits))
+            << order << " " << q;
+      }
+    }
+    EXPECT_GT(abs(Real(moment(velocity, order) - Real(1) / (order + 1))), Real(1e-9)) << order;
+  };
+  check(e.position, e.velocity, 12);
+  check(e.low_position, e.low_velocity, 10);
+}
+
+/// Kepler's ellipse e = 0.3 from its periapsis to the apoapsis, (-1.3, 0), in fixed steps of the exact
+/// formula: a nonlinear equation sees all order conditions.
+Real error_of_ellipse(int steps, const Real* position, const Real* velocity) {
+  const Exact& f = exact();
+  const Real e = Real(3) / 10, h = acos(Real(-1)) / steps;
+  Real q[2] = {1 - e, 0}, v[2] = {0, sqrt((1 + e) / (1 - e))};
+  for (int n = 0; n < steps; ++n) {
+    Real k[Exact::stages][2];
+    for (int i = 0; i < Exact::stages; ++i) {
+      Real x[2];
+      for (int d = 0; d < 2; ++d) {
+        Real sum = 0;
+        for (int j = 0; j < i; ++j) {
+          if (f.a[i][j] != 0) sum += f.a[i][j] * k[j][d];
+        }
+        x[d] = q[d] + f.c[i] * h * v[d] + h * h * sum;
+      }
+      const Real square = x[0] * x[0] + x[1] * x[1], cube = square * sqrt(square);
+      for (int d = 0; d < 2; ++d) k[i][d] = -x[d] / cube;
+    }
+    for (int d = 0; d < 2; ++d) {
+      Real dq = 0, dv = 0;
+      for (int i = 0; i < Exact::stages; ++i) {
+        dq += position[i] * k[i][d];
+        dv += velocity[i] * k[i][d];
+      }
+      q[d] += h * v[d] + h * h * dq;
+      v[d] += h * dv;
+    }
+  }
+  return sqrt((q[0] + 1 + e) * (q[0] + 1 + e) + q[1] * q[1]);
+}
+
+TEST(Rkn1210Coefficients, OrdersOfConvergence) {
+  const Exact& e = exact();
+  const auto order = [&](const Real* position, const Real* velocity) {
+    const Real ratio = error_of_ellipse(24, position, velocity) / error_of_ellipse(48, position, velocity);
+    return std::log2(static_cast<double>(ratio));
+  };
+  EXPECT_NEAR(order(e.position, e.velocity), 12, 0.6);
+  EXPECT_NEAR(order(e.low_position, e.low_velocity), 10, 0.6);
+}
+
+TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
+  const auto values = written();
+  std::size_t compared = 0;
+  const auto same = [&](double mine, const std::string& key) {
+    const auto found = values.find(key);
+    EXPECT_EQ(mine, found == values.end() ? 0 : std::strtod(found->second.c_str(), nullptr)) << key;
+    compared += found != values.end();
+  };
+  for (std::size_t i = 0; i < rkn1210::stages; ++i) {
+    const std::string n = std::to_string(i + 1);
+    same(rkn1210::c[i], "c," + n + ",");
+    same(rkn1210::position[i], "b_high," + n + ",");
+    same(rkn1210::velocity[i], "b_prime_high," + n + ",");
+    same(rkn1210::low_position[i], "b_low," + n + ",");
+    same(rkn1210::low_velocity[i], "b_prime_low," + n + ",");
+    for (std::size_t j = 0; j + 1 < rkn1210::stages; ++j)
+      same(rkn1210::a[i][j], "a," + n + "," + std::to_string(j + 1));
+  }
+  EXPECT_EQ(compared, values.size());
+}
+
+// q'' = -q from (1, 0).
+TEST(Rkn1210, MeetsItsTolerance) {
+  for (const double tolerance : {1e-6, 1e-9, 1e-12, 1e-14}) {
+    const auto s = integrate(System(Oscillator{}), State<2>(1, 0), 0, 20,
+                             Rkn1210{.relative_tolerance = tolerance, .absolute_tolerance = tolerance});
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    // The embedded order 10 is controlled and order 12 is what is kept; rounding of some dozen steps.
+    const double room = 10 * tolerance + 64 * eps;
+    EXPECT_NEAR(s.x[0], std::cos(20), room);
+    EXPECT_NEAR(s.x[1], -std::sin(20), room);
+  }
+}
+
+TEST(Rkn1210, SystemAndDirectAreTheSame) {
+  const problems::Duffing duffing;
+  const auto a = integrate(System(duffing), problems::Duffing::initial_state(), 0, 30, Rkn1210{});
+  const auto b = integrate(Direct(duffing), problems::Duffing::initial_state(), 0, 30, Rkn1210{});
+  EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides);
+  // Inlined expressions may be contracted otherwise.
+  EXPECT_LE(oracle::distance(a.x, b.x), 1e3 * eps);
+  EXPECT_LE(oracle::distance(a.x, oracle::duffing(30)), 1e-6);
+}
+
+TEST(Rkn1210, DenseOutputIsOfTheSameOrder) {
+  double largest = 0;
+  State<2> x;
+  const auto watch = [&](const Step<2>& step) {
+    for (const double part : {0.2, 0.5, 0.9, 1.0}) {
+      const double t = step.t0 + part * (step.t1 - step.t0);
+      step.dense.at(t, x);
+      largest = std::max(largest, oracle::distance(x, oracle::duffing(t)));
+    }
+    return true;
+  };
+  const auto s = integrate(System(problems::Duffing{}), problems::Duffing::initial_state(), 0, 5,
+                           Rkn1210{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, watch);
+  EXPECT_TRUE(s.status.ok());
+  EXPECT_LE(largest, 1e-11);
+}
+
+TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
+  const auto there = integrate(System(Oscillator{}), State<2>(1, 0), 0, -20, Rkn1210{});
+  ASSERT_TRUE(there.status.ok());
+  EXPECT_NEAR(there.x[0], std::cos(20), 1e-7);
+  EXPECT_NEAR(there.x[1], std::sin(20), 1e-7);
+  const Statistics& s = there.statistics;
+  // The first stage once a state, sixteen more a trial, four for the look at velocities.
+  EXPECT_EQ(s.right_hand_sides, 1 + s.steps + 16 * (s.steps + s.rejected) + 4);
+}
+
+TEST(Rkn1210, StopsAtDiscontinuities) {
+  JumpingForce problem;
+  const auto s = integrate(System(problem), State<2>(0, 0), 0, 1, Rkn1210{});
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_LE(oracle::distance(s.x, problem.exact(1)), 16 * eps);  // parabolas: exact on both sides
+}
+
+// A force that feels velocities is no problem of this method's, and says so. Van der Pol's from x = 1 shows
+// it only after the first step.
+TEST(Rkn1210, RefusesVelocities) {
+  EXPECT_THROW((void)integrate(System(Manufactured{}), State<2>(1, 0), 0, 1, Rkn1210{}),
+               std::invalid_argument);
+  const auto s = integrate(System(problems::VanDerPol{}), State<2>(1, 0.5), 0, 5, Rkn1210{});
+  EXPECT_EQ(s.status.outcome(), Outcome::outside_validity) << s.status.text();
+}
+
+TEST(Rkn1210, EndsWhereNothingIsFinite) {
+  const auto s = integrate(System(Poisoned{}), State<2>(1, 0), 0, 1, Rkn1210{});
+  EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << s.status.text();
+  EXPECT_TRUE(s.x.allFinite());
+  EXPECT_NEAR(s.t, 0.5, 1e-6);
+  const auto few = integrate(System(Oscillator{}), State<2>(1, 0), 0, 1e6, Rkn1210{}, {}, {.steps = 7});
+  EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
+  const auto stopped = integrate(System(Oscillator{}), State<2>(1, 0), 0, 1e6, Rkn1210{},
+                                 [](const Step<2>& step) { return step.index < 3; });
+  EXPECT_EQ(stopped.status.outcome(), Outcome::interrupted);
+}
+
+TEST(Rkn1210, SaysWhichOptionIsWrong) {
+  EXPECT_NE(refusal(Rkn1210{.relative_tolerance = -1}).find("relative_tolerance"), std::string::npos);
+  EXPECT_NE(refusal(Rkn1210{.absolute_tolerance = 0}).find("absolute_tolerance"), std::string::npos);
+  EXPECT_NE(refusal(Rkn1210{.initial_step = nan}).find("nan"), std::string::npos);
+  EXPECT_NE(refusal(Rkn1210{.largest_step = -1}).find("largest_step"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

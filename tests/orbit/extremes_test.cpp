@@ -1,0 +1,114 @@
+/// Thin ellipses over many revolutions, falls into the centre, flybys, and far or tiny scales.
+#include <gtest/gtest.h>
+
+#include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "tests/orbit/oracle.hpp"
+
+namespace nlmech::orbit {
+namespace {
+
+using namespace oracle;
+
+const Gravity unit{};
+
+// e = 0.999, 1000 orbits, some 80 000 steps from r = 0.001 to 2. With a tolerance below rounding the errors
+// of the steps walk and stay within ten of the condition; what the default tolerance of 4.5 eps leaves out is
+// the same at every passage and adds up to some more.
+TEST(Extremes, ThinEllipseOverAThousandOrbits) {
+  const State s = at_periapsis(0.999);
+  const double time = 2 * pi * 1000.4;
+  const Continued c = propagate(s, 0, time, unit, AnalyticContinuation{.tolerance = 1e-17});
+  ASSERT_TRUE(c.status.ok()) << c.status.text();
+  const double kappa = kepler_condition(s, time, 1).position;
+  EXPECT_LE(relative_distance(c.state.position, kepler(s, time, 1).position), 10 * eps * kappa);
+  EXPECT_LE(relative_distance(propagate_kepler(s, time, 1).state.position, kepler(s, time, 1).position),
+            8 * eps * kappa);
+  const Continued plain = propagate(s, 0, time, unit);
+  EXPECT_LE(relative_distance(plain.state.position, kepler(s, time, 1).position), 50 * eps * kappa);
+  // |r||v| is up to 22 times |h|, which is what a rounding of r or v moves it by.
+  const Vector3<double> h = angular_momentum(c.state), h0 = angular_momentum(s);
+  EXPECT_NEAR(h[2] / h0[2], 1, 22 * std::sqrt(static_cast<double>(c.statistics.steps)) * eps);
+  EXPECT_NEAR((eccentricity_vector(c.state, 1.0) - eccentricity_vector(s, 1.0)).norm(), 0,
+              64 * std::sqrt(static_cast<double>(c.statistics.steps)) * eps);
+}
+
+// Released at rest, thrown inwards, or backwards in time from a throw outwards: the series ends in
+// `collision` where Kepler's solution says that the centre is, and Kepler's solution goes on.
+TEST(Extremes, FallIntoTheCentre) {
+  const double fall = pi / (2 * std::sqrt(2));
+  const State rest{{0.6, 0.8, 0}, {0, 0, 0}};
+  const Continued c = propagate(rest, 0, 5, unit);
+  EXPECT_EQ(c.status.outcome(), Outcome::collision) << c.status.text();
+  // Step control stops where a step is eps times the interval.
+  EXPECT_NEAR(c.t, fall, 1e-13);
+  EXPECT_TRUE(c.state.position.allFinite() && c.state.velocity.allFinite());
+  EXPECT_LT(c.state.position.norm(), 1e-8);
+  EXPECT_NE(c.status.sentence().find("kepler"), std::string::npos);
+  EXPECT_TRUE(propagate_kepler(rest, 5, 1).status.ok());
+  const Continued inwards = propagate(State{{0, 0, 2}, {0, 0, -3}}, 0, 5, unit);
+  EXPECT_EQ(inwards.status.outcome(), Outcome::collision);
+  const Continued back = propagate(State{{0, 0, 2}, {0, 0, 3}}, 0, -5, unit);
+  EXPECT_EQ(back.status.outcome(), Outcome::collision);
+  EXPECT_NEAR(back.t, -inwards.t, 1e-13);
+  // In metres too.
+  const Continued si = propagate(State{{7e6, 0, 0}, {0, 0, 0}}, 0, 1e4, Gravity{.mu = earth_mu});
+  EXPECT_EQ(si.status.outcome(), Outcome::collision);
+  EXPECT_NEAR(si.t / (fall * std::sqrt(std::pow(7e6, 3) / earth_mu)), 1, 1e-12);
+}
+
+// Upwards from rest: velocity 0 at the begin does not make the step 0, and the way up is symmetric to the way
+// down.
+TEST(Extremes, BodyAtRestMoves) {
+  const State rest{{1, 0, 0}, {0, 0, 0}};
+  const Continued c = propagate(rest, 0, 0.9, unit);
+  ASSERT_TRUE(c.status.ok());
+  EXPECT_LE(relative_distance(c.state.position, kepler(rest, 0.9, 1).position),
+            8 * eps * kepler_condition(rest, 0.9, 1).position);
+}
+
+TEST(Extremes, HyperbolicFlyby) {
+  // From 1000 on the way in, past a periapsis near 0.01, and out again.
+  const State s{{-1000, 0.2, 0}, {1, 0, 0}};
+  for (const double time : {990., 1000., 2000.}) {
+    const Continued c = propagate(s, 0, time, unit);
+    ASSERT_TRUE(c.status.ok()) << c.status.text();
+    EXPECT_LE(relative_distance(c.state.position, kepler(s, time, 1).position),
+              8 * eps * kepler_condition(s, time, 1).position)
+        << time;
+    EXPECT_LE(relative_distance(propagate_kepler(s, time, 1).state.position, kepler(s, time, 1).position),
+              8 * eps * kepler_condition(s, time, 1).position);
+  }
+  // Gravity as good as absent: a straight line in few steps.
+  const State straight{{1, 0, 0}, {0, 1e6, 0}};
+  const Continued fast = propagate(straight, 0, 1, unit);
+  ASSERT_TRUE(fast.status.ok());
+  EXPECT_LE(relative_distance(fast.state.position, kepler(straight, 1, 1).position), 16 * eps);
+}
+
+// A comet from 2e4 down to 1e-4 and back: time scales 8e12 apart, with orders up to 100.
+TEST(Extremes, TimeScalesFarApart) {
+  const State s = at_periapsis(1 - 1e-8);
+  for (const int order : {0, 100}) {
+    const Continued c = propagate(s, 0, 2 * pi * 1.3, unit, AnalyticContinuation{.order = order});
+    ASSERT_TRUE(c.status.ok()) << c.status.text();
+    EXPECT_LE(relative_distance(c.state.position, kepler(s, 2 * pi * 1.3, 1).position),
+              8 * eps * kepler_condition(s, 2 * pi * 1.3, 1).position)
+        << order;
+  }
+}
+
+// Lengths from an atom to a galaxy; mu so that times stay within doubles.
+TEST(Extremes, Scales) {
+  for (const double scale : {1e-100, 1e-10, 1e20, 1e100}) {
+    const State s{{scale, 0, 0}, {0, 1.1, 0}};
+    const double mu = scale, time = 5 * scale;
+    const Continued c = propagate(s, 0, time, Gravity{.mu = mu});
+    ASSERT_TRUE(c.status.ok()) << c.status.text();
+    EXPECT_NEAR((propagate_kepler(s, time, mu).state.position - c.state.position).norm() / scale, 0,
+                200 * eps);
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::orbit
