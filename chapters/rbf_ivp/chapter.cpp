@@ -23,6 +23,12 @@ scene::Chapter rbf_ivp_chapter() {
   add_stability(chapter);
   add_extremes(chapter);
   add_error_vs_time(chapter);
+  add_shape_study(chapter);
+  add_contour(chapter);
+  add_node_study(chapter);
+  add_solver_study(chapter);
+  add_ladder(chapter);
+  add_held_back(chapter);
   return chapter;
 }
 

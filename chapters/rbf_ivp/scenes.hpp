@@ -25,4 +25,14 @@ void add_stability(scene::Chapter& chapter);            ///< method by problem: 
 void add_extremes(scene::Chapter& chapter);             ///< every method where there is no solution
 void add_error_vs_time(scene::Chapter& chapter);        ///< ours and the peers on the three problems
 
+// What the dissertation leaves for further study.
+void add_shape_study(
+    scene::Chapter& chapter);               ///< D by three ways against the shape; LOOCV and what it misses
+void add_contour(scene::Chapter& chapter);  ///< the flat limit is the polynomial
+void add_node_study(
+    scene::Chapter& chapter);  ///< placed nodes, shapes of their own, least squares, refinement
+void add_solver_study(scene::Chapter& chapter);  ///< scalar homotopy, Picard and Newton on the same equations
+void add_ladder(scene::Chapter& chapter);        ///< what each step to the adaptive integrator bought
+void add_held_back(scene::Chapter& chapter);  ///< error against time with parameters that were never tuned on
+
 }  // namespace nlmech::chapters

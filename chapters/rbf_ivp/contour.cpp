@@ -1,0 +1,7 @@
+#include "chapters/rbf_ivp/scenes.hpp"
+
+namespace nlmech::chapters {
+
+void add_contour(scene::Chapter& chapter) { static_cast<void>(chapter); }
+
+}  // namespace nlmech::chapters
