@@ -1,0 +1,53 @@
+/// @file
+/// Scalar homotopy: F(x) = 0 as the end of a flow that never solves a system with dF/dx.
+#pragma once
+
+#include <cstdint>
+
+#include "nlmech/algebraic/equations.hpp"
+
+namespace nlmech::algebraic {
+
+/// Follows x(t) in a fictitious time t along which a scalar function h(x, t) stays zero (Elgohary 2015,
+/// section 2.2; Eq. 2.14 with the driving vector u = dh/dx and Q = e^t). With B = dF/dx:
+///
+///     fixed point   h = |F|^2/2 - |x - x(0)|^2/(2 Q)      dx/dt = -|F|^2/2 w/|w|^2, w = B^T F - (x - x(0))/Q
+///     Newton        h = |F|^2/2 - |F(x(0))|^2/(2 Q)       dx/dt = -|F|^2/2 w/|w|^2, w = B^T F
+///
+/// These are Eqs 2.15 and 2.16 with the signs that keep h zero; Eqs 2.12, 2.13 and 2.15 print + for -. On the
+/// exact flow |F|^2 Q = |F(0)|^2 for Newton; the fixed-point flow starts with h = |F(0)|^2/2, not on h = 0,
+/// and has |F|^2 Q - |x - x(0)|^2 = |F(0)|^2. Both flows agree for t -> infinity.
+///
+/// What that buys, and what it does not. A step costs F once, B once and the product B^T F, and a singular B
+/// is no obstacle as long as B^T F is not zero. But w is the direction of steepest descent of |F|^2/2: near
+/// a root, with a step of Euler's rule of length 1, this is gradient descent with Polyak's step length, and
+/// the number of iterations grows like cond(B)^2. In one variable a step dt is Newton's step times dt/2. For
+/// linear F Euler's rule of any step below 4 brings x closer to every root. The flow is not defined where
+/// B^T F = 0 and F is not, at a minimum of |F|; Euler's rule with a fixed step mostly jumps over it, and
+/// wanders if no root is near.
+struct ScalarHomotopy {
+  /// Which h.
+  enum class Function : std::uint8_t {
+    fixed_point,  ///< Eqs 2.12 and 2.15
+    newton        ///< Eqs 2.13 and 2.16
+  };
+  Function function = Function::fixed_point;  ///< which h
+  double step = 1;  ///< of fictitious time by Euler's rule, positive; the first one if they are chosen
+  /// 0: all steps are equal. Else steps are chosen, up to `longest`, so that the estimated error of each is
+  /// at most this fraction of the length |dx| of the step itself: |x'_1 - x'_0| <= 2 turn |x'_0| for the
+  /// velocities at its ends. In one variable, near the root, that is a step of 4 turn.
+  double turn = 0;
+  double longest = 2;            ///< no chosen step is longer; positive
+  double tolerance = 1e-10;      ///< done when |F|, Euclidean, is no greater; not negative
+  std::int64_t steps = 100'000;  ///< at most so many steps, rejected ones included; else `step_limit`
+};
+
+/// Runs the flow. Outcomes besides success: `singular_matrix` where B^T F (fixed point: w) vanishes and F
+/// does not; `non_finite` if F or B^T F is not finite, with chosen steps only at the start; `step_underflow`
+/// if a chosen step falls below 1e-12, as it does on the way to a minimum of |F| that is no root;
+/// `step_limit`; `interrupted`. statistics: rejected steps cost F and B once each, as accepted ones do.
+/// @throws std::invalid_argument if an option is out of range, or x has another size than the equations
+[[nodiscard]] Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
+                               const Observer& observer = {});
+
+}  // namespace nlmech::algebraic
