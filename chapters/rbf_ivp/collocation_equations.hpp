@@ -27,11 +27,18 @@ class CollocationEquations : public algebraic::Equations {
   /// @param basis trial functions
   /// @param form which F
   CollocationEquations(ivp::System<n> system, const collocation::Basis& basis, Form form)
-      : system_(std::move(system)), form_(form), nodes_(basis.nodes()) {
+      : CollocationEquations(std::move(system), basis.nodes(), basis.derivative(), form) {}
+  /// @param system the problem
+  /// @param nodes on the unit interval, the first 0, the last 1
+  /// @param derivative from values at the nodes to derivatives there
+  /// @param form which F
+  CollocationEquations(ivp::System<n> system, const Eigen::VectorXd& nodes, const Eigen::MatrixXd& derivative,
+                       Form form)
+      : system_(std::move(system)), form_(form), nodes_(nodes) {
     const Eigen::Index s = nodes_.size() - 1;
-    derivative_ = basis.derivative().bottomRightCorner(s, s);
+    derivative_ = derivative.bottomRightCorner(s, s);
     integral_ = derivative_.inverse();
-    from_left_ = basis.derivative().col(0).tail(s);
+    from_left_ = derivative.col(0).tail(s);
     constant_ = -integral_ * from_left_;
     times_.resize(static_cast<std::size_t>(s));
     states_.resize(system_.size(), s);
