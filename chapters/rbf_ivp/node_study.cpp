@@ -260,6 +260,13 @@ std::vector<scene::Quantity> quantities(const Study& study, bool quick) {
                   1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1"});
   list.push_back({"gain of nodes by residual anywhere, duffing, N = 20", "1",
                   gain(residual, "duffing", 20, false), 0.1, 10, "no digit either way"});
+  if (!quick) {
+    list.push_back({"gain of nodes by residual anywhere, duffing, N = 35", "1",
+                    gain(residual, "duffing", 35, false), 1, 10, "narrow functions gain, no digit"});
+    list.push_back({"loss of nodes by residual at the end, duffing, N = 35", "1",
+                    1 / gain(residual, "duffing", 35, true), 10, HUGE_VAL,
+                    "moved nodes are no quadrature of high order: the end is as inexact as the rest"});
+  }
   list.push_back({"gain of own shapes anywhere, duffing, N = 20", "1", gain(own, "duffing", 20, false), 0, 1,
                   "functions that are narrow where nodes are dense lose what wide ones share"});
   list.push_back({"gain of least squares anywhere, impact inside, N = 20", "1",

@@ -202,6 +202,17 @@ std::vector<scene::Quantity> quantities(const std::vector<Study>& all) {
                     "the least cost lies where rounding or narrowness made it; an independent scan lost "
                     "factors of 3e4 and more"});
   }
+  for (const Study& study : all) {
+    const int n = study.setting.nodes;
+    const double gain = study.flat / study.choices[4].stable;
+    // The least gain that the independent scan found: 1.9e-6 / 8.6e-8, 2.0e-5 / 7.5e-7, 3.6e-8 / 2.1e-9.
+    const double found = n == 7 ? 22 : n == 15 ? 26 : 17;
+    list.push_back({fmt::format("gain of the least error over polynomials, N = {}", n), "1", gain,
+                    0.89 * found, HUGE_VAL, "a scan with 60 digits gained as much; two digits each"});
+    list.push_back({fmt::format("gain of the shape of an earlier arc over polynomials, N = {}", n), "1",
+                    study.flat / study.choices[3].stable, 1, 1.001 * gain,
+                    "a loss would speak against it; no shape gains more than the best for this arc"});
+  }
   return list;
 }
 

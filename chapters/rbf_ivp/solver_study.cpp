@@ -256,7 +256,7 @@ scene::Showing show(const std::vector<Row>& rows, const Trials& trials, bool qui
   showing.figure = {
       data_of(trials),
       "rbf_ivp-solver-study",
-      {{"heading", "Without the inverse: hundreds of times the iterations"}, {"height", "720"}}};
+      {{"heading", "Homotopies: tens to thousands of times Newton's iterations"}, {"height", "720"}}};
   showing.quantities = quantities(rows, trials, quick);
   return showing;
 }

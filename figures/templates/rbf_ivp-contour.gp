@@ -46,14 +46,16 @@ unset datafile columnheaders
 unset xlabel
 unset ylabel
 unset title
-set format x ""
-set format y ""
+unset xtics
+unset ytics
+unset border
 plot $stable using 1:2 with lines linecolor rgb "#ffffff" linewidth 1 dashtype solid
 set datafile separator ","
 set datafile columnheaders
 
-set format x "%g"
-set format y "%g"
+set border 15 linecolor rgb ink linewidth 1
+set xtics ("10^{−6}" -6, "10^{−4}" -4, "10^{−2}" -2, "1" 0)
+set ytics 10
 set margins screen 0.475, screen 0.83, screen 0.17, screen 0.83
 set xlabel "{/:Italic c h}"
 set title "solved by LU (white: singular)" font sprintf("%s,%d", font_family, font_size) offset 0,-0.3

@@ -31,7 +31,7 @@ set mytics 1
 do for [r = 1:2] {
   do for [j = 1:3] {
     left = 0.11 + (j - 1) * 0.30
-    top = r == 1 ? 0.92 : 0.67
+    top = r == 1 ? 0.905 : 0.655
     set margins screen left, screen left + 0.265, screen top - 0.215, screen top
     if (r == 1) { set title labels[j] font sprintf("%s,%d", font_family, font_size) offset 0,-0.4 } else { unset title }
     if (r == 2) { set xlabel "{/:Italic c h}" offset 0,0.5; set format x "%g" } else { unset xlabel; set format x "" }
@@ -53,12 +53,12 @@ set xtics (8, 16, 24, 32)
 set xlabel "number of nodes"
 do for [j in "1 3"] {
   left = int(j) == 1 ? 0.11 : 0.38
-  set margins screen left, screen left + 0.235, screen 0.07, screen 0.30
+  set margins screen left, screen left + 0.235, screen 0.07, screen 0.32
   set title labels[int(j)] font sprintf("%s,%d", font_family, font_size) offset 0,-0.4
   set yrange [1e-14:10]
   set format y (int(j) == 1 ? power_of_ten : "")
   if (int(j) == 1) { set ylabel "largest error" offset 1.4,0 } else { unset ylabel }
-  if (int(j) == 3) { set key at screen 0.995, screen 0.29 right top vertical maxrows 9 Left reverse samplen 2 spacing 1.05 } else { unset key }
+  if (int(j) == 3) { set key at screen 0.995, screen 0.32 right top vertical maxrows 9 Left reverse samplen 2 spacing 1.05 } else { unset key }
   plot data using (grown(int(j), "LGL")):"largest" with linespoints linestyle 3, \
        data using (grown(int(j), "inserted")):"largest" with linespoints linestyle 4, \
        data using (grown(int(j), "least squares")):"largest" with linespoints linestyle 1, \

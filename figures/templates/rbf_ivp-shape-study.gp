@@ -68,7 +68,7 @@ do for [i = 1:3] {
   if (i == 1) { set ylabel "cost, condition" offset 1.5,0 }
   set format x "%g"
   set xlabel "{/:Italic c h}"
-  if (i == 1) { set key at graph 0.97, graph 0.30 right top maxrows 3 Left reverse samplen 3 spacing 1.1 } else { unset key }
+  if (i == 1) { set key at graph 0.99, graph 0.335 right top maxrows 3 Left reverse samplen 3 spacing 1.1 } else { unset key }
   plot data using (of(n)):"condition" with lines linestyle 8 title "condition", \
        data using (of(n)):"cost" with lines linestyle 1 linewidth 1.5 title "cost, rounded", \
        data using (of(n)):(floored(column("exact_cost"))) with lines linestyle 2 dashtype 1 linewidth 2.5 title "cost, exact"

@@ -26,7 +26,7 @@ set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 
 set logscale y
 set format y power_of_ten
 
-set margins screen 0.10, screen 0.47, screen 0.53, screen 0.785
+set margins screen 0.10, screen 0.47, screen 0.53, screen 0.77
 set title "N = 7, h = P/10" font sprintf("%s,%d", font_family, font_size) offset 0,-0.4
 set xlabel "iteration" offset 0,0.5
 set ylabel "|F|, relative" offset 0.8,0
@@ -36,11 +36,11 @@ set yrange [1e-12:30]
 set xtics (1, 10, 100, 1000)
 set ytics 1e3
 set mytics 1
-set key at screen 0.5, screen 0.96 center top maxrows 4 Left reverse samplen 4 spacing 1.05
+set key at screen 0.5, screen 0.95 center top maxrows 4 Left reverse samplen 4 spacing 1.05
 plot for [k = 1:7] data using (on("history", k)):"ordinate" with lines linestyle style[k] title titles[k]
 
 unset key
-set margins screen 0.60, screen 0.97, screen 0.53, screen 0.785
+set margins screen 0.60, screen 0.97, screen 0.53, screen 0.77
 set title "h = P/2, Radau nodes"
 set xlabel "number of nodes N"
 set ylabel "iterations" offset 0.8,0
