@@ -48,7 +48,7 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
   }
   EXPECT_EQ(names, (std::set<std::string>{"euler", "backward-euler", "explicit", "rk4", "rk6", "ode45",
                                           "rkn1210", "series", "newmark", "hht", "generalized-alpha", "mcpi",
-                                          "rbf-coll", "lgl-coll", "radau-coll"}));
+                                          "rbf-coll", "lgl-coll", "radau-coll", "adaptive-collocation"}));
 }
 
 TEST(NamedMethods, UnknownNameListsTheKnownOnes) {

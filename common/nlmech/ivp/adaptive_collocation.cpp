@@ -18,10 +18,20 @@ void check_options(const AdaptiveCollocation& method) {
 
 namespace adaptive {
 
-int nodes_for(double relative_tolerance) {
-  if (relative_tolerance > 3e-7) return 9;
-  return relative_tolerance > 3e-12 ? 13 : 17;
+int first_order(const AdaptiveCollocation& method) {
+  if (method.nodes > 0) return (method.nodes - 9) / 4;
+  // Where 13 and 17 nodes begin to be cheaper, on problems of a few components.
+  if (method.relative_tolerance > 3e-7) return 0;
+  return method.relative_tolerance > 3e-12 ? 1 : 2;
 }
 
 }  // namespace adaptive
+
+template struct Integrator<System<1>, AdaptiveCollocation>;
+template struct Integrator<System<2>, AdaptiveCollocation>;
+template struct Integrator<System<3>, AdaptiveCollocation>;
+template struct Integrator<System<4>, AdaptiveCollocation>;
+template struct Integrator<System<6>, AdaptiveCollocation>;
+template struct Integrator<System<Eigen::Dynamic>, AdaptiveCollocation>;
+
 }  // namespace nlmech::ivp

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nlmech/ivp/collocation_newton.hpp"
+#include "nlmech/ivp/collocation_orders.hpp"
 #include "nlmech/ivp/collocation_sweeps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
@@ -25,7 +26,7 @@ struct AdaptiveCollocation {
   static constexpr std::string_view name = "adaptive-collocation";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                                 ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                                 ///< atol, positive
-  int nodes = 0;            ///< N, the left end among them: 9, 13 or 17; 0: by the tolerance
+  int nodes = 0;            ///< N of sweeps, the left end among them: 9, 13 or 17; 0: as is best
   double largest_step = 0;  ///< 0: the interval
 };
 
@@ -33,6 +34,9 @@ struct AdaptiveCollocation {
 void check_options(const AdaptiveCollocation& method);
 
 namespace adaptive {
+
+/// Which order an integration begins with: that of the nodes asked for, else what suits the tolerance.
+[[nodiscard]] int first_order(const AdaptiveCollocation& method);
 
 /// One integration from begin to end. It begins with sweeps, goes over to Newton's iteration where their
 /// contraction bounds the steps more than the error does, and comes back where the steps have become short
@@ -45,8 +49,9 @@ class Run {
   Run(const Task<S>& task, const AdaptiveCollocation& method)
       : task_(task),
         largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
-        sweeps_(task.system, {method.absolute_tolerance, method.relative_tolerance}),
-        newton_(task.system, {method.absolute_tolerance, method.relative_tolerance}),
+        setup_{task.system, {method.absolute_tolerance, method.relative_tolerance}},
+        sweeps_(setup_, first_order(method), method.nodes > 0),
+        newton_(setup_, first_order(method), method.nodes > 0),
         now_{task.t0, task.x0, {}, {}},
         states_(task.system.size(), 1) {}
 
@@ -64,32 +69,38 @@ class Run {
  private:
   static constexpr std::string_view name = AdaptiveCollocation::name;
   static constexpr double safety = 0.85;
-  static constexpr double rest = 1.2;        // a longer step has to be longer by this
-  static constexpr int many_sweeps = 8;      // more than that are dearer than shorter steps
-  static constexpr double most_growth = 2;   // of a step
-  static constexpr double first_growth = 8;  // of the first ones, whose length was a guess
-  static constexpr int patience = 6;         // trials that contraction bounds, before Newton's iteration
-  static constexpr int calm = 20;            // steps short against the time constants, before sweeps
-  static constexpr double gentle = 1;        // h |J| of such steps
+  static constexpr double rest = 1.2;               // a longer step has to be longer by this
+  static constexpr int many_sweeps = 8;             // more than that are dearer than shorter steps
+  static constexpr double most_growth = 2;          // of a step
+  static constexpr double first_growth = 8;         // of the first ones, whose length was a guess
+  static constexpr double telling = 1e-8;           // error of a step after which the length is no guess
+  static constexpr double least_remembered = 0.01;  // of errors, which pass through zero
+  static constexpr int patience = 12;               // half as many slow trials, before Newton's iteration
+  static constexpr double much = 1.5;  // longer that the error would allow a step that sweeps bound
+  static constexpr int calm = 20;      // steps short against the time constants, before sweeps
+  static constexpr double gentle = 1;  // h |J| of such steps
 
+  // Both engines have the same interface; each works in the order that it has come to.
   template <class Work>
-  auto engine(Work work) {
-    return is_stiff_ ? work(newton_) : work(sweeps_);
+  decltype(auto) engine(Work work) {
+    return is_stiff_ ? newton_.current(work) : sweeps_.current(work);
   }
 
   Status cross(double end) {
     begin(end);
     if (!engine([](auto& e) { return e.begin_is_finite(); })) return non_finite_rhs(name, now_.t);
-    length_ = std::min(largest_, sweeps_.first_length(now_.x, std::abs(end - now_.t)));
+    length_ = std::min(largest_, sweeps_.current([&](const auto& e) {
+      return e.first_length(now_.x, std::abs(end - now_.t));
+    }));
     Status status;
     while (now_.t != end && status.ok()) status = step(end);
     return status;
   }
   void begin(double end) {
-    if (is_stiff_) sweeps_.begin_segment(now_.t, end, now_.x, now_.statistics);
-    engine([&](auto& e) { e.begin_segment(now_.t, end, now_.x, now_.statistics); });
+    sweeps_.begin_segment(now_.t, end, now_.x, now_.statistics);
+    if (is_stiff_) newton_.begin_segment(now_.t, end, now_.x, now_.statistics);
     before_ = 0;
-    guesses_ = 3;
+    is_guess_ = true;
     slow_ = 0;
     calm_ = 0;
   }
@@ -116,12 +127,13 @@ class Run {
       const double change =
           trial.error > 1 ? std::clamp(safety / root(trial.error), 0.2, 0.9) : std::max(trial.shorter, 0.1);
       length_ = std::max(shortest, taken * change);
-      if (!is_stiff_ && !trial.converged && trial.error == 0 && ++slow_ >= patience) change_engine(end);
+      if (!is_stiff_ && !trial.converged && trial.error == 0) slow_ += 2;
+      if (!is_stiff_ && slow_ >= patience) change_engine(end);
     }
   }
 
   [[nodiscard]] double root(double error) const {
-    return std::pow(std::max(error, 1e-30), 1. / (is_stiff_ ? Newton::error_order : Sweeps::error_order));
+    return std::pow(std::max(error, 1e-30), 1. / (is_stiff_ ? newton_.error_order() : sweeps_.error_order()));
   }
 
   void change_engine(double end) {
@@ -134,10 +146,12 @@ class Run {
     Status status;
     if (task_.observer && !engine([&](auto& e) { return observe(e, t1); })) status = interrupted(name, t1);
     length_ = std::max(taken < length_ ? length_ : 0, taken * growth(taken, trial));
-    engine([&](auto& e) {
-      now_.x = e.end_state();
-      e.accept();
-    });
+    now_.x = engine([](auto& e) { return e.end_state(); });
+    if (is_stiff_) {
+      newton_.accept();
+    } else {
+      sweeps_.accept();
+    }
     now_.t = t1;
     if (t1 != end && (is_stiff_ ? calm_ >= calm : slow_ >= patience)) change_engine(end);
     return status;
@@ -156,19 +170,19 @@ class Run {
     double change = safety / r;
     if (before_ > 0) change = std::min(change, change * (taken / before_) * (root_before_ / r));
     before_ = taken;
-    root_before_ = r;
+    root_before_ = root(std::max(trial.error, least_remembered));
+    is_guess_ = is_guess_ && trial.error < telling;
     if (is_stiff_) {
-      calm_ = newton_.stiffness() < gentle ? calm_ + 1 : 0;
+      calm_ = newton_.current([](const auto& e) { return e.stiffness(); }) < gentle ? calm_ + 1 : 0;
     } else {
-      if (change < 2) slow_ = 0;  // it is the error that bounds the steps
-      if (trial.iterations > many_sweeps) {
-        const double by_sweeps = std::pow(static_cast<double>(many_sweeps) / trial.iterations, 0.7);
-        if (change > 2 * by_sweeps) ++slow_;
-        change = std::min(change, by_sweeps);
-      }
+      // In a problem that has become stiff every second trial takes many sweeps, or does not converge.
+      const bool is_slow = trial.iterations > many_sweeps;
+      slow_ = is_slow && change > much ? slow_ + 2 : std::max(0, slow_ - 1);
+      if (is_slow)
+        change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial.iterations, 0.7));
     }
-    if (change >= 1 && change < rest) change = 1;
-    return std::clamp(change, 0.2, guesses_-- > 0 ? first_growth : most_growth);
+    if (is_stiff_ && change >= 1 && change < rest) change = 1;
+    return std::clamp(change, 0.2, is_guess_ ? first_growth : most_growth);
   }
 
   [[nodiscard]] Status check_limits() const {
@@ -181,8 +195,9 @@ class Run {
 
   const Task<S>& task_;
   double largest_, length_ = 0, before_ = 0, root_before_ = 0;
-  int guesses_ = 0, slow_ = 0, calm_ = 0;
-  bool is_stiff_ = false;
+  int slow_ = 0, calm_ = 0;
+  bool is_stiff_ = false, is_guess_ = true;
+  Setup<S> setup_;
   Sweeps sweeps_;
   Newton newton_;
   Solution<n> now_;
@@ -190,18 +205,10 @@ class Run {
   Stopwatch watch_;
 };
 
-/// With s nodes in sweeps and r in Newton's iterations.
-template <int s, int r, class S>
-[[nodiscard]] Solution<S::dimension> run(const Task<S>& task, const AdaptiveCollocation& method) {
-  if constexpr (has_halves<S::dimension>) {
-    if (task.system.second_order() && task.system.size() % 2 == 0)
-      return Run<S, Sweeper<S, s, true>, NewtonSteps<S, r>>(task, method).run();
-  }
-  return Run<S, Sweeper<S, s, false>, NewtonSteps<S, r>>(task, method).run();
-}
-
-/// Nodes that cost least for a tolerance, on problems of a few components.
-[[nodiscard]] int nodes_for(double relative_tolerance);
+template <class S, bool second>
+using AllSweeps = Orders<Sweeper<S, 8, second>, Sweeper<S, 12, second>, Sweeper<S, 16, second>>;
+template <class S>
+using AllNewtonSteps = Orders<NewtonSteps<S, 3>, NewtonSteps<S, 5>, NewtonSteps<S, 7>>;
 
 }  // namespace adaptive
 
@@ -216,11 +223,21 @@ template <SystemLike S>
 Solution<S::dimension> Integrator<S, AdaptiveCollocation>::run(const Task<S>& task,
                                                                const AdaptiveCollocation& method) {
   check_options(method);
-  switch (method.nodes > 0 ? method.nodes : adaptive::nodes_for(method.relative_tolerance)) {
-    case 9: return adaptive::run<8, 3>(task, method);
-    case 13: return adaptive::run<12, 5>(task, method);
-    default: return adaptive::run<16, 7>(task, method);
+  using namespace adaptive;
+  if constexpr (has_halves<S::dimension>) {
+    if (task.system.second_order() && task.system.size() % 2 == 0)
+      return Run<S, AllSweeps<S, true>, AllNewtonSteps<S>>(task, method).run();
   }
+  return Run<S, AllSweeps<S, false>, AllNewtonSteps<S>>(task, method).run();
 }
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, AdaptiveCollocation>;
+extern template struct Integrator<System<2>, AdaptiveCollocation>;
+extern template struct Integrator<System<3>, AdaptiveCollocation>;
+extern template struct Integrator<System<4>, AdaptiveCollocation>;
+extern template struct Integrator<System<6>, AdaptiveCollocation>;
+extern template struct Integrator<System<Eigen::Dynamic>, AdaptiveCollocation>;
+/// @endcond
 
 }  // namespace nlmech::ivp

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "nlmech/collocation/radau_transform.hpp"
+#include "nlmech/ivp/collocation_loops.hpp"
 #include "nlmech/ivp/collocation_trial.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/ivp/solution.hpp"
@@ -32,18 +33,19 @@ template <SystemLike S, int s>
 class NewtonSteps : public DenseOutput<S::dimension> {
  public:
   static constexpr int n = S::dimension;     ///< components of the state
-  static constexpr int error_order = s + 1;  ///< of the estimate in the step
+  static constexpr int error_order = s + 1;  ///< power of the step in the estimate
 
-  /// @param system outlives this
-  NewtonSteps(const S& system, const Tolerance& tolerance)
-      : system_(system),
-        share_(0.1 * std::pow(reference(tolerance), (s + 1.) / (2 * s) - 1)),
-        tolerance_{tolerance.absolute * share_, tolerance.relative * share_},
-        z_(Increments::Zero(s, system.size())),
+  /// @param setup the equation and what is asked
+  explicit NewtonSteps(const Setup<S>& setup)
+      : system_(setup.system),
+        share_(0.1 * std::pow(reference(setup.tolerance), (s + 1.) / (2 * s) - 1)),
+        tolerance_{setup.tolerance.absolute * share_, setup.tolerance.relative * share_},
+        z_(Increments::Zero(system_.size(), s)),
         w_(z_),
         f_(z_),
         last_(z_),
-        x0_(State<n>::Zero(system.size())),
+        change_of_w_(z_),
+        x0_(State<n>::Zero(system_.size())),
         x1_(x0_),
         carry_(x0_),
         change_(x0_),
@@ -52,12 +54,9 @@ class NewtonSteps : public DenseOutput<S::dimension> {
         node_(x0_),
         slope_(x0_),
         update_(x0_),
-        jacobian_(system.size(), system.size()),
-        real_(system.size()),
-        complex_(system.size()) {
-    for (auto& lu : complex_lu_) lu = ComplexLu(system.size());
-    real_lu_ = RealLu(system.size());
-  }
+        jacobian_(Jacobian<n>::Zero(system_.size(), system_.size())),
+        real_(x0_),
+        complex_(x0_.template cast<std::complex<double>>()) {}
 
   /// Starts a segment at (t, x).
   void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
@@ -71,7 +70,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     ++statistics.right_hand_sides;
   }
   /// Is the slope at the begin finite?
-  [[nodiscard]] bool begin_is_finite() const { return f0_.allFinite(); }
+  [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
   /// State at the begin.
   [[nodiscard]] const State<n>& begin_state() const { return x0_; }
   /// State at the end of the trial.
@@ -104,7 +103,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     }
     finish();
     trial.error = error(statistics);
-    trial.converged = x1_.allFinite() && std::isfinite(trial.error);
+    trial.converged = all_finite(x1_.data(), x1_.size()) && std::isfinite(trial.error);
     was_rejected_ = !(trial.error <= 1);
     return trial;
   }
@@ -122,16 +121,51 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     is_fresh_ = false;
   }
 
+  /// Goes on where another order has come to, from its trial function.
+  template <int other>
+  [[gnu::noinline]] void continue_from(const NewtonSteps<S, other>& from) {
+    segment_ = from.segment_;
+    x0_ = from.x0_;
+    carry_ = from.carry_;
+    f0_ = from.f0_;
+    h_ = from.h_;
+    last_length_ = from.last_length_;
+    jacobian_ = from.jacobian_;
+    has_jacobian_ = from.has_jacobian_;
+    is_fresh_ = false;
+    is_first_ = false;
+    was_rejected_ = false;
+    factored_ = 0;
+    eta_ = 1;
+    typename NewtonSteps<S, other>::Row row;
+    for (int i = 0; i < s; ++i) {
+      from.lagrange(table_.nodes[i], row);
+      for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(d, i) = from.sum(row, from.last_, d);
+    }
+  }
+  /// After a trial: 1 where Newton's iteration converges at once and more nodes would let the steps become
+  /// longer; -1 where it hardly converges, which longer steps make worse (Hairer and Wanner).
+  [[nodiscard]] int better_order() const {
+    if (contraction_ > 0.8) return -1;
+    return contraction_ < 0.002 && iterations_ > 1 ? 1 : 0;
+  }
+
   /// The trial function itself, of order s + 1.
   void at(double t, State<n>& x) const override {
+    if (t == t0_ || t == t1_) {
+      x = t == t0_ ? x0_ : x1_;
+      return;
+    }
     Row row;
     lagrange((t - t0_) / h_, row);
-    x = x0_ + (row * last_or_trial()).transpose();
+    for (Eigen::Index d = 0; d < x0_.size(); ++d) x[d] = x0_[d] + sum(row, z_, d);
   }
 
  private:
-  using Increments = Eigen::Matrix<double, s, n>;
-  using Row = Eigen::Matrix<double, 1, s>;
+  template <SystemLike, int>
+  friend class NewtonSteps;
+  using Increments = Eigen::Matrix<double, n, s>;  // a node a column
+  using Row = Column<s>;                           // a number for each node
   using RealLu = Eigen::PartialPivLU<Jacobian<n>>;
   using ComplexLu = Eigen::PartialPivLU<Matrix<std::complex<double>, n, n>>;
   static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
@@ -142,10 +176,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   static double reference(const Tolerance& t) {
     return std::min(t.relative > 0 ? t.relative : t.absolute, 0.1);
   }
-  [[nodiscard]] const Increments& last_or_trial() const { return z_; }
-
-  void factor(Statistics& statistics) {
-    const Eigen::Index m = x0_.size();
+  [[gnu::noinline]] void factor(Statistics& statistics) {
     Jacobian<n> a = -jacobian_;
     a.diagonal().array() += transform_.real / h_;
     real_lu_.compute(a);
@@ -154,7 +185,6 @@ class NewtonSteps : public DenseOutput<S::dimension> {
       b.diagonal().array() += transform_.complex[p] / h_;
       complex_lu_[p].compute(b);
     }
-    (void)m;
     factored_ = h_;
     ++statistics.factorisations;
   }
@@ -169,7 +199,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
       row[j] = value;
     }
   }
-  void predict() {
+  [[gnu::noinline]] void predict() {
     const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
     if (!(ratio > 0 && ratio < 10)) {
       z_.setZero();
@@ -178,23 +208,40 @@ class NewtonSteps : public DenseOutput<S::dimension> {
       for (int i = 0; i < s; ++i) {
         lagrange(1 + ratio * table_.nodes[i], row);
         row[s - 1] -= 1;
-        z_.row(i) = row * last_;
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) z_(d, i) = sum(row, last_, d);
       }
-      if (!z_.allFinite()) z_.setZero();
+      if (!all_finite(z_.data(), z_.size())) z_.setZero();
     }
-    w_.noalias() = transform_.to * z_;
+    combine(transform_.to, z_, w_);
+  }
+  // Component d of the nodes' sum with these weights.
+  [[nodiscard]] double sum(const Row& weights, const Increments& of, Eigen::Index d) const {
+    double total = 0;
+    for (int j = 0; j < s; ++j) total += weights[j] * of(d, j);
+    return total;
+  }
+  // to_i = sum_j a_ij from_j over nodes.
+  static void combine(const Square<s>& a, const Increments& from, Increments& to) {
+    for (int i = 0; i < s; ++i) {
+      for (Eigen::Index d = 0; d < from.rows(); ++d) {
+        double total = 0;
+        for (int j = 0; j < s; ++j) total += a(i, j) * from(d, j);
+        to(d, i) = total;
+      }
+    }
   }
 
-  Trial iterate(Statistics& statistics) {
+  [[gnu::noinline]] Trial iterate(Statistics& statistics) {
     const double enough =
         std::max(share / share_, 20 * std::numeric_limits<double>::epsilon() / least_relative());
     double before = HUGE_VAL, contraction_before = 0;
     contraction_ = 0;
     for (int count = 1;; ++count) {
+      iterations_ = count;
       for (int i = 0; i < s; ++i) {
-        node_ = x0_ + z_.row(i).transpose();
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) node_[d] = x0_[d] + z_(d, i);
         system_.rhs(segment_(i == s - 1 ? t1_ : t0_ + h_ * table_.nodes[i]), node_, slope_);
-        f_.row(i) = slope_;
+        std::copy_n(slope_.data(), slope_.size(), f_.data() + i * slope_.size());
       }
       statistics.right_hand_sides += s;
       const double size = solve(statistics);
@@ -227,53 +274,58 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     return 1 / largest;
   }
   // One iteration: (Lambda/h - J) dw = T^-1 f - Lambda w/h. The size of dz in units of the tolerance.
-  double solve(Statistics& statistics) {
+  [[gnu::noinline]] double solve(Statistics& statistics) {
     ++statistics.newton_iterations;
-    f_ = (transform_.to * f_).eval();
-    real_ = (f_.row(0) - (transform_.real / h_) * w_.row(0)).transpose();
+    const Eigen::Index size = x0_.size();
+    combine(transform_.to, f_, change_of_w_);
+    for (Eigen::Index d = 0; d < size; ++d) real_[d] = change_of_w_(d, 0) - transform_.real / h_ * w_(d, 0);
     real_ = real_lu_.solve(real_);
-    w_.row(0) += real_.transpose();
-    f_.row(0) = real_.transpose();
+    for (Eigen::Index d = 0; d < size; ++d) change_of_w_(d, 0) = real_[d];
     for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
       const auto a = static_cast<Eigen::Index>(2 * p + 1), b = a + 1;
       const std::complex<double> eigenvalue = transform_.complex[p] / h_;
-      for (Eigen::Index i = 0; i < x0_.size(); ++i)
-        complex_[i] =
-            std::complex<double>(f_(a, i), f_(b, i)) - eigenvalue * std::complex<double>(w_(a, i), w_(b, i));
+      for (Eigen::Index d = 0; d < size; ++d)
+        complex_[d] = std::complex<double>(change_of_w_(d, a), change_of_w_(d, b)) -
+                      eigenvalue * std::complex<double>(w_(d, a), w_(d, b));
       complex_ = complex_lu_[p].solve(complex_);
-      f_.row(a) = complex_.real().transpose();
-      f_.row(b) = complex_.imag().transpose();
-      w_.row(a) += f_.row(a);
-      w_.row(b) += f_.row(b);
+      for (Eigen::Index d = 0; d < size; ++d) {
+        change_of_w_(d, a) = complex_[d].real();
+        change_of_w_(d, b) = complex_[d].imag();
+      }
     }
-    z_.noalias() = transform_.from * w_;
-    f_ = (transform_.from * f_).eval();
-    double sum = 0;
-    for (Eigen::Index i = 0; i < x0_.size(); ++i) sum += (f_.col(i) / weight_[i]).squaredNorm();
-    return std::sqrt(sum / static_cast<double>(s * x0_.size()));
+    for (Eigen::Index k = 0; k < w_.size(); ++k) w_.data()[k] += change_of_w_.data()[k];
+    combine(transform_.from, w_, z_);
+    combine(transform_.from, change_of_w_, f_);
+    double squares = 0;
+    for (int i = 0; i < s; ++i) {
+      for (Eigen::Index d = 0; d < size; ++d) squares += (f_(d, i) / weight_[d]) * (f_(d, i) / weight_[d]);
+    }
+    return std::sqrt(squares / static_cast<double>(s * size));
   }
 
   void finish() {
     for (Eigen::Index i = 0; i < x0_.size(); ++i) {
-      const double whole = z_(s - 1, i) + carry_[i];
+      const double whole = z_(i, s - 1) + carry_[i];
       x1_[i] = x0_[i] + whole;
       change_[i] = whole - (x1_[i] - x0_[i]);
     }
   }
   // See the class. The second, better damped form is for steps that the first would refuse at a begin where
   // it overestimates: the first step and those after a rejection.
-  double error(Statistics& statistics) {
+  [[gnu::noinline]] double error(Statistics& statistics) {
     // The trial function's own slope at the begin, from z: l_j'(0) z_j/h.
-    slope_ = (derivative_ * z_).transpose() / h_;
-    update_ = real_lu_.solve(f0_ - slope_);
+    for (Eigen::Index d = 0; d < x0_.size(); ++d) {
+      slope_[d] = sum(derivative_, z_, d) / h_;
+      node_[d] = f0_[d] - slope_[d];
+    }
+    update_ = real_lu_.solve(node_);
     double size = norm(update_);
     if (size > 1 && (is_first_ || was_rejected_)) {
-      node_ = x0_ + update_;
-      State<n> again = update_;
-      system_.rhs(segment_(t0_), node_, again);
+      for (Eigen::Index d = 0; d < x0_.size(); ++d) node_[d] = x0_[d] + update_[d];
+      system_.rhs(segment_(t0_), node_, real_);
       ++statistics.right_hand_sides;
-      again -= slope_;
-      update_ = real_lu_.solve(again);
+      for (Eigen::Index d = 0; d < x0_.size(); ++d) real_[d] -= slope_[d];
+      update_ = real_lu_.solve(real_);
       size = norm(update_);
     }
     return size;
@@ -303,7 +355,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   const collocation::RadauTransform<s>& transform_ = collocation::radau_transform<s>();
   Row derivative_ = begin_slope(table_);
   SmoothSegment segment_;
-  Increments z_, w_, f_, last_;
+  Increments z_, w_, f_, last_, change_of_w_;
   State<n> x0_, x1_, carry_, change_, weight_, f0_, node_, slope_, update_;
   Jacobian<n> jacobian_;
   State<n> real_;
@@ -311,6 +363,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   RealLu real_lu_;
   std::array<ComplexLu, static_cast<std::size_t>((s - 1) / 2)> complex_lu_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, factored_ = 0, contraction_ = 0, eta_ = 1;
+  int iterations_ = 0;
   bool has_jacobian_ = false, is_fresh_ = false, is_first_ = true, was_rejected_ = false;
 };
 

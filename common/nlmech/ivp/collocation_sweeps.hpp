@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "nlmech/collocation/radau.hpp"
+#include "nlmech/ivp/collocation_loops.hpp"
 #include "nlmech/ivp/collocation_trial.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
@@ -33,23 +34,24 @@ namespace nlmech::ivp::adaptive {
 template <SystemLike S, int s, bool second>
 class Sweeper : public DenseOutput<S::dimension> {
  public:
-  static constexpr int error_order = 2 * s;                         ///< of the estimate in the step
-  static constexpr int n = S::dimension;                            ///< components of the state
-  using Slope = Vector<double, second ? half<n> : n>;               ///< what is unknown at a node
-  static constexpr std::string_view name = "adaptive-collocation";  ///< in sentences
+  static constexpr int error_order = 2 * s;                           ///< power of the step in the estimate
+  static constexpr int n = S::dimension;                              ///< components of the state
+  using Slope = Vector<double, second ? half<n> : n>;                 ///< what is unknown at a node
+  using Slopes = Eigen::Matrix<double, s, Slope::RowsAtCompileTime>;  ///< at all nodes, a component a column
+  static constexpr std::string_view name = "adaptive-collocation";    ///< in sentences
 
-  /// @param system outlives the sweeper
-  Sweeper(const S& system, const Tolerance& tolerance)
-      : system_(system),
-        tolerance_(tolerance),
-        x_(s, system.size()),
-        f_(s, second ? system.size() / 2 : system.size()),
+  /// @param setup the equation and what is asked
+  explicit Sweeper(const Setup<S>& setup)
+      : system_(setup.system),
+        tolerance_(setup.tolerance),
+        x_(Eigen::Matrix<double, s, n>::Zero(s, system_.size())),
+        f_(Slopes::Zero(s, second ? system_.size() / 2 : system_.size())),
         last_(f_),
-        x0_(State<n>::Zero(system.size())),
+        x0_(State<n>::Zero(system_.size())),
         x1_(x0_),
         carry_(x0_),
         change_(x0_),
-        weight_(x0_),
+        per_tolerance_(x0_),
         f0_(Slope::Zero(f_.cols())),
         new_(f0_),
         q_(f0_),
@@ -65,21 +67,24 @@ class Sweeper : public DenseOutput<S::dimension> {
     ++statistics.right_hand_sides;
   }
   /// Is the slope at the begin finite?
-  [[nodiscard]] bool begin_is_finite() const { return f0_.allFinite(); }
+  [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
   /// State at the begin.
   [[nodiscard]] const State<n>& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State<n>& end_state() const { return x1_; }
-  /// A time in which the state, @p x0 with the slope at the begin, changes by a tenth of its size.
+  /// A time in which the state, @p x0 with the slope at the begin, changes by a tenth of its size, or by a
+  /// tolerance where it has none.
   [[nodiscard]] double first_length(const State<n>& x0, double interval) const {
     const Eigen::Index m = f_.cols();
-    double rate = 0;
+    double size = 0, rate = 0;
     for (Eigen::Index i = 0; i < x0.size(); ++i) {
-      const double size = std::max(std::abs(x0[i]), tolerance_.absolute);
+      const double tolerance = tolerance_.absolute + tolerance_.relative * std::abs(x0[i]);
       const double change = second && i < m ? x0[m + i] : f0_[second ? i - m : i];
-      rate = std::max(rate, std::abs(change) / size);
+      size = std::max(size, std::abs(x0[i]) / tolerance);
+      rate = std::max(rate, std::abs(change) / tolerance);
     }
-    return rate * interval > first_share ? first_share / rate : interval;
+    const double change = std::max(first_share * size, 1.);
+    return rate * interval > change ? change / rate : interval;
   }
 
   /// Goes from the begin, t, to t1.
@@ -94,13 +99,42 @@ class Sweeper : public DenseOutput<S::dimension> {
   void accept() {
     std::swap(x0_, x1_);
     carry_ = change_;
-    f0_ = f_.row(s - 1);
+    for (Eigen::Index d = 0; d < f0_.size(); ++d) f0_[d] = f_(s - 1, d);
     std::swap(f_, last_);
     last_length_ = h_;
+  }
+  /// Goes on where another order has come to, from its trial function.
+  template <int other>
+  [[gnu::noinline]] void continue_from(const Sweeper<S, other, second>& from) {
+    segment_ = from.segment_;
+    x0_ = from.x0_;
+    carry_ = from.carry_;
+    f0_ = from.f0_;
+    last_length_ = from.last_length_;
+    for (Eigen::Index d = 0; d < last_.cols(); ++d) {
+      double c[other];
+      multiply<other>(from.table_.legendre, from.last_.data() + d * other, c);
+      legendre_sums<s>(c, other - 1, positions_after(-1, 2), last_.data() + d * s);
+    }
+  }
+  /// After a trial: 1 or -1 if s + 4 or s - 4 nodes would be cheaper.
+  ///
+  /// For a solution with singularities at a distance R the last coefficient of the slope goes like F (h/R)^s:
+  /// the step that an estimate E (h/R)^{2s} = 1 allows, E = h F/tolerance, is R E^{-1/(2s)}, and what it
+  /// costs s evaluations a sweep and what two more would take (measured). So a step twice as long pays for
+  /// more nodes where E is large, that is where the step moves the state by many tolerances.
+  [[nodiscard]] int better_order() const {
+    const auto cost = [&](int nodes) { return (nodes + 2) * std::pow(scale_, 0.5 / nodes); };
+    if (better_than_here * cost(s + 4) < cost(s)) return 1;
+    return better_than_here * cost(s - 4) < cost(s) ? -1 : 0;
   }
 
   /// The same equations on the part of the latest trial up to @p t: as accurate as its end.
   void at(double t, State<n>& x) const override {
+    if (t == t0_ || t == t1_) {
+      x = t == t0_ ? x0_ : x1_;
+      return;
+    }
     Sweeper part(*this);
     part.t1_ = t;
     part.h_ = t - t0_;
@@ -112,13 +146,16 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
  private:
-  static constexpr double first_share = 0.1;  ///< of a state's size, in the first step
+  template <SystemLike, int, bool>
+  friend class Sweeper;
+  static constexpr double better_than_here = 1.03;  ///< gain for which it is worth to change the order
+  static constexpr double first_share = 0.1;        ///< of a state's size, in the first step
   static constexpr int most_sweeps = 40;
   static constexpr double slowest = 0.9;  ///< contraction of a sweep with which there is no point in going on
   static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
   static constexpr double share = 0.05;    ///< of the tolerance that the iteration may leave
   static constexpr double outside = 10;
-  static constexpr int most_extrapolated = 7;  ///< degree that is trusted outside the interval
+  static constexpr int most_extrapolated = 9;  ///< degree that is trusted outside the interval
 
   void slope(double t, const State<n>& x, Slope& f) {
     if constexpr (second) {
@@ -145,58 +182,61 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
   // The slope of the step before, continued; its high coefficients say nothing outside.
-  void predict() {
+  [[gnu::noinline]] void predict() {
     const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
-    if (!(ratio > 0 && ratio < 3)) {
-      f_.rowwise() = f0_.transpose();
-    } else {
-      constexpr int degree = std::min(s - 1, most_extrapolated);
-      for (Eigen::Index d = 0; d < f_.cols(); ++d) {
-        Eigen::Matrix<double, degree + 1, 1> c =
-            table_.legendre.template topRows<degree + 1>() * last_.col(d);
-        for (int i = 0; i < s; ++i) f_(i, d) = legendre_sum<degree>(c, 1 + 2 * ratio * table_.nodes[i]);
-        if (!f_.col(d).allFinite()) f_.col(d).setConstant(f0_[d]);
+    const bool is_continued = ratio > 0 && ratio < 3;
+    const Column<s> positions = positions_after(1, 2 * ratio);
+    for (Eigen::Index d = 0; d < f_.cols(); ++d) {
+      double* const f = slopes(d);
+      if (is_continued) {
+        double c[s];
+        multiply<s>(table_.legendre, last_.data() + d * s, c);
+        legendre_sums<s>(c, std::min(s - 1, most_extrapolated), positions, f);
       }
+      if (!is_continued || !all_finite(f, s)) std::fill_n(f, s, f0_[d]);
     }
     form_states();
   }
   // The slope of the latest trial at the nodes of its first part.
-  void interpolate(double part, Eigen::Matrix<double, s, Slope::RowsAtCompileTime>& to) const {
+  void interpolate(double part, Slopes& to) const {
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
-      const typename collocation::Radau<s>::Column c = table_.legendre * f_.col(d);
-      for (int i = 0; i < s; ++i) to(i, d) = legendre_sum<s - 1>(c, 2 * part * table_.nodes[i] - 1);
+      double c[s];
+      multiply<s>(table_.legendre, f_.data() + d * s, c);
+      legendre_sums<s>(c, s - 1, positions_after(-1, 2 * part), to.data() + d * s);
     }
   }
-  // Clenshaw's recurrence.
-  template <int degree>
-  [[nodiscard]] static double legendre_sum(const Eigen::Matrix<double, degree + 1, 1>& c, double x) {
-    double b = 0, above = 0;
-    for (int j = degree; j >= 1; --j) {
-      const double next = c[j] + (2 * j + 1) * x / (j + 1) * b - static_cast<double>(j + 1) / (j + 2) * above;
-      above = b;
-      b = next;
-    }
-    return c[0] + x * b - above / 2;
+  // The nodes in the coordinate of P_k, -1 to 1 over a step, for a step from `begin` of this length.
+  [[nodiscard]] Column<s> positions_after(double begin, double length) const {
+    Column<s> x;
+    for (int i = 0; i < s; ++i) x[i] = begin + length * table_.nodes[i];
+    return x;
   }
+  // Component d of the slopes, of the states.
+  [[nodiscard]] double* slopes(Eigen::Index d) { return f_.data() + d * s; }
+  [[nodiscard]] const double* slopes(Eigen::Index d) const { return f_.data() + d * s; }
+  [[nodiscard]] double* states(Eigen::Index i) { return x_.data() + i * s; }
 
   // States at the nodes from slopes, and the tolerances that belong to their size.
-  void form_states() {
+  [[gnu::noinline]] void form_states() {
     const Eigen::Index m = f_.cols();
     for (Eigen::Index d = 0; d < m; ++d) {
-      const auto f = f_.col(d);
+      double* const x = states(d);
       if constexpr (second) {
-        x_.col(d) = (h_ * h_) * (table_.twice * f) + (h_ * x0_[m + d]) * table_.nodes;
-        x_.col(d).array() += x0_[d];
-        x_.col(m + d) = h_ * (table_.integral * f);
-        x_.col(m + d).array() += x0_[m + d];
+        double* const v = states(m + d);
+        multiply<s>(table_.twice, slopes(d), x);
+        multiply<s>(table_.integral, slopes(d), v);
+        for (int i = 0; i < s; ++i) {
+          x[i] = x0_[d] + (h_ * h_ * x[i] + h_ * x0_[m + d] * table_.nodes[i]);
+          v[i] = x0_[m + d] + h_ * v[i];
+        }
       } else {
-        x_.col(d) = h_ * (table_.integral * f);
-        x_.col(d).array() += x0_[d];
+        multiply<s>(table_.integral, slopes(d), x);
+        for (int i = 0; i < s; ++i) x[i] = x0_[d] + h_ * x[i];
       }
     }
     for (Eigen::Index i = 0; i < x0_.size(); ++i) {
-      const double size = std::max(std::abs(x0_[i]), x_.col(i).cwiseAbs().maxCoeff());
-      weight_[i] = tolerance_.absolute + tolerance_.relative * size;
+      const double size = std::max(std::abs(x0_[i]), largest<s>(states(i)));
+      per_tolerance_[i] = 1 / (tolerance_.absolute + tolerance_.relative * size);
     }
   }
 
@@ -204,13 +244,13 @@ class Sweeper : public DenseOutput<S::dimension> {
   [[nodiscard]] double measure(Eigen::Index d, double size) const {
     const double change = std::abs(h_) * size;
     if constexpr (second) {
-      return std::max(change / weight_[f_.cols() + d], change * std::abs(h_) / 2 / weight_[d]);
+      return std::max(change * per_tolerance_[f_.cols() + d], change * std::abs(h_) / 2 * per_tolerance_[d]);
     } else {
-      return change / weight_[d];
+      return change * per_tolerance_[d];
     }
   }
 
-  Trial sweep(Statistics& statistics, bool may_give_up) {
+  [[gnu::noinline]] Trial sweep(Statistics& statistics, bool may_give_up) {
     double before = HUGE_VAL;
     for (int count = 1;; ++count) {
       double update = 0;
@@ -223,7 +263,8 @@ class Sweeper : public DenseOutput<S::dimension> {
       if (done && (count > 1 || update == 0)) {
         finish();
         // What the iteration has left is not the solution's: the polynomial enlarges it outside the nodes.
-        return {x1_.allFinite(), error(outside * update * std::min(contraction, 1.)), count, 0};
+        return {all_finite(x1_.data(), x1_.size()), error(outside * update * std::min(contraction, 1.)),
+                count, 0};
       }
       if (count == most_sweeps || !std::isfinite(update) || (count > 3 && contraction > slowest))
         return {false, 0, count, 0.5};
@@ -245,10 +286,10 @@ class Sweeper : public DenseOutput<S::dimension> {
       if (!(part <= update)) update = part;  // a NaN stays
       const double change = h_ * difference;
       if constexpr (second) {
-        x_.col(d) += (h_ * change) * table_.twice.col(i);
-        x_.col(m + d) += change * table_.integral.col(i);
+        add_column<s>(table_.twice, i, h_ * change, states(d));
+        add_column<s>(table_.integral, i, change, states(m + d));
       } else {
-        x_.col(d) += change * table_.integral.col(i);
+        add_column<s>(table_.integral, i, change, states(d));
       }
     }
     return update;
@@ -256,7 +297,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   [[nodiscard]] double noise() const {
     double largest = 0;
     for (Eigen::Index i = 0; i < x0_.size(); ++i)
-      largest = std::max(largest, std::abs(x1_bound(i)) / weight_[i]);
+      largest = std::max(largest, x1_bound(i) * per_tolerance_[i]);
     return 4 * std::numeric_limits<double>::epsilon() * largest;
   }
   [[nodiscard]] double x1_bound(Eigen::Index i) const {
@@ -268,9 +309,9 @@ class Sweeper : public DenseOutput<S::dimension> {
   void finish() {
     const Eigen::Index m = f_.cols();
     for (Eigen::Index d = 0; d < m; ++d) {
-      const double integral = h_ * table_.integral.row(s - 1).dot(f_.col(d));
+      const double integral = h_ * row_times<s>(table_.integral, s - 1, slopes(d));
       if constexpr (second) {
-        add(d, h_ * x0_[m + d] + h_ * h_ * table_.twice.row(s - 1).dot(f_.col(d)));
+        add(d, h_ * x0_[m + d] + h_ * h_ * row_times<s>(table_.twice, s - 1, slopes(d)));
         add(m + d, integral);
       } else {
         add(d, integral);
@@ -284,16 +325,17 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
   // See the class.
-  [[nodiscard]] double error(double left) const {
+  [[gnu::noinline]] [[nodiscard]] double error(double left) {
     double residual = 0, size = 0;
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
-      const auto f = f_.col(d);
-      const double begin = std::abs(table_.left.dot(f) - f0_[d]);
-      const double tail =
-          std::max(std::abs(table_.legendre.row(s - 1).dot(f)), std::abs(table_.legendre.row(s - 2).dot(f)));
+      const double* const f = slopes(d);
+      const double begin = std::abs(dot<s>(table_.left, f) - f0_[d]);
+      const double tail = std::max(std::abs(row_times<s>(table_.legendre, s - 1, f)),
+                                   std::abs(row_times<s>(table_.legendre, s - 2, f)));
       residual = std::max(residual, measure(d, std::max(begin, tail)));
-      size = std::max(size, measure(d, f.cwiseAbs().maxCoeff()));
+      size = std::max(size, measure(d, largest<s>(f)));
     }
+    scale_ = std::max(size, 1.);
     residual -= left;
     return residual > 0 ? residual * (residual / std::max(size, residual)) : 0;
   }
@@ -302,11 +344,11 @@ class Sweeper : public DenseOutput<S::dimension> {
   Tolerance tolerance_;
   const collocation::Radau<s>& table_ = collocation::radau<s>();
   SmoothSegment segment_;
-  Eigen::Matrix<double, s, n> x_;                                // states at the nodes, a component a column
-  Eigen::Matrix<double, s, Slope::RowsAtCompileTime> f_, last_;  // slopes there, now and in the step before
-  State<n> x0_, x1_, carry_, change_, weight_;
+  Eigen::Matrix<double, s, n> x_;  // states at the nodes, a component a column
+  Slopes f_, last_;                // slopes there, now and in the step before
+  State<n> x0_, x1_, carry_, change_, per_tolerance_;
   Slope f0_, new_, q_, v_;
-  double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0;
+  double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, scale_ = 1;
 };
 
 }  // namespace nlmech::ivp::adaptive

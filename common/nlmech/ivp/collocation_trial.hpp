@@ -10,6 +10,13 @@ struct Tolerance {
   double relative;  ///< 0 or more
 };
 
+/// What an engine is made from.
+template <class S>
+struct Setup {
+  const S& system;      ///< outlives the engine
+  Tolerance tolerance;  ///< of its steps
+};
+
 /// What came of a trial step.
 struct Trial {
   bool converged;  ///< are the collocation equations solved?

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "nlmech/collocation/matrix.hpp"
+#include "nlmech/ivp/adaptive_collocation.hpp"
 #include "nlmech/ivp/backward_euler.hpp"
 #include "nlmech/ivp/central_difference.hpp"
 #include "nlmech/ivp/collocation.hpp"
@@ -73,6 +74,13 @@ constexpr std::array methods = {
                true,
                {},
                "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3",
+               false,
+               true,
+               false},
+    MethodInfo{AdaptiveCollocation::name,
+               false,
+               {},
+               "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
                false,
                true,
                false}};
@@ -176,7 +184,7 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
 
 /// A method that chooses its steps; @p method has all else.
 template <int n, class Method>
-NamedIntegrator<n> adaptive(const Settings& settings, Method method = {}) {
+NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
   method.relative_tolerance = method.absolute_tolerance = settings.tolerance.value_or(default_tolerance);
   check_options(method);
   return
@@ -198,6 +206,8 @@ NamedIntegrator<n> nystroem(const Settings& settings) {
 template <int n>
 NamedIntegrator<n> collocation_by_name(const MethodInfo& info, const Settings& settings) {
   const double shape = settings.shape.value_or(0);
+  if (info.name == AdaptiveCollocation::name)
+    return by_tolerance<n, AdaptiveCollocation>(settings, {.nodes = settings.nodes.value_or(0)});
   if (info.name == Mcpi::name) {
     const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
     return fixed_step<n>(info, settings, {},
@@ -262,11 +272,11 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
   if (info.name == BackwardEuler::name) return with([](double step) { return BackwardEuler{.step = step}; });
   if (info.name == Rk4::name) return with([](double step) { return Rk4{.step = step}; });
   if (info.name == Rk6::name) return with([](double step) { return Rk6{.step = step}; });
-  if (info.name == Ode45::name) return adaptive<n, Ode45>(settings);
+  if (info.name == Ode45::name) return by_tolerance<n, Ode45>(settings);
   if (info.name == Series::name) {
     const double step = settings.step.value_or(0);
     const int order = settings.order.value_or(settings.step ? published_order : 0);
-    return adaptive<n, Series>(settings, {.order = order, .step = step});
+    return by_tolerance<n, Series>(settings, {.order = order, .step = step});
   }
   if (auto method = collocation_by_name<n>(info, settings)) return method;
   return second_order_by_name<n>(info, settings);
