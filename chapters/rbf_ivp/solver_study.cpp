@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -142,7 +143,8 @@ scene::Table table_of(const std::vector<Row>& rows, bool quick) {
       cells.push_back(iterations_cell(row, i, quick ? 500 : 10'000));
     for (const Solver s : timed) {
       const Cost& cost = row.costs[static_cast<std::size_t>(s)];
-      cells.push_back(cost.converged ? scene::Cell(1e3 * cost.seconds / row.count) : scene::Cell());
+      cells.push_back(
+          scene::to_cell(cost.converged ? std::optional(1e3 * cost.seconds / row.count) : std::nullopt));
     }
     table.add(std::move(cells));
   }

@@ -54,8 +54,8 @@ set datafile separator ","
 set datafile columnheaders
 
 set border 15 linecolor rgb ink linewidth 1
-set xtics ("10^{−6}" -6, "10^{−4}" -4, "10^{−2}" -2, "1" 0)
-set ytics 10
+set xtics out nomirror scale 0.7,0.4 ("10^{−6}" -6, "10^{−4}" -4, "10^{−2}" -2, "1" 0)
+set ytics out nomirror scale 0.7,0.4 10
 set margins screen 0.475, screen 0.83, screen 0.17, screen 0.83
 set xlabel "{/:Italic c h}"
 set title "solved by LU (white: singular)" font sprintf("%s,%d", font_family, font_size) offset 0,-0.3

@@ -18,7 +18,7 @@ nodes = "7 15 35"
 array steps[3] = ["P/10", "P/2", "P"]
 of(n) = column("nodes") == n ? column("shape") : NaN
 capped(e) = e > 1e3 ? 1e3 : e
-floored(e) = e < 1e-40 ? NaN : e
+floored(e) = e < 1e-50 ? NaN : e
 chosen(n, name) = column("nodes") == n ? column(name) : NaN
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
@@ -47,9 +47,9 @@ do for [i = 1:3] {
   set format x ""
   unset xlabel
   set arrow 1 from given, graph 0 to given, graph 1 nohead linestyle 11
-  set arrow 2 from lowest, graph 0.10 to lowest, graph 0 head filled size screen 0.008,20 linecolor rgb colour(5) linewidth 2.5
-  set arrow 3 from nearby, graph 0.10 to nearby, graph 0 head filled size screen 0.008,20 linecolor rgb colour(6) linewidth 2.5
-  set arrow 4 from ours, graph 0.10 to ours, graph 0 head filled size screen 0.008,20 linecolor rgb colour(2) linewidth 2.5
+  set arrow 2 from lowest, graph 0.09 to lowest, graph 0 head filled size screen 0.008,20 linecolor rgb colour(5) linewidth 2.5
+  set arrow 3 from nearby, graph 0.09 to nearby, graph 0 head filled size screen 0.008,20 linecolor rgb colour(6) linewidth 2.5
+  set arrow 4 from ours, graph 0.09 to ours, graph 0 head filled size screen 0.008,20 linecolor rgb colour(2) linewidth 2.5
   if (i == 1) { set key at screen 0.53, screen 0.945 center top maxrows 3 Left reverse samplen 3 spacing 1.1 } else { unset key }
   plot data using (of(n)):(capped(column("inverse"))) with lines linestyle 5 dashtype 3 linewidth 1.3 title "inverse", \
        data using (of(n)):(capped(column("solve"))) with lines linestyle 1 linewidth 1.5 title "LU", \
@@ -62,13 +62,13 @@ do for [i = 1:3] {
 
   unset title
   set margins screen left, screen left + 0.268, screen 0.10, screen 0.42
-  set yrange [1e-40:1e20]
+  set yrange [1e-50:1e20]
   set ytics ("10^{−40}" 1e-40, "10^{−20}" 1e-20, "1" 1, "10^{20}" 1e20)
   if (i != 1) { set ytics ("" 1e-40, "" 1e-20, "" 1, "" 1e20) }
   if (i == 1) { set ylabel "cost, condition" offset 1.5,0 }
   set format x "%g"
   set xlabel "{/:Italic c h}"
-  if (i == 1) { set key at graph 0.99, graph 0.335 right top maxrows 3 Left reverse samplen 3 spacing 1.1 } else { unset key }
+  if (i == 1) { set key at graph 0.99, graph 0.43 right top maxrows 3 Left reverse samplen 3 spacing 1.1 } else { unset key }
   plot data using (of(n)):"condition" with lines linestyle 8 title "condition", \
        data using (of(n)):"cost" with lines linestyle 1 linewidth 1.5 title "cost, rounded", \
        data using (of(n)):(floored(column("exact_cost"))) with lines linestyle 2 dashtype 1 linewidth 2.5 title "cost, exact"
