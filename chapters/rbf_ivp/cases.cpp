@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "nlmech/problems/duffing.hpp"
@@ -41,14 +42,13 @@ auto trajectory_of(const Problem& problem, double end) {
   return trajectory;
 }
 
-Case<2> make_free_duffing() {
-  const problems::Duffing problem;
-  const Extended X = problem.amplitude(problem.initial_state());
+Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State<2>& x0) {
+  const Extended X = problem.amplitude(x0);
   const Extended period = problem.period(X);
-  const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, problem.initial_state())[0]);
-  return {{.name = "duffing",
+  const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, x0)[0]);
+  return {{.name = std::move(name),
            .system = ivp::System<2>(problem),
-           .x0 = problem.initial_state(),
+           .x0 = x0,
            .t0 = problems::Duffing::initial_time,
            .t1 = problems::Duffing::final_time,
            .amplitude = {static_cast<double>(X), greatest_speed},
@@ -111,7 +111,12 @@ Case<6> make_three_masses() {
 }  // namespace
 
 const Case<2>& free_duffing_case() {
-  static const Case<2> c = make_free_duffing();
+  static const Case<2> c = make_free_duffing("duffing", {}, problems::Duffing::initial_state());
+  return c;
+}
+
+const Case<2>& held_back_case() {
+  static const Case<2> c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0});
   return c;
 }
 

@@ -44,7 +44,10 @@ scene::Showing show(const Measured& measured, const Subject& subject) {
        subject.radial_low, subject.radial_high, subject.reason},
       scene::at_most("least error of radau-coll, N = 17", "1",
                      comparison::least_error(curves, "radau-coll, N = 17"), 4 * steps * rounding,
-                     "condition times half an epsilon, four times in each step and always of one sign")};
+                     "condition times half an epsilon, four times in each step and always of one sign"),
+      scene::at_most("least error of adaptive-collocation", "1",
+                     comparison::least_error(curves, "adaptive-collocation"), 1e-11,
+                     "end errors of hundred periods are the tolerance, 1e-13, times their number")};
   return showing;
 }
 

@@ -51,7 +51,13 @@ std::vector<Contender> contenders(const StepScales& s, bool quick) {
     all.push_back(by_steps(name, {}, Kind::classical, few, second_order_ladder, quick));
   for (const char* name : {"rk4", "rk6"})
     all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_ladder, quick));
-  all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
+  for (const Contender& one : with_step_control(quick)) all.push_back(one);
+  return all;
+}
+
+std::vector<Contender> with_step_control(bool quick) {
+  std::vector<Contender> all = {comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
+                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
   for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
   return all;
 }

@@ -29,4 +29,7 @@ struct StepScales {
 /// @param quick fewer settings of each
 [[nodiscard]] std::vector<comparison::Contender> contenders(const StepScales& scales, bool quick);
 
+/// Those with step control alone: adaptive-collocation, ode45 and the peers.
+[[nodiscard]] std::vector<comparison::Contender> with_step_control(bool quick);
+
 }  // namespace nlmech::chapters

@@ -5,24 +5,25 @@
 #       figures/style.gp figures/templates/error-vs-time.gp > out.svg
 #
 # Variables: data (required), legend (required: names of the methods, number 1 first, separated by |), kinds (required:
-# the kind of each, 1 to 7), heading (title; optional), floor_digits (what rounding leaves; optional), floor_right
+# the kind of each, 1 to 8), heading (title; optional), floor_digits (what rounding leaves; optional), floor_right
 # (if it exists, the words at that line stand at its right end).
 #
 # Data: CSV with the header, in one line,
 #   kind,number,digits,time_s,time_low_s,time_high_s,rhs_evaluations,best,status,method,setting
 # and one row a setting, methods in the order of their numbers, cheapest setting first. Kinds: 1 radial functions,
 # 2 polynomials and Picard iteration, 3 other methods of fixed step, 4 and 5 step control, explicit and implicit,
-# 6 Taylor series, 7 a closed form. A run
+# 6 Taylor series, 7 a closed form, 8 adaptive collocation. A run
 # that failed has no digits and is not drawn. best is 1 in the row with the most digits of a method: its number stands
 # there.
 
 if (!exists("heading")) heading = "Digits against cost"
 
-array kind_name[7] = ["radial functions", "polynomials, Picard", "fixed step, others", \
-                      "step control, explicit", "step control, implicit", "Taylor series", "closed form"]
-array kind_colour[7] = ["#D55E00", "#0072B2", "#7F7F7F", "#009E73", "#CC79A7", "#D55E00", "#000000"]
-array kind_width[7] = [2.6, 2, 1, 1.4, 1.4, 2.6, 2.6]
-array kind_point[7] = [5, 7, 2, 9, 11, 13, 15]
+array kind_name[8] = ["radial functions", "polynomials, Picard", "fixed step, others", \
+                      "step control, explicit", "step control, implicit", "Taylor series", "closed form", \
+                      "adaptive collocation"]
+array kind_colour[8] = ["#D55E00", "#0072B2", "#7F7F7F", "#009E73", "#CC79A7", "#D55E00", "#000000", "#000000"]
+array kind_width[8] = [2.6, 2, 1, 1.4, 1.4, 2.6, 2.6, 2.8]
+array kind_point[8] = [5, 7, 2, 9, 11, 13, 15, 15]
 
 # The methods by kind, to the right of the panels.
 array name[64]
@@ -37,8 +38,8 @@ while (strlen(rest) > 0) {
 kind(k) = int(word(kinds, k))
 line = 0
 small = sprintf("%s,%d", font_family, font_size - 3)
-order = "7 6 1 2 3 4 5"
-do for [place = 1:7] {
+order = "8 7 6 1 2 3 4 5"
+do for [place = 1:8] {
   group = int(word(order, place))
   members = 0
   do for [k = 1:count] {members = members + (kind(k) == group)}
@@ -84,7 +85,7 @@ do for [panel = 1:2] {
   set margins screen panel_left[panel], screen panel_left[panel] + 0.31, screen 0.15, screen 0.93
   set xlabel axis_label[panel] offset 0,0.4
   name_of_cost = cost[panel]
-  plot for [group in "3 5 4 2 1 6 7"] for [k = 1:count] \
+  plot for [group in "3 5 4 2 1 6 7 8"] for [k = 1:count] \
          data using (kind(k) == int(group) ? of(k, column(name_of_cost)) : NaN):"digits" with linespoints \
          linecolor rgb kind_colour[int(group)] linewidth kind_width[int(group)] dashtype solid \
          pointtype kind_point[int(group)] pointsize 0.55 notitle, \

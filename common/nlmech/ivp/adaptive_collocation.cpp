@@ -21,8 +21,8 @@ namespace adaptive {
 int first_order(const AdaptiveCollocation& method) {
   if (method.nodes > 0) return (method.nodes - 9) / 4;
   // Where 13 and 17 nodes begin to be cheaper, on problems of a few components.
-  if (method.relative_tolerance > 3e-7) return 0;
-  return method.relative_tolerance > 3e-12 ? 1 : 2;
+  if (method.relative_tolerance > 3e-6) return 0;
+  return method.relative_tolerance > 3e-11 ? 1 : 2;
 }
 
 }  // namespace adaptive

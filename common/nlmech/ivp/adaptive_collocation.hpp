@@ -49,8 +49,9 @@ class Run {
   Run(const Task<S>& task, const AdaptiveCollocation& method)
       : task_(task),
         largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
+        strict_{task.system, {caution * method.absolute_tolerance, caution * method.relative_tolerance}},
         setup_{task.system, {method.absolute_tolerance, method.relative_tolerance}},
-        sweeps_(setup_, first_order(method), method.nodes > 0),
+        sweeps_(strict_, first_order(method), method.nodes > 0),
         newton_(setup_, first_order(method), method.nodes > 0),
         now_{task.t0, task.x0, {}, {}},
         states_(task.system.size(), 1) {}
@@ -68,6 +69,8 @@ class Run {
 
  private:
   static constexpr std::string_view name = AdaptiveCollocation::name;
+  // Of the tolerance in a step of sweeps: errors of an oscillation add up over its steps, and in time.
+  static constexpr double caution = 0.1;
   static constexpr double safety = 0.85;
   static constexpr double rest = 1.2;               // a longer step has to be longer by this
   static constexpr int many_sweeps = 8;             // more than that are dearer than shorter steps
@@ -197,7 +200,7 @@ class Run {
   double largest_, length_ = 0, before_ = 0, root_before_ = 0;
   int slow_ = 0, calm_ = 0;
   bool is_stiff_ = false, is_guess_ = true;
-  Setup<S> setup_;
+  Setup<S> strict_, setup_;
   Sweeps sweeps_;
   Newton newton_;
   Solution<n> now_;
