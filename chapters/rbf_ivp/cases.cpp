@@ -42,7 +42,8 @@ auto trajectory_of(const Problem& problem, double end) {
   return trajectory;
 }
 
-Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State<2>& x0) {
+Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State<2>& x0,
+                          double end) {
   const Extended X = problem.amplitude(x0);
   const Extended period = problem.period(X);
   const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, x0)[0]);
@@ -50,7 +51,7 @@ Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, co
            .system = ivp::System<2>(problem),
            .x0 = x0,
            .t0 = problems::Duffing::initial_time,
-           .t1 = problems::Duffing::final_time,
+           .t1 = end,
            .amplitude = {static_cast<double>(X), greatest_speed},
            .reference = [=](double t) { return elliptic(problem, X, period, t); }},
           static_cast<double>(100 * period),
@@ -111,12 +112,13 @@ Case<6> make_three_masses() {
 }  // namespace
 
 const Case<2>& free_duffing_case() {
-  static const Case<2> c = make_free_duffing("duffing", {}, problems::Duffing::initial_state());
+  static const Case<2> c =
+      make_free_duffing("duffing", {}, problems::Duffing::initial_state(), problems::Duffing::final_time);
   return c;
 }
 
 const Case<2>& held_back_case() {
-  static const Case<2> c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0});
+  static const Case<2> c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0}, 100);
   return c;
 }
 

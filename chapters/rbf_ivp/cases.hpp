@@ -23,7 +23,7 @@ struct Case : comparison::Example<n> {
 /// Amplitudes: X and X sqrt(w^2 + eta X^2 / 2). Made at the first call.
 [[nodiscard]] const Case<2>& free_duffing_case();
 
-/// The same oscillator with eta = 10 from x = 2, to t = 500: parameters on which nothing of this project was
+/// The same oscillator with eta = 10 from x = 2, to t = 100: parameters on which nothing of this project was
 /// chosen. Its motion is five times as fast and nearly that of a purely cubic spring. Made at the first call.
 [[nodiscard]] const Case<2>& held_back_case();
 

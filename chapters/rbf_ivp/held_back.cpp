@@ -43,7 +43,7 @@ scene::Showing show(const HeldBack& held) {
 void add_held_back(scene::Chapter& chapter) {
   const auto& run = chapter.add_run<HeldBack>(
       "times-held-back",
-      "free Duffing oscillator with eta = 10 from x = 2 to t = 500; one sweep of tolerances for all; error: "
+      "free Duffing oscillator with eta = 10 from x = 2 to t = 100; one sweep of tolerances for all; error: "
       "median over 16 ends of steps in the last tenth; one thread, median of repeats",
       {}, [](Workshop& w) { return measure(w.quick()); });
   chapter.add({.name = "error-vs-time-held-back",

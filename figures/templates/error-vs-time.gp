@@ -37,6 +37,15 @@ while (strlen(rest) > 0) {
 }
 kind(k) = int(word(kinds, k))
 line = 0
+# Lines as close as they must be for all names to find room.
+groups = 0
+do for [group = 1:8] {
+  members = 0
+  do for [k = 1:count] {members = members + (kind(k) == group)}
+  groups = groups + (members > 0)
+}
+pitch = 0.94/(count + 1.35*groups)
+pitch = pitch < 0.0255 ? pitch : 0.0255
 small = sprintf("%s,%d", font_family, font_size - 3)
 order = "8 7 6 1 2 3 4 5"
 do for [place = 1:8] {
@@ -44,12 +53,12 @@ do for [place = 1:8] {
   members = 0
   do for [k = 1:count] {members = members + (kind(k) == group)}
   if (members > 0) {
-    set label bold(kind_name[group]) at screen 0.815, screen 0.955 - 0.0255*line left font small textcolor rgb kind_colour[group]
+    set label bold(kind_name[group]) at screen 0.815, screen 0.955 - pitch*line left font small textcolor rgb kind_colour[group]
     line = line + 1
     do for [k = 1:count] {
       if (kind(k) == group) {
-        set label sprintf("%d", k) at screen 0.837, screen 0.955 - 0.0255*line right font small textcolor rgb kind_colour[group]
-        set label name[k] at screen 0.845, screen 0.955 - 0.0255*line left noenhanced font small
+        set label sprintf("%d", k) at screen 0.837, screen 0.955 - pitch*line right font small textcolor rgb kind_colour[group]
+        set label name[k] at screen 0.845, screen 0.955 - pitch*line left noenhanced font small
         line = line + 1
       }
     }

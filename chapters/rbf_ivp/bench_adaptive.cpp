@@ -1,0 +1,310 @@
+/// @file
+/// `rbf_ivp_adaptive_bench`: adaptive-collocation against the other libraries at equal achieved error, by
+/// Google Benchmark. Writes results/bench/rbf_ivp_adaptive.json and tables/BENCH.md under the current folder;
+/// exit code 1 if a claim is not held.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_ivp/cases.hpp"
+#include "chapters/rbf_ivp/sweeps.hpp"
+#include "nlmech/comparison/accuracy.hpp"
+#include "nlmech/comparison/reference_end.hpp"
+#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/hires.hpp"
+#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/scene/bench.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace {
+
+using namespace nlmech;
+using chapters::Case;
+
+/// Keeps the CPU time of every repetition, in microseconds a run.
+class Keeper : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type == Run::RT_Iteration)
+        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
+    }
+  }
+  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
+    std::vector<scene::BenchSeries> all;
+    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::vector<double>> times;
+};
+
+/// A piece of work that is measured.
+struct Work {
+  std::string name;
+  std::function<void()> run;
+  double seconds;  ///< of the search, to choose by
+};
+
+struct Claim {
+  std::string fast, slow;
+  double least;
+};
+
+/// Everything that is measured, and what is said of it.
+struct Contest {
+  std::vector<Work> work;
+  std::vector<Claim> claims;
+};
+
+/// The fastest setting that reaches the wanted error.
+template <int n>
+std::optional<Work> fastest(const Case<n>& c, const comparison::Contender& contender, double wanted,
+                            const std::string& name) {
+  std::optional<Work> best;
+  for (const comparison::Setting& setting : contender.settings) {
+    const auto run = comparison::integrator<n>(contender, setting);
+    const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
+    if (!accuracy.error || *accuracy.error > wanted) continue;
+    const auto once = [&c, run] {
+      auto end = run(c.system, c.x0, c.t0, c.t1, {}, {});
+      benchmark::DoNotOptimize(end);
+    };
+    const double seconds = time_repeats(once, 5).smallest;
+    if (!best || seconds < best->seconds) best = Work{name, once, seconds};
+  }
+  return best;
+}
+
+/// Ours against the fastest of all peers, both behind the same interface.
+template <int n>
+void against_peers(Contest& contest, const Case<n>& c, double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}", c.name, wanted);
+  std::optional<Work> ours, best;
+  std::string name;
+  for (const auto& contender : chapters::with_step_control(false)) {
+    if (contender.name == "ode45") continue;
+    const bool mine = contender.name == "adaptive-collocation";
+    auto work = fastest(c, contender, wanted,
+                        fmt::format("{}, {}", at, mine ? "adaptive-collocation" : "best library"));
+    if (!work) continue;
+    if (mine) {
+      ours = std::move(work);
+    } else if (!best || work->seconds < best->seconds) {
+      best = std::move(work);
+      name = contender.name;
+    }
+  }
+  fmt::print("{}: best library {}\n", at, best ? name : "none: no other library gets there");
+  if (!ours) fmt::print("{}: adaptive-collocation does not get there\n", at);
+  if (ours && best) contest.claims.push_back({ours->name, best->name, least});
+  for (auto& one : {ours, best}) {
+    if (one) contest.work.push_back(*one);
+  }
+}
+
+/// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
+/// functions, which reach nine digits.
+template <int n>
+void against_collocation(Contest& contest, const Case<n>& c, const chapters::StepScales& scales,
+                         const std::string& method, double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
+  for (const auto& contender : chapters::contenders(scales, false)) {
+    if (contender.label() != method && contender.name != "adaptive-collocation") continue;
+    const std::string name = at + contender.label();
+    const bool is_there =
+        std::any_of(contest.work.begin(), contest.work.end(), [&](const Work& w) { return w.name == name; });
+    if (is_there) continue;
+    if (auto work = fastest(c, contender, wanted, name)) contest.work.push_back(*work);
+  }
+  contest.claims.push_back({at + "adaptive-collocation", at + method, least});
+}
+
+/// A stiff problem, judged at its end by published digits or a Taylor series in extended precision.
+template <int n>
+struct Stiff {
+  std::string name;
+  ivp::System<n> system;
+  ivp::State<n> x0;
+  double end;
+  double scale;  ///< absolute over relative tolerance: below the smallest component that counts
+  std::vector<double> truth;
+  bool by_component;  ///< errors relative to each component, else to the largest
+
+  [[nodiscard]] double error(const ivp::State<n>& x) const {
+    double largest = 0, error = 0;
+    for (const double value : truth) largest = std::max(largest, std::abs(value));
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      error = std::max(error, std::abs(x[static_cast<Eigen::Index>(i)] - truth[i]) /
+                                  (by_component ? std::abs(truth[i]) : largest));
+    return error;
+  }
+};
+
+template <int n, class Make>
+std::optional<Work> fastest_stiff(const Stiff<n>& p, Make make, double wanted, const std::string& name) {
+  std::optional<Work> best;
+  for (int half = 8; half <= 26; ++half) {
+    const double tolerance = std::pow(10, -0.5 * half);
+    const auto method = make(tolerance, tolerance * p.scale);
+    const auto s = ivp::integrate(p.system, p.x0, 0, p.end, method, {}, {.steps = 2'000'000});
+    if (!s.status.ok() || !(p.error(s.x) <= wanted)) continue;
+    const auto once = [&p, method] {
+      auto end = ivp::integrate(p.system, p.x0, 0, p.end, method);
+      benchmark::DoNotOptimize(end);
+    };
+    const double seconds = time_repeats(once, 5).smallest;
+    if (!best || seconds < best->seconds) best = Work{name, once, seconds};
+  }
+  return best;
+}
+
+template <int n>
+void against_cvode(Contest& contest, const Stiff<n>& p, double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}", p.name, wanted);
+  const auto ours = fastest_stiff(
+      p,
+      [](double r, double a) {
+        return ivp::AdaptiveCollocation{.relative_tolerance = r, .absolute_tolerance = a};
+      },
+      wanted, at + ", adaptive-collocation");
+  const auto theirs = fastest_stiff(
+      p,
+      [](double r, double a) {
+        peers::Cvode cvode{};
+        cvode.relative_tolerance = r;
+        cvode.absolute_tolerance = a;
+        return cvode;
+      },
+      wanted, at + ", cvode-bdf");
+  for (const auto& one : {ours, theirs}) {
+    if (one) contest.work.push_back(*one);
+  }
+  if (!ours) fmt::print("{}: adaptive-collocation does not get there\n", at);
+  if (!theirs) fmt::print("{}: CVODE does not get there\n", at);
+  if (ours && theirs) contest.claims.push_back({ours->name, theirs->name, least});
+}
+
+/// The end by Taylor series in extended precision.
+template <class Problem>
+std::vector<double> series_end(const Problem& problem, double end) {
+  const auto reference = comparison::reference_end(problem, Problem::initial_state(), 0.0, end, 2'000'000);
+  if (!reference.status.ok()) throw Failure(reference.status);
+  std::vector<double> values;
+  for (int i = 0; i < Problem::dimension; ++i) values.push_back(static_cast<double>(reference.x[i]));
+  return values;
+}
+
+Contest contest() {
+  Contest all;
+  for (const auto& [wanted, least] : {std::pair{1e-9, 1.0}, std::pair{1e-12, 1.5}}) {
+    against_peers(all, chapters::free_duffing_case(), wanted, least);
+    against_peers(all, chapters::impact_case(), wanted, least);
+    against_peers(all, chapters::three_mass_case(), wanted, least);
+    against_peers(all, chapters::held_back_case(), wanted, least);
+  }
+  const auto scales = chapters::free_duffing_steps();
+  const auto chain_scales = chapters::three_mass_steps();
+  against_collocation(all, chapters::free_duffing_case(), scales, "rbf-coll, N = 35", 1e-5, 40);
+  against_collocation(all, chapters::three_mass_case(), chain_scales, "rbf-coll, N = 35", 1e-7, 40);
+  against_collocation(all, chapters::free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
+  against_collocation(all, chapters::three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
+
+  // Published digits: tables/reference/ivp_test_set.csv.
+  static const Stiff<2> pol{"van der Pol 1000",
+                            ivp::System<2>(problems::VanDerPol{.mu = 1000}),
+                            {2, 0},
+                            2000,
+                            1e-3,
+                            {1.706167732170483, -0.8928097010247975e-3},
+                            true};
+  static const Stiff<3> robertson{"Robertson",
+                                  ivp::System<3>(problems::Robertson{}),
+                                  problems::Robertson::initial_state(),
+                                  1e11,
+                                  1e-8,
+                                  {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050},
+                                  true};
+  static const Stiff<Eigen::Dynamic> hires{
+      "HIRES",
+      ivp::System<Eigen::Dynamic>(problems::Hires{}),
+      problems::Hires::initial_state(),
+      321.8122,
+      1e-4,
+      {0.73713125733256e-3, 0.14424857263161e-3, 0.58887297409675e-4, 0.11756513432831e-2,
+       0.23863561988313e-2, 0.62389682527427e-2, 0.28499983951857e-2, 0.28500016048142e-2},
+      true};
+  static const problems::Duffing hard{.hardening = 1e6};
+  static const Stiff<2> duffing{"Duffing 1e6", ivp::System<2>(hard), {1, 0}, 0.2, 1, series_end(hard, 0.2),
+                                false};
+  problems::ThreeMassChain chain;
+  chain.k1 = 1e8;
+  static const Stiff<6> masses{
+      "three masses 1e8", ivp::System<6>(chain), ivp::State<6>::Zero(), 2, 1, series_end(chain, 2), false};
+  const auto both = [&](const auto& p) {
+    against_cvode(all, p, 1e-6, 1 / 1.5);
+    against_cvode(all, p, 1e-9, 1);
+  };
+  both(pol);
+  both(robertson);
+  both(hires);
+  both(duffing);
+  both(masses);
+  return all;
+}
+
+int bench(int argc, char** argv) {
+  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
+  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
+                                       "--benchmark_enable_random_interleaving=true",
+                                       "--benchmark_min_time=0.02"};
+  std::vector<char*> options(argv, argv + argc);
+  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
+  int count = static_cast<int>(options.size());
+  benchmark::Initialize(&count, options.data());
+  const Contest all = contest();
+  for (const Work& w : all.work) {
+    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
+      for (auto _ : state) w.run();
+    })->Unit(benchmark::kMicrosecond);
+  }
+  Keeper keeper;
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+  std::vector<scene::SpeedResult> results;
+  bool held = true;
+  for (const Claim& claim : all.claims) {
+    results.push_back(scene::judge_claim(
+        {fmt::format("{} against {}", claim.fast, claim.slow), claim.fast, claim.slow, claim.least},
+        keeper.series()));
+    const scene::SpeedResult& r = results.back();
+    held = held && r.held;
+    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT",
+               claim.fast + " against " + claim.slow, r.ratio, r.low, r.high, claim.least);
+  }
+  scene::write_bench("rbf_ivp_adaptive", keeper.series(), results, ".");
+  return held ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return bench(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rbf_ivp_adaptive_bench: {}\n", error.what());
+    return 1;
+  }
+}
