@@ -24,7 +24,7 @@ inline constexpr int max_nodes = 200;
 /// Neither infinite nor NaN; for every real type.
 template <class T>
 [[nodiscard]] bool is_finite(const T& x) {
-  return x - x == T(0);
+  return x - x == T(0);  // NOLINT(misc-redundant-expression): infinity and NaN are no zero
 }
 
 /// Throws std::invalid_argument unless @p least <= @p n <= max_nodes; the text names @p what and n.
