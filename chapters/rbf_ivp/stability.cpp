@@ -84,7 +84,7 @@ Fate with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& prob
 
 template <int n>
 Fate fate_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
-  const Fate refused{.method = method.name,
+  Fate refused{.method = method.name,
                      .problem = problem.name,
                      .fixed_step = method.fixed_step,
                      .outcome = Outcome::outside_validity};

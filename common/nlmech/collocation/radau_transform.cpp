@@ -19,7 +19,7 @@ RadauTransform<s> make() {
   using Square = Matrix<long double>;
   const Square inverse = (integration_matrix(radau_right<long double>(s)) / 2).inverse();
   const Eigen::EigenSolver<Square> eigen(inverse);
-  const auto values = eigen.eigenvalues();
+  const auto& values = eigen.eigenvalues();
   const auto vectors = eigen.eigenvectors();
   std::vector<int> order;
   for (int i = 0; i < s; ++i) {
