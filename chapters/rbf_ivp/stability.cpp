@@ -85,9 +85,9 @@ Fate with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& prob
 template <int n>
 Fate fate_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
   Fate refused{.method = method.name,
-                     .problem = problem.name,
-                     .fixed_step = method.fixed_step,
-                     .outcome = Outcome::outside_validity};
+               .problem = problem.name,
+               .fixed_step = method.fixed_step,
+               .outcome = Outcome::outside_validity};
   if (!method.peer && ivp::method_info(method.name).second_order_only && !problem.system.second_order())
     return refused;
   if (method.fixed_step) return with_largest_step(method, problem, most_halvings(method, quick));
