@@ -1,0 +1,262 @@
+#include "nlmech/bvp/printed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "nlmech/collocation/barycentric.hpp"
+#include "nlmech/collocation/differentiation.hpp"
+#include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/stable_gaussian.hpp"
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// D on [0, 1]; empty if it is not finite.
+MatrixXd unit_derivative(const GlobalMethod& method) {
+  const VectorXd lgl = collocation::legendre_gauss_lobatto(method.nodes);
+  const VectorXd nodes = (lgl.array() + 1) / 2;
+  switch (method.derivative) {
+    case DerivativeMatrix::polynomial: return 2 * collocation::polynomial_differentiation_matrix(lgl);
+    case DerivativeMatrix::stable_gaussian:
+      return collocation::StableGaussian(nodes, method.relative_shape).differentiation_matrix();
+    case DerivativeMatrix::gaussian:
+    case DerivativeMatrix::gaussian_inverse: break;
+  }
+  const auto inversion = method.derivative == DerivativeMatrix::gaussian ? collocation::Inversion::solve
+                                                                         : collocation::Inversion::inverse;
+  return collocation::radial_differentiation(nodes, collocation::Kernel::gaussian, method.relative_shape,
+                                             inversion)
+      .matrix;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("global collocation: " + what);
+}
+
+}  // namespace
+
+std::string_view to_string(DerivativeMatrix which) {
+  switch (which) {
+    case DerivativeMatrix::gaussian: return "gaussian";
+    case DerivativeMatrix::gaussian_inverse: return "gaussian-inverse";
+    case DerivativeMatrix::stable_gaussian: return "stable-gaussian";
+    case DerivativeMatrix::polynomial: return "polynomial";
+  }
+  return "unknown";
+}
+
+GlobalCollocation::GlobalCollocation(const Problem& problem, GlobalMethod method)
+    : problem_(problem), method_(std::move(method)), n_(problem.states()), nodes_(method_.nodes) {
+  check_problem(problem);
+  if (problem.phases() != 1) refuse(fmt::format("{} phases; it takes one", problem.phases()));
+  if (problem.parameters() != 0) refuse(fmt::format("{} parameters; it takes none", problem.parameters()));
+  std::vector<bool> seen(static_cast<std::size_t>(n_)), taken(static_cast<std::size_t>(2 * n_));
+  for (const ReplacedRow& row : method_.rows) {
+    if (row.condition < 0 || row.condition >= n_ || row.component < 0 || row.component >= n_) {
+      refuse(fmt::format("no row for condition {} and component {}", row.condition, row.component));
+    }
+    seen[static_cast<std::size_t>(row.condition)] = true;
+    const auto place = static_cast<std::size_t>(2 * row.component + (row.at_end ? 1 : 0));
+    if (taken[place]) refuse(fmt::format("two conditions in the row of component {}", row.component));
+    taken[place] = true;
+  }
+  if (std::count(seen.begin(), seen.end(), true) != n_) {
+    refuse(fmt::format("{} rows do not place each of {} conditions", method_.rows.size(), n_));
+  }
+  d_ = unit_derivative(method_);
+  const std::vector<double> points = problem.points();
+  const double length = points.back() - points.front();
+  times_ = points.front() + length * (collocation::legendre_gauss_lobatto(method_.nodes).array() + 1) / 2;
+  if (d_.size() == 0) {
+    status_ = Status::failure(
+        Outcome::non_finite,
+        fmt::format("global collocation: the derivative matrix of {} nodes and shape c T = {} is not finite; "
+                    "choose a larger shape",
+                    method_.nodes, method_.relative_shape));
+    return;
+  }
+  d_ /= length;
+}
+
+VectorXd GlobalCollocation::unknowns(const Start& start) const {
+  VectorXd result(size()), x(n_);
+  for (Index j = 0; j < nodes_; ++j) {
+    start.states(times_[j], x);
+    for (Index k = 0; k < n_; ++k) result[k * nodes_ + j] = x[k];
+  }
+  return result;
+}
+
+MatrixXd GlobalCollocation::states(const VectorXd& unknowns) const {
+  return unknowns.reshaped(nodes_, n_).transpose();
+}
+
+MatrixXd GlobalCollocation::ends(const VectorXd& x) const {
+  MatrixXd result(n_, 2);
+  for (Index k = 0; k < n_; ++k) {
+    result(k, 0) = x[k * nodes_];
+    result(k, 1) = x[(k + 1) * nodes_ - 1];
+  }
+  return result;
+}
+
+VectorXd GlobalCollocation::condition_residuals(const VectorXd& unknowns) const {
+  VectorXd r(n_);
+  problem_.conditions(ends(unknowns), VectorXd(), r);
+  return r;
+}
+
+Index GlobalCollocation::row_of(const ReplacedRow& row) const {
+  return row.component * nodes_ + (row.at_end ? nodes_ - 1 : 0);
+}
+
+void GlobalCollocation::residual(const VectorXd& x, VectorXd& f) {
+  VectorXd at(n_), slope(n_);
+  const auto values = x.reshaped(nodes_, n_);
+  f = (d_ * values).reshaped();
+  for (Index j = 0; j < nodes_; ++j) {
+    at = values.row(j).transpose();
+    problem_.rhs(times_[j], at, VectorXd(), slope);
+    for (Index k = 0; k < n_; ++k) f[k * nodes_ + j] -= slope[k];
+  }
+  const VectorXd r = condition_residuals(x);
+  for (const ReplacedRow& row : method_.rows) f[row_of(row)] = r[row.condition];
+}
+
+void GlobalCollocation::linearise(const VectorXd& x) {
+  matrix_ = MatrixXd::Zero(size(), size());
+  MatrixXd by_state(n_, n_), none(n_, 0);
+  for (Index k = 0; k < n_; ++k) matrix_.block(k * nodes_, k * nodes_, nodes_, nodes_) = d_;
+  VectorXd at(n_);
+  for (Index j = 0; j < nodes_; ++j) {
+    at = x.reshaped(nodes_, n_).row(j).transpose();
+    problem_.jacobian(times_[j], at, VectorXd(), by_state, none);
+    for (Index k = 0; k < n_; ++k) {
+      for (Index i = 0; i < n_; ++i) matrix_(k * nodes_ + j, i * nodes_ + j) -= by_state(k, i);
+    }
+  }
+  MatrixXd by_ends(n_, 2 * n_);
+  problem_.condition_jacobian(ends(x), VectorXd(), by_ends, none);
+  for (const ReplacedRow& row : method_.rows) {
+    const Index at_row = row_of(row);
+    matrix_.row(at_row).setZero();
+    for (Index i = 0; i < n_; ++i) {
+      matrix_(at_row, i * nodes_) = by_ends(row.condition, i);
+      matrix_(at_row, (i + 1) * nodes_ - 1) = by_ends(row.condition, n_ + i);
+    }
+  }
+}
+
+std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem) {
+  if (problem.model().states() != 2) {
+    throw std::invalid_argument(
+        fmt::format("printed_rows: {} states; the text has two", problem.model().states()));
+  }
+  const auto& begin = problem.task().begin;
+  const auto& end = problem.task().end;
+  // Components are x1, x2, lambda1, lambda2. Eq. 5.28, and by analogy x1x1, keep the rows of x1 and lambda2.
+  if (begin[0] && end[0]) return {{0, 1, false}, {1, 2, false}, {2, 1, true}, {3, 2, true}};
+  return {{0, begin[0] ? 0 : 2, false},
+          {1, begin[1] ? 1 : 3, false},
+          {2, end[0] ? 0 : 2, true},
+          {3, end[1] ? 1 : 3, true}};
+}
+
+namespace {
+
+/// The root as a solution: one interval, the polynomial through the values.
+Solution as_solution(const Problem& problem, const GlobalCollocation& equations, const VectorXd& root) {
+  const auto nodes = static_cast<int>(equations.times().size());
+  Solution s;
+  s.scheme = std::make_shared<const Scheme>(make_scheme(Family::lobatto_values, nodes, 1).scheme);
+  const double t0 = equations.times()[0], h = equations.times()[nodes - 1] - t0;
+  Interval interval{t0, h, 0, equations.states(root), MatrixXd::Zero(problem.states(), nodes)};
+  VectorXd f(problem.states()), x;
+  for (Index j = 0; j < nodes; ++j) {
+    x = interval.values.col(j);
+    problem.rhs(equations.times()[j], x, VectorXd(), f);
+    interval.slopes.col(j) = f;
+  }
+  s.unknowns.intervals.push_back(std::move(interval));
+  return s;
+}
+
+void judge(const Problem& problem, const GlobalCollocation& equations, double tolerance,
+           GlobalResult& result) {
+  Solution& s = result.extremal.solution;
+  const VectorXd& t = equations.times();
+  const std::span<const double> times(t.data(), static_cast<std::size_t>(t.size()));
+  const Flight flight = fly(problem, s.first(), VectorXd(), times);
+  result.flown = flight.states;
+  double worst = std::numeric_limits<double>::infinity();
+  if (flight.status.ok()) {
+    const MatrixXd& values = s.unknowns.intervals.front().values;
+    const VectorXd scale = values.cwiseAbs().rowwise().maxCoeff().array() + 1;
+    worst = (scale.cwiseInverse().asDiagonal() * (values - flight.states)).cwiseAbs().maxCoeff();
+    s.flown_end = flight.states.rightCols(1);
+  }
+  s.flight_error = worst;
+  if (worst <= tolerance) return;
+  s.status = Status::failure(
+      Outcome::spurious_root,
+      fmt::format("global collocation: the root of the equations is no solution: flown from its own initial "
+                  "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
+                  "with refinement, or start elsewhere",
+                  worst, tolerance));
+}
+
+}  // namespace
+
+GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method, const Start& start,
+                          double flight_tolerance, bool damped, int iterations) {
+  GlobalResult result;
+  GlobalCollocation equations(problem, method);
+  Solution& s = result.extremal.solution;
+  s.status = equations.status();
+  if (!s.status.ok()) return result;
+  VectorXd x = equations.unknowns(start);
+  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
+  if (damped) {
+    result.report = find_root(
+        algebraic::DampedNewton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations}, equations, x);
+  } else {
+    result.report = find_root(algebraic::Newton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations},
+                              equations, x);
+  }
+  if (!x.allFinite()) {
+    s.status =
+        result.report.status.ok()
+            ? Status::failure(Outcome::non_finite, "global collocation: Newton's iterate is not finite")
+            : result.report.status;
+    return result;
+  }
+  s = as_solution(problem, equations, x);
+  s.status = result.report.status;
+  s.statistics = result.report.statistics;
+  result.conditions = equations.condition_residuals(x);
+  result.extremal.final_time = problem.task().final_time;
+  result.extremal.mu = problem.task().mu;
+  result.extremal.cost = cost_of(problem, s);
+  result.extremal.miss = std::numeric_limits<double>::quiet_NaN();
+  if (!s.status.ok()) return result;
+  judge(problem, equations, flight_tolerance, result);
+  if (s.flown_end.size() == 0) return result;
+  result.extremal.miss = 0;
+  for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
+    const auto& value = problem.task().end[i];
+    const auto row = static_cast<Index>(i);
+    if (value) result.extremal.miss = std::max(result.extremal.miss, std::abs(s.flown_end[row] - *value));
+  }
+  return result;
+}
+
+}  // namespace nlmech::bvp

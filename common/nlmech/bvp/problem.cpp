@@ -1,0 +1,62 @@
+#include "nlmech/bvp/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace nlmech::bvp {
+
+int Problem::condition_count() const { return states() * phases() + parameters(); }
+
+Start constant_start(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters) {
+  return {[x](double, Eigen::VectorXd& at) { at = x; }, parameters};
+}
+
+Start random_start(const Eigen::VectorXd& amplitudes, double t0, double t1, unsigned seed,
+                   const Eigen::VectorXd& parameters) {
+  if (!(t0 < t1)) {
+    throw std::invalid_argument(fmt::format("random_start: t0 = {} is not before t1 = {}", t0, t1));
+  }
+  std::mt19937 engine(seed);
+  Eigen::MatrixXd coefficients(amplitudes.size(), 4);
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    for (Eigen::Index i = 0; i < amplitudes.size(); ++i) {
+      // The engine's numbers are the same everywhere; those of the library's distributions are not.
+      coefficients(i, j) = amplitudes[i] * (static_cast<double>(engine()) * 0x1p-31 - 1);
+    }
+  }
+  const auto states = [coefficients, t0, t1](double t, Eigen::VectorXd& x) {
+    const double s = 2 * (t - t0) / (t1 - t0) - 1;
+    x = coefficients * Eigen::Vector4d(1, s, 2 * s * s - 1, s * (4 * s * s - 3));
+  };
+  return {states, parameters};
+}
+
+void check_problem(const Problem& problem) {
+  if (problem.states() < 1) {
+    throw std::invalid_argument(fmt::format("boundary value problem: {} states", problem.states()));
+  }
+  if (problem.parameters() < 0) {
+    throw std::invalid_argument(fmt::format("boundary value problem: {} parameters", problem.parameters()));
+  }
+  const std::vector<double> points = problem.points();
+  if (points.size() < 2) {
+    throw std::invalid_argument("boundary value problem: fewer than two points in time");
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!std::isfinite(points[k]) || (k > 0 && !(points[k] > points[k - 1]))) {
+      throw std::invalid_argument(fmt::format(
+          "boundary value problem: point {} at t = {} is not after the one before", k, points[k]));
+    }
+  }
+  const int needed = problem.states() * problem.phases() + problem.parameters();
+  if (problem.condition_count() != needed) {
+    throw std::invalid_argument(fmt::format(
+        "boundary value problem: {} conditions for {} states on {} phases with {} parameters; {} are needed",
+        problem.condition_count(), problem.states(), problem.phases(), problem.parameters(), needed));
+  }
+}
+
+}  // namespace nlmech::bvp

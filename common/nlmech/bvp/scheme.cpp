@@ -1,0 +1,170 @@
+#include "nlmech/bvp/scheme.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "nlmech/collocation/barycentric.hpp"
+#include "nlmech/collocation/differentiation.hpp"
+#include "nlmech/collocation/integration.hpp"
+#include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/stable_gaussian.hpp"
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+bool by_slopes(Family family) { return family == Family::lobatto || family == Family::radau; }
+
+/// The nodes at which the slope is interpolated: all, but for Radau's not the left end.
+VectorXd slope_nodes(const Scheme& scheme) {
+  return scheme.family == Family::radau ? VectorXd(scheme.nodes.tail(scheme.nodes.size() - 1)) : scheme.nodes;
+}
+
+RowVectorXd cardinal_row(const VectorXd& nodes, double tau) {
+  RowVectorXd row;
+  collocation::polynomial_row(nodes, collocation::barycentric_weights(nodes), tau, row);
+  return row;
+}
+
+/// Puts a row for the slope nodes into one for all nodes.
+RowVectorXd spread(const RowVectorXd& row, Index size) {
+  RowVectorXd all = RowVectorXd::Zero(size);
+  all.tail(row.size()) = row;
+  return all;
+}
+
+/// Integrals of the cardinal polynomials from 0 to tau, by the Gauss rule that is exact for them.
+RowVectorXd integral_row(const VectorXd& nodes, double tau) {
+  const int points = static_cast<int>(nodes.size() + 1) / 2;
+  const VectorXd gauss = collocation::legendre_gauss(points);
+  RowVectorXd sum = RowVectorXd::Zero(nodes.size());
+  for (const double x : gauss) {
+    const double slope = collocation::jacobi(points, 0, 0, x).derivative;
+    sum += tau / ((1 - x * x) * slope * slope) * cardinal_row(nodes, tau * (x + 1) / 2);
+  }
+  return sum;
+}
+
+void set_integral_equations(Scheme& scheme) {
+  const Index n = scheme.nodes.size();
+  const VectorXd at = 2 * slope_nodes(scheme).array() - 1;
+  const MatrixXd integral = collocation::integration_matrix(at) / 2;
+  scheme.value = MatrixXd::Zero(n - 1, n);
+  scheme.value.col(0).setConstant(-1);
+  scheme.value.rightCols(n - 1).setIdentity();
+  scheme.slope = MatrixXd::Zero(n - 1, n);
+  scheme.slope.rightCols(integral.cols()) = integral.bottomRows(n - 1);
+  scheme.weights = scheme.slope.row(n - 2);
+}
+
+Status set_derivative_equations(Scheme& scheme, double relative_shape, bool keep) {
+  const Index n = scheme.nodes.size();
+  MatrixXd d;
+  if (scheme.family == Family::lobatto_values) {
+    d = 2 * collocation::polynomial_differentiation_matrix(
+                collocation::legendre_gauss_lobatto(static_cast<int>(n)));
+  } else if (scheme.family == Family::stable_gaussian) {
+    d = collocation::StableGaussian(scheme.nodes, relative_shape).differentiation_matrix();
+  } else {
+    auto result =
+        collocation::radial_differentiation(scheme.nodes, collocation::Kernel::gaussian, relative_shape);
+    if (!result.status.ok() && !(keep && result.matrix.size() > 0)) return result.status;
+    d = std::move(result.matrix);
+  }
+  scheme.value = d.bottomRows(n - 1);
+  scheme.slope = MatrixXd::Zero(n - 1, n);
+  scheme.slope.rightCols(n - 1).setIdentity();
+  const MatrixXd integral =
+      collocation::integration_matrix(collocation::legendre_gauss_lobatto(static_cast<int>(n))) / 2;
+  scheme.weights = integral.row(n - 1);
+  return {};
+}
+
+void set_probes(Scheme& scheme) {
+  const Index n = scheme.nodes.size();
+  scheme.probes = (scheme.nodes.head(n - 1) + scheme.nodes.tail(n - 1)) / 2;
+  scheme.probe_value.resize(n - 1, n);
+  scheme.probe_slope = scheme.probe_value_dot = scheme.probe_slope_dot = scheme.probe_value;
+  RowVectorXd value, slope;
+  for (Index i = 0; i + 1 < n; ++i) {
+    scheme.row(scheme.probes[i], value, slope);
+    scheme.probe_value.row(i) = value;
+    scheme.probe_slope.row(i) = slope;
+    scheme.row_dot(scheme.probes[i], value, slope);
+    scheme.probe_value_dot.row(i) = value;
+    scheme.probe_slope_dot.row(i) = slope;
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Family family) {
+  switch (family) {
+    case Family::lobatto: return "lobatto";
+    case Family::radau: return "radau";
+    case Family::lobatto_values: return "lobatto-values";
+    case Family::gaussian: return "gaussian";
+    case Family::stable_gaussian: return "stable-gaussian";
+  }
+  return "unknown";
+}
+
+void Scheme::row(double tau, RowVectorXd& of_value, RowVectorXd& of_slope) const {
+  const Index n = nodes.size();
+  if (by_slopes(family)) {
+    of_value = RowVectorXd::Unit(n, 0);
+    of_slope = spread(integral_row(slope_nodes(*this), tau), n);
+  } else {
+    of_value = cardinal_row(nodes, tau);
+    of_slope = RowVectorXd::Zero(n);
+  }
+}
+
+void Scheme::row_dot(double tau, RowVectorXd& of_value, RowVectorXd& of_slope) const {
+  const Index n = nodes.size();
+  if (by_slopes(family)) {
+    of_value = RowVectorXd::Zero(n);
+    of_slope = spread(cardinal_row(slope_nodes(*this), tau), n);
+  } else {
+    // The derivative of a polynomial is the polynomial through its derivatives at the nodes.
+    of_value = cardinal_row(nodes, tau) * collocation::polynomial_differentiation_matrix(nodes);
+    of_slope = RowVectorXd::Zero(n);
+  }
+}
+
+SchemeOrStatus make_scheme(Family family, int nodes, double relative_shape, bool keep_ill_conditioned) {
+  const int least = by_slopes(family) ? 3 : 2;
+  if (nodes < least || nodes > collocation::max_nodes) {
+    throw std::invalid_argument(fmt::format("make_scheme: {} nodes; {} takes {} to {}", nodes,
+                                            to_string(family), least, collocation::max_nodes));
+  }
+  const bool gaussian = family == Family::gaussian || family == Family::stable_gaussian;
+  if (gaussian && !(relative_shape > 0)) {
+    throw std::invalid_argument(
+        fmt::format("make_scheme: the shape c h = {} is not positive", relative_shape));
+  }
+  SchemeOrStatus result;
+  Scheme& scheme = result.scheme;
+  scheme.family = family;
+  const VectorXd at = family == Family::radau ? collocation::left_end_and_radau(nodes)
+                                              : collocation::legendre_gauss_lobatto(nodes);
+  scheme.nodes = (at.array() + 1) / 2;
+  if (by_slopes(family)) {
+    set_integral_equations(scheme);
+    scheme.order = family == Family::lobatto ? nodes : nodes - 1;
+    scheme.end_order = family == Family::lobatto ? 2 * nodes - 2 : 2 * nodes - 3;
+  } else {
+    result.status = set_derivative_equations(scheme, relative_shape, keep_ill_conditioned);
+    scheme.order = scheme.end_order = nodes - 1;
+  }
+  if (result.status.ok()) set_probes(scheme);
+  return result;
+}
+
+}  // namespace nlmech::bvp
