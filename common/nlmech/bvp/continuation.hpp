@@ -70,6 +70,6 @@ using ConstraintPath = std::function<Constraints(double s)>;
 
 /// Constraints for bounded states: the weight of the penalty grows from 1 to @p weight, the smoothing falls
 /// from 0.1 to 1/sqrt(weight).
-[[nodiscard]] ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight = 1e6);
+[[nodiscard]] ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight = 1e4);
 
 }  // namespace nlmech::bvp

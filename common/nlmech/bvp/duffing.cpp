@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 
+#include "nlmech/bvp/dual_control.hpp"
+
 namespace nlmech::bvp {
 
 std::string_view to_string(DuffingCase which) {

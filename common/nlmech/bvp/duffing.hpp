@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "nlmech/bvp/direct_start.hpp"
-#include "nlmech/bvp/dual_control.hpp"
 #include "nlmech/bvp/multistart.hpp"
+#include "nlmech/series/vector.hpp"
 
 namespace nlmech::bvp {
 

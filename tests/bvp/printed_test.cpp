@@ -1,0 +1,115 @@
+#include "nlmech/bvp/printed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/bvp/duffing.hpp"
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+DuffingSettings settings_of(DuffingCase which) {
+  DuffingSettings settings;
+  settings.which = which;
+  settings.beta = printed_beta(which);
+  return settings;
+}
+
+/// Errors of states and co-states at the nodes against the flown solution, from the best extremal.
+std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
+  const DuffingSettings settings = settings_of(which);
+  const ExtremalProblem problem = duffing_problem(settings);
+  const Multistart m = duffing_extremals(settings, {.random = 0}, {}, {});
+  GlobalMethod method = given;
+  method.rows = printed_rows(problem);
+  const GlobalResult r = solve_global(problem, method, start_from(m.found.at(0).extremal.solution));
+  EXPECT_TRUE(r.extremal.solution.status.ok()) << r.extremal.solution.status.text();
+  EXPECT_LE(r.conditions.cwiseAbs().maxCoeff(), 1e-14);  // Table 5.3: the linear solve, not the accuracy
+  const MatrixXd e = r.extremal.solution.unknowns.intervals[0].values - r.flown;
+  return {e.topRows(2).cwiseAbs().maxCoeff(), e.bottomRows(2).cwiseAbs().maxCoeff()};
+}
+
+TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
+  // With D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5 (independent program). To a fifth.
+  const GlobalMethod exact{.derivative = DerivativeMatrix::stable_gaussian};
+  EXPECT_NEAR(errors(DuffingCase::free, exact).first, 2.5e-5, 5e-6);
+  const auto fixed = errors(DuffingCase::fixed, exact);
+  EXPECT_NEAR(fixed.first, 2.0e-4, 4e-5);
+  EXPECT_NEAR(fixed.second, 2.1e-3, 4e-4);
+  EXPECT_NEAR(errors(DuffingCase::x1x2, exact).first, 3.8e-5, 8e-6);
+  // As printed, D from a matrix of condition 4e17: the digits of D are lost to rounding, the error is not
+  // 1e-7.
+  const double printed = errors(DuffingCase::free, {}).first;
+  EXPECT_GT(printed, 1e-6);
+  EXPECT_LT(printed, 1e-3);
+  // Its flat limit: 5e-13 measured at N = 40.
+  EXPECT_LE(errors(DuffingCase::free, {.derivative = DerivativeMatrix::polynomial}).first, 5e-12);
+}
+
+TEST(Printed, RowsAreThoseOfTheText) {
+  // Eq. 5.25: own rows. Eq. 5.28: x2 and lambda1 at both ends.
+  const auto free = printed_rows(duffing_problem(settings_of(DuffingCase::free)));
+  const auto fixed = printed_rows(duffing_problem(settings_of(DuffingCase::fixed)));
+  for (int k = 0; k < 4; ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    EXPECT_EQ(free[index].condition, k);
+    EXPECT_EQ(free[index].component, k);
+    EXPECT_EQ(fixed[index].component, k % 2 == 0 ? 1 : 2);
+    EXPECT_EQ(fixed[index].at_end, k >= 2);
+  }
+}
+
+TEST(Printed, SpuriousRootsAreRefused) {
+  // Random node-wise guesses at T = 5: nearly all roots of the equations are none of the problem (findings:
+  // 0 good, 20 of 100 spurious for the fixed case).
+  DuffingSettings settings = settings_of(DuffingCase::fixed);
+  settings.final_time = 5;
+  const ExtremalProblem problem = duffing_problem(settings);
+  const GlobalMethod method{.nodes = 24, .relative_shape = 23.0 / 4, .rows = printed_rows(problem)};
+  int spurious = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const Start start = random_start(Eigen::Vector4d::Constant(3), 0, 5, seed);
+    const GlobalResult r = solve_global(problem, method, start, 0.1, true, 100);
+    if (r.extremal.solution.status.ok()) {
+      EXPECT_LE(r.extremal.solution.flight_error, 0.1);
+    }
+    spurious += r.extremal.solution.status.outcome() == Outcome::spurious_root ? 1 : 0;
+  }
+  EXPECT_GE(spurious, 1);
+}
+
+TEST(Printed, DerivativeOfTheEquationsMatchesDifferences) {
+  const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::x2x1));
+  GlobalMethod method{.nodes = 8, .relative_shape = 3, .rows = printed_rows(problem)};
+  GlobalCollocation equations(problem, method);
+  ASSERT_TRUE(equations.status().ok());
+  const VectorXd x = equations.unknowns(random_start(Eigen::Vector4d::Ones(), 0, 2, 7));
+  equations.linearise(x);
+  VectorXd f0(x.size()), f1(x.size()), product(x.size());
+  const VectorXd v = VectorXd::LinSpaced(x.size(), -1, 1);
+  const double h = 1e-6;
+  equations.residual(x + h * v, f1);
+  equations.residual(x - h * v, f0);
+  equations.apply(v, product);
+  // Central differences: h^2 times third derivatives, and rounding 1e-16 |D| / h.
+  EXPECT_LE(((f1 - f0) / (2 * h) - product).cwiseAbs().maxCoeff(), 1e-6);
+  MatrixXd b;
+  equations.matrix(b);
+  VectorXd transposed(x.size());
+  equations.apply_transposed(v, transposed);
+  EXPECT_LE((b.transpose() * v - transposed).norm(), 1e-12 * transposed.norm());
+}
+
+TEST(Printed, RefusesRowsThatDoNotFit) {
+  const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::free));
+  GlobalMethod method;
+  EXPECT_THROW(GlobalCollocation(problem, method), std::invalid_argument);
+  method.rows = {{0, 0, false}, {1, 0, false}, {2, 2, true}, {3, 3, true}};
+  EXPECT_THROW(GlobalCollocation(problem, method), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::bvp
