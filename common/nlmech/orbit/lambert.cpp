@@ -110,11 +110,6 @@ struct Scaled {
 [[nodiscard]] LambertSolution solve(const LambertProblem& problem, const Scaled& scaled,
                                     const LambertArc& arc) {
   LambertSolution solution;
-  // From T = 1e21 on, 1 + x (or 1 - x) has hardly a bit; below 1e-150, x^2 overflows.
-  if (!(scaled.wanted > 1e-150 && scaled.wanted < 1e21)) {
-    solution.status = out_of_reach(problem, scaled.wanted);
-    return solution;
-  }
   detail::Found found;
   const detail::Arrived arrived =
       detail::find_x(scaled.chord, scaled.wanted, arc.revolutions, arc.branch, found);

@@ -280,6 +280,8 @@ enum class Arrived { yes, no_such_arc, lost };
 [[nodiscard]] inline Arrived find_x(const Chord& k, double wanted, int revolutions, LambertBranch branch,
                                     Found& found) {
   constexpr double pi = 3.14159265358979323846, infinity = std::numeric_limits<double>::infinity();
+  // From T = 1e21 on, 1 + x (or 1 - x) has hardly a bit; below 1e-150, x^2 overflows.
+  if (!(wanted > 1e-150 && wanted < 1e21)) return Arrived::lost;
   const TimeCurve curve{k.lambda, k.complement, revolutions * pi};
   if (revolutions == 0) {
     found = find_root(curve, wanted, -1, infinity, single_start(curve, wanted), true);

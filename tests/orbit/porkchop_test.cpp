@@ -1,0 +1,166 @@
+/// Grids of transfers: every cell against Lambert's problem solved by itself, the same bits for any threads
+/// and shards, and Hohmann's transfer as the known minimum.
+#include "nlmech/orbit/porkchop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <stdexcept>
+
+#include "nlmech/orbit/elements.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "tests/orbit/oracle.hpp"
+
+namespace nlmech::orbit {
+namespace {
+
+using namespace oracle;
+
+/// Two inclined ellipses about mu = 1, some synodic period of both.
+PorkchopProblem two_orbits() {
+  PorkchopProblem p;
+  p.from = {state_of(from_axis(1, 0.02, 0.1, 0.3, 1.8, 0), 1), 0.5};
+  p.to = {state_of(from_axis(1.52, 0.09, 0.03, 0.9, 5, 1), 1), -2};
+  p.departures = {0, 13, 41};
+  p.arrivals = {5, 40, 53};
+  p.most_revolutions = 3;
+  return p;
+}
+
+void expect_same_bits(const PorkchopCell& a, const PorkchopCell& b) {
+  EXPECT_EQ(std::memcmp(&a.v_departure, &b.v_departure, sizeof(double)), 0);
+  EXPECT_EQ(std::memcmp(&a.v_arrival, &b.v_arrival, sizeof(double)), 0);
+  EXPECT_EQ(a.revolutions, b.revolutions);
+  EXPECT_EQ(a.long_way, b.long_way);
+  EXPECT_EQ(a.branch, b.branch);
+}
+
+TEST(Porkchop, EveryCellIsTheBestOfAllArcs) {
+  const PorkchopProblem p = two_orbits();
+  const Porkchop grid = porkchop(p, {.threads = 1});
+  ASSERT_TRUE(grid.status.ok()) << grid.status.text();
+  int revolving = 0, without = 0;
+  for (std::size_t i = 0; i < 41; i += 3) {
+    for (std::size_t j = 0; j < 53; ++j) {
+      const double leave = p.departures.at(static_cast<int>(i)), arrive = p.arrivals.at(static_cast<int>(j));
+      const PorkchopCell& cell = grid.at(i, j);
+      if (arrive <= leave) {
+        EXPECT_FALSE(cell.exists());
+        ++without;
+        continue;
+      }
+      const State from = propagate_kepler(p.from.state, leave - p.from.epoch, 1).state;
+      const State to = propagate_kepler(p.to.state, arrive - p.to.epoch, 1).state;
+      double least = HUGE_VAL, departure = 0;
+      for (const SolvedArc& a : lambert_arcs({from.position, to.position, arrive - leave, 1}, 3)) {
+        const double d = (a.solution.v1 - from.velocity).norm();
+        const double sum = d + (a.solution.v2 - to.velocity).norm();
+        if (sum < least) {
+          least = sum;
+          departure = d;
+        }
+      }
+      // The same solver, with rounding of the sums alone; that it is right is what its own tests are for.
+      EXPECT_NEAR(cell.v_departure + cell.v_arrival, least, 16 * eps * least);
+      EXPECT_NEAR(cell.v_departure, departure, 16 * eps * (1 + departure));
+      revolving += cell.revolutions > 0;
+    }
+  }
+  EXPECT_GT(revolving, 100);
+  EXPECT_GT(without, 10);
+}
+
+TEST(Porkchop, SameBitsForAnyNumberOfThreads) {
+  const PorkchopProblem p = two_orbits();
+  const Porkchop one = porkchop(p, {.threads = 1});
+  for (const int threads : {0, 2, 3, 16, 64}) {
+    const Porkchop many = porkchop(p, {.threads = threads});
+    ASSERT_EQ(many.cells.size(), one.cells.size());
+    for (std::size_t k = 0; k < one.cells.size(); ++k) expect_same_bits(one.cells[k], many.cells[k]);
+    EXPECT_EQ(many.statistics.steps, one.statistics.steps);
+  }
+}
+
+TEST(Porkchop, ShardsAreDisjointAndMakeUpTheGrid) {
+  const PorkchopProblem p = two_orbits();
+  const Porkchop whole = porkchop(p);
+  for (const int shards : {2, 5, 41, 50}) {
+    std::size_t k = 0;
+    for (int shard = 1; shard <= shards; ++shard) {
+      const Porkchop part = porkchop(p, {.threads = 2, .shard = shard, .shards = shards});
+      EXPECT_EQ(static_cast<std::size_t>(part.first_row) * whole.arrivals.size(), k);
+      for (std::size_t i = 0; i < part.departures.size(); ++i)
+        EXPECT_EQ(part.departures[i], whole.departures[static_cast<std::size_t>(part.first_row) + i]);
+      for (const PorkchopCell& cell : part.cells) expect_same_bits(cell, whole.cells.at(k++));
+    }
+    EXPECT_EQ(k, whole.cells.size());
+  }
+}
+
+// Between circles of radius 1 and 2 the cheapest transfer of all times is Hohmann's half ellipse, at 180
+// degrees: W. Hohmann, 1925; v = (2/r - 2/(r_1 + r_2))^(1/2) at both ends. A grid that has its times in it
+// finds it, and no cell is cheaper.
+TEST(Porkchop, HohmannsTransferIsTheMinimum) {
+  const double half = pi * std::pow(1.5, 1.5);
+  const double v1 = std::sqrt(2 / 1. - 2 / 3.), v2 = std::sqrt(2 / 2. - 2 / 3.);
+  PorkchopProblem p;
+  p.from.state = {{1, 0, 0}, {0, 1, 0}};
+  p.to.state = {{2, 0, 0}, {0, std::sqrt(0.5), 0}};
+  // Leaves at an angle of t, arrives half a turn later where the other is t2/sqrt(8): t + pi = t2/sqrt(8) + 2
+  // pi k.
+  const double rate = std::sqrt(0.125), leave = (half * rate - pi + 2 * pi) / (1 - rate);
+  p.departures = {leave - 3, leave + 3, 121};
+  p.arrivals = {leave + half - 3, leave + half + 3, 121};
+  const Porkchop grid = porkchop(p);
+  double least = HUGE_VAL;
+  for (const PorkchopCell& cell : grid.cells) {
+    if (cell.exists()) least = std::min(least, cell.v_departure + cell.v_arrival);
+  }
+  // Rounding of the times moves the positions by some eps, and the cost is at its minimum.
+  EXPECT_NEAR(least, (v1 - 1) + (std::sqrt(0.5) - v2), 64 * eps);
+}
+
+// In one plane the positions of a cell can be exactly opposite: then in the plane of the body that is left.
+TEST(Porkchop, OppositePositionsHaveATransfer) {
+  PorkchopProblem p;
+  p.from.state = {{1, 0, 0}, {0, 1, 0}};
+  p.to.state = {{-2, 0, 0}, {0, -std::sqrt(0.5), 0}};
+  p.departures = {0, 0, 1};
+  p.arrivals = {8 * std::acos(0.0) * std::sqrt(8.), 8 * std::acos(0.0) * std::sqrt(8.),
+                1};  // two of its years
+  p.to.epoch = p.arrivals.first;
+  const Porkchop grid = porkchop(p);
+  ASSERT_TRUE(grid.at(0, 0).exists());
+  LambertProblem lambert{{1, 0, 0}, {-2, 0, 0}, p.arrivals.first, 1, Vector3<double>(0, 0, 1)};
+  EXPECT_NEAR(grid.at(0, 0).v_departure, (solve_lambert(lambert).v1 - p.from.state.velocity).norm(),
+              64 * eps);
+  // And in one direction there is none.
+  p.to.state = {{2, 0, 0}, {0, std::sqrt(0.5), 0}};
+  EXPECT_FALSE(porkchop(p).at(0, 0).exists());
+}
+
+TEST(Porkchop, FailuresAreToldAndMistakesRefused) {
+  PorkchopProblem p = two_orbits();
+  p.arrivals = {1e60, 2e60, 3};
+  EXPECT_EQ(porkchop(p).status.outcome(), Outcome::outside_validity);
+  const auto refused = [](auto change, PorkchopWork work = {}) {
+    PorkchopProblem q = two_orbits();
+    change(q);
+    EXPECT_THROW((void)porkchop(q, work), std::invalid_argument);
+  };
+  refused([](auto& q) { q.mu = 0; });
+  refused([](auto& q) { q.from.state.position = {0, 0, 0}; });
+  refused([](auto& q) { q.to.state.velocity = {0, NAN, 0}; });
+  refused([](auto& q) { q.to.epoch = NAN; });
+  refused([](auto& q) { q.departures = {1, 0, 3}; });
+  refused([](auto& q) { q.arrivals = {0, HUGE_VAL, 3}; });
+  refused([](auto& q) { q.departures.count = 0; });
+  refused([](auto& q) { q.departures.count = q.arrivals.count = 50'000; });
+  refused([](auto& q) { q.most_revolutions = -1; });
+  refused([](auto&) {}, {.threads = -1});
+  refused([](auto&) {}, {.shard = 3, .shards = 2});
+  refused([](auto&) {}, {.shard = 0, .shards = 2});
+}
+
+}  // namespace
+}  // namespace nlmech::orbit

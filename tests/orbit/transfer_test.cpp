@@ -1,0 +1,185 @@
+/// Transfers by collocation against the known arcs, and with zonal terms against flights in extended
+/// precision.
+#include "nlmech/orbit/transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "nlmech/orbit/acceleration.hpp"
+#include "nlmech/orbit/extended.hpp"
+#include "nlmech/series/dual.hpp"
+#include "tests/orbit/lambert_problems.hpp"
+
+namespace nlmech::orbit {
+namespace {
+
+using namespace oracle;
+
+TransferProblem printed_transfer(int degree = 0) {
+  const LambertProblem p = printed();
+  TransferProblem t{p.from, p.to, p.time, earth(degree)};
+  t.gravity.mu = p.mu;
+  return t;
+}
+
+/// Miss of a flight in 50 digits.
+double flown(const TransferProblem& p, const Vector3<double>& v1) {
+  const auto end = continue_analytically<Real>(as<Real>(State{p.from, v1}), Real(p.time),
+                                               p.gravity.as<Real>(), 30, Real(1e-25));
+  const Vector3<Real> d = end.position - p.to.cast<Real>();
+  return static_cast<double>(length(d));
+}
+
+// Of the findings: D without rounding and the printed shape, 0.2 m; polynomials 5e-6 m. A millimetre is what
+// the source claims.
+TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
+  const TransferProblem p = printed_transfer();
+  const Vector3<double> exact{2774.8469906025419, 7217.0230343355381, 1625.9338905977957};
+  for (const TransferEquations equations :
+       {TransferEquations::positions, TransferEquations::positions_and_velocities}) {
+    TransferCollocation method;
+    method.equations = equations;
+    for (const TransferGuess guess : {TransferGuess::line, TransferGuess::arc, TransferGuess::ones}) {
+      method.guess = guess;
+      const CollocatedTransfer t = collocate(p, method);
+      ASSERT_TRUE(t.status.ok()) << t.status.text();
+      EXPECT_LT(t.miss, 1e-4);
+      EXPECT_LE((t.v1 - exact).norm() / exact.norm(), 1e-11);
+      EXPECT_LT(flown(p, t.v1), 1e-4);
+      EXPECT_LE(t.statistics.newton_iterations, 12);
+    }
+    method.guess = TransferGuess::line;
+    method.basis = TransferBasis::stable_gaussian;
+    method.shape = 3;
+    const CollocatedTransfer stable = collocate(p, method);
+    ASSERT_TRUE(stable.status.ok()) << stable.status.text();
+    EXPECT_LT(stable.miss, 1e-3);
+    // The printed shape even without its loss of digits: 0.22 m with D from 60 digits. D in double, within
+    // 1e-12 of its largest entry, moves that by a part of it.
+    method.shape = 0;
+    const CollocatedTransfer printed_shape = collocate(p, method);
+    ASSERT_TRUE(printed_shape.status.ok()) << printed_shape.status.text();
+    EXPECT_NEAR(printed_shape.miss, 0.22, 0.15);
+  }
+}
+
+// As printed: a condition of 1.9e17 leaves 4.7 m to 1.8 km, by chance of rounding, and no millimetres.
+TEST(Transfer, PrintedSettingLosesItsDigits) {
+  TransferCollocation method;
+  method.basis = TransferBasis::gaussian;
+  method.equations = TransferEquations::positions_and_velocities;
+  const CollocatedTransfer t = collocate(printed_transfer(), method);
+  ASSERT_TRUE(t.status.ok()) << t.status.text();
+  EXPECT_GT(t.condition, 1e16);
+  EXPECT_GT(t.miss, 0.1);
+  EXPECT_LT(t.miss, 2e4);
+}
+
+// Newton's iteration solves what is asked: both forms of the equations have the same root, and its values are
+// those of the orbit at the nodes.
+TEST(Transfer, NodesLieOnTheOrbit) {
+  const TransferProblem p = printed_transfer();
+  const CollocatedTransfer t = collocate(p);
+  ASSERT_TRUE(t.status.ok());
+  ASSERT_EQ(t.times.size(), 47);
+  const Vector3<double> exact{2774.8469906025419, 7217.0230343355381, 1625.9338905977957};
+  for (Eigen::Index j = 0; j < 47; ++j) {
+    const auto at = kepler({p.from, exact}, t.times[j], p.gravity.mu);
+    EXPECT_LE((t.positions.col(j).cast<Real>() - at.position).norm(), Real(1e-4)) << j;
+    EXPECT_LE((t.velocities.col(j).cast<Real>() - at.velocity).norm(), Real(1e-6)) << j;
+  }
+}
+
+TEST(Transfer, StartsOfChoiceFindOtherArcs) {
+  // Hyperbola: 250 s. And 180 degrees in a plane of coordinates, from half an ellipse.
+  TransferProblem fast = printed_transfer();
+  fast.time = 250;
+  const CollocatedTransfer hyperbola = collocate(fast);
+  ASSERT_TRUE(hyperbola.status.ok()) << hyperbola.status.text();
+  EXPECT_LT(hyperbola.miss, 1e-4);
+  TransferProblem half{{7e6, 0, 0}, {-9e6, 0, 0}, 4000, {.mu = 3.986e14}};
+  half.normal = Vector3<double>(0, 0, 1);
+  const CollocatedTransfer t = collocate(half);
+  ASSERT_TRUE(t.status.ok()) << t.status.text();
+  const LambertSolution exact = solve_lambert({half.from, half.to, half.time, half.gravity.mu, half.normal});
+  EXPECT_LE((t.v1 - exact.v1).norm() / exact.v1.norm(), 1e-9);
+  // The other way, by a start that goes there.
+  TransferCollocation method{.nodes = 81};
+  method.start = [&](double time) {
+    const double angle = -pi * time / half.time, r = 7e6 + 2e6 * time / half.time;
+    return Vector3<double>(r * std::cos(angle), r * std::sin(angle), 0);
+  };
+  const CollocatedTransfer back = collocate(half, method);
+  ASSERT_TRUE(back.status.ok()) << back.status.text();
+  EXPECT_NEAR(back.v1[1] / t.v1[1], -1, 1e-9);
+}
+
+// A straight line through the centre is no start: what comes of it is told, not passed on.
+TEST(Transfer, SpuriousRootsAreTold) {
+  TransferProblem half{{7e6, 0, 0}, {-9e6, 0, 0}, 4000, {.mu = 3.986e14}};
+  const CollocatedTransfer t = collocate(half, {.guess = TransferGuess::line});
+  EXPECT_FALSE(t.status.ok());
+  EXPECT_FALSE(t.status.sentence().empty());
+}
+
+TEST(Transfer, AccelerationIsTheGradientOfTheEnergy) {
+  const Gravity g = earth(6);
+  const Vector3<double> r(5e6, -3e6, 4e6);
+  Vector3<Dual<double, 3>> place;
+  for (int i = 0; i < 3; ++i) place[i] = Dual<double, 3>::variable(r[i], i);
+  BasicGravity<Dual<double, 3>> dual = g.as<Dual<double, 3>>();
+  const auto e = energy(BasicState<Dual<double, 3>>{place, Vector3<Dual<double, 3>>::Constant(0.0)}, dual);
+  const Vector3<double> a = acceleration(r, g);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[static_cast<int>(i)], -e.partial[i], 64 * eps * a.norm());
+}
+
+// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, flown in 50 digits, and
+// collocation.
+TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
+  for (const int degree : {2, 6}) {
+    const TransferProblem p = printed_transfer(degree);
+    for (const bool long_way : {false, true}) {
+      const Transfer t = corrected_transfer(p, {long_way, 0, LambertBranch::low});
+      ASSERT_TRUE(t.status.ok()) << t.status.text();
+      EXPECT_LE(flown(p, t.v1), 1e-11 * p.to.norm()) << long_way;
+      const Transfer conic = corrected_transfer(printed_transfer(), {long_way, 0, LambertBranch::low});
+      EXPECT_GT(flown(p, conic.v1), 1e3);  // J2 moves the end by kilometres
+    }
+    const CollocatedTransfer c = collocate(p, {.nodes = 61});
+    ASSERT_TRUE(c.status.ok()) << c.status.text();
+    EXPECT_LE((c.v1 - corrected_transfer(p).v1).norm(), 1e-7);
+    EXPECT_LT(flown(p, c.v1), 1e-3);
+  }
+  // Twenty revolutions, each of which J2 shifts.
+  TransferProblem many{{7.5e6, 0, 1e6}, {-2e6, 7e6, 3e6}, 140'000, earth(2)};
+  for (const LambertBranch branch : {LambertBranch::low, LambertBranch::high}) {
+    const Transfer t = corrected_transfer(many, {false, 15, branch});
+    ASSERT_TRUE(t.status.ok()) << t.status.text();
+    EXPECT_LE(flown(many, t.v1), 1e-9 * many.to.norm());
+  }
+}
+
+TEST(Transfer, WhatCannotBeMeantIsRefused) {
+  const auto refused = [](auto change, TransferCollocation method = {}) {
+    TransferProblem p = printed_transfer(2);
+    change(p);
+    EXPECT_THROW((void)collocate(p, method), std::invalid_argument);
+  };
+  refused([](auto& p) { p.from = {0, 0, 0}; });
+  refused([](auto& p) { p.to = {0, NAN, 0}; });
+  refused([](auto& p) { p.time = -1; });
+  refused([](auto& p) { p.gravity.radius = -1; });
+  refused([](auto&) {}, {.nodes = 3});
+  refused([](auto&) {}, {.nodes = 201});
+  refused([](auto&) {}, {.shape = -1});
+  TransferProblem p = printed_transfer(2);
+  p.time = 0;
+  EXPECT_THROW((void)corrected_transfer(p), std::invalid_argument);
+  p = printed_transfer(2);
+  p.to = 2 * p.from;
+  EXPECT_EQ(corrected_transfer(p).status.outcome(), Outcome::outside_validity);
+}
+
+}  // namespace
+}  // namespace nlmech::orbit
