@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_inverse/porkchop_file.hpp"
+#include "chapters/rbf_inverse/scenes.hpp"
+#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/files.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string from, to, time, mu = "3.986e14", revolutions = "0", branch, plane, zonal, radius,
+                              method = "izzo";
+  bool long_way = false;
+  std::string file, grid, shard = "1/1", threads = "0";
+  std::vector<std::string> parts;
+};
+
+double number(const char* option, const std::string& text) {
+  double value = 0;
+  if (!scene::parse_number(text, value))
+    throw InputError(fmt::format("{} {}: not a finite number", option, text));
+  return value;
+}
+
+double positive(const char* option, const std::string& text) {
+  const double value = number(option, text);
+  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
+  return value;
+}
+
+int whole(const char* option, const std::string& text, int least, int most) {
+  const double value = number(option, text);
+  if (!(value >= least && value <= most && value == std::floor(value)))
+    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
+  return static_cast<int>(value);
+}
+
+/// Two texts with a mark between.
+std::pair<std::string, std::string> halves(const char* option, const std::string& text, char mark) {
+  const std::size_t place = text.find(mark);
+  if (place == std::string::npos)
+    throw InputError(fmt::format("{} {}: needs two numbers and '{}'", option, text, mark));
+  return {text.substr(0, place), text.substr(place + 1)};
+}
+
+orbit::Vector3<double> vector(const char* option, const std::string& text) {
+  std::vector<double> all;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    double value = 0;
+    if (!scene::parse_number(text.substr(begin, comma - begin), value))
+      throw InputError(
+          fmt::format("{} {}: '{}' is not a finite number", option, text, text.substr(begin, comma - begin)));
+    all.push_back(value);
+    begin = comma + 1;
+  }
+  if (all.size() != 3)
+    throw InputError(fmt::format("{} {}: {} numbers where x,y,z are needed", option, text, all.size()));
+  return {all[0], all[1], all[2]};
+}
+
+orbit::TransferProblem problem_of(const Words& words) {
+  orbit::TransferProblem p{vector("--from", words.from),
+                           vector("--to", words.to),
+                           positive("--time", words.time),
+                           {.mu = positive("--mu", words.mu)}};
+  for (const auto& [option, r] : {std::pair("--from " + words.from, p.from), {"--to " + words.to, p.to}}) {
+    if (r.isZero(0)) throw InputError(option + ": is the centre, from where no orbit leads on");
+  }
+  if (!words.plane.empty()) {
+    p.normal = vector("--plane", words.plane);
+    if (p.normal->isZero(0)) throw InputError(fmt::format("--plane {}: a normal cannot be 0", words.plane));
+  }
+  if (words.zonal.empty() != words.radius.empty())
+    throw InputError(words.zonal.empty()
+                         ? fmt::format("--radius {}: means nothing without --zonal J2", words.radius)
+                         : fmt::format("--zonal {}: needs --radius R", words.zonal));
+  if (!words.zonal.empty()) {
+    p.gravity.zonal[0] = number("--zonal", words.zonal);
+    p.gravity.radius = positive("--radius", words.radius);
+  }
+  return p;
+}
+
+orbit::LambertArc arc_of(const Words& words) {
+  orbit::LambertArc arc{words.long_way, whole("--revolutions", words.revolutions, 0, 1'000'000),
+                        orbit::LambertBranch::low};
+  if (arc.revolutions > 0 && words.branch.empty())
+    throw InputError(fmt::format("--revolutions {}: needs --branch low or high", words.revolutions));
+  if (arc.revolutions == 0 && !words.branch.empty())
+    throw InputError(fmt::format("--branch {}: means nothing without revolutions", words.branch));
+  if (words.branch == "high")
+    arc.branch = orbit::LambertBranch::high;
+  else if (!words.branch.empty() && words.branch != "low")
+    throw InputError(fmt::format("--branch {}: there are low and high", words.branch));
+  return arc;
+}
+
+/// Collocation with polynomials from near the arc that is asked for.
+orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
+  if (arc.revolutions > 0)
+    throw InputError("--method collocation: leads to no arc of whole revolutions; use izzo");
+  orbit::TransferCollocation method{.nodes = 81};
+  if (arc.long_way) throw InputError("--method collocation: finds the short way; use izzo for --long-way");
+  return orbit::collocate(p, method);
+}
+
+std::string lambert(const Words& words) {
+  const orbit::TransferProblem p = problem_of(words);
+  const orbit::LambertArc arc = arc_of(words);
+  if (words.method != "izzo" && words.method != "collocation")
+    throw InputError(fmt::format("--method {}: there are izzo and collocation", words.method));
+  orbit::Transfer t;
+  try {
+    t = words.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, arc);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+  if (!t.status.ok()) throw Failure(t.status);
+  return fmt::format(
+      "vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
+      t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
+}
+
+std::string porkchop(const Words& words) {
+  orbit::PorkchopProblem p = read_porkchop(scene::read_whole(words.file), words.file);
+  const auto [rows, columns] = halves("--grid", words.grid, 'x');
+  p.departures.count = whole("--grid", rows, 1, 1'000'000);
+  p.arrivals.count = whole("--grid", columns, 1, 1'000'000);
+  const auto [shard, shards] = halves("--shard", words.shard, '/');
+  orbit::PorkchopWork work{.threads = whole("--threads", words.threads, 0, 1024)};
+  work.shards = whole("--shard", shards, 1, 1'000'000);
+  work.shard = whole("--shard", shard, 1, work.shards);
+  orbit::Porkchop grid;
+  try {
+    grid = orbit::porkchop(p, work);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", words.file, error.what()));
+  }
+  if (!grid.status.ok()) throw Failure(grid.status);
+  return porkchop_csv(grid);
+}
+
+std::string merge(const Words& words) {
+  std::vector<PorkchopPart> parts;
+  for (const std::string& name : words.parts) parts.push_back({scene::read_whole(name), name});
+  return merged(parts);
+}
+
+CLI::App* add(CLI::App& app, const char* name, const char* help, const std::shared_ptr<Words>& words,
+              std::string (*work)(const Words&)) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->callback([words, work] { scene::print_result(work(*words)); });
+  return command;
+}
+
+void add_lambert_command(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* command = add(app, "lambert",
+                          "The orbit from one position to another in a given time, as CSV: "
+                          "vx0,vy0,vz0,vx1,vy1,vz1,miss_m",
+                          words, lambert);
+  command->add_option("--from", words->from, "x,y,z from the centre, in any consistent units")->required();
+  command->add_option("--to", words->to, "x,y,z of the arrival")->required();
+  command->add_option("--time", words->time, "of flight, positive")->required();
+  command->add_option("--mu", words->mu, "gravitational parameter")->capture_default_str();
+  command->add_flag("--long-way", words->long_way, "by more than 180 degrees");
+  command->add_option("--revolutions", words->revolutions, "whole ones before the arrival")
+      ->capture_default_str();
+  command->add_option("--branch", words->branch,
+                      "of one revolution or more: low (smaller semi-major axis) or high");
+  command->add_option("--plane", words->plane, "nx,ny,nz: the normal, where the positions are opposite");
+  command->add_option("--zonal", words->zonal, "J2 of the centre, the axis along z");
+  command->add_option("--radius", words->radius, "that J2 refers to");
+  command
+      ->add_option("--method", words->method, "izzo, or collocation (81 nodes, polynomials, the short way)")
+      ->capture_default_str();
+}
+
+void add_porkchop_commands(CLI::App& app) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = add(app, "porkchop",
+                          "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
+                          "departure,arrival,v_departure,v_arrival,revolutions",
+                          words, porkchop);
+  command
+      ->add_option("orbits", words->file,
+                   "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
+      ->required();
+  command->add_option("--grid", words->grid, "NxM: departures and arrivals")->required();
+  command->add_option("--shard", words->shard, "i/n: the i-th of n disjoint parts")->capture_default_str();
+  command->add_option("--threads", words->threads, "how many; 0: one a processor")->capture_default_str();
+  const auto others = std::make_shared<Words>();
+  add(app, "merge", "Puts shards of one grid together, in any order, as CSV", others, merge)
+      ->add_option("parts", others->parts, "files written by porkchop --shard")
+      ->required();
+}
+
+}  // namespace
+
+void add_lambert_commands(CLI::App& app) {
+  add_lambert_command(app);
+  add_porkchop_commands(app);
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,208 @@
+#include "chapters/rbf_inverse/porkchop_file.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "nlmech/orbit/elements.hpp"
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+const std::vector<std::string> header = {"departure", "arrival", "v_departure", "v_arrival", "revolutions"};
+
+/// A table of the file, with its path for complaints: "from" or "" for the whole.
+class Reader {
+ public:
+  Reader(const toml::table& table, std::string name, std::string path)
+      : table_(table), name_(std::move(name)), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const toml::node* node, const std::string& text) const {
+    const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
+    throw InputError(fmt::format("{}, line {}: {}", name_, line, text));
+  }
+  [[nodiscard]] std::string full(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  }
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  [[nodiscard]] std::optional<double> number(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return std::nullopt;
+    return number_of(node, key);
+  }
+  [[nodiscard]] double required(std::string_view key) const {
+    const auto value = number(key);
+    if (!value) refuse(nullptr, fmt::format("{} is missing", full(key)));
+    return *value;
+  }
+  [[nodiscard]] orbit::Vector3<double> vector(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) refuse(nullptr, fmt::format("{} is missing", full(key)));
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->size() != 3)
+      refuse(node, fmt::format("{} must be three numbers", full(key)));
+    return {number_of(list->get(0), key), number_of(list->get(1), key), number_of(list->get(2), key)};
+  }
+  [[nodiscard]] Reader table(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) refuse(nullptr, fmt::format("the table [{}] is missing", full(key)));
+    if (node->as_table() == nullptr) refuse(node, fmt::format("{} must be a table", full(key)));
+    return {*node->as_table(), name_, full(key)};
+  }
+  /// Keys that mean nothing are mistakes of spelling.
+  void only(std::initializer_list<std::string_view> known) const {
+    for (const auto& [key, node] : table_) {
+      if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        refuse(&node,
+               fmt::format("{} means nothing here; there are {}", full(key.str()), fmt::join(known, ", ")));
+    }
+  }
+  [[nodiscard]] const toml::node* at(std::string_view key) const { return table_.get(key); }
+
+ private:
+  [[nodiscard]] double number_of(const toml::node* node, std::string_view key) const {
+    const auto value = node->value<double>();
+    if (!value || !node->is_number() || !std::isfinite(*value)) {
+      std::ostringstream shown;
+      shown << toml::node_view<const toml::node>(node);
+      refuse(node, fmt::format("{} = {} is not a finite number", full(key), shown.str()));
+    }
+    return *value;
+  }
+
+  const toml::table& table_;
+  std::string name_, path_;
+};
+
+orbit::Elements shape_of(const Reader& r) {
+  const double e = r.required("e");
+  if (r.has("a") == r.has("p"))
+    r.refuse(r.at("p"), fmt::format("give one of {} and {}", r.full("a"), r.full("p")));
+  if (e < 0) r.refuse(r.at("e"), fmt::format("{} = {} must be 0 or more", r.full("e"), e));
+  if (r.has("a")) {
+    try {
+      return orbit::from_axis(r.required("a"), e);
+    } catch (const std::invalid_argument& error) {
+      r.refuse(r.at("a"), fmt::format("{} = {}: {}", r.full("a"), r.required("a"), error.what()));
+    }
+  }
+  return {.semi_latus_rectum = r.required("p"), .eccentricity = e};
+}
+
+orbit::Ephemeris orbit_of(const Reader& r, double mu) {
+  orbit::Ephemeris body;
+  body.epoch = r.number("epoch").value_or(0);
+  if (r.has("position") || r.has("velocity")) {
+    r.only({"position", "velocity", "epoch"});
+    body.state = {r.vector("position"), r.vector("velocity")};
+    if (body.state.position.isZero(0)) r.refuse(r.at("position"), r.full("position") + " is the centre");
+    return body;
+  }
+  r.only({"a", "p", "e", "i", "raan", "argp", "nu", "epoch"});
+  orbit::Elements conic = shape_of(r);
+  conic.inclination = r.number("i").value_or(0) * degree;
+  conic.ascending_node = r.number("raan").value_or(0) * degree;
+  conic.periapsis_argument = r.number("argp").value_or(0) * degree;
+  conic.true_anomaly = r.number("nu").value_or(0) * degree;
+  try {
+    body.state = orbit::state_of(conic, mu);
+  } catch (const std::invalid_argument& error) {
+    r.refuse(nullptr, error.what());
+  }
+  return body;
+}
+
+orbit::Window window_of(const Reader& r) {
+  r.only({"first", "last"});
+  orbit::Window window{.first = r.required("first"), .last = r.required("last")};
+  if (window.last < window.first)
+    r.refuse(r.at("last"),
+             fmt::format("{} = {} is before the first, {}", r.full("last"), window.last, window.first));
+  return window;
+}
+
+void add_row(std::string& text, double departure, double arrival, double v1, double v2, double revolutions) {
+  fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.0f}\n", departure, arrival, v1,
+                 v2, revolutions);
+}
+
+}  // namespace
+
+orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name) {
+  toml::table table;
+  try {
+    table = toml::parse(std::string_view(text), name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+  }
+  const Reader whole(table, name, "");
+  whole.only({"mu", "from", "to", "departures", "arrivals", "revolutions"});
+  orbit::PorkchopProblem p;
+  p.mu = whole.required("mu");
+  if (!(p.mu > 0)) whole.refuse(whole.at("mu"), fmt::format("mu = {} must be positive", p.mu));
+  p.from = orbit_of(whole.table("from"), p.mu);
+  p.to = orbit_of(whole.table("to"), p.mu);
+  p.departures = window_of(whole.table("departures"));
+  p.arrivals = window_of(whole.table("arrivals"));
+  const double revolutions = whole.number("revolutions").value_or(0);
+  if (!(revolutions >= 0 && revolutions <= 1000 && revolutions == std::floor(revolutions)))
+    whole.refuse(whole.at("revolutions"),
+                 fmt::format("revolutions = {} must be a whole number from 0 to 1000", revolutions));
+  p.most_revolutions = static_cast<int>(revolutions);
+  return p;
+}
+
+std::string porkchop_csv(const orbit::Porkchop& grid) {
+  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  for (std::size_t i = 0; i < grid.departures.size(); ++i) {
+    for (std::size_t j = 0; j < grid.arrivals.size(); ++j) {
+      const orbit::PorkchopCell& cell = grid.at(i, j);
+      if (cell.exists())
+        add_row(text, grid.departures[i], grid.arrivals[j], cell.v_departure, cell.v_arrival,
+                cell.revolutions);
+    }
+  }
+  return text;
+}
+
+std::string merged(const std::vector<PorkchopPart>& parts) {
+  struct Row {
+    std::array<double, 5> value;
+    std::size_t part, line;
+  };
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const scene::NumberColumns n = scene::parse_numbers(parts[k].text, parts[k].name, header);
+    for (std::size_t i = 0; i < n.rows(); ++i)
+      rows.push_back(
+          {{n.column[0][i], n.column[1][i], n.column[2][i], n.column[3][i], n.column[4][i]}, k, n.line[i]});
+  }
+  const auto times = [](const Row& r) { return std::pair(r.value[0], r.value[1]); };
+  std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return times(a) < times(b); });
+  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& r = rows[i];
+    if (i > 0 && times(rows[i - 1]) == times(r)) {
+      throw InputError(
+          fmt::format("{}, line {}: departure {:.17g} and arrival {:.17g} are in {}, line {} already; "
+                      "shards of one grid are disjoint",
+                      parts[r.part].name, r.line, r.value[0], r.value[1], parts[rows[i - 1].part].name,
+                      rows[i - 1].line));
+    }
+    add_row(text, r.value[0], r.value[1], r.value[2], r.value[3], r.value[4]);
+  }
+  return text;
+}
+
+}  // namespace nlmech::chapters

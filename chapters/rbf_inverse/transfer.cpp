@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "chapters/rbf_inverse/curves.hpp"
+#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/transfer_runs.hpp"
+#include "nlmech/orbit/kepler.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using orbit::CollocatedTransfer;
+using orbit::Vector3;
+using scene::Workshop;
+
+/// The orbit of Izzo's arc at a time.
+orbit::State on_orbit(const orbit::Transfer& izzo, double time) {
+  const orbit::TransferProblem p = printed_transfer();
+  return orbit::propagate_kepler({p.from, izzo.v1}, time, p.gravity.mu).state;
+}
+
+/// Largest distance of the nodes from the orbit: of positions, m, or velocities, m/s.
+double off_orbit(const CollocatedTransfer& t, const orbit::Transfer& izzo, bool velocity) {
+  double worst = 0;
+  for (Eigen::Index j = 0; j < t.times.size(); ++j) {
+    const orbit::State s = on_orbit(izzo, t.times[j]);
+    const Vector3<double> d = velocity ? t.velocities.col(j) - s.velocity : t.positions.col(j) - s.position;
+    worst = std::max(worst, d.norm());
+  }
+  return worst;
+}
+
+scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
+  scene::Table table({{"method"},
+                      {"terminal error x (m)", 2},
+                      {"y (m)", 2},
+                      {"z (m)", 2},
+                      {"|.| (m)", 2},
+                      {"initial velocity (m/s)", 2},
+                      {"Newton's iterations"},
+                      {"condition", 2}});
+  const auto add = [&](const std::string& name, const orbit::Transfer& t, const scene::Cell& condition) {
+    const Vector3<double> d = miss_vector(t.v1);
+    table.add({name, std::abs(d[0]), std::abs(d[1]), std::abs(d[2]), d.norm(), velocity_error(t.v1),
+               t.statistics.newton_iterations, condition});
+  };
+  table.add({"printed", 9.6e-3, 16.3e-3, 10.2e-3, std::hypot(9.6e-3, 16.3e-3, 10.2e-3), {}, {}, {}});
+  const auto& printed = w.result(*runs.printed);
+  const auto by_miss = [](const CollocatedTransfer& a, const CollocatedTransfer& b) {
+    return a.miss < b.miss;
+  };
+  const auto [least, most] = std::minmax_element(printed.begin(), printed.end(), by_miss);
+  add("as printed, in seconds", printed.front(), printed.front().condition);
+  add("as printed, best of twelve units of time", *least, least->condition);
+  add("as printed, worst of twelve units of time", *most, most->condition);
+  add("printed shape, D without loss of digits", w.result(*runs.printed_shape), {});
+  add("Gaussian functions, c T = 3, D without loss of digits", w.result(*runs.stable), {});
+  add("polynomials", w.result(*runs.polynomial), {});
+  add("Izzo", w.result(*runs.izzo), {});
+  const std::string program = "an independent program: ";
+  return {
+      {},
+      std::move(table),
+      {scene::near("condition of the printed functions", "1", std::log10(printed.front().condition), 17.3,
+                   0.05, program + "1.9e17, as its logarithm; rounding is all there is"),
+       {"best of twelve units of time, as printed", "m", least->miss, 0.05, 500,
+        program + "4.7 m at best; a lottery of rounding around 57 m"},
+       {"worst of twelve units of time, as printed", "m", most->miss, 50, 1e5, program + "1.8 km at worst"},
+       scene::near("miss with the printed shape and all digits", "m", w.result(*runs.printed_shape).miss,
+                   0.216, 0.7, program + "0.07, 0.20, 0.04 m with D from 60 digits; D in double has 12"),
+       scene::at_most("miss with c T = 3 and all digits", "m", w.result(*runs.stable).miss, 1e-3,
+                      "what the section claims, a millimetre"),
+       scene::at_most("miss of polynomials", "m", w.result(*runs.polynomial).miss, 1e-4,
+                      program + "4.9e-6 m; rounding"),
+       scene::at_most("error of Izzo's initial velocity", "m/s", velocity_error(w.result(*runs.izzo).v1),
+                      8e-9, "twelve digits of 50 by " + program)}};
+}
+
+/// Position or velocity, one panel a component: the orbit as lines, collocation as points.
+scene::Showing show_history(const TransferRuns& runs, Workshop& w, bool velocity) {
+  const orbit::Transfer& izzo = w.result(*runs.izzo);
+  const CollocatedTransfer& nodes = w.result(*runs.polynomial);
+  ControlCurves curves(velocity ? "Collocation finds the velocity of the orbit, too"
+                                : "Collocation at 47 nodes lies on the transfer orbit",
+                       "time_of_flight_s");
+  curves.panel("time (s)", velocity ? "velocity (km/s)" : "position (km)");
+  const char* const names[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    curves.begin(fmt::format("{}, F and G", names[k]), fmt::format("l{}", k + 1));
+    for (int i = 0; i <= 200; ++i) {
+      const double t = 4320.0 * i / 200;
+      const orbit::State s = on_orbit(izzo, t);
+      curves.add(t, (velocity ? s.velocity[k] : s.position[k]) / 1e3);
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    curves.begin(k == 0 ? "collocation" : "", fmt::format("p{}", k + 1));
+    for (Eigen::Index j = 0; j < nodes.times.size(); ++j)
+      curves.add(nodes.times[j], (velocity ? nodes.velocities : nodes.positions)(k, j) / 1e3);
+  }
+  curves.with("key", velocity ? "top right" : "bottom left");
+  scene::Showing showing;
+  showing.figure = curves.take();
+  showing.quantities = {
+      scene::at_most(velocity ? "velocities off the orbit" : "positions off the orbit",
+                     velocity ? "m/s" : "m", off_orbit(nodes, izzo, velocity), velocity ? 1e-6 : 1e-3,
+                     "F and G with the velocity of Izzo's arc; the section claims millimetres")};
+  return showing;
+}
+
+/// The plane of the transfer, drawn: x along r_0, in thousands of kilometres.
+scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
+  const orbit::TransferProblem p = printed_transfer();
+  const orbit::Transfer& izzo = w.result(*runs.izzo);
+  const Vector3<double> ex = p.from.normalized(), n = orbit::cross(p.from, izzo.v1).normalized(),
+                        ey = orbit::cross<double>(n, ex);
+  ControlCurves curves("Lambert's problem: two positions and a time make an orbit");
+  curves.panel("in the plane of the orbit, along r_0 (1000 km)", "across (1000 km)");
+  const auto add = [&](const Vector3<double>& r) { curves.add(r.dot(ex) / 1e6, r.dot(ey) / 1e6); };
+  const double period = 2 * std::acos(-1.0) / std::sqrt(p.gravity.mu) *
+                        std::pow(orbit::reciprocal_axis(orbit::State{p.from, izzo.v1}, p.gravity.mu), -1.5);
+  curves.begin("transfer, 4320 s", "l1");
+  for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time * i / 300).position);
+  curves.begin("the rest of the ellipse", "l8");
+  for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time + (period - p.time) * i / 300).position);
+  for (const auto& [name, end, look] : {std::tuple("r_0 at t_0", p.from, "l2"), {"r_F at t_F", p.to, "l3"}}) {
+    curves.begin(name, look);
+    add({0, 0, 0});
+    add(end);
+  }
+  curves.with("key", "top left").overall("height", "520");
+  const Vector3<double> e = orbit::eccentricity_vector(orbit::State{p.from, izzo.v1}, p.gravity.mu);
+  scene::Showing showing;
+  showing.figure = curves.take();
+  showing.quantities = {
+      scene::near("eccentricity of the transfer", "1", e.norm(), 0.96281, 1e-5,
+                  "an independent program in 50 digits"),
+      scene::at_most("miss of the orbit drawn", "m", izzo.miss, 1e-6, "rounding, some kappa eps |r_F|")};
+  return showing;
+}
+
+}  // namespace
+
+void add_transfer(scene::Chapter& chapter) {
+  const TransferRuns runs = add_transfer_runs(chapter);
+  chapter.add({.name = "fig-5.19",
+               .title = "Two positions and a time of flight determine the transfer orbit",
+               .place = "Figure 5.19",
+               .needs = {runs.izzo},
+               .seconds = 0.1,
+               .show = [runs](Workshop& w) { return show_geometry(runs, w); }});
+  for (const bool velocity : {false, true}) {
+    chapter.add({.name = velocity ? "fig-5.21" : "fig-5.20",
+                 .title = velocity ? "Velocity on the transfer orbit" : "Position on the transfer orbit",
+                 .place = velocity ? "Figure 5.21" : "Figure 5.20",
+                 .needs = {runs.izzo, runs.polynomial},
+                 .seconds = 0.1,
+                 .show = [runs, velocity](Workshop& w) { return show_history(runs, w, velocity); }});
+  }
+  chapter.add(
+      {.name = "table-5.4",
+       .title = "Errors at the ends of the transfer: rounding decides, the stable basis does not mind",
+       .place = "Table 5.4",
+       .needs = {runs.printed, runs.printed_shape, runs.stable, runs.polynomial, runs.izzo},
+       .seconds = 1,
+       .show = [runs](Workshop& w) { return show_errors(runs, w); }});
+  for (int k = 0; k < 3; ++k) {
+    chapter.add(
+        scene::Measurement{fmt::format("elgohary/table-5.4/Lambert/terminal boundary error {}", "xyz"[k]),
+                           {runs.printed},
+                           [runs, k](Workshop& w) {
+                             const Vector3<double> d = miss_vector(w.result(*runs.printed).front().v1);
+                             return scene::Measured{std::abs(d[k]), {}};
+                           }});
+  }
+}
+
+}  // namespace nlmech::chapters
