@@ -77,8 +77,10 @@ TEST_P(Cases, AreSolvedFromOwnStartsToTenDigits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Cases, testing::ValuesIn(references),
-                         [](const auto& info) { return std::string(to_string(info.param.which)); });
+INSTANTIATE_TEST_SUITE_P(All, Cases, testing::ValuesIn(references), [](const auto& given) {
+  std::string name(to_string(given.param.which));
+  return name;
+});
 
 TEST(Duffing, HasAPositiveAndASaddleExtremal) {
   // 177.997 of x1x1 is a saddle, 96.74 a minimum (reduced Hessian of a direct transcription with 48 nodes).

@@ -77,11 +77,9 @@ TEST(Extremal, ThroughAWaypointJumpsInItsCostateOnly) {
     EXPECT_NEAR(before[0], value, 1e-14);
     EXPECT_NEAR(before[1], after[1], 1e-13);
     EXPECT_NEAR(before[3], after[3], 1e-13);
-    // J(d) = 3/4 + c (d - 1/2)^2 for the spline through d: natural cubic pieces give c = 96 for T = 2,
-    // lambda1 jumps by -dJ/dd (sensitivity), here 192 (d - 1/2) in size.
-    EXPECT_NEAR(std::abs(after[2] - before[2]), 2 * (e.cost - 0.75) / std::max(value - 0.5, 1e-300),
-                1e-10 + (value == 0.5 ? 1e300 : 0));
-    EXPECT_NEAR(e.cost, 0.75 + 96 * (value - 0.5) * (value - 0.5), 1e-12);
+    // Hermite pieces with v(1) = 3/4 cost J(d) = 3/4 + 12 (d - 1/2)^2; the jump is the sensitivity dJ/dd.
+    EXPECT_NEAR(e.cost, 0.75 + 12 * (value - 0.5) * (value - 0.5), 1e-13);
+    EXPECT_NEAR(std::abs(after[2] - before[2]), 24 * (value - 0.5), 1e-12);
   }
 }
 

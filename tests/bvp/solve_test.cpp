@@ -90,8 +90,8 @@ TEST(Solve, HasTheOrdersOfItsSchemes) {
   // term.
   EXPECT_NEAR(observed_order(Family::lobatto, 3, 4), 4, 0.5);  // 2N - 2
   EXPECT_NEAR(observed_order(Family::lobatto, 4, 2), 6, 0.7);
-  EXPECT_NEAR(observed_order(Family::radau, 3, 4), 3, 0.5);  // 2N - 3
-  EXPECT_NEAR(observed_order(Family::radau, 4, 3), 5, 0.7);
+  EXPECT_NEAR(observed_order(Family::radau, 3, 4), 3, 0.5);      // 2N - 3
+  EXPECT_GE(observed_order(Family::radau, 4, 3), 4.5);           // more by the symmetry of the solution
   EXPECT_GE(observed_order(Family::lobatto_values, 4, 4), 2.5);  // N - 1 at least
 }
 
@@ -120,13 +120,13 @@ TEST(Solve, FindsAnEigenvalueAsParameter) {
   EXPECT_NEAR(s.parameters()[0], std::numbers::pi, 1e-12);  // superconvergent; Newton's last update 1e-10
 }
 
-/// x' = 0 with a jump of prescribed size at 1/3, and x(0) = 1 on [0, 1].
+/// x' = 2 t with x(0) = 1 and a jump of 5 at 1/3.
 struct Jump {
   static constexpr int states = 1, parameters = 0;
   [[nodiscard]] std::vector<double> points() const { return {0, 1.0 / 3, 1}; }
   template <class T>
   void rhs(const T& t, const Vector<T, 1>& x, const Vector<T, 0>& /*p*/, Vector<T, 1>& f) const {
-    f[0] = x[0] * 0.0 + 2.0 * t;
+    f[0] = 2.0 * t + 0.0 * x[0];
   }
   template <class T>
   void conditions(const Matrix<T, 1, Eigen::Dynamic>& ends, const Vector<T, 0>& /*p*/,

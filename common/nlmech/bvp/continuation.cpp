@@ -255,7 +255,11 @@ ExtremalProblem with_constraints(const ExtremalProblem& problem, const Constrain
 }
 
 Extremal tighten(const ExtremalProblem& problem, const Start& start, const ConstraintPath& path,
-                 const Options& options) {
+                 const Options& given) {
+  Options options = given;
+  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be flown
+  // through.
+  if (path(1).penalty_weight > 0 && options.reflight == Reflight::whole) options.reflight = Reflight::pieces;
   Extremal last = solve_extremal(with_constraints(problem, path(0)), start, options);
   double s = 0, step = 0.1;
   while (last.solution.status.ok() && s < 1) {
@@ -270,7 +274,7 @@ Extremal tighten(const ExtremalProblem& problem, const Start& start, const Const
       continue;
     }
     step /= 2;
-    if (step >= 1e-4) continue;
+    if (step >= 1e-3) continue;
     const Constraints c = path(s);
     last.solution.status = Status::failure(
         Outcome::infeasible,

@@ -107,7 +107,7 @@ class Run {
       ++statistics_.factorisations;
       ++statistics_.newton_iterations;
       pivot_ratio = system_.pivot_ratio();
-      if (!(pivot_ratio > 1e-15)) return singular(system_, conditions, k);
+      if (!(pivot_ratio > 1e-13)) return singular(system_, conditions, k);
       system_.solve(step_);
       const Scales scales(y_);
       const double update = length(step_, step_, 0, scales);

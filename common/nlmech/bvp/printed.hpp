@@ -33,7 +33,7 @@ struct GlobalMethod {
   int nodes = 40;                                            ///< N of section 5.3.5, LGL, ends included
   double relative_shape = 39.0 / 4;                          ///< c T; printed: (N - 1)/4
   DerivativeMatrix derivative = DerivativeMatrix::gaussian;  ///< D
-  std::vector<ReplacedRow> rows;                             ///< one for each condition
+  std::vector<ReplacedRow> rows = {};                        ///< one for each condition
 };
 
 /// The n N equations D x = f at N nodes with rows replaced (Eqs 5.25, 5.28), for the solvers of algebraic/.
