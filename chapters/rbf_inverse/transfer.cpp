@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "chapters/rbf_inverse/curves.hpp"
 #include "chapters/rbf_inverse/scenes.hpp"
@@ -33,6 +35,15 @@ double off_orbit(const CollocatedTransfer& t, const orbit::Transfer& izzo, bool 
   return worst;
 }
 
+/// Which of the runs has the median miss.
+std::size_t median_of(const std::vector<CollocatedTransfer>& all) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return all[a].miss < all[b].miss; });
+  return order[order.size() / 2];
+}
+
 scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
   scene::Table table({{"method"},
                       {"terminal error x (m)", 2},
@@ -53,7 +64,9 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
     return a.miss < b.miss;
   };
   const auto [least, most] = std::minmax_element(printed.begin(), printed.end(), by_miss);
+  const CollocatedTransfer& middle = printed[median_of(printed)];
   add("as printed, in seconds", printed.front(), printed.front().condition);
+  add("as printed, median of twelve units of time", middle, middle.condition);
   add("as printed, best of twelve units of time", *least, least->condition);
   add("as printed, worst of twelve units of time", *most, most->condition);
   add("printed shape, D without loss of digits", w.result(*runs.printed_shape), {});
@@ -126,12 +139,12 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
   for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time * i / 300).position);
   curves.begin("the rest of the ellipse", "l8");
   for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time + (period - p.time) * i / 300).position);
-  for (const auto& [name, end, look] : {std::tuple("r_0 at t_0", p.from, "l2"), {"r_F at t_F", p.to, "l3"}}) {
+  for (const auto& [name, end, look] : {std::tuple("r_{0}  at t_{0}", p.from, "l2"), {"r_{F}  at t_{F}", p.to, "l3"}}) {
     curves.begin(name, look);
     add({0, 0, 0});
     add(end);
   }
-  curves.with("key", "top left").overall("height", "520");
+  curves.with("key", "bottom right").overall("height", "520");
   const Vector3<double> e = orbit::eccentricity_vector(orbit::State{p.from, izzo.v1}, p.gravity.mu);
   scene::Showing showing;
   showing.figure = curves.take();
@@ -172,7 +185,9 @@ void add_transfer(scene::Chapter& chapter) {
         scene::Measurement{fmt::format("elgohary/table-5.4/Lambert/terminal boundary error {}", "xyz"[k]),
                            {runs.printed},
                            [runs, k](Workshop& w) {
-                             const Vector3<double> d = miss_vector(w.result(*runs.printed).front().v1);
+                             // Rounding decides, and with it the unit of time: the median of twelve.
+                             const auto& all = w.result(*runs.printed);
+                             const Vector3<double> d = miss_vector(all[median_of(all)].v1);
                              return scene::Measured{std::abs(d[k]), {}};
                            }});
   }
