@@ -63,7 +63,8 @@ BENCHMARK(collocation_positions)->Unit(benchmark::kMicrosecond);
 /// 2000 x 2000 cells between orbits like those of Earth and Mars; the claim is at most 5 s on two processors.
 void porkchop(benchmark::State& state) {
   constexpr double mu = 1.32712440018e20, au = 1.495978707e11, day = 86400;
-  orbit::PorkchopProblem p{.mu = mu};
+  orbit::PorkchopProblem p;
+  p.mu = mu;
   p.from.state = orbit::state_of(orbit::from_axis(au, 0.0167, 0, 0, 1.8, 0), mu);
   p.to.state = orbit::state_of(orbit::from_axis(1.523679 * au, 0.0934, 0.0323, 0.865, 5.0, 0.3), mu);
   p.departures = {0, 780 * day, 2000};

@@ -139,7 +139,8 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
   for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time * i / 300).position);
   curves.begin("the rest of the ellipse", "l8");
   for (int i = 0; i <= 300; ++i) add(on_orbit(izzo, p.time + (period - p.time) * i / 300).position);
-  for (const auto& [name, end, look] : {std::tuple("r_{0}  at t_{0}", p.from, "l2"), {"r_{F}  at t_{F}", p.to, "l3"}}) {
+  for (const auto& [name, end, look] :
+       {std::tuple("r_{0}  at t_{0}", p.from, "l2"), {"r_{F}  at t_{F}", p.to, "l3"}}) {
     curves.begin(name, look);
     add({0, 0, 0});
     add(end);
