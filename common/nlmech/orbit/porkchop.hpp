@@ -53,7 +53,7 @@ struct PorkchopCell {
   double v_arrival = 0;           ///< |v_2 - v(body reached)|; infinite if there is no transfer
   std::int32_t revolutions = -1;  ///< whole ones; -1: no transfer, because the arrival is not after the
                                   ///< departure or the positions lie in one direction from the centre
-  bool long_way = false;                      ///< by more than 180 degrees
+  bool long_way = false;          ///< by more than 180 degrees
   LambertBranch branch = LambertBranch::low;  ///< of one revolution or more
 
   /// Is there a transfer?
