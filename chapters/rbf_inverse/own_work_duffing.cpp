@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_inverse/scenes.hpp"
+#include "nlmech/bvp/continuation.hpp"
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string which, final_time, beta = "0.9", target, weights = "1,1", bound;
+};
+
+double number(const char* option, const std::string& text) {
+  double value = 0;
+  if (!scene::parse_number(text, value))
+    throw InputError(fmt::format("{} {}: not a finite number", option, text));
+  return value;
+}
+
+Eigen::Vector2d pair(const char* option, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  double first = 0, second = 0;
+  if (comma == std::string::npos || !scene::parse_number(text.substr(0, comma), first) ||
+      !scene::parse_number(text.substr(comma + 1), second))
+    throw InputError(fmt::format("{} {}: two finite numbers with a comma between are needed", option, text));
+  return {first, second};
+}
+
+bvp::DuffingCase case_of(const std::string& name) {
+  std::string names;
+  for (const bvp::DuffingCase which : bvp::duffing_cases()) {
+    if (to_string(which) == name) return which;
+    names += fmt::format("{}{}", names.empty() ? "" : " ", to_string(which));
+  }
+  throw InputError(fmt::format("--case {}: there are {}", name, names));
+}
+
+struct Request {
+  bvp::DuffingSettings settings;
+  std::optional<double> bound;  ///< of |f|
+};
+
+Request understand(const Words& words) {
+  Request r;
+  r.settings.which = case_of(words.which);
+  r.settings.final_time = number("--final-time", words.final_time);
+  if (!(r.settings.final_time >= 1e-6 && r.settings.final_time <= 1000))
+    throw InputError(fmt::format("--final-time {}: must be from 1e-6 to 1000", words.final_time));
+  r.settings.beta = number("--beta", words.beta);
+  if (!(r.settings.beta >= 0 && r.settings.beta <= 1e6))
+    throw InputError(fmt::format("--beta {}: must be from 0 to 1e6", words.beta));
+  if (!words.target.empty()) {
+    if (r.settings.which == bvp::DuffingCase::harmonic)
+      throw InputError(
+          fmt::format("--target {}: --case harmonic has its own, by Eq. 5.34; leave it out", words.target));
+    r.settings.target = pair("--target", words.target);
+    if (r.settings.target.cwiseAbs().maxCoeff() > 1e4)
+      throw InputError(fmt::format("--target {}: larger than 1e4", words.target));
+  }
+  r.settings.weights = pair("--weights", words.weights);
+  if (r.settings.weights.minCoeff() < 0)
+    throw InputError(fmt::format("--weights {}: must not be negative", words.weights));
+  if (!words.bound.empty()) {
+    r.bound = number("--bound", words.bound);
+    if (!(*r.bound > 0)) throw InputError(fmt::format("--bound {}: must be positive", words.bound));
+  }
+  return r;
+}
+
+/// Two minutes, starts and the last solve included.
+constexpr double seconds_of_solves = 60;
+
+/// The cheapest extremal that the own starts lead to.
+std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
+  const bvp::Multistart all = bvp::duffing_extremals(settings, {}, {}, {.seconds = seconds_of_solves});
+  if (all.found.empty())
+    throw Failure(Status::failure(
+        Outcome::not_converged,
+        fmt::format("duffing: none of {} starts led to an extremal that an integrator confirms ({} spurious "
+                    "roots); try a shorter final time or a smaller beta",
+                    all.good + all.spurious + all.failed, all.spurious)));
+  std::vector<bvp::Extremal> extremals;
+  for (const bvp::Found& f : all.found) extremals.push_back(f.extremal);
+  return extremals;
+}
+
+/// The cheapest under the bound, from the cheapest ones without.
+bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
+  const bvp::ExtremalProblem problem = duffing_problem(settings);
+  std::optional<bvp::Extremal> best;
+  Status failure;
+  int tried = 0;
+  for (const bvp::Extremal& free : unbounded(settings)) {
+    if (++tried > 3) break;
+    double peak = 0;
+    constexpr int samples = 1000;
+    for (int i = 0; i <= samples; ++i)
+      peak = std::max(peak, std::abs(free.solution.at(settings.final_time * i / samples)[3]));
+    // A bound that does not bind, with room for what is between the samples.
+    bvp::Extremal e = peak < 0.99 * bound
+                          ? free
+                          : tighten(problem, start_from(free.solution), bvp::control_bound_path(peak, bound));
+    if (!e.solution.status.ok()) {
+      if (failure.ok()) failure = e.solution.status;
+    } else if (!best || e.cost < best->cost) {
+      best = std::move(e);
+    }
+  }
+  if (!best) throw Failure(failure);
+  return *best;
+}
+
+std::string duffing(const Words& words) {
+  const Request r = understand(words);
+  const bvp::Extremal e = r.bound ? bounded(r.settings, *r.bound) : std::move(unbounded(r.settings).front());
+  const Eigen::VectorXd first = e.solution.first(), last = e.solution.last();
+  // What is prescribed or vanishes comes out with the rounding of the solve.
+  const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
+  return fmt::format(
+      "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss\n"
+      "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
+      shown(e.cost), shown(first[0]), shown(first[1]), shown(first[2]), shown(first[3]), shown(last[0]),
+      shown(last[1]), e.miss);
+}
+
+}  // namespace
+
+void add_duffing_command(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* const command = app.add_subcommand(
+      "duffing",
+      "The cheapest force found that brings a Duffing oscillator to its end, as CSV: "
+      "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss; omega_n = 1, start 0,0 where prescribed");
+  command
+      ->add_option("--case", words->which,
+                   "free, fixed, x1x1, x1x2, x2x1, x2x2 (what is prescribed at both ends), final-only, or "
+                   "harmonic (amplitudes 1.5, 2, 3 at 3 rad/s)")
+      ->required();
+  command->add_option("--final-time", words->final_time, "T, seconds")->required();
+  command->add_option("--beta", words->beta, "nonlinearity")->capture_default_str();
+  command->add_option("--target", words->target, "x1,x2 at T; 5,2 if not given");
+  command->add_option("--weights", words->weights, "s11,s22 of the miss that is not prescribed")
+      ->capture_default_str();
+  command->add_option("--bound", words->bound, "largest |f|; none if not given");
+  command->callback([words] { scene::print_result(duffing(*words)); });
+}
+
+}  // namespace nlmech::chapters

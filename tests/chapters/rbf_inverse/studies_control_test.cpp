@@ -1,0 +1,122 @@
+/// What the chapter's figures and tables on optimal control are made with.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "chapters/rbf_inverse/chapter.hpp"
+#include "chapters/rbf_inverse/curves.hpp"
+#include "chapters/rbf_inverse/duffing_runs.hpp"
+#include "chapters/rbf_inverse/multiple_shooting.hpp"
+#include "nlmech/bvp/solve.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using bvp::DuffingCase;
+
+/// The start of the neighbourhood of the cheapest extremal: the trajectory of its initial values of 16
+/// digits.
+bvp::Start start_near(const KnownExtremal& known) {
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+  const Eigen::VectorXd z = Eigen::Map<const Eigen::Vector4d>(known.first.data());
+  std::vector<double> times;
+  for (int k = 0; k <= 400; ++k) times.push_back(2 * k / 400.);
+  const Eigen::MatrixXd states = fly(problem, z, Eigen::VectorXd(), times).states;
+  return {.states = [states](double t, Eigen::VectorXd& x) {
+    x = states.col(std::lround(t * 200));  // the node nearest in time is near enough
+  }};
+}
+
+// Six cases against an independent Taylor method in 36 digits.
+TEST(KnownExtremals, AreExtremals) {
+  for (const KnownExtremal& known : known_extremals()) {
+    const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+    const bvp::Extremal e = solve_extremal(problem, start_near(known));
+    ASSERT_TRUE(e.solution.status.ok()) << to_string(known.which) << e.solution.status.text();
+    EXPECT_NEAR(e.cost, known.cost, 1e-9 * known.cost) << to_string(known.which);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const double value = known.first[static_cast<std::size_t>(i)];
+      EXPECT_NEAR(e.solution.first()[i], value, 1e-10 * std::max(1.0, std::abs(value)));
+    }
+    for (Eigen::Index i = 0; i < 2; ++i)
+      EXPECT_NEAR(e.solution.last()[i], known.last[static_cast<std::size_t>(i)], 1e-9);
+    EXPECT_LE(e.miss, 1e-9);
+  }
+}
+
+// The polynomial limit resolves the free case with 40 nodes, the printed shape has five digits: an
+// independent program, 5e-13 and 3.2e-5.
+TEST(GlobalVariants, PrintedShapeLosesDigits) {
+  const KnownExtremal& known = known_extremal(DuffingCase::free);
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+  std::vector<double> worst;
+  for (const GlobalVariant& v : global_variants()) {
+    const bvp::GlobalResult r = solve_global(
+        problem,
+        {.relative_shape = v.relative_shape, .derivative = v.derivative, .rows = printed_rows(problem)},
+        start_near(known));
+    ASSERT_TRUE(r.report.status.ok()) << v.name << r.report.status.text();
+    const NodeErrors e = node_errors(r);
+    worst.push_back(std::max(e.states, e.costates));
+  }
+  EXPECT_GT(worst[0], 1e-6);
+  EXPECT_LT(worst[0], 1e-3);
+  EXPECT_LT(worst[1], 1e-5);
+  EXPECT_GT(worst[2], 1e-6);  // all digits do not help: it is the shape
+  EXPECT_LT(worst[3], 1e-11);
+}
+
+TEST(NodeErrors, NothingFlownIsNaN) {
+  const NodeErrors e = node_errors({});
+  EXPECT_TRUE(std::isnan(e.states));
+  EXPECT_TRUE(std::isnan(e.costates));
+}
+
+// The same co-states by an entirely different way.
+TEST(MultipleShooting, FindsTheKnownCostates) {
+  if (!multiple_shooting_available()) GTEST_SKIP() << "no CVODE in this build";
+  const KnownExtremal& known = known_extremal(DuffingCase::fixed);
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+  const ShotSolution shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
+  ASSERT_TRUE(shot.status.ok()) << shot.status.text();
+  // Each of some hundred steps may err by the tolerance, and the problem is unstable by a factor of 100.
+  EXPECT_NEAR(shot.first[2], known.first[2], 1e-6);
+  EXPECT_NEAR(shot.first[3], known.first[3], 1e-6);
+  EXPECT_GT(shot.newton, 0);
+}
+
+TEST(ControlCurves, CountsCurvesByPanel) {
+  ControlCurves curves("heading", "time_s");
+  curves.panel("x", "y");
+  curves.begin("a {/:Italic b} c", "l1");
+  curves.add(1, 2);
+  curves.begin("", "p2");
+  curves.add(3, 4);
+  curves.panel("z", "", "caption");
+  curves.begin("d", "l3");
+  curves.add(5, 6);
+  const scene::Figure figure = curves.take();
+  EXPECT_EQ(figure.variables.at("panels"), "2");
+  EXPECT_EQ(figure.variables.at("first1"), "0");
+  EXPECT_EQ(figure.variables.at("first2"), "2");
+  EXPECT_EQ(figure.variables.at("looks1"), "l1|p2");
+  EXPECT_EQ(figure.variables.at("legend1"), "a \u200b{/:Italic b}\u200b c|");
+  EXPECT_EQ(figure.variables.at("caption2"), "caption");
+  EXPECT_EQ(figure.data.columns()[2].name, "time_s");
+  EXPECT_EQ(figure.data.rows().size(), 3U);
+}
+
+TEST(Chapter, ShowsAllFiguresOfPartOne) {
+  const scene::Chapter chapter = rbf_inverse_chapter();
+  std::set<std::string> names;
+  for (const scene::Scene& s : chapter.scenes()) names.insert(s.name);
+  for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
+  for (const char* name :
+       {"table-5.1", "table-5.2", "table-5.3", "extremals", "basin", "shape-study", "bounded-control",
+        "interior-point", "continuation", "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
+    EXPECT_TRUE(names.contains(name)) << name;
+}
+
+}  // namespace
+}  // namespace nlmech::chapters
