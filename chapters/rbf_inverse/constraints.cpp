@@ -72,7 +72,7 @@ scene::Showing show_bounded(const DuffingRuns& runs, const std::vector<Bounded>&
                cell(found ? s.first()[2] : 0), cell(found ? s.first()[3] : 0), cell(b.extremal.miss),
                found ? std::string() : std::string(s.status.sentence())});
     if (!found) continue;
-    figure.begin(fmt::format("|{{/:Italic f}}| at most {:g}", b.limit), fmt::format("l{}", style++));
+    figure.begin(fmt::format("at most {:g}", b.limit), fmt::format("l{}", style++));
     for (int i = 0; i <= samples; ++i)
       figure.add(end_time * i / samples, b.control[static_cast<std::size_t>(i)]);
   }
@@ -141,7 +141,7 @@ scene::Showing show_through(const DuffingRuns& runs, const std::vector<Through>&
       figure.add(end_time * i / samples,
                  -t.found.found.front().extremal.solution.at(end_time * i / samples)[3]);
   }
-  figure.with("key", "bottom left");
+  figure.with("key", "top left");
   const auto cost = [&](std::size_t i) { return all[i].found.found.front().extremal.cost; };
   const char* const reason = "an independent program; the lower one of the two counts";
   return {figure.take(),

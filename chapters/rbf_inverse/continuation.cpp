@@ -84,25 +84,27 @@ scene::Figure draw(const Lines& lines) {
 scene::Table tabulate(const Lines& lines) {
   scene::Table table({{"case"},
                       {"parameter"},
-                      {"fold"},
+                      {"place"},
                       {"at", 8},
                       {"cost there", 6},
                       {"lambda1(0)", 6},
                       {"how the branch ended"}});
-  for (const Line& line : lines)
-    for (std::size_t k = 0; k < line.folds.size(); ++k) {
-      const Spot& p = line.folds[k];
-      table.add({std::string(to_string(line.which)), std::string(line.in_beta ? "beta" : "T"),
-                 static_cast<std::int64_t>(k + 1), p.parameter, p.cost, p.lambda1, line.status});
-    }
+  for (const Line& line : lines) {
+    const auto row = [&](const std::string& place, const Spot& p, const std::string& remark) {
+      table.add({std::string(to_string(line.which)), std::string(line.in_beta ? "beta" : "T"), place,
+                 p.parameter, p.cost, p.lambda1, remark});
+    };
+    for (std::size_t k = 0; k < line.folds.size(); ++k) row(fmt::format("fold {}", k + 1), line.folds[k], "");
+    if (!line.points.empty()) row("end", line.points.back(), line.status.empty() ? "as asked" : line.status);
+  }
   return table;
 }
 
 std::vector<scene::Quantity> promises(const Lines& lines) {
   const auto first = [&](DuffingCase which, bool in_beta) {
     for (const Line& line : lines)
-      if (line.which == which && line.in_beta == in_beta && !line.folds.empty())
-        return line.folds.front().parameter;
+      if (line.which == which && line.in_beta == in_beta && !line.points.empty())
+        return line.folds.empty() ? line.points.back().parameter : line.folds.front().parameter;
     return std::nan("");
   };
   const auto fold = [&](const char* name, DuffingCase which, bool in_beta, double known, double digits) {
@@ -115,7 +117,7 @@ std::vector<scene::Quantity> promises(const Lines& lines) {
   };
   return {fold("first fold in T, free", DuffingCase::free, false, 2.9635, 0.006),
           fold("first fold in T, fixed", DuffingCase::fixed, false, 2.678, 0.004),
-          fold("first fold in beta, free", DuffingCase::free, true, 18.375, 0.2),
+          fold("end of the branch in beta, free", DuffingCase::free, true, 18.375, 0.2),
           fold("first fold in beta, fixed", DuffingCase::fixed, true, 1.756, 0.01)};
 }
 

@@ -66,7 +66,7 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
   const auto cases = bvp::duffing_cases();
   for (std::size_t c = 0; c < cases.size(); ++c)
     tics += fmt::format("{}\"{}\" {}", c == 0 ? "(" : ", ", to_string(cases[c]), c + 1);
-  tics += ") rotate by -40";
+  tics += ") rotate by 40 right";
   for (std::size_t i = 0; i < final_times.size(); ++i) {
     figure.panel("", i == 0 ? "cost {/:Italic J}" : "", time_label(final_times[i]));
     for (const bool minimum : {true, false}) {
@@ -83,7 +83,7 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
     figure.with("logy", "1").with("yrange", "[1e-2:1e6]").with("xrange", "[0.4:8.6]").with("xtics", tics);
     figure.with("key", i == 2 ? "top right" : "off");
   }
-  figure.overall("width", "1000").overall("height", "480");
+  figure.overall("bottom", "0.2").overall("width", "1000").overall("height", "480");
   return figure.take();
 }
 

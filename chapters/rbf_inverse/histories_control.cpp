@@ -136,8 +136,8 @@ scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool cost
   const auto& results = w.result(*runs.globals[nominal])[index];
   const NodeErrors printed = node_errors(results[0]);
   const double worst = costates ? printed.costates : printed.states;
-  ControlCurves figure(
-      fmt::format("{} errors reach {:.0e}, where the text has 1e-7", costates ? "Co-state" : "State", worst));
+  ControlCurves figure(fmt::format("{} errors reach {}, where the text has 1e-7",
+                                   costates ? "Co-state" : "State", scene::format_number(worst, 1)));
   figure.panel("time (s)",
                costates ? "|{/:Italic λ} - {/:Italic λ}_{flown}|" : "|{/:Italic x} - {/:Italic x}_{flown}|");
   const int first = costates ? 2 : 0;

@@ -155,7 +155,7 @@ scene::Figure draw(const std::vector<Flow>& all) {
       for (const auto& [iteration, residual] : flow.trace)
         if (residual > 0 && residual < 1e20) figure.add(iteration, residual);
     }
-    figure.with("logx", "1").with("logy", "1").with("yrange", "[1e-9:1e4]").with("xrange", "[1:1e4]");
+    figure.with("logx", "1").with("logy", "1").with("yrange", "[1e-9:1e8]").with("xrange", "[1:1e4]");
     figure.with("key", "top left");
   }
   figure.overall("width", "900");

@@ -5,7 +5,7 @@
 #
 # Variables: data, panels (how many), and for each panel k = 1, 2, ...: firstk (how many curves are before its own), xlabelk,
 # ylabelk, legendk and looksk (one entry a curve, separated by |; a look is a letter, l line, b line and points, p points,
-# o large points, and a line style) (required); heading, and captionk, xrangek, yrangek ("[0:1]"), logxk, logyk,
+# o large points, and a line style) (required); heading, bottom (margin, a share of the height), and captionk, xrangek, yrangek ("[0:1]"), logxk, logyk,
 # keyk ("top left", or "off"), xticsk (optional).
 #
 # Data: CSV with the header `panel,curve,x,y` (x may have another name), a blank line between curves.
@@ -22,10 +22,13 @@ set label 1 heading at screen 0.5, screen 0.965 center font sprintf("%s:Bold,%d"
 if (count > 1) {set multiplot}
 do for [k = 1:count] {
   left = (k - 1.0)/count + 75.0/width
-  set margins screen left, screen (k - 1.0)/count + 1.0/count - 18.0/width, screen 0.135, screen (has("caption", k) ? 0.87 : 0.92)
-  set xlabel of("xlabel", k)
-  set ylabel of("ylabel", k) offset 0.5,0
-  if (has("caption", k)) {set label 2 of("caption", k) at graph 0.0, graph 1.04 left} else {unset label 2}
+  set margins screen left, screen (k - 1.0)/count + 1.0/count - 18.0/width, screen (exists("bottom") ? bottom + 0 : 0.16), screen (has("caption", k) ? 0.87 : 0.92)
+  label_text = of("xlabel", k)
+  set xlabel label_text
+  label_text = of("ylabel", k)
+  set ylabel label_text offset 0.5,0
+  label_text = has("caption", k) ? of("caption", k) : ""
+  set label 2 label_text at graph 0.0, graph 1.04 left
   set xrange [*:*]
   set yrange [*:*]
   if (has("xrange", k)) {eval "set xrange " . of("xrange", k)}
