@@ -27,7 +27,7 @@ const char* name_of(Solver solver) {
   switch (solver) {
     case Solver::printed: return "Gaussian, Newton (printed)";
     case Solver::polynomial: return "polynomial, damped Newton";
-    case Solver::refined: return "refined intervals, damped Newton";
+    case Solver::refined: return "refined, damped Newton";
   }
   return "";
 }
@@ -171,13 +171,13 @@ scene::Figure draw(const Basin& basin) {
       for (std::size_t i = 0; i < basin[t].size(); ++i)
         figure.add(double(i) + 1, 100. * basin[t][i][s].good / basin[t][i][s].guesses);
     }
-    figure.begin("spurious roots, printed", "o2");
+    figure.begin("spurious roots of the printed one", "o2");
     for (std::size_t i = 0; i < basin[t].size(); ++i)
       figure.add(double(i) + 1, 100. * basin[t][i][0].spurious / basin[t][i][0].guesses);
     figure.with("yrange", "[0:105]").with("xrange", "[0.5:6.5]").with("xtics", tics);
-    figure.with("key", t == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 1" : "off");
+    figure.with("key", t == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 2 samplen 3" : "off");
   }
-  figure.overall("bottom", "0.27").overall("width", "1000").overall("height", "480");
+  figure.overall("bottom", "0.32").overall("width", "1000").overall("height", "480");
   return figure.take();
 }
 

@@ -180,9 +180,9 @@ scene::Figure draw(const std::vector<Panel>& panels) {
     figure.with("logx", "1").with("xrange", "[1e-4:10]").with("yrange", "[0:16]");
     figure.with("xtics",
                 "(\"0.1 ms\" 1e-4, \"1 ms\" 1e-3, \"10 ms\" 1e-2, \"0.1 s\" 0.1, \"1 s\" 1, \"10 s\" 10)");
-    figure.with("key", is_free ? "off" : "at screen 0.5, screen 0.01 center bottom maxrows 2");
+    figure.with("key", is_free ? "off" : "at screen 0.5, screen 0.01 center bottom maxrows 3 samplen 3");
   }
-  figure.overall("bottom", "0.27").overall("width", "1000").overall("height", "540");
+  figure.overall("bottom", "0.3").overall("width", "1000").overall("height", "540");
   return figure.take();
 }
 

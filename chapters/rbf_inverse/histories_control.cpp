@@ -89,7 +89,7 @@ scene::Showing show_states(const DuffingRuns& runs, const DuffingSubject& subjec
       figure.add(t, k < 2 ? z[k] : -z[3]);
     }
   }
-  figure.with("key", "top left");
+  figure.with("key", "at screen 0.54, screen 0.01 center bottom maxrows 1").overall("bottom", "0.24");
   return {figure.take(), extremal_table(runs, subject, w),
           extremal_promises(e, known_extremal(subject.which))};
 }
