@@ -187,7 +187,7 @@ std::vector<scene::Quantity> promises(const std::vector<Flow>& all, bool quick) 
       inverse = std::min(inverse, f.residual);
     if (f.which == DuffingCase::free && f.final_time == 1) newton = std::max(newton, double(f.newton));
   }
-  return {{"least |F|/|F(0)| of equations as they are, or rows scaled", "1", raw, 1e-5, 1e300,
+  return {{"least relative residual, equations as they are or rows scaled", "1", raw, 1e-5, 1e300,
            "an independent program: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations"},
           {"the same of the fixed case, any factor", "1", fixed, 1e-8, 1e300,
            "an independent program: no convergence in 20 000 iterations"},
