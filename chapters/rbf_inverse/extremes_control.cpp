@@ -63,7 +63,7 @@ Extremes compute(bool quick) {
                                               .pumps = pump ? (h.final_time > 5 ? 8 : 4) : 0,
                                               .direct = pump ? 0 : 4,
                                               .random = 0},
-                                             {}, {.seconds = 2})});
+                                             {}, {})});
   }
   // Nothing is asked of the end, so nothing should be done.
   bvp::DuffingSettings idle = printed_settings(DuffingCase::free, 2);
@@ -137,7 +137,7 @@ std::vector<scene::Quantity> promises(const Extremes& all) {
 void add_control_extremes(scene::Chapter& chapter) {
   const auto& run = chapter.add_run<Extremes>("extremes-control",
                                               "fixed cases from pumps of linear amplitude, free ones from "
-                                              "the direct method; at most 2 s of starts each",
+                                              "the direct method",
                                               {}, [](Workshop& w) { return compute(w.quick()); });
   chapter.add({.name = "extremes-ocp",
                .title = "Strong nonlinearity, long and vanishing times, zero weights",
