@@ -77,6 +77,10 @@ TEST(AxialForce, ThePastOfTheClampedBucklingLoadIsAnotherBranch) {
   EXPECT_LT(at(Real(-39.5)), -0.01);
   // A symmetric rotation, however small, brings it back.
   EXPECT_EQ(axial_force(AxialBalance<double>{-0.02, 0.005, 1e-40, 1e-5}).outcome, Outcome::success);
+  for (const double tiny : {1e-189, 1e-191, 1e-300, 5e-324}) {
+    const auto next = axial_force(AxialBalance<double>{-0.02, 0.005, tiny, 1e-5});
+    EXPECT_TRUE(std::isfinite(next.n) && std::isfinite(next.g.symmetric.curvature)) << tiny;
+  }
   // A straight strut has only its shortening.
   const auto strut = axial_force(AxialBalance<double>{-0.02, 0, 0, 1e-5});
   EXPECT_EQ(strut.outcome, Outcome::wrong_branch);

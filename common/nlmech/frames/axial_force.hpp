@@ -61,12 +61,12 @@ template <class Number, class F>
     const auto [value, slope, noise] = f(z);
     ++evaluations;
     if (abs(value) <= noise) break;
+    const Number step = value / slope;
+    // Newton's steps are squared from one to the next: what such a short one leaves is rounding noise.
+    if (abs(step) <= 64 * eps * abs(z)) return Number(z - step);
     (value > 0 ? low : high) = z;
-    Number next = z - value / slope;
-    if (!(next > low && next < high)) next = low + (high - low) / 2;
-    const Number change = abs(Number(next - z));
-    z = next;
-    if (change <= 2 * eps * abs(z)) break;
+    z -= step;
+    if (!(z > low && z < high)) z = low + (high - low) / 2;
   }
   return z;
 }
@@ -76,7 +76,7 @@ template <class Number>
 struct BalanceAt {
   Number value;  ///< b
   Number slope;  ///< db/dn
-  Number noise;  ///< a fraction of the rounding error of the data
+  Number noise;  ///< half a unit in the last place of all terms: b is known no better
 };
 
 /// b where the stability functions are @p g.
@@ -84,8 +84,9 @@ template <class Number>
 [[nodiscard]] BalanceAt<Number> balance_at(const AxialBalance<Number>& b, const Number& n,
                                            const StabilityFunctions<Number>& g) {
   using std::abs;
-  const Number data = abs(b.strain);
-  return {b.value(n, g), b.slope(g), data * std::numeric_limits<Number>::epsilon() / 8};
+  const Number terms = abs(b.strain) + abs(Number(b.antisymmetric * g.antisymmetric.slope)) +
+                       abs(Number(b.symmetric * g.symmetric.slope)) + abs(Number(b.softness * n));
+  return {b.value(n, g), b.slope(g), terms * std::numeric_limits<Number>::epsilon() / 2};
 }
 
 /// How the root is written: as n, or, next to the pole of g_s, as p = n + 4 pi^2.
@@ -139,7 +140,8 @@ template <class Number>
   const Number seam = -3.99;
   if (const auto at = f(seam); at.value < 0) {
     const Number pole = FourPiSquared<Number>{}.high;
-    if (b.symmetric == 0) return root_without_symmetric(b, pole, evaluations);
+    // Smaller ones would take g_s'' beyond the range of double next to the pole.
+    if (b.symmetric < 1e-190) return root_without_symmetric(b, pole, evaluations);
     return {root_above_pole(b, pole, evaluations), true, Outcome::success};
   }
   // For n >= 0: g_a' <= 1/5 and g_s' <= 1/3.
@@ -153,10 +155,10 @@ template <class Number>
 /// Solves for the axial force, to rounding. Below n = -4 it is found by its distance from the pole of g_s, so
 /// that g_s keeps all digits for symmetric end rotations of any size.
 ///
-/// The trap: if theta_s is exactly 0 the pole is not in b, and n may come out below -4 pi^2. Then the member
-/// carries more than its own clamped buckling load, in unstable equilibrium; the energy of Pi(d, N) has no
-/// maximum over N there, and the smallest theta_s puts n above the pole. The root is given, with
-/// `wrong_branch`.
+/// The trap: if theta_s is 0 (below 1e-95 counts as that) the pole is not in b, and n may come out below -4
+/// pi^2. Then the member carries more than its own clamped buckling load, in unstable equilibrium; the energy
+/// of Pi(d, N) has no maximum over N there, and the smallest theta_s puts n above the pole. The root is
+/// given, with `wrong_branch`.
 /// @tparam T floating point of any width, or dual numbers, nested to a depth of three
 template <class T>
 [[nodiscard]] AxialForce<T> axial_force(const AxialBalance<T>& b) {

@@ -164,9 +164,9 @@ template <class T>
 }
 
 /// Both functions at the axial force @p n = N l^2/EI, tension positive, in any type of number: floating
-/// point, extended precision, dual numbers. For double, against 50 digits, values within 16 eps, slopes
-/// within 64 eps and curvatures within 512 eps of themselves, for n from -4 pi^2 to 1e6. At a pole values are
-/// infinite or very large; whoever may come there asks first.
+/// point, extended precision, dual numbers. For double, against 50 digits, values g are within 16 eps max(1,
+/// |g|), slopes within 16 eps and curvatures within 128 eps of themselves, for n from -4 pi^2 to 1e6. At a
+/// pole values are infinite or very large; whoever may come there asks first.
 template <class T>
 [[nodiscard]] StabilityFunctions<T> stability_functions(const T& n) {
   using Number = decltype(value_of(n));
