@@ -173,5 +173,24 @@ TEST(AdaptiveCollocation, Events) {
   }
 }
 
+// Gaussians at the same nodes: they keep their promise with more steps, and where they are wide against the
+// step they are the polynomials.
+TEST(AdaptiveCollocation, Gaussians) {
+  const double end = oracle::duffing_period;
+  const State<2> exact = oracle::duffing(end);
+  for (const double shape : {0.01, 0.5, 2.0}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      AdaptiveCollocation method = to(tolerance);
+      method.shape = shape;
+      const auto s = integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, method);
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      EXPECT_LT(oracle::distance(s.x, exact), static_cast<double>(s.statistics.steps) * tolerance * (1 + end))
+          << shape << ' ' << tolerance;
+      EXPECT_GE(s.statistics.steps,
+                integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, to(tolerance)).statistics.steps);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::ivp

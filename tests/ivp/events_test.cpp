@@ -140,6 +140,18 @@ TEST(Events, MistakesAndFunctionsWithoutValue) {
   EXPECT_TRUE(hits.empty());
 }
 
+// Values at the places, 0.5 apart, but none between two of them, where the zero is looked for.
+TEST(Events, NoValueOnTheWayToTheZero) {
+  const auto value = [](double t, const State<2>&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
+  for (const bool ends : {false, true}) {
+    const auto [end, hits] =
+        integrate_with_events(System(Fall{}), State<2>(1, 0), 0, 4, Series{.order = 4, .step = 4},
+                              {{value, Crossing::either, ends}});
+    EXPECT_EQ(end.status.outcome(), Outcome::non_finite) << ends;
+    EXPECT_TRUE(hits.empty()) << ends;
+  }
+}
+
 TEST(Events, TheObserverStillEndsTheIntegration) {
   const System system(testing::Oscillator{});
   const auto [end, hits] = integrate_with_events(system, State<2>(1, 0), 0, 30, Series{}, {passes(0)},

@@ -22,9 +22,10 @@ std::vector<Vector3<Real>> coefficients_of_kepler(const State& s, double mu, dou
   constexpr int count = 31, wanted = 11;
   std::vector<Real> t;
   std::vector<Vector3<Real>> d;
+  constexpr int middle = count / 2;
   for (int i = 0; i < count; ++i) {
-    t.emplace_back((i - count / 2) * spacing);
-    d.push_back(kepler(s, (i - count / 2) * spacing, mu).position);
+    t.emplace_back((i - middle) * spacing);
+    d.push_back(kepler(s, (i - middle) * spacing, mu).position);
   }
   for (int level = 1; level < count; ++level) {
     for (int i = count - 1; i >= level; --i) {

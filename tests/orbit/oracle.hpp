@@ -94,8 +94,8 @@ template <class F>
     const Real rate = n / (e * cosh(H) - 1);
     return in_frame(a * (e - cosh(H)), b * sinh(H), -a * sinh(H) * rate, b * cosh(H) * rate);
   }
-  // Parabola: r = (p + d^2)/2 with d = tan(nu/2) sqrt(p), 2 sqrt(mu) t = p d + d^3/3.
-  const Real d0 = along, m = p * d0 + d0 * d0 * d0 / 3 + 2 * sqrt(mu) * Real(time);
+  // Parabola: r = (p + d^2)/2 with d = tan(nu/2) sqrt(p), here `along`; 2 sqrt(mu) t = p d + d^3/3.
+  const Real m = p * along + along * along * along / 3 + 2 * sqrt(mu) * Real(time);
   Real bound = 1;
   while (p * bound + bound * bound * bound / 3 < abs(m)) bound *= 2;
   const Real d =

@@ -15,7 +15,8 @@ namespace {
 /// growing imaginary part.
 template <int s>
 RadauTransform<s> make() {
-  using Square = Eigen::Matrix<long double, s, s>;
+  // Of dynamic size: one eigenvalue solver is compiled for all s.
+  using Square = Matrix<long double>;
   const Square inverse = (integration_matrix(radau_right<long double>(s)) / 2).inverse();
   const Eigen::EigenSolver<Square> eigen(inverse);
   const auto values = eigen.eigenvalues();
@@ -25,7 +26,7 @@ RadauTransform<s> make() {
   }
   std::sort(order.begin(), order.end(), [&](int a, int b) { return values[a].imag() < values[b].imag(); });
   RadauTransform<s> r;
-  Square t;
+  Square t(s, s);
   int column = 0;
   for (const int i : order) {
     const auto vector = eigen.eigenvectors().col(i);

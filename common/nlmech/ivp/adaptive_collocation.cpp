@@ -11,6 +11,7 @@ void check_options(const AdaptiveCollocation& method) {
   require_within(method.name, "relative_tolerance", method.relative_tolerance, 0, 0.1);
   require_within(method.name, "absolute_tolerance", method.absolute_tolerance, least, largest);
   require_within(method.name, "largest_step", method.largest_step, 0, largest);
+  require_within(method.name, "shape", method.shape, 0, largest);
   if (method.nodes != 0 && method.nodes != 9 && method.nodes != 13 && method.nodes != 17)
     throw std::invalid_argument(
         fmt::format("{}: nodes must be 9, 13 or 17 (0: by the tolerance), is {}", method.name, method.nodes));

@@ -28,6 +28,8 @@ struct AdaptiveCollocation {
   double absolute_tolerance = 1e-9;                                 ///< atol, positive
   int nodes = 0;            ///< N of sweeps, the left end among them: 9, 13 or 17; 0: as is best
   double largest_step = 0;  ///< 0: the interval
+  double shape = 0;  ///< c of Gaussians at the nodes, 1/time; 0: polynomials. For comparison: each length of
+                     ///< a step has its own tables, and the estimate cannot count on superconvergence
 };
 
 /// @throws std::invalid_argument naming an option out of range and its value
@@ -49,7 +51,10 @@ class Run {
   Run(const Task<S>& task, const AdaptiveCollocation& method)
       : task_(task),
         largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
-        strict_{task.system, {caution * method.absolute_tolerance, caution * method.relative_tolerance}},
+        has_newton_(!(method.shape > 0)),
+        strict_{task.system,
+                {caution * method.absolute_tolerance, caution * method.relative_tolerance},
+                method.shape},
         setup_{task.system, {method.absolute_tolerance, method.relative_tolerance}},
         sweeps_(strict_, first_order(method), method.nodes > 0),
         newton_(setup_, first_order(method), method.nodes > 0),
@@ -131,7 +136,7 @@ class Run {
           trial.error > 1 ? std::clamp(safety / root(trial.error), 0.2, 0.9) : std::max(trial.shorter, 0.1);
       length_ = std::max(shortest, taken * change);
       if (!is_stiff_ && !trial.converged && trial.error == 0) slow_ += 2;
-      if (!is_stiff_ && slow_ >= patience) change_engine(end);
+      if (!is_stiff_ && has_newton_ && slow_ >= patience) change_engine(end);
     }
   }
 
@@ -156,7 +161,7 @@ class Run {
       sweeps_.accept();
     }
     now_.t = t1;
-    if (t1 != end && (is_stiff_ ? calm_ >= calm : slow_ >= patience)) change_engine(end);
+    if (t1 != end && (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= patience)) change_engine(end);
     return status;
   }
   template <class Engine>
@@ -184,7 +189,7 @@ class Run {
       if (is_slow)
         change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial.iterations, 0.7));
     }
-    if (is_stiff_ && change >= 1 && change < rest) change = 1;
+    if ((is_stiff_ || !has_newton_) && change >= 1 && change < rest) change = 1;
     return std::clamp(change, 0.2, is_guess_ ? first_growth : most_growth);
   }
 
@@ -199,7 +204,7 @@ class Run {
   const Task<S>& task_;
   double largest_, length_ = 0, before_ = 0, root_before_ = 0;
   int slow_ = 0, calm_ = 0;
-  bool is_stiff_ = false, is_guess_ = true;
+  bool is_stiff_ = false, is_guess_ = true, has_newton_;
   Setup<S> strict_, setup_;
   Sweeps sweeps_;
   Newton newton_;

@@ -32,8 +32,7 @@ namespace nlmech::ivp::adaptive {
 template <SystemLike S, int s>
 class NewtonSteps : public DenseOutput<S::dimension> {
  public:
-  static constexpr int n = S::dimension;     ///< components of the state
-  static constexpr int error_order = s + 1;  ///< power of the step in the estimate
+  static constexpr int n = S::dimension;  ///< components of the state
 
   /// @param setup the equation and what is asked
   explicit NewtonSteps(const Setup<S>& setup)
@@ -80,6 +79,8 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     return std::abs(h_) * jacobian_.cwiseAbs().rowwise().sum().maxCoeff();
   }
 
+  /// Power of the step with which the estimate grows.
+  [[nodiscard]] int error_order() const { return s + 1; }
   /// Goes from the begin, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;

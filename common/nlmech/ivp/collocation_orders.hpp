@@ -49,7 +49,7 @@ class Orders {
   }
   /// Power of the step with which the estimate grows.
   [[nodiscard]] int error_order() const {
-    return current([](const auto& e) { return e.error_order; });
+    return current([](const auto& e) { return e.error_order(); });
   }
   /// Takes the trial for the begin of the next, with another order if that will do better.
   void accept() {

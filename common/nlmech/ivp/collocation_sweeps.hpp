@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 
+#include "nlmech/collocation/gaussian_radau.hpp"
 #include "nlmech/collocation/radau.hpp"
+#include "nlmech/collocation/stable_gaussian.hpp"
 #include "nlmech/ivp/collocation_loops.hpp"
 #include "nlmech/ivp/collocation_trial.hpp"
 #include "nlmech/ivp/second_order.hpp"
@@ -34,7 +37,6 @@ namespace nlmech::ivp::adaptive {
 template <SystemLike S, int s, bool second>
 class Sweeper : public DenseOutput<S::dimension> {
  public:
-  static constexpr int error_order = 2 * s;                           ///< power of the step in the estimate
   static constexpr int n = S::dimension;                              ///< components of the state
   using Slope = Vector<double, second ? half<n> : n>;                 ///< what is unknown at a node
   using Slopes = Eigen::Matrix<double, s, Slope::RowsAtCompileTime>;  ///< at all nodes, a component a column
@@ -44,6 +46,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   explicit Sweeper(const Setup<S>& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
+        shape_(setup.shape),
         x_(Eigen::Matrix<double, s, n>::Zero(s, system_.size())),
         f_(Slopes::Zero(s, second ? system_.size() / 2 : system_.size())),
         last_(f_),
@@ -87,11 +90,14 @@ class Sweeper : public DenseOutput<S::dimension> {
     return rate * interval > change ? change / rate : interval;
   }
 
+  /// Power of the step with which the estimate grows.
+  [[nodiscard]] int error_order() const { return shape_ > 0 ? s + 1 : 2 * s; }
   /// Goes from the begin, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;
     h_ = t1 - t;
     t1_ = t1;
+    if (shape_ > 0 && !make_table()) return {false, 0, 0, 0.5};
     predict();
     return sweep(statistics, true);
   }
@@ -113,7 +119,7 @@ class Sweeper : public DenseOutput<S::dimension> {
     last_length_ = from.last_length_;
     for (Eigen::Index d = 0; d < last_.cols(); ++d) {
       double c[other];
-      multiply<other>(from.table_.legendre, from.last_.data() + d * other, c);
+      multiply<other>(from.table_->legendre, from.last_.data() + d * other, c);
       legendre_sums<s>(c, other - 1, positions_after(-1, 2), last_.data() + d * s);
     }
   }
@@ -124,6 +130,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   /// costs s evaluations a sweep and what two more would take (measured). So a step twice as long pays for
   /// more nodes where E is large, that is where the step moves the state by many tolerances.
   [[nodiscard]] int better_order() const {
+    if (shape_ > 0) return 0;
     const auto cost = [&](int nodes) { return (nodes + 2) * std::pow(scale_, 0.5 / nodes); };
     if (better_than_here * cost(s + 4) < cost(s)) return 1;
     return better_than_here * cost(s - 4) < cost(s) ? -1 : 0;
@@ -138,6 +145,7 @@ class Sweeper : public DenseOutput<S::dimension> {
     Sweeper part(*this);
     part.t1_ = t;
     part.h_ = t - t0_;
+    if (shape_ > 0) static_cast<void>(part.make_table());
     part.interpolate((t - t0_) / h_, part.f_);
     part.form_states();
     Statistics unused;
@@ -167,7 +175,7 @@ class Sweeper : public DenseOutput<S::dimension> {
     }
   }
   void slope_at_node(int i) {
-    const double t = i == s - 1 ? t1_ : t0_ + h_ * table_.nodes[i];
+    const double t = i == s - 1 ? t1_ : t0_ + h_ * table_->nodes[i];
     if constexpr (second) {
       const Eigen::Index m = f_.cols();
       for (Eigen::Index d = 0; d < m; ++d) {
@@ -181,6 +189,16 @@ class Sweeper : public DenseOutput<S::dimension> {
     }
   }
 
+  // The Gaussians of this step. Narrower ones than there are tables for ask for a shorter step.
+  [[nodiscard]] bool make_table() {
+    const double narrow = shape_ * std::abs(h_);
+    if (!(narrow <= collocation::StableGaussian::largest_shape)) return false;
+    if (narrow == narrow_ && table_ == own_.get()) return true;
+    own_ = std::make_shared<collocation::Radau<s>>();
+    narrow_ = narrow;
+    table_ = own_.get();
+    return collocation::gaussian_radau<s>(narrow, *own_);
+  }
   // The slope of the step before, continued; its high coefficients say nothing outside.
   [[gnu::noinline]] void predict() {
     const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
@@ -190,7 +208,7 @@ class Sweeper : public DenseOutput<S::dimension> {
       double* const f = slopes(d);
       if (is_continued) {
         double c[s];
-        multiply<s>(table_.legendre, last_.data() + d * s, c);
+        multiply<s>(table_->legendre, last_.data() + d * s, c);
         legendre_sums<s>(c, std::min(s - 1, most_extrapolated), positions, f);
       }
       if (!is_continued || !all_finite(f, s)) std::fill_n(f, s, f0_[d]);
@@ -201,14 +219,14 @@ class Sweeper : public DenseOutput<S::dimension> {
   void interpolate(double part, Slopes& to) const {
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
       double c[s];
-      multiply<s>(table_.legendre, f_.data() + d * s, c);
+      multiply<s>(table_->legendre, f_.data() + d * s, c);
       legendre_sums<s>(c, s - 1, positions_after(-1, 2 * part), to.data() + d * s);
     }
   }
   // The nodes in the coordinate of P_k, -1 to 1 over a step, for a step from `begin` of this length.
   [[nodiscard]] Column<s> positions_after(double begin, double length) const {
     Column<s> x;
-    for (int i = 0; i < s; ++i) x[i] = begin + length * table_.nodes[i];
+    for (int i = 0; i < s; ++i) x[i] = begin + length * table_->nodes[i];
     return x;
   }
   // Component d of the slopes, of the states.
@@ -223,14 +241,14 @@ class Sweeper : public DenseOutput<S::dimension> {
       double* const x = states(d);
       if constexpr (second) {
         double* const v = states(m + d);
-        multiply<s>(table_.twice, slopes(d), x);
-        multiply<s>(table_.integral, slopes(d), v);
+        multiply<s>(table_->twice, slopes(d), x);
+        multiply<s>(table_->integral, slopes(d), v);
         for (int i = 0; i < s; ++i) {
-          x[i] = x0_[d] + (h_ * h_ * x[i] + h_ * x0_[m + d] * table_.nodes[i]);
+          x[i] = x0_[d] + (h_ * h_ * x[i] + h_ * x0_[m + d] * table_->nodes[i]);
           v[i] = x0_[m + d] + h_ * v[i];
         }
       } else {
-        multiply<s>(table_.integral, slopes(d), x);
+        multiply<s>(table_->integral, slopes(d), x);
         for (int i = 0; i < s; ++i) x[i] = x0_[d] + h_ * x[i];
       }
     }
@@ -286,10 +304,10 @@ class Sweeper : public DenseOutput<S::dimension> {
       if (!(part <= update)) update = part;  // a NaN stays
       const double change = h_ * difference;
       if constexpr (second) {
-        add_column<s>(table_.twice, i, h_ * change, states(d));
-        add_column<s>(table_.integral, i, change, states(m + d));
+        add_column<s>(table_->twice, i, h_ * change, states(d));
+        add_column<s>(table_->integral, i, change, states(m + d));
       } else {
-        add_column<s>(table_.integral, i, change, states(d));
+        add_column<s>(table_->integral, i, change, states(d));
       }
     }
     return update;
@@ -309,9 +327,9 @@ class Sweeper : public DenseOutput<S::dimension> {
   void finish() {
     const Eigen::Index m = f_.cols();
     for (Eigen::Index d = 0; d < m; ++d) {
-      const double integral = h_ * row_times<s>(table_.integral, s - 1, slopes(d));
+      const double integral = h_ * row_times<s>(table_->integral, s - 1, slopes(d));
       if constexpr (second) {
-        add(d, h_ * x0_[m + d] + h_ * h_ * row_times<s>(table_.twice, s - 1, slopes(d)));
+        add(d, h_ * x0_[m + d] + h_ * h_ * row_times<s>(table_->twice, s - 1, slopes(d)));
         add(m + d, integral);
       } else {
         add(d, integral);
@@ -329,26 +347,30 @@ class Sweeper : public DenseOutput<S::dimension> {
     double residual = 0, size = 0;
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
       const double* const f = slopes(d);
-      const double begin = std::abs(dot<s>(table_.left, f) - f0_[d]);
-      const double tail = std::max(std::abs(row_times<s>(table_.legendre, s - 1, f)),
-                                   std::abs(row_times<s>(table_.legendre, s - 2, f)));
+      const double begin = std::abs(dot<s>(table_->left, f) - f0_[d]);
+      const double tail = std::max(std::abs(row_times<s>(table_->legendre, s - 1, f)),
+                                   std::abs(row_times<s>(table_->legendre, s - 2, f)));
       residual = std::max(residual, measure(d, std::max(begin, tail)));
       size = std::max(size, measure(d, largest<s>(f)));
     }
     scale_ = std::max(size, 1.);
     residual -= left;
+    if (shape_ > 0) return std::max(residual, 0.);  // no orthogonality to lean on
     return residual > 0 ? residual * (residual / std::max(size, residual)) : 0;
   }
 
   const S& system_;
   Tolerance tolerance_;
-  const collocation::Radau<s>& table_ = collocation::radau<s>();
+  double shape_;
+  // Of the polynomials; of Gaussians, which change with the step, in own_.
+  const collocation::Radau<s>* table_ = &collocation::radau<s>();
+  std::shared_ptr<collocation::Radau<s>> own_;
   SmoothSegment segment_;
   Eigen::Matrix<double, s, n> x_;  // states at the nodes, a component a column
   Slopes f_, last_;                // slopes there, now and in the step before
   State<n> x0_, x1_, carry_, change_, per_tolerance_;
   Slope f0_, new_, q_, v_;
-  double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, scale_ = 1;
+  double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, scale_ = 1, narrow_ = 0;
 };
 
 }  // namespace nlmech::ivp::adaptive

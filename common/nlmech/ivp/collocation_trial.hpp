@@ -15,6 +15,7 @@ template <class S>
 struct Setup {
   const S& system;      ///< outlives the engine
   Tolerance tolerance;  ///< of its steps
+  double shape = 0;     ///< c of Gaussians, 1/time; 0: polynomials
 };
 
 /// What came of a trial step.

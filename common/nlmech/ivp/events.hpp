@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -108,7 +109,8 @@ class EventFinder {
       signs_[i] = after;
       const bool rising = before < 0;
       if (before == 0 || after == before || !status_.ok() || !counts(events_[i].crossing, rising)) continue;
-      hits_.push_back(narrowed(step, i, begin, to, before));
+      const Hit<n> hit = narrowed(step, i, begin, to, before);
+      if (status_.ok()) hits_.push_back(hit);  // else the function was NaN on the way to its zero
     }
     const auto begin = hits_.begin() + static_cast<std::ptrdiff_t>(first);
     const bool forwards = step.t1 > step.t0;
@@ -175,12 +177,12 @@ template <SystemLike S, class Method>
     return finder.see(step) && wanted;
   };
   Solution<n> solution = integrate(system, x0, t0, t1, method, observe, limits);
-  if (finder.ended()) {
+  if (!finder.status().ok()) {
+    solution.status = finder.status();
+  } else if (finder.ended()) {
     solution.t = finder.hits().back().t;
     solution.x = finder.hits().back().x;
     solution.status = {};
-  } else if (!finder.status().ok()) {
-    solution.status = finder.status();
   }
   return {std::move(solution), finder.hits()};
 }

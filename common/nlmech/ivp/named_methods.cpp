@@ -83,7 +83,7 @@ constexpr std::array methods = {
                "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
                false,
                true,
-               false}};
+               true}};
 
 void check_positive(std::string_view name, std::string_view what, const std::optional<double>& value) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
@@ -207,7 +207,8 @@ template <int n>
 NamedIntegrator<n> collocation_by_name(const MethodInfo& info, const Settings& settings) {
   const double shape = settings.shape.value_or(0);
   if (info.name == AdaptiveCollocation::name)
-    return by_tolerance<n, AdaptiveCollocation>(settings, {.nodes = settings.nodes.value_or(0)});
+    return by_tolerance<n, AdaptiveCollocation>(settings,
+                                                {.nodes = settings.nodes.value_or(0), .shape = shape});
   if (info.name == Mcpi::name) {
     const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
     return fixed_step<n>(info, settings, {},

@@ -1,0 +1,92 @@
+// The method Radau IIA as tables: what its matrices must do, and the coordinates in which it decouples.
+#include "nlmech/collocation/radau.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "nlmech/collocation/radau_transform.hpp"
+
+namespace nlmech::collocation {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+template <class T>
+class Tables : public ::testing::Test {};
+template <int s>
+struct Stages {
+  static constexpr int count = s;
+};
+using All = ::testing::Types<Stages<3>, Stages<5>, Stages<7>, Stages<8>, Stages<12>, Stages<16>>;
+TYPED_TEST_SUITE(Tables, All);
+
+// A integrates powers up to the degree s - 1 to every node, its last row those up to 2s - 2 (the order
+// conditions B(2s - 1) and C(s)), and A A twice.
+TYPED_TEST(Tables, IntegratePowers) {
+  constexpr int s = TypeParam::count;
+  const Radau<s>& r = radau<s>();
+  EXPECT_EQ(r.nodes[s - 1], 1);
+  for (int k = 0; k <= 2 * s - 2; ++k) {
+    const Eigen::Matrix<double, s, 1> f = r.nodes.array().pow(k);
+    EXPECT_NEAR(r.integral.row(s - 1).dot(f), 1. / (k + 1), 8 * eps) << k;
+    if (k > s - 1) continue;
+    for (int i = 0; i < s; ++i)
+      EXPECT_NEAR(r.integral.row(i).dot(f), std::pow(r.nodes[i], k + 1) / (k + 1), 8 * eps) << k << ' ' << i;
+    if (k > s - 2) continue;
+    for (int i = 0; i < s; ++i)
+      EXPECT_NEAR(r.twice.row(i).dot(f), std::pow(r.nodes[i], k + 2) / ((k + 1) * (k + 2)), 8 * eps) << k;
+  }
+}
+
+// Values at the begin and coefficients of Legendre polynomials, of P_k itself.
+TYPED_TEST(Tables, KnowLegendrePolynomials) {
+  constexpr int s = TypeParam::count;
+  const Radau<s>& r = radau<s>();
+  for (int k = 0; k < s; ++k) {
+    Eigen::Matrix<double, s, 1> f;
+    for (int i = 0; i < s; ++i) f[i] = std::legendre(static_cast<unsigned>(k), 2 * r.nodes[i] - 1);
+    EXPECT_NEAR(r.left.dot(f), k % 2 == 0 ? 1 : -1, 4 * s * s * eps) << k;
+    const Eigen::Matrix<double, s, 1> c = r.legendre * f;
+    for (int j = 0; j < s; ++j) EXPECT_NEAR(c[j], j == k ? 1 : 0, 4 * s * s * eps) << k << ' ' << j;
+  }
+}
+
+template <class T>
+class Transforms : public ::testing::Test {};
+using Odd = ::testing::Types<Stages<3>, Stages<5>, Stages<7>>;
+TYPED_TEST_SUITE(Transforms, Odd);
+
+// T^-1 A^-1 T is a number and blocks (alpha, -beta; beta, alpha); rounding grows with the conditions of A and
+// T.
+TYPED_TEST(Transforms, DecoupleTheStages) {
+  constexpr int s = TypeParam::count;
+  const RadauTransform<s>& t = radau_transform<s>();
+  EXPECT_LT((t.to * t.from - Radau<s>::Square::Identity()).cwiseAbs().maxCoeff(), 1000 * eps);
+  const typename Radau<s>::Square blocks = t.to * radau<s>().integral.inverse() * t.from;
+  typename Radau<s>::Square expected = Radau<s>::Square::Zero();
+  expected(0, 0) = t.real;
+  for (int p = 0; p < RadauTransform<s>::pairs; ++p) {
+    const auto value = t.complex[static_cast<std::size_t>(p)];
+    const int a = 2 * p + 1;
+    expected(a, a) = expected(a + 1, a + 1) = value.real();
+    expected(a, a + 1) = -value.imag();
+    expected(a + 1, a) = value.imag();
+    EXPECT_GT(value.imag(), 0);
+  }
+  EXPECT_LT((blocks - expected).cwiseAbs().maxCoeff(), 1e5 * eps) << blocks;
+}
+
+// Three stages have eigenvalues that are known: of s^3 - 9 s^2 + 36 s - 60 (Hairer and Wanner, section IV.8).
+TEST(Transforms3, CharacteristicPolynomial) {
+  const RadauTransform<3>& t = radau_transform<3>();
+  const auto p = [](std::complex<double> z) { return ((z - 9.) * z + 36.) * z - 60.; };
+  EXPECT_LT(std::abs(p(t.real)), 1000 * eps);
+  EXPECT_LT(std::abs(p(t.complex[0])), 1000 * eps);
+}
+
+}  // namespace
+}  // namespace nlmech::collocation
