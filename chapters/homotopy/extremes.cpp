@@ -1,0 +1,7 @@
+#include "chapters/homotopy/scenes.hpp"
+
+namespace nlmech::chapters {
+
+void add_extremes(scene::Chapter& /*chapter*/) {}
+
+}  // namespace nlmech::chapters
