@@ -4,11 +4,29 @@
 
 #include <utility>
 
+#include "nlmech/algebraic/linear_solver.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
 /// Ends an iteration from within its residual.
 struct Interrupted {};
+
+/// Newton's workspace with factors that are dense or sparse, as the equations are.
+struct Work {
+  explicit Work(const Equations& of)
+      : equations(of), residual(of.size()), update(of.size()), trial(of.size()), lu(of) {}
+  template <class Derivative>
+  [[nodiscard]] Outcome factorise(Derivative& derivative, const Eigen::VectorXd& x) {
+    derivative(x);
+    return lu.factorise(equations);
+  }
+  [[nodiscard]] Outcome solve() { return lu.solve(residual, update); }
+
+  const Equations& equations;
+  Eigen::VectorXd residual, update, trial;
+  LinearSolver lu;
+};
 
 std::string sentence(const char* name, Outcome outcome, const Report& report, int iterations) {
   switch (outcome) {
@@ -34,7 +52,7 @@ Report run(const char* name, const Method& method, Equations& equations, Eigen::
            const Observer& observer) {
   require_size(name, equations, x);
   Report report;
-  Workspace<Eigen::VectorXd, Eigen::MatrixXd> work(x.size());
+  Work work(equations);
   Outcome outcome = Outcome::interrupted;
   const auto residual = [&](const Eigen::VectorXd& at, Eigen::VectorXd& f) {
     equations.residual(at, f);
@@ -45,10 +63,7 @@ Report run(const char* name, const Method& method, Equations& equations, Eigen::
     report.least = std::min(report.least, norm);
     if (observer && !observer({index, static_cast<double>(index), at, f, norm})) throw Interrupted{};
   };
-  const auto derivative = [&](const Eigen::VectorXd& at, Eigen::MatrixXd& b) {
-    equations.linearise(at);
-    equations.matrix(b);
-  };
+  const auto derivative = [&](const Eigen::VectorXd& at) { equations.linearise(at); };
   try {
     outcome = solve(method, residual, derivative, x, work, report.statistics);
   } catch (const Interrupted&) {
