@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "nlmech/algebraic/fold.hpp"
+#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/rounding.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// A direction near the null vector of K, by inverse iteration from one that has a part of every other.
+Eigen::VectorXd null_direction(const PathSystem& system) {
+  Eigen::VectorXd v(system.size()), next(system.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
+  for (int k = 0; k < 4; ++k) {
+    system.solve(v, next);
+    v = next.normalized();
+  }
+  return v;
+}
+
+}  // namespace
+
+/// The cubic through both points with their tangents.
+PathVector Path::guess(double part) const {
+  const PathVector &a = before_.at, &b = now_.at, &s = before_.tangent, &t = now_.tangent;
+  const double length = PathVector{b.y - a.y, b.m - a.m}.norm(), u = part, w = 1 - part;
+  const double from_a = w * w * (1 + 2 * u), from_b = u * u * (1 + 2 * w), at_a = u * w * w * length,
+               at_b = -u * u * w * length;
+  return {from_a * a.y + from_b * b.y + at_a * s.y + at_b * t.y,
+          from_a * a.m + from_b * b.m + at_a * s.m + at_b * t.m};
+}
+
+Outcome Path::between(double part, PathPoint& out) {
+  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  const PathVector& normal = before_.tangent;
+  const double size = chord.norm();
+  out.at = guess(part);
+  const PathVector gone{out.at.y - before_.at.y, out.at.m - before_.at.m};
+  const double missing = part * chord.dot(normal) - gone.dot(normal);
+  out.at.y += missing * normal.y;
+  out.at.m += missing * normal.m;
+  int count = 0;
+  Outcome outcome = correct_in_plane(normal, size, out.at, count);
+  if (outcome == Outcome::success) outcome = describe(normal, out);
+  if (outcome == Outcome::success)
+    out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
+  return outcome;
+}
+
+Outcome Path::bracket(const std::function<double(const PathPoint&)>& value, double low_value, double high,
+                      double high_value, double width, PathPoint& out) {
+  // Regula falsi; an end that stays is given half its weight (Illinois). Three points that have not halved
+  // the interval are followed by one that does.
+  double low = 0, last = -1, wide = high;
+  for (int k = 0; k < 80; ++k) {
+    const bool is_slow = k % 3 == 0 && k > 0 && high - low > wide / 2;
+    if (k % 3 == 0) wide = high - low;
+    double part = (low * high_value - high * low_value) / (high_value - low_value);
+    if (is_slow || !(part > low && part < high)) part = low + (high - low) / 2;
+    const Outcome outcome = between(part, out);
+    if (outcome != Outcome::success) return outcome;
+    const double here = value(out);
+    if (std::isnan(here)) return Outcome::non_finite;
+    if (here == 0 || high - low <= width || std::abs(part - last) <= width) return Outcome::success;
+    last = part;
+    if ((here > 0) == (low_value > 0)) {
+      low = part;
+      low_value = here;
+      high_value /= 2;
+    } else {
+      high = part;
+      high_value = here;
+      low_value /= 2;
+    }
+  }
+  return Outcome::success;
+}
+
+Outcome Path::fold(PathPoint& out) {
+  if (!has_passed_fold()) return Outcome::not_converged;
+  const auto slope = [](const PathPoint& p) { return p.slope; };
+  const bool is_refined = system_.equations().is_symmetric();
+  Outcome outcome = bracket(slope, before_.slope, 1, now_.slope, is_refined ? 0.02 : 4 * eps, out);
+  if (outcome != Outcome::success || !is_refined) return outcome;
+  const PathVector coarse = out.at;
+  PathVector fine = coarse, tangent = out.tangent;
+  Eigen::VectorXd direction = tangent.y;
+  const double step = PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
+  outcome = refine_fold(system_, fine, direction);
+  const double moved = PathVector{fine.y - coarse.y, fine.m - coarse.m}.norm();
+  // Newton's iteration may have gone to another limit point; the bisection cannot.
+  if (outcome != Outcome::success || !(moved <= 0.3 * step))
+    return bracket(slope, before_.slope, 1, now_.slope, 4 * eps, out);
+  out.at = fine;
+  outcome = describe(tangent, out);
+  out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
+  return outcome;
+}
+
+Outcome Path::crossing(double load, const PathPoint& end, PathPoint& out) {
+  const double m = load * system_.load_scale();
+  const double low = before_.at.m - m, high = end.at.m - m;
+  if (low == 0 || high == 0) {
+    out = low == 0 ? before_ : end;
+    return polish(out);
+  }
+  if ((low > 0) == (high > 0)) return Outcome::not_converged;
+  const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m},
+      part{end.at.y - before_.at.y, end.at.m - before_.at.m};
+  const double where = part.dot(before_.tangent) / all.dot(before_.tangent);
+  const Outcome outcome =
+      bracket([&](const PathPoint& p) { return p.at.m - m; }, low, where, high, 1e-11, out);
+  if (outcome != Outcome::success) return outcome;
+  const PathPoint coarse = out;
+  out.at.m = m;
+  // Next to a limit point Newton's iteration at a given load goes astray within the rounding of F; the point
+  // found on the path is as near to that load as rounding allows.
+  if (polish(out) != Outcome::success ||
+      PathVector{out.at.y - coarse.at.y, out.at.m - coarse.at.m}.norm() > 1e-2 * part.norm()) {
+    out = coarse;
+    out.load = load;
+    if (!system_.residual({coarse.at.y, m})) return Outcome::non_finite;
+  }
+  return Outcome::success;
+}
+
+Outcome Path::polish(PathPoint& point) {
+  const double m = point.at.m;
+  Eigen::VectorXd step(system_.size()), trial;
+  double before = HUGE_VAL;
+  for (int k = 0; k < 60; ++k) {
+    if (!system_.residual(point.at) || !system_.linearise(point.at)) return Outcome::non_finite;
+    if (system_.inertia().zero > 0) return Outcome::singular_matrix;
+    system_.solve(system_.f(), step);
+    ++system_.statistics.newton_iterations;
+    const double length = step.norm(), size = point.at.y.norm();
+    if (length <= 4 * eps * size) break;
+    if (length > 0.9 * before) {
+      // Rounding, if a change of x in its last digits calls for steps that are not much shorter.
+      const Eigen::VectorXd f = system_.f();
+      double noise = eps * size;
+      for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
+        shake(point.at.y, sequence, trial);
+        if (!system_.residual({trial, m})) return Outcome::non_finite;
+        system_.solve(system_.f() - f, trial);
+        noise = std::max(noise, trial.norm());
+      }
+      if (!system_.residual(point.at)) return Outcome::non_finite;
+      if (length <= 64 * noise) break;
+      return Outcome::not_converged;
+    }
+    point.at.y -= step;
+    before = length;
+  }
+  point.x = system_.unscaled(point.at.y);
+  point.load = m / system_.load_scale();
+  point.negative = system_.inertia().negative;
+  return Outcome::success;
+}
+
+Outcome Path::branch(PathPoint& out, Eigen::VectorXd& direction) {
+  if (!has_passed_branch()) return Outcome::not_converged;
+  // The bordered function of fold.hpp with a fixed border changes its sign with the eigenvalue.
+  PathVector border{Eigen::VectorXd(), 0}, null;
+  null.y.resize(system_.size());
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
+  const auto value = [&](const PathPoint& p) {
+    if (!system_.linearise(p.at) || !system_.solve_bordered(border.y, border, zero, 1, null))
+      return HUGE_VAL * 0;
+    return null.m;
+  };
+  if (!system_.linearise(now_.at)) return Outcome::non_finite;
+  border.y = null_direction(system_);
+  const double high = value(now_), low = value(before_);
+  if ((low > 0) == (high > 0)) return Outcome::not_converged;
+  const Outcome outcome = bracket(value, low, 1, high, 1e-3, out);
+  if (outcome != Outcome::success) return outcome;
+  return interpolate(value, out, [&] { direction = null.y.normalized(); });
+}
+
+/// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
+/// point itself a correction is not determined along the other branch.
+Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out,
+                          const std::function<void()>& at_nearest) {
+  constexpr std::array<double, 6> offsets = {-0.02, 0.02, -0.012, 0.012, -0.004, 0.004};
+  std::array<double, 6> parts{}, values{};
+  std::array<PathVector, 6> places;
+  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  const PathVector gone{out.at.y - before_.at.y, out.at.m - before_.at.m};
+  const double middle = gone.dot(before_.tangent) / chord.dot(before_.tangent);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    parts[i] = middle + offsets[i];
+    if (const Outcome outcome = between(parts[i], out); outcome != Outcome::success) return outcome;
+    values[i] = value(out);
+    places[i] = out.at;
+  }
+  at_nearest();
+  // Lagrange's polynomial of the part by the value, and of the place by the part.
+  const auto weight = [](const std::array<double, 6>& x, std::size_t i, double at) {
+    double product = 1;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      if (j != i) product *= (at - x[j]) / (x[i] - x[j]);
+    }
+    return product;
+  };
+  double part = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) part += weight(values, i, 0) * parts[i];
+  if (!(std::abs(part - middle) <= 0.02)) return Outcome::not_converged;
+  out.at = {Eigen::VectorXd::Zero(system_.size()), 0};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double share = weight(parts, i, part);
+    out.at.y += share * places[i].y;
+    out.at.m += share * places[i].m;
+  }
+  out.x = system_.unscaled(out.at.y);
+  out.load = out.at.m / system_.load_scale();
+  out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
+  return Outcome::success;
+}
+
+Status Path::switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length) {
+  PathPoint next = point;
+  PathVector normal{direction * (length < 0 ? -1. : 1.), 0};
+  next.at.y += std::abs(length) * normal.y;
+  int count = 0;
+  Outcome outcome = correct_in_plane(normal, std::abs(length), next.at, count);
+  if (outcome == Outcome::success) outcome = describe(normal, next);
+  if (outcome != Outcome::success)
+    return failure(outcome, "no solution on the other branch at this distance; try another one");
+  before_ = point;
+  before_.tangent = normal;
+  now_ = next;
+  now_.arc = point.arc + std::abs(length);
+  length_ = std::min(std::abs(length), first_length_);
+  previous_tangent_ = now_.tangent;
+  return {};
+}
+
+}  // namespace nlmech::algebraic
