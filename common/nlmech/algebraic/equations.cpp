@@ -31,8 +31,8 @@ struct Work {
 std::string sentence(const char* name, Outcome outcome, const Report& report, int iterations) {
   switch (outcome) {
     case Outcome::singular_matrix:
-      return fmt::format("{}: the matrix dF/dx is singular at iteration {}; start elsewhere", name,
-                         report.statistics.newton_iterations);
+      return fmt::format("{}: the matrix dF/dx is singular at iteration {}, |F| = {:.3g}; start elsewhere",
+                         name, report.statistics.newton_iterations, report.last);
     case Outcome::non_finite:
       return fmt::format("{}: F or dF/dx is not finite at iteration {}; start elsewhere", name,
                          report.statistics.newton_iterations);

@@ -11,6 +11,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double shortest = 1e-10;  // of chosen steps
+constexpr double off_path = 100;    // a path's global error, in parts of what a step is allowed
 constexpr const char* name = "vector-homotopy";
 
 class Path {
@@ -86,7 +87,13 @@ class Path {
     if (!(run_.trial_norm < HUGE_VAL)) return HUGE_VAL;
     if (velocity(run_.trial, t_ + h, run_.trial_f, k4_) != Outcome::success) return HUGE_VAL;
     place_ = h * (-5.0 / 72 * k1_ + 1.0 / 12 * k2_ + 1.0 / 9 * k3_ - 1.0 / 8 * k4_);
-    const double part = place_.norm() / (method_.accuracy * (1 + run_.trial.norm()));
+    const double allowed = method_.accuracy * (1 + run_.trial.norm());
+    const double part = place_.norm() / allowed;
+    // Past a turning point the flow goes on where no path is. Newton's step back to it, by the factors at hand,
+    // tells.
+    h_.value(run_.trial, t_ + h, run_.trial_f, side_);
+    if (solver_.solve(side_, place_) != Outcome::success || !(place_.norm() <= off_path * allowed))
+      return HUGE_VAL;
     return std::isfinite(part) ? part : HUGE_VAL;
   }
 

@@ -19,7 +19,8 @@ enum class Homotopy : std::uint8_t {
 struct VectorHomotopy {
   Homotopy function = Homotopy::fixed_point;  ///< which H
   /// 0: steps of equal length by the classical rule of Runge and Kutta, of order 4. Else steps are chosen, of
-  /// order 3 after Bogacki and Shampine, so that the estimated error of each is at most this part of 1 + |x|.
+  /// order 3 after Bogacki and Shampine, so that the estimated error of each is at most this part of 1 + |x|,
+  /// and the distance from the path, by Newton's step, at most 100 times that.
   double accuracy = 1e-3;
   int steps = 20;               ///< of equal length; else 1/steps is the first one; at least 1
   double tolerance = 1e-10;     ///< done when |F|, Euclidean, is no greater; not negative
