@@ -154,7 +154,7 @@ double defect(int steps) {
   VectorXd x = vector({3, -1});
   const VectorXd start = x;
   double worst = 0;
-  const FirstScalarHomotopy method = {.steps = steps, .tolerance = 0, .iterations = steps};
+  const FirstScalarHomotopy method = {.weight = 1, .steps = steps, .tolerance = 0, .iterations = steps};
   static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
     const double h = (i.time * i.f.squaredNorm() - (1 - i.time) * (i.x - start).squaredNorm()) / 2;
     worst = std::max(worst, std::abs(h));
@@ -167,6 +167,28 @@ TEST(FirstScalarHomotopy, KeepsItsFunctionZeroToSecondOrder) {
   const double coarse = defect(400), fine = defect(800);
   EXPECT_GT(coarse, 0);
   EXPECT_NEAR(coarse / fine, 4, 0.5);  // next term: the step of 0.004 times a constant below 30
+}
+
+TEST(FirstScalarHomotopy, DoesNotDependOnTheUnitsOfF) {
+  VectorXd ends[2];
+  for (int k = 0; k < 2; ++k) {
+    const double c = k == 0 ? 1 : 0x1p40;
+    DenseEquations plain = circle();
+    DenseEquations scaled(
+        2,
+        [&](const VectorXd& x, VectorXd& f) {
+          plain.residual(x, f);
+          f *= c;
+        },
+        [&](const VectorXd& x, MatrixXd& b) {
+          plain.linearise(x);
+          plain.matrix(b);
+          b *= c;
+        });
+    ends[k] = vector({3, -1});
+    static_cast<void>(find_root(FirstScalarHomotopy{.tolerance = 0, .iterations = 30}, scaled, ends[k]));
+  }
+  EXPECT_EQ(ends[0], ends[1]);  // a power of two
 }
 
 TEST(FirstScalarHomotopy, TimeRunsFromZeroToOneInEveryPass) {
@@ -263,6 +285,7 @@ TEST(Homotopies, OptionsOutOfRangeAreRefused) {
   refused(ChowYorke{.turn = 2});
   refused(ChowYorke{.accuracy = 0});
   refused(FirstScalarHomotopy{.steps = 0});
+  refused(FirstScalarHomotopy{.weight = -1});
   refused(ScalarHomotopy{.power = 0});
 }
 

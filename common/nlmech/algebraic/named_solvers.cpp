@@ -11,8 +11,10 @@
 #include "nlmech/algebraic/continuous_newton.hpp"
 #include "nlmech/algebraic/descent.hpp"
 #include "nlmech/algebraic/dogleg.hpp"
+#include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/first_scalar_homotopy.hpp"
 #include "nlmech/algebraic/least_squares.hpp"
+#include "nlmech/algebraic/path_solvers.hpp"
 #include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/algebraic/solver_run.hpp"
 #include "nlmech/algebraic/vector_homotopy.hpp"
@@ -53,6 +55,18 @@ Report vector_homotopy(const Call& c) {
   return c(VectorHomotopy{.tolerance = c.tolerance, .limit = c.iterations});
 }
 
+// Potentials and paths end at rounding and not at a residual: the tolerance is not theirs.
+Report energy_trust_region(const Call& c) {
+  auto* const potential = dynamic_cast<Potential*>(&c.equations);
+  if (!potential)
+    throw std::logic_error("energy-trust-region: these equations are not the gradient of a potential");
+  return find_root(EnergyTrustRegion{.iterations = c.count()}, *potential, c.x, c.observer);
+}
+template <PathMethod::Kind kind>
+Report arc_length(const Call& c) {
+  return c(ArcLength{.path = {.kind = kind}, .steps = c.iterations});
+}
+
 /// The default options of a method, with the call's tolerance and limit.
 template <class Method>
 Report plain(const Call& c) {
@@ -84,6 +98,10 @@ constexpr Entry entries[] = {
     {"optimal-iterative", plain<OptimalIterative>},
     {"levenberg-marquardt", plain<LevenbergMarquardt>},
     {"dogleg", plain<Dogleg>},
+    {"energy-trust-region", energy_trust_region},
+    {"riks", arc_length<PathMethod::Kind::riks>},
+    {"crisfield", arc_length<PathMethod::Kind::crisfield>},
+    {"gdc", arc_length<PathMethod::Kind::gdc>},
 };
 
 }  // namespace

@@ -23,7 +23,9 @@ struct NamedSolver {
 [[nodiscard]] std::vector<std::string_view> solver_names();
 
 /// Solves by name. `scalar-homotopy` is Eq. 2.11, `fixed-point` 2.15 and `newton-homotopy` 2.16 with Euler's
-/// rule of step 1; all else is as the solver's own header says.
+/// rule of step 1; all else is as the solver's own header says. `energy-trust-region` needs a Potential; it
+/// and the paths `riks`, `crisfield` and `gdc` end at rounding, whatever the tolerance, and a path's start is
+/// taken for the structure at rest.
 /// @return as the solver's own find_root()
 /// @throws std::invalid_argument for an unknown name, with all names in the text, for options out of range,
 /// or if x has another size than the equations; std::logic_error if the equations do not offer what the
