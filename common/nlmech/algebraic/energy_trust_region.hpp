@@ -19,7 +19,7 @@ namespace nlmech::algebraic {
 struct EnergyTrustRegion {
   /// Diagonal of S, positive. Empty: the square roots of |B_ii| at the start, none below 1e-8 of the
   /// greatest.
-  Eigen::VectorXd scale;
+  Eigen::VectorXd scale = {};
   double radius = 0;      ///< first radius, in units of |S p|; 0: the length of the step of steepest descent
   int iterations = 2000;  ///< at most so many steps, rejected ones included; else `step_limit`
 };

@@ -32,14 +32,14 @@ struct PathMethod {
     crisfield,  ///< sphere or cylinder
     gdc         ///< generalised displacement control
   };
-  Kind kind = Kind::riks;  ///< which condition
-  double first = 0.05;     ///< load of the first step, positive
-  double turn = 0.3;       ///< of the tangent in a step, as it should be, rad; positive
-  double longest = 100;    ///< no step is longer than so many first steps; positive
-  double shortest = 1e-9;  ///< a step shorter than so many first steps is `step_underflow`
-  double spherical = 1;    ///< weight of the load in Crisfield's condition, 0 to 1
-  int iterations = 10;     ///< at most so many corrections of a step
-  Eigen::VectorXd scale;   ///< diagonal of S, positive; empty: chosen
+  Kind kind = Kind::riks;      ///< which condition
+  double first = 0.05;         ///< load of the first step, positive
+  double turn = 0.3;           ///< of the tangent in a step, as it should be, rad; positive
+  double longest = 100;        ///< no step is longer than so many first steps; positive
+  double shortest = 1e-9;      ///< a step shorter than so many first steps is `step_underflow`
+  double spherical = 1;        ///< weight of the load in Crisfield's condition, 0 to 1
+  int iterations = 10;         ///< at most so many corrections of a step
+  Eigen::VectorXd scale = {};  ///< diagonal of S, positive; empty: chosen
 };
 
 /// A solution on a path.
@@ -117,13 +117,14 @@ class Path {
   [[nodiscard]] double proposed() const;
   void adapt(double length, double angle, int count);
   [[nodiscard]] PathVector guess(double part) const;
-  /// Where value() changes sign between the parts 0 and @p high of the step: the point nearest to it.
-  /// @param value at the parts 0 and @p high on entry
-  /// @param width stops when the interval is no wider
-  [[nodiscard]] Outcome bracket(const std::function<double(const PathPoint&)>& value, double low_value,
-                                double high, double high_value, double width, PathPoint& out);
-  [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out,
-                                    const std::function<void()>& at_nearest);
+  /// A function of the part of a step that has different signs at two ends.
+  struct Bracket {
+    double low, low_value, high, high_value;
+  };
+  /// Narrows a bracket of value() down to @p width; @p out is the last point.
+  [[nodiscard]] Outcome narrow(const std::function<double(const PathPoint&)>& value, double width,
+                               Bracket& bracket, PathPoint& out);
+  [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out);
   [[nodiscard]] Status failure(Outcome outcome, const char* what) const;
 
   PathMethod method_;

@@ -52,11 +52,12 @@ Outcome Path::between(double part, PathPoint& out) {
   return outcome;
 }
 
-Outcome Path::bracket(const std::function<double(const PathPoint&)>& value, double low_value, double high,
-                      double high_value, double width, PathPoint& out) {
+Outcome Path::narrow(const std::function<double(const PathPoint&)>& value, double width, Bracket& bracket,
+                     PathPoint& out) {
   // Regula falsi; an end that stays is given half its weight (Illinois). Three points that have not halved
   // the interval are followed by one that does.
-  double low = 0, last = -1, wide = high;
+  auto& [low, low_value, high, high_value] = bracket;
+  double last = -1, wide = high - low;
   for (int k = 0; k < 80; ++k) {
     const bool is_slow = k % 3 == 0 && k > 0 && high - low > wide / 2;
     if (k % 3 == 0) wide = high - low;
@@ -85,7 +86,8 @@ Outcome Path::fold(PathPoint& out) {
   if (!has_passed_fold()) return Outcome::not_converged;
   const auto slope = [](const PathPoint& p) { return p.slope; };
   const bool is_refined = system_.equations().is_symmetric();
-  Outcome outcome = bracket(slope, before_.slope, 1, now_.slope, is_refined ? 0.02 : 4 * eps, out);
+  Bracket bracket{0, before_.slope, 1, now_.slope};
+  Outcome outcome = narrow(slope, is_refined ? 0.02 : 4 * eps, bracket, out);
   if (outcome != Outcome::success || !is_refined) return outcome;
   const PathVector coarse = out.at;
   PathVector fine = coarse, tangent = out.tangent;
@@ -94,8 +96,7 @@ Outcome Path::fold(PathPoint& out) {
   outcome = refine_fold(system_, fine, direction);
   const double moved = PathVector{fine.y - coarse.y, fine.m - coarse.m}.norm();
   // Newton's iteration may have gone to another limit point; the bisection cannot.
-  if (outcome != Outcome::success || !(moved <= 0.3 * step))
-    return bracket(slope, before_.slope, 1, now_.slope, 4 * eps, out);
+  if (outcome != Outcome::success || !(moved <= 0.3 * step)) return narrow(slope, 4 * eps, bracket, out);
   out.at = fine;
   outcome = describe(tangent, out);
   out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
@@ -113,8 +114,8 @@ Outcome Path::crossing(double load, const PathPoint& end, PathPoint& out) {
   const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m},
       part{end.at.y - before_.at.y, end.at.m - before_.at.m};
   const double where = part.dot(before_.tangent) / all.dot(before_.tangent);
-  const Outcome outcome =
-      bracket([&](const PathPoint& p) { return p.at.m - m; }, low, where, high, 1e-11, out);
+  Bracket bracket{0, low, where, high};
+  const Outcome outcome = narrow([&](const PathPoint& p) { return p.at.m - m; }, 1e-11, bracket, out);
   if (outcome != Outcome::success) return outcome;
   const PathPoint coarse = out;
   out.at.m = m;
@@ -174,19 +175,32 @@ Outcome Path::branch(PathPoint& out, Eigen::VectorXd& direction) {
       return HUGE_VAL * 0;
     return null.m;
   };
-  if (!system_.linearise(now_.at)) return Outcome::non_finite;
-  border.y = null_direction(system_);
-  const double high = value(now_), low = value(before_);
-  if ((low > 0) == (high > 0)) return Outcome::not_converged;
-  const Outcome outcome = bracket(value, low, 1, high, 1e-3, out);
+  // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
+  Bracket bracket{0, static_cast<double>(before_.sign), 1, static_cast<double>(now_.sign)};
+  Outcome outcome =
+      narrow([](const PathPoint& p) { return static_cast<double>(p.sign); }, 0.02, bracket, out);
   if (outcome != Outcome::success) return outcome;
-  return interpolate(value, out, [&] { direction = null.y.normalized(); });
+  border.y = null_direction(system_);
+  for (const bool is_low : {true, false}) {
+    PathPoint end;
+    outcome = between(is_low ? bracket.low : bracket.high, end);
+    if (outcome != Outcome::success) return outcome;
+    (is_low ? bracket.low_value : bracket.high_value) = value(end);
+  }
+  if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
+  outcome = narrow(value, 1e-3, bracket, out);
+  if (outcome != Outcome::success) return outcome;
+  outcome = interpolate(value, out);
+  if (outcome != Outcome::success) return outcome;
+  if (!system_.linearise(out.at)) return Outcome::non_finite;
+  direction = null_direction(system_);
+  out.tangent = {direction, 0};
+  return Outcome::success;
 }
 
 /// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
 /// point itself a correction is not determined along the other branch.
-Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out,
-                          const std::function<void()>& at_nearest) {
+Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
   constexpr std::array<double, 6> offsets = {-0.02, 0.02, -0.012, 0.012, -0.004, 0.004};
   std::array<double, 6> parts{}, values{};
   std::array<PathVector, 6> places;
@@ -199,7 +213,6 @@ Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, 
     values[i] = value(out);
     places[i] = out.at;
   }
-  at_nearest();
   // Lagrange's polynomial of the part by the value, and of the place by the part.
   const auto weight = [](const std::array<double, 6>& x, std::size_t i, double at) {
     double product = 1;
