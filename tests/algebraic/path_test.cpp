@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "nlmech/algebraic/fold.hpp"
 #include "nlmech/algebraic/path_solvers.hpp"
@@ -97,10 +98,56 @@ TEST(Path, CrossesALoad) {
   ASSERT_TRUE(path.start().ok());
   PathPoint point;
   while (path.now().load < 0.25) ASSERT_TRUE(path.advance().ok());
-  ASSERT_EQ(path.crossing(0.25, path.now(), point), Outcome::success);
+  ASSERT_EQ(path.crossing(0.25, path.before(), path.now(), point), Outcome::success);
   EXPECT_NEAR(point.x[0] - std::pow(point.x[0], 3), 0.25, 2 * eps);
-  EXPECT_EQ(path.crossing(0.9, path.now(), point), Outcome::not_converged);
+  EXPECT_EQ(path.crossing(0.9, path.before(), path.now(), point), Outcome::not_converged);
   EXPECT_EQ(path.fold(point), Outcome::not_converged);
+}
+
+/// load = x^3 - tiny x: limit points at +-sqrt(tiny/3), as close together as tiny is small.
+struct FlatCubic : Loaded {
+  explicit FlatCubic(double t) : tiny(t) {}
+  [[nodiscard]] Eigen::Index size() const override { return 1; }
+  void residual(const VectorXd& x, double load, VectorXd& f) override {
+    f.setConstant(1, x[0] * x[0] * x[0] - tiny * x[0] - load);
+  }
+  void linearise(const VectorXd& x, double) override { slope = 3 * x[0] * x[0] - tiny; }
+  void load_vector(VectorXd& q) const override { q.setConstant(1, -1); }
+  void matrix(MatrixXd& k) const override { k.setConstant(1, 1, slope); }
+  double tiny, slope = 0;
+};
+
+// Two limit points within one step, at whose ends the load rises: no sign shows them.
+TEST(Path, FindsPairsOfLimitPointsWithinAStep) {
+  for (const double tiny : {1e-2, 1e-4, 1e-6}) {
+    for (const double from : {-1., -0.97, -0.9}) {
+      FlatCubic cubic(tiny);
+      Path path({.first = 0.3}, cubic, VectorXd::Constant(1, from), std::pow(from, 3) - tiny * from);
+      ASSERT_TRUE(path.start().ok());
+      std::vector<PathPoint> all, some;
+      while (path.now().x[0] < 1) {
+        ASSERT_TRUE(path.advance().ok());
+        ASSERT_EQ(path.folds(some), Outcome::success);
+        all.insert(all.end(), some.begin(), some.end());
+      }
+      ASSERT_EQ(all.size(), 2u) << tiny << ' ' << from;
+      const double x = std::sqrt(tiny / 3), load = 2 * tiny * x / 3;
+      // The second derivative of the load is 6 x.
+      EXPECT_NEAR(all[0].x[0], -x, 16 * eps / x);
+      EXPECT_NEAR(all[1].x[0], x, 16 * eps / x);
+      EXPECT_NEAR(all[0].load, load, 4 * eps);
+      EXPECT_NEAR(all[1].load, -load, 4 * eps);
+    }
+  }
+  FlatCubic none(-1e-6);
+  Path path({.first = 0.3}, none, VectorXd::Constant(1, -1), -1 - 1e-6);
+  ASSERT_TRUE(path.start().ok());
+  std::vector<PathPoint> some;
+  while (path.now().x[0] < 1) {
+    ASSERT_TRUE(path.advance().ok());
+    ASSERT_EQ(path.folds(some), Outcome::success);
+    EXPECT_TRUE(some.empty());
+  }
 }
 
 // Quadratic convergence of the extended system, from a tenth away.

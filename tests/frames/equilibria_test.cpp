@@ -18,7 +18,7 @@ using Kind = PathMethod::Kind;
 
 constexpr Kind kinds[] = {Kind::riks, Kind::crisfield, Kind::gdc};
 
-TEST(Equilibria, OfRandomToggles) { expect_equilibria_of_random_toggles(300, 1); }
+TEST(Equilibria, OfRandomToggles) { expect_equilibria_of_random_toggles(200, 1); }
 
 /// Drop of the apex after a solution from rest.
 template <class Method>

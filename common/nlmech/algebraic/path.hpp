@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "nlmech/algebraic/path_system.hpp"
 #include "nlmech/support/status.hpp"
@@ -87,9 +88,14 @@ class Path {
   /// The limit point between them, by bisection and refine_fold(), to the rounding of F.
   /// @return success; `not_converged` if there is none
   [[nodiscard]] Outcome fold(PathPoint& out);
-  /// The first point between them, or between before() and @p end (a point between them), where the load is
-  /// @p load, if its ends have loads on both sides of it or at it. Newton's iteration at that load ends it.
-  [[nodiscard]] Outcome crossing(double load, const PathPoint& end, PathPoint& out);
+  /// All limit points between them, in order: the one that a change of sign shows; or a pair within the step,
+  /// which no sign shows, if the slope as the ends and the mean tell it comes down by half or more there.
+  [[nodiscard]] Outcome folds(std::vector<PathPoint>& out);
+  /// A point between @p begin and @p end, which lie between before() and now() or are these, where the load
+  /// is
+  /// @p load, if their loads are on both sides of it or one is at it. Newton's iteration at that load ends
+  /// it.
+  [[nodiscard]] Outcome crossing(double load, const PathPoint& begin, const PathPoint& end, PathPoint& out);
   /// A branch point between them, with the null vector of K there: the direction of the other branch, if K
   /// has one null vector, scaled.
   [[nodiscard]] Outcome branch(PathPoint& out, Eigen::VectorXd& direction);
@@ -124,6 +130,9 @@ class Path {
   /// Narrows a bracket of value() down to @p width; @p out is the last point.
   [[nodiscard]] Outcome narrow(const std::function<double(const PathPoint&)>& value, double width,
                                Bracket& bracket, PathPoint& out);
+  [[nodiscard]] Outcome fold_in(Bracket bracket, PathPoint& out);
+  [[nodiscard]] double part_of(const PathPoint& point) const;
+  [[nodiscard]] double expected_slope(double part) const;
   [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out);
   [[nodiscard]] Status failure(Outcome outcome, const char* what) const;
 

@@ -82,47 +82,106 @@ Outcome Path::narrow(const std::function<double(const PathPoint&)>& value, doubl
   return Outcome::success;
 }
 
-Outcome Path::fold(PathPoint& out) {
-  if (!has_passed_fold()) return Outcome::not_converged;
+double Path::part_of(const PathPoint& point) const {
+  const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m},
+      gone{point.at.y - before_.at.y, point.at.m - before_.at.m};
+  return gone.dot(before_.tangent) / all.dot(before_.tangent);
+}
+
+Outcome Path::fold_in(Bracket bracket, PathPoint& out) {
   const auto slope = [](const PathPoint& p) { return p.slope; };
   const bool is_refined = system_.equations().is_symmetric();
-  Bracket bracket{0, before_.slope, 1, now_.slope};
-  Outcome outcome = narrow(slope, is_refined ? 0.02 : 4 * eps, bracket, out);
+  const double low = bracket.low, high = bracket.high;
+  Outcome outcome = narrow(slope, is_refined ? 0.02 * (high - low) : 4 * eps, bracket, out);
   if (outcome != Outcome::success || !is_refined) return outcome;
-  const PathVector coarse = out.at;
-  PathVector fine = coarse, tangent = out.tangent;
-  Eigen::VectorXd direction = tangent.y;
-  const double step = PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
-  outcome = refine_fold(system_, fine, direction);
-  const double moved = PathVector{fine.y - coarse.y, fine.m - coarse.m}.norm();
+  PathPoint fine = out;
+  Eigen::VectorXd direction = out.tangent.y;
+  outcome = refine_fold(system_, fine.at, direction);
+  if (outcome == Outcome::success) outcome = describe(out.tangent, fine);
   // Newton's iteration may have gone to another limit point; the bisection cannot.
-  if (outcome != Outcome::success || !(moved <= 0.3 * step)) return narrow(slope, 4 * eps, bracket, out);
-  out.at = fine;
-  outcome = describe(tangent, out);
+  const double part = part_of(fine);
+  if (outcome != Outcome::success || !(part > low && part < high))
+    return narrow(slope, 4 * eps, bracket, out);
+  out = fine;
   out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
   return outcome;
 }
 
-Outcome Path::crossing(double load, const PathPoint& end, PathPoint& out) {
+Outcome Path::fold(PathPoint& out) {
+  if (!has_passed_fold()) return Outcome::not_converged;
+  return fold_in({0, before_.slope, 1, now_.slope}, out);
+}
+
+/// The slope at a part of the step, as the parabola through both ends with the mean that the chord tells.
+double Path::expected_slope(double part) const {
+  const double length = PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
+  const double mean = (now_.at.m - before_.at.m) / length, u = part;
+  return before_.slope * (1 - u) * (1 - 3 * u) + now_.slope * u * (3 * u - 2) + mean * 6 * u * (1 - u);
+}
+
+Outcome Path::folds(std::vector<PathPoint>& out) {
+  out.clear();
+  if (has_passed_fold()) {
+    out.resize(1);
+    return fold(out[0]);
+  }
+  // A pair of limit points within the step: the slope must come down to zero and return. Look only where its
+  // parabola comes near.
+  const double sign = before_.slope > 0 ? 1 : -1, a = before_.slope, b = now_.slope;
+  double middle = 0;
+  for (int i = 1; i < 16; ++i) {
+    if (sign * expected_slope(i / 16.) < sign * expected_slope(middle)) middle = i / 16.;
+  }
+  if (middle == 0 || sign * expected_slope(middle) > 0.5 * std::min(std::abs(a), std::abs(b)))
+    return Outcome::success;
+  // Golden section for the least slope, until it has the other sign.
+  const double golden = (std::sqrt(5.) - 1) / 2;
+  double low = 0, high = 1;
+  PathPoint point;
+  const auto at = [&](double part, double& value) {
+    const Outcome outcome = between(part, point);
+    value = sign * point.slope;
+    return outcome;
+  };
+  double left = high - golden * (high - low), right = low + golden * (high - low), at_left = 0, at_right = 0;
+  Outcome outcome = at(left, at_left);
+  if (outcome == Outcome::success && at_left >= 0) outcome = at(right, at_right);
+  while (outcome == Outcome::success && at_left >= 0 && at_right >= 0 && high - low > 1e-6) {
+    if (at_left < at_right) {
+      high = right, right = left, at_right = at_left;
+      left = high - golden * (high - low);
+      outcome = at(left, at_left);
+    } else {
+      low = left, left = right, at_left = at_right;
+      right = low + golden * (high - low);
+      outcome = at(right, at_right);
+    }
+  }
+  if (outcome != Outcome::success || (at_left >= 0 && at_right >= 0)) return outcome;
+  const double part = at_left < 0 ? left : right, value = sign * std::min(at_left, at_right);
+  out.resize(2);
+  outcome = fold_in({0, a, part, value}, out[0]);
+  return outcome == Outcome::success ? fold_in({part, value, 1, b}, out[1]) : outcome;
+}
+
+Outcome Path::crossing(double load, const PathPoint& begin, const PathPoint& end, PathPoint& out) {
   const double m = load * system_.load_scale();
-  const double low = before_.at.m - m, high = end.at.m - m;
+  const double low = begin.at.m - m, high = end.at.m - m;
   if (low == 0 || high == 0) {
-    out = low == 0 ? before_ : end;
+    out = low == 0 ? begin : end;
     return polish(out);
   }
   if ((low > 0) == (high > 0)) return Outcome::not_converged;
-  const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m},
-      part{end.at.y - before_.at.y, end.at.m - before_.at.m};
-  const double where = part.dot(before_.tangent) / all.dot(before_.tangent);
-  Bracket bracket{0, low, where, high};
+  Bracket bracket{part_of(begin), low, part_of(end), high};
   const Outcome outcome = narrow([&](const PathPoint& p) { return p.at.m - m; }, 1e-11, bracket, out);
   if (outcome != Outcome::success) return outcome;
   const PathPoint coarse = out;
   out.at.m = m;
   // Next to a limit point Newton's iteration at a given load goes astray within the rounding of F; the point
   // found on the path is as near to that load as rounding allows.
+  const PathVector all{end.at.y - begin.at.y, end.at.m - begin.at.m};
   if (polish(out) != Outcome::success ||
-      PathVector{out.at.y - coarse.at.y, out.at.m - coarse.at.m}.norm() > 1e-2 * part.norm()) {
+      PathVector{out.at.y - coarse.at.y, out.at.m - coarse.at.m}.norm() > 1e-2 * all.norm()) {
     out = coarse;
     out.load = load;
     if (!system_.residual({coarse.at.y, m})) return Outcome::non_finite;

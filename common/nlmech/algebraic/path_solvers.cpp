@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace nlmech::algebraic {
 namespace {
@@ -78,17 +79,17 @@ class Search {
   //! [limit points decide]
   /// Did the last step reach a load of 1?
   Status search_step() {
-    Outcome outcome = Outcome::success;
-    const bool was_below = path_.before().load < 1;
-    PathPoint end = path_.now();
-    if (path_.has_passed_fold()) {
-      PathPoint fold;
-      outcome = path_.fold(fold);
-      if (outcome == Outcome::success && (fold.load < 1) != was_below) end = fold;
-    }
-    if (outcome == Outcome::success && (end.load < 1) != was_below) {
-      outcome = path_.crossing(1, end, found_);
-      is_found_ = outcome == Outcome::success;
+    std::vector<PathPoint> ends;
+    Outcome outcome = path_.folds(ends);
+    ends.push_back(path_.now());
+    PathPoint begin = path_.before();
+    for (const PathPoint& end : ends) {
+      if (outcome != Outcome::success || is_found_) break;
+      if ((begin.load < 1) != (end.load < 1)) {
+        outcome = path_.crossing(1, begin, end, found_);
+        is_found_ = outcome == Outcome::success;
+      }
+      begin = end;
     }
     if (outcome == Outcome::success) return {};
     return Status::failure(outcome,
