@@ -137,6 +137,46 @@ scene::Showing both_models(double height) {
   return {figure.with("key", "top left").take(), {}, quantities};
 }
 
+/// The greatest load between deflections of 0.1 and 0.35 in, by golden section.
+double greatest_load(const std::function<double(double)>& load) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double low = 0.1, high = 0.35;
+  for (int k = 0; k < 60; ++k) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    if (load(a) > load(b))
+      high = b;
+    else
+      low = a;
+  }
+  return load((low + high) / 2);
+}
+
+/// Limit loads of Williams' toggle of 0.44 in, read in other ways.
+std::vector<scene::Quantity> other_readings() {
+  const frames::Williams w{.height = 0.44};
+  /// (2.17)-(2.19) with 6 d_5 of n and `bowing` for 0.6.
+  const auto load = [&w](double d, double bowing, bool linear, double cosine) {
+    const double sine = w.height / w.length, l = w.length;
+    const double p = w.ea / l * (d * sine - bowing * d * d / l), n = -p * l * l / w.ei;
+    // 6 d_5 = 12 + 6 n/5 + ... at small n, by the power series of the beam-column.
+    const double six_d5 =
+        linear ? 12 + 1.2 * n : frames::stability_functions<double>(n).antisymmetric.value + n;
+    return 2 * (w.ei / (l * l * l) * six_d5 * d * cosine + p * sine);
+  };
+  const double cosine = std::sqrt(1 - std::pow(w.height / w.length, 2));
+  const frames::Williams span{.height = 0.44, .length = std::hypot(12.94, 0.44)};
+  const char* reason = "an independent program, five digits";
+  return {
+      scene::near("limit load, d_5 linearised", "lb",
+                  greatest_load([&](double d) { return load(d, 0.6, true, 1); }), 43.447, 2e-5, reason),
+      scene::near("limit load, 0.5 for 0.6", "lb",
+                  greatest_load([&](double d) { return load(d, 0.5, false, 1); }), 44.164, 2e-5, reason),
+      scene::near("limit load, F cos(beta) for F", "lb",
+                  greatest_load([&](double d) { return load(d, 0.6, false, cosine); }), 42.778, 2e-5, reason),
+      scene::near("limit load, l the half span", "lb", greatest_load([&](double d) { return span.load(d); }),
+                  42.698, 2e-5, reason)};
+}
+
 /// Loads that the text calls near the limit point, against the limits.
 scene::Showing published_loads() {
   const auto williams = williams_curve(0.44), element = element_curve(0.44);
@@ -156,7 +196,7 @@ scene::Showing published_loads() {
                       {"above it (%)"},
                       {"equilibria"},
                       {"deflection there (in)", 9}});
-  std::vector<scene::Quantity> quantities;
+  std::vector<scene::Quantity> quantities = other_readings();
   figure.begin("the only equilibria there", "p3");
   for (const double load : {near_load, last_load}) {
     for (const bool by_williams : {true, false}) {
