@@ -39,6 +39,13 @@ std::string sentence(const char* name, Outcome outcome, const Report& report, in
     case Outcome::interrupted:
       return fmt::format("{}: stopped by the observer at iteration {}", name,
                          report.statistics.newton_iterations);
+    case Outcome::not_converged:
+      if (report.statistics.newton_iterations < iterations)
+        return fmt::format(
+            "{}: at iteration {}, with |F| = {:.3g}: no shorter step makes |F| smaller: a minimum that is no "
+            "root, or rounding; start elsewhere or loosen the tolerance",
+            name, report.statistics.newton_iterations, report.last);
+      [[fallthrough]];
     default:
       return fmt::format(
           "{}: updates are not short enough after {} of {} iterations, |F| = {:.3g}; allow "
