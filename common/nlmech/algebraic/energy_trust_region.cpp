@@ -173,7 +173,11 @@ class Minimisation {
       const bool finite = linearise(x_);
       ++report_.statistics.newton_iterations;
       ++report_.statistics.factorisations;
-      if (!finite || !solver_.factorise().is_positive()) break;
+      if (!finite) break;
+      if (!solver_.factorise().is_positive()) {
+        if (go_on_from_saddle()) return Polish::no_minimum;
+        break;
+      }
       if (!see()) return Polish::interrupted;
       solver_.solve(g_, p_);
       p_ = -p_;
@@ -183,6 +187,18 @@ class Minimisation {
     plan();
     no_polish_before_ = report_.statistics.steps + 1;
     return Polish::no_minimum;
+  }
+
+  /// Newton's iteration has come to where B is not positive definite, within the rounding of V: next to a
+  /// limit point. From here V may fall on; from where the iteration began it could not be seen to.
+  bool go_on_from_saddle() {
+    const double energy = equations_.energy(x_);
+    if (!(energy <= energy_ + 32 * rounding_of_energy(equations_, kept_, energy_, trial_))) return false;
+    ++report_.statistics.steps;
+    energy_ = energy;
+    no_polish_before_ = report_.statistics.steps + 1;
+    plan();
+    return planned_.found;
   }
 
   /// Is an increment of this length what rounding calls for? Newton's increment for the change of F that a

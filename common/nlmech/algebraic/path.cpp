@@ -51,7 +51,7 @@ Status Path::start(bool upwards) {
   if (!system_.residual(now_.at)) outcome = Outcome::non_finite;
   if (outcome == Outcome::success && system_.f().squaredNorm() > 0)
     outcome = correct_in_plane(along, std::max(first, now_.at.norm()), now_.at, count);
-  if (outcome == Outcome::success) outcome = describe(along, now_);
+  if (outcome == Outcome::success) outcome = start_tangent(along);
   if (outcome != Outcome::success)
     return failure(outcome, "there is no solution with a tangent to start from; start elsewhere");
   // The first step changes the load by `first`.
@@ -59,6 +59,18 @@ Status Path::start(bool upwards) {
   previous_tangent_ = now_.tangent;
   before_ = now_;
   return {};
+}
+
+Outcome Path::start_tangent(const PathVector& along) {
+  Outcome outcome = describe(along, now_);
+  if (outcome == Outcome::success && std::abs(now_.slope) > 1e-3) return outcome;
+  // At a limit point the load does not tell the direction; the null vector of K does.
+  if (!system_.linearise(now_.at)) return Outcome::non_finite;
+  PathVector row{null_direction(system_), 0};
+  outcome = describe(row, now_);
+  if (outcome != Outcome::success || now_.slope * along.m >= 0) return outcome;
+  row.y = -row.y;
+  return describe(row, now_);
 }
 
 Outcome Path::describe(const PathVector& direction, PathPoint& point) {

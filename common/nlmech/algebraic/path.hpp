@@ -36,7 +36,7 @@ struct PathMethod {
   Kind kind = Kind::riks;      ///< which condition
   double first = 0.05;         ///< load of the first step, positive
   double turn = 0.3;           ///< of the tangent in a step, as it should be, rad; positive
-  double longest = 100;        ///< no step is longer than so many first steps; positive
+  double longest = 1e6;        ///< no step is longer than so many first steps; positive
   double shortest = 1e-9;      ///< a step shorter than so many first steps is `step_underflow`
   double spherical = 1;        ///< weight of the load in Crisfield's condition, 0 to 1
   int iterations = 10;         ///< at most so many corrections of a step
@@ -120,6 +120,7 @@ class Path {
   [[nodiscard]] Outcome step(double length, PathPoint& next, int& count);
   /// Fills all members of a point from its place; the tangent goes along @p direction.
   [[nodiscard]] Outcome describe(const PathVector& direction, PathPoint& point);
+  [[nodiscard]] Outcome start_tangent(const PathVector& along);
   [[nodiscard]] double proposed() const;
   void adapt(double length, double angle, int count);
   [[nodiscard]] PathVector guess(double part) const;

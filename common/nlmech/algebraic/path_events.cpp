@@ -12,17 +12,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// A direction near the null vector of K, by inverse iteration from one that has a part of every other.
-Eigen::VectorXd null_direction(const PathSystem& system) {
-  Eigen::VectorXd v(system.size()), next(system.size());
-  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
-  for (int k = 0; k < 4; ++k) {
-    system.solve(v, next);
-    v = next.normalized();
-  }
-  return v;
-}
-
 }  // namespace
 
 /// The cubic through both points with their tangents.
@@ -169,7 +158,9 @@ Outcome Path::crossing(double load, const PathPoint& begin, const PathPoint& end
   const double low = begin.at.m - m, high = end.at.m - m;
   if (low == 0 || high == 0) {
     out = low == 0 ? begin : end;
-    return polish(out);
+    PathPoint fine = out;
+    if (polish(fine) == Outcome::success) out = fine;
+    return system_.residual(out.at) ? Outcome::success : Outcome::non_finite;
   }
   if ((low > 0) == (high > 0)) return Outcome::not_converged;
   Bracket bracket{part_of(begin), low, part_of(end), high};

@@ -24,9 +24,22 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
   if (scale_.size() == 0) scale_ = scale_of(diagonal_of(equations_));
   if (!linearise(scaled(x, load))) return;
   solve(q_, work_);
-  const double length = work_.norm();
-  // A singular K says nothing of the displacements to come.
-  if (std::isfinite(length) && length > 0 && inertia_.zero == 0) load_scale_ = length;
+  const double length = work_.norm(), reach = scale_.cwiseProduct(x).norm();
+  // At a limit point, and near one, K calls for displacements without bound: then those of the start must do.
+  if (inertia_.zero == 0 && std::isfinite(length) && length > 0 && (reach == 0 || length <= 1e3 * reach))
+    load_scale_ = length;
+  else if (reach > 0)
+    load_scale_ = reach;
+}
+
+Eigen::VectorXd null_direction(const PathSystem& system) {
+  Eigen::VectorXd v(system.size()), next(system.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
+  for (int k = 0; k < 4; ++k) {
+    system.solve(v, next);
+    v = next.normalized();
+  }
+  return v;
 }
 
 PathVector PathSystem::scaled(const Eigen::VectorXd& x, double load) const {

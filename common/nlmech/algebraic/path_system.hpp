@@ -38,7 +38,8 @@ class PathSystem {
   [[nodiscard]] Eigen::VectorXd unscaled(const Eigen::VectorXd& y) const { return y.cwiseQuotient(scale_); }
   /// S.
   [[nodiscard]] const Eigen::VectorXd& scale() const { return scale_; }
-  /// c: a load of 1/c counts as much as the displacement that it causes in the beginning.
+  /// c: a load counts as much as the displacements that it causes at the start, |S K^-1 q|; or, where these
+  /// are more than a thousand times those of the start or K is singular, as these.
   [[nodiscard]] double load_scale() const { return load_scale_; }
   /// Number of unknowns.
   [[nodiscard]] Eigen::Index size() const { return scale_.size(); }
@@ -96,5 +97,8 @@ class PathSystem {
   PathVector rest_, change_, shortened_;
   int sign_ = 0;
 };
+
+/// A unit vector near the null vector of K, by inverse iteration with the factors of the system.
+[[nodiscard]] Eigen::VectorXd null_direction(const PathSystem& system);
 
 }  // namespace nlmech::algebraic
