@@ -203,7 +203,7 @@ std::vector<scene::Quantity> quantities(const Solvers& s) {
       scene::near("deflection under W_L(1 + 1e-9)", "in", drop("energy-trust-region", above_fold),
                   0.614300816, 1e-9, "an independent program, all its digits"),
       // |W - W_L|/W of one element: F there is half of that.
-      scene::near("least |F| that Levenberg-Marquardt finds, one element, 43.79 lb", "1",
+      scene::near("least residual that Levenberg-Marquardt finds, one element, 43.79 lb", "1",
                   s.of("levenberg-marquardt", 0).residual, (43.79 - 42.435492120383) / 43.79, 1e-10,
                   "the distance of the load from the limit load, relative: the minimum of |F| is the fold"),
       scene::at_most("distance of that place from the limit point", "in",
