@@ -89,8 +89,8 @@ class Path {
     place_ = h * (-5.0 / 72 * k1_ + 1.0 / 12 * k2_ + 1.0 / 9 * k3_ - 1.0 / 8 * k4_);
     const double allowed = method_.accuracy * (1 + run_.trial.norm());
     const double part = place_.norm() / allowed;
-    // Past a turning point the flow goes on where no path is. Newton's step back to it, by the factors at hand,
-    // tells.
+    // Past a turning point the flow goes on where no path is. Newton's step back to it, by the factors at
+    // hand, tells.
     h_.value(run_.trial, t_ + h, run_.trial_f, side_);
     if (solver_.solve(side_, place_) != Outcome::success || !(place_.norm() <= off_path * allowed))
       return HUGE_VAL;
