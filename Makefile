@@ -16,7 +16,7 @@ help:
 	@echo "make test            all tests but the long ones"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
-	@echo "make check           published beside reproduced, verdicts; tables/REPRODUCTION.md"
+	@echo "make check           published beside reproduced, verdicts, figures; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
 	@echo "make build           programs in $(BUILD)/bin"
@@ -54,14 +54,15 @@ tables: programs
 	@for c in $$(cat $(BUILD)/chapters.txt); do $(BUILD)/bin/$$c run --all --no-plots --out $(OUT) || exit 1; done
 
 chapter-%: programs
-	@$(MAKE) --no-print-directory figures/$*/.complete
-	@$(BUILD)/bin/$* check --out $(OUT)
+	@$(BUILD)/bin/$* check --draw --out $(OUT)
+	@touch figures/$*/.complete
 
 test: build
 	@ctest --preset $(PRESET) -j2
 
 # All chapters are checked before the command says whether one missed a promise. A chapter that kept its promises is
-# checked again when its program has changed.
+# checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
+# nothing to do.
 check: programs
 	@missed=0; $(MAKE) --no-print-directory -k check-chapters || missed=1; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
@@ -70,7 +71,8 @@ check: programs
 .PHONY: check-chapters
 check-chapters: $(CHAPTERS:%=results/%/.kept)
 results/%/.kept: $(BUILD)/bin/% $(wildcard tables/published/*.csv)
-	@$< check --out $(OUT) > /dev/null
+	@$< check --draw --out $(OUT) > /dev/null
+	@touch figures/$*/.complete
 	@mkdir -p $(@D) && touch $@
 
 # Claims about speed, measured with nothing beside them; tables/BENCH.md.
@@ -78,8 +80,9 @@ bench: configure
 	@cmake --build $(BUILD) --target benchmarks
 	@missed=0; for b in $(BUILD)/bin/*_bench; do $$b || missed=1; done; exit $$missed
 
-book: figures
+book: programs
 	@$(MAKE) --no-print-directory check > /dev/null
+	@$(MAKE) --no-print-directory draw > /dev/null
 	@cmake --build $(BUILD) --target book
 
 clean:

@@ -14,23 +14,18 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/cases.hpp"
+#include "chapters/rbf_ivp/stiff_problems.hpp"
 #include "chapters/rbf_ivp/sweeps.hpp"
 #include "nlmech/comparison/accuracy.hpp"
-#include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/ivp/adaptive_collocation.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/bench.hpp"
-#include "nlmech/support/errors.hpp"
 
 namespace {
 
 using namespace nlmech;
 using chapters::Case;
+using chapters::Stiff;
 
 /// Keeps the CPU time of every repetition, in microseconds a run.
 class Keeper : public benchmark::BenchmarkReporter {
@@ -133,36 +128,15 @@ void against_collocation(Contest& contest, const Case<n>& c, const chapters::Ste
   contest.claims.push_back({at + "adaptive-collocation", at + method, least});
 }
 
-/// A stiff problem, judged at its end by published digits or a Taylor series in extended precision.
-template <int n>
-struct Stiff {
-  std::string name;
-  ivp::System<n> system;
-  ivp::State<n> x0;
-  double end;
-  double scale;  ///< absolute over relative tolerance: below the smallest component that counts
-  std::vector<double> truth;
-  bool by_component;  ///< errors relative to each component, else to the largest
-
-  [[nodiscard]] double error(const ivp::State<n>& x) const {
-    double largest = 0, error = 0;
-    for (const double value : truth) largest = std::max(largest, std::abs(value));
-    for (std::size_t i = 0; i < truth.size(); ++i)
-      error = std::max(error, std::abs(x[static_cast<Eigen::Index>(i)] - truth[i]) /
-                                  (by_component ? std::abs(truth[i]) : largest));
-    return error;
-  }
-};
-
 template <int n, class Make>
 std::optional<Work> fastest_stiff(const Stiff<n>& p, Make make, double wanted, const std::string& name) {
   std::optional<Work> best;
   for (int half = 8; half <= 26; ++half) {
     const double tolerance = std::pow(10, -0.5 * half);
-    const auto method = make(tolerance, tolerance * p.scale);
+    const auto method = make(tolerance, tolerance * p.absolute);
     const auto s = ivp::integrate(p.system, p.x0, 0, p.end, method, {}, {.steps = 2'000'000});
     if (!s.status.ok() || !(p.error(s.x) <= wanted)) continue;
-    const auto once = [&p, method] {
+    const auto once = [p, method] {
       auto end = ivp::integrate(p.system, p.x0, 0, p.end, method);
       benchmark::DoNotOptimize(end);
     };
@@ -198,16 +172,6 @@ void against_cvode(Contest& contest, const Stiff<n>& p, double wanted, double le
   if (ours && theirs) contest.claims.push_back({ours->name, theirs->name, least});
 }
 
-/// The end by Taylor series in extended precision.
-template <class Problem>
-std::vector<double> series_end(const Problem& problem, double end) {
-  const auto reference = comparison::reference_end(problem, Problem::initial_state(), 0.0, end, 2'000'000);
-  if (!reference.status.ok()) throw Failure(reference.status);
-  std::vector<double> values;
-  for (int i = 0; i < Problem::dimension; ++i) values.push_back(static_cast<double>(reference.x[i]));
-  return values;
-}
-
 Contest contest() {
   Contest all;
   for (const auto& [wanted, least] : {std::pair{1e-9, 1.0}, std::pair{1e-12, 1.5}}) {
@@ -223,46 +187,15 @@ Contest contest() {
   against_collocation(all, chapters::free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
   against_collocation(all, chapters::three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
 
-  // Published digits: tables/reference/ivp_test_set.csv.
-  static const Stiff<2> pol{"van der Pol 1000",
-                            ivp::System<2>(problems::VanDerPol{.mu = 1000}),
-                            {2, 0},
-                            2000,
-                            1e-3,
-                            {1.706167732170483, -0.8928097010247975e-3},
-                            true};
-  static const Stiff<3> robertson{"Robertson",
-                                  ivp::System<3>(problems::Robertson{}),
-                                  problems::Robertson::initial_state(),
-                                  1e11,
-                                  1e-8,
-                                  {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050},
-                                  true};
-  static const Stiff<Eigen::Dynamic> hires{
-      "HIRES",
-      ivp::System<Eigen::Dynamic>(problems::Hires{}),
-      problems::Hires::initial_state(),
-      321.8122,
-      1e-4,
-      {0.73713125733256e-3, 0.14424857263161e-3, 0.58887297409675e-4, 0.11756513432831e-2,
-       0.23863561988313e-2, 0.62389682527427e-2, 0.28499983951857e-2, 0.28500016048142e-2},
-      true};
-  static const problems::Duffing hard{.hardening = 1e6};
-  static const Stiff<2> duffing{"Duffing 1e6", ivp::System<2>(hard), {1, 0}, 0.2, 1, series_end(hard, 0.2),
-                                false};
-  problems::ThreeMassChain chain;
-  chain.k1 = 1e8;
-  static const Stiff<6> masses{
-      "three masses 1e8", ivp::System<6>(chain), ivp::State<6>::Zero(), 2, 1, series_end(chain, 2), false};
   const auto both = [&](const auto& p) {
     against_cvode(all, p, 1e-6, 1 / 1.5);
     against_cvode(all, p, 1e-9, 1);
   };
-  both(pol);
-  both(robertson);
-  both(hires);
-  both(duffing);
-  both(masses);
+  both(chapters::van_der_pol_of_the_test_set());
+  both(chapters::robertson());
+  both(chapters::hires());
+  both(chapters::stiff_duffing());
+  both(chapters::stiff_masses());
   return all;
 }
 

@@ -3,7 +3,9 @@
 #include "nlmech/comparison/own_problem_of.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/robertson.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
@@ -12,9 +14,10 @@ namespace nlmech::chapters {
 void rbf_ivp_work(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
-      &own_problem<problems::Duffing>, &own_problem<problems::ImpactDuffing>,
+      &own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,
       &own_problem<problems::ThreeMassChain>, &own_problem<problems::VanDerPol>,
-      &own_problem<problems::BlowUp>};
+      &own_problem<problems::BlowUp>,         &own_problem<problems::Robertson>,
+      &own_problem<problems::Hires>};
   comparison::add_integrate_command(app, problems);
   comparison::add_compare_command(app, problems, "rbf_ivp");
 }

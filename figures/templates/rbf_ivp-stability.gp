@@ -18,20 +18,23 @@ unset key
 unset grid
 unset border
 set tics scale 0
-set xrange [0.5:5.5]
-set xtics ("Duffing\n10^6" 1, "masses\n10^8" 2, "v. d. Pol\n10" 3, "v. d. Pol\n100" 4, "v. d. Pol\n1000" 5) font small
+set xrange [0.5:7.5]
+set xtics ("Duffing 10^6" 1, "masses 10^8" 2, "v. d. Pol 10" 3, "v. d. Pol 100" 4, "v. d. Pol 1000" 5, \
+    "Robertson" 6, "HIRES" 7) font small rotate by 35 right offset 0.8,0
+set label 1 "—  refused      ×  no root found      ∞  blows up      ↓  step underflow      …  step limit      0  no digit" \
+    at screen 0.5, screen 0.025 center font small
 unset ytics  # names are labels: tics taken from a column would stay from panel to panel
 set colorbox horizontal user origin 0,0 size 0.1,0.02
 
 do for [panel in "fixed adaptive"] {
   rows = real(panel eq "fixed" ? rows_fixed : rows_adaptive)
   left = panel eq "fixed" ? 0.165 : 0.675
-  set margins screen left, screen left + 0.32, screen 0.25, screen 0.86
+  set margins screen left, screen left + 0.32, screen 0.27, screen 0.87
   set yrange [rows + 0.5 : 0.5]
   set title (panel eq "fixed" ? "fixed step: largest of use × rate" : "tolerance 10^{−6}: digits") \
       font sprintf("%s,%d", font_family, font_size) offset 0,0
   if (panel eq "fixed") { set cbrange [-2:4]; set cbtics 2; set format cb "10^{%.0f}" } else { set cbrange [0:8]; set cbtics 2; set format cb "%.0f" }
-  set colorbox horizontal user origin screen left,screen 0.11 size screen 0.32,screen 0.02
+  set colorbox horizontal user origin screen left,screen 0.115 size screen 0.32,screen 0.02
   plot data using (of(panel)):"row":(0.5):(0.5):"colour" with boxxyerror fillcolor palette fillstyle solid, \
        data using (of(panel)):"row":5 with labels font small, \
        data using (column("column") == 1 && of(panel) > 0 ? 0.5 : NaN):"row":6 with labels right offset -1,0 font small

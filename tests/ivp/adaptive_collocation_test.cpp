@@ -17,7 +17,6 @@ namespace nlmech::ivp {
 namespace {
 
 using testing::eps;
-using testing::Manufactured;
 
 AdaptiveCollocation to(double tolerance, int nodes = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .nodes = nodes};

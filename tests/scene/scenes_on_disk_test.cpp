@@ -54,6 +54,14 @@ TEST_F(ScenesOnDisk, GoIntoTheCurrentFolderByDefault) {
   EXPECT_EQ(written().size(), 17U);
 }
 
+TEST_F(ScenesOnDisk, OfACheckThatDrawsAreThoseOfARun) {
+  EXPECT_EQ(fixture({"run", "--all", "--out", "a"}).exit_code, 0);
+  EXPECT_EQ(fixture({"check", "--draw", "--out", "b"}).exit_code, 0);
+  auto checked = written("b");
+  EXPECT_EQ(checked.erase("results/fixture/check.csv"), 1U);
+  EXPECT_EQ(checked, written("a"));
+}
+
 TEST_F(ScenesOnDisk, AreTheSameByteForByteInASecondRun) {
   for (const char* out : {"a", "b"}) EXPECT_EQ(fixture({"run", "--all", "--out", out}).exit_code, 0);
   EXPECT_EQ(written("a"), written("b"));

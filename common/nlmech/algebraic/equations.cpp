@@ -99,6 +99,13 @@ DenseEquations::DenseEquations(Eigen::Index n, Residual residual, Derivative der
   b_.setZero(n, n);
 }
 
+void DenseEquations::apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const { out.noalias() = b_ * v; }
+
+void DenseEquations::apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
+  out.resize(b_.cols());
+  for (Eigen::Index j = 0; j < b_.cols(); ++j) out[j] = b_.col(j).dot(v);
+}
+
 void require_size(const char* what, const Equations& equations, const Eigen::VectorXd& x) {
   if (x.size() == equations.size()) return;
   throw std::invalid_argument(

@@ -79,11 +79,9 @@ class DenseEquations : public Equations {
   /// See Equations.
   void linearise(const Eigen::VectorXd& x) override { derivative_(x, b_); }
   /// See Equations.
-  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out.noalias() = b_ * v; }
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
   /// See Equations.
-  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
-    out.noalias() = b_.transpose() * v;
-  }
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
   /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { b = b_; }
 

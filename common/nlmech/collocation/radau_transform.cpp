@@ -19,7 +19,8 @@ RadauTransform<s> make() {
   using Square = Matrix<long double>;
   const Square inverse = (integration_matrix(radau_right<long double>(s)) / 2).inverse();
   const Eigen::EigenSolver<Square> eigen(inverse);
-  const auto values = eigen.eigenvalues();
+  const auto& values = eigen.eigenvalues();
+  const auto vectors = eigen.eigenvectors();
   std::vector<int> order;
   for (int i = 0; i < s; ++i) {
     if (values[i].imag() >= 0) order.push_back(i);
@@ -29,8 +30,7 @@ RadauTransform<s> make() {
   Square t(s, s);
   int column = 0;
   for (const int i : order) {
-    const auto vector = eigen.eigenvectors().col(i);
-    t.col(column) = vector.real();
+    for (int row = 0; row < s; ++row) t(row, column) = vectors(row, i).real();
     if (column == 0) {
       r.real = static_cast<double>(values[i].real());
       ++column;
@@ -38,7 +38,7 @@ RadauTransform<s> make() {
     }
     // For the vector u + iv of alpha + i beta, A^-1 (a u - b v) = (alpha a - beta b) u - (beta a + alpha b)
     // v: the pair (a, b) is multiplied as a + ib.
-    t.col(column + 1) = -vector.imag();
+    for (int row = 0; row < s; ++row) t(row, column + 1) = -vectors(row, i).imag();
     r.complex[static_cast<std::size_t>((column - 1) / 2)] = {static_cast<double>(values[i].real()),
                                                              static_cast<double>(values[i].imag())};
     column += 2;

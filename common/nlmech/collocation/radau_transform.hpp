@@ -10,10 +10,10 @@
 
 namespace nlmech::collocation {
 
-/// T^-1 A^-1 T = Lambda for the A of Radau<s>, s odd: one real eigenvalue and pairs of complex ones. In w =
-/// T^-1 z the linear equations of all stages fall apart into one real system and (s - 1)/2 complex ones of
-/// the size of the state (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section IV.8).
-/// A pair of rows of T^-1 z is the real and the imaginary part of one complex component.
+/// T^-1 A^-1 T = Lambda for the A of s Radau nodes, s odd: one real eigenvalue and pairs of complex ones. In
+/// w = T^-1 z the linear equations of all stages fall apart into one real system and (s - 1)/2 complex ones
+/// of the size of the state (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section
+/// IV.8). A pair of rows of T^-1 z is the real and the imaginary part of one complex component.
 template <int s>
 struct RadauTransform {
   static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");

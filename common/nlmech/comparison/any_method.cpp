@@ -42,7 +42,8 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
   if (settings.nodes) refuse("it has no nodes to choose");
   if (settings.shape) refuse("it has no shape to choose");
   if (settings.order) refuse("it has no order to choose");
-  return peers::peer_integrator<n>(method.name, settings.tolerance.value_or(ivp::default_tolerance));
+  const double tolerance = settings.tolerance.value_or(ivp::default_tolerance);
+  return peers::peer_integrator<n>(method.name, tolerance, settings.absolute_tolerance.value_or(tolerance));
 }
 
 template ivp::NamedIntegrator<1> any_integrator<1>(const AnyMethod&, const ivp::Settings&);

@@ -17,7 +17,7 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string problem, initial, until, from, method, step, tolerance, nodes, shape, order, every,
+  std::string problem, initial, until, from, method, step, tolerance, absolute, nodes, shape, order, every,
       limit = "60";
   std::vector<std::string> set;
 };
@@ -55,6 +55,7 @@ Request understand(const Words& words, OwnProblem& problem) {
                                  words.tolerance));
   r.settings = {.step = positive("--step", words.step),
                 .tolerance = positive("--tolerance", words.tolerance),
+                .absolute_tolerance = positive("--absolute-tolerance", words.absolute),
                 .nodes = whole("--nodes", words.nodes, 2, 200),
                 .shape = positive("--shape", words.shape),
                 .order = whole("--order", words.order, 2, 100)};
@@ -80,12 +81,16 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
     const AnyMethod method =
         about("--methods", [&] { return any_method(list.substr(begin, comma - begin)); });
     all.push_back({method, settings});
+    if (method.fixed_step) all.back().settings.absolute_tolerance.reset();
     if (!method.has_nodes) all.back().settings.nodes.reset();
     if (!method.has_shape) all.back().settings.shape.reset();
     if (!method.has_order) all.back().settings.order.reset();
     begin = comma + 1;
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
+  if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.fixed_step; }))
+    throw InputError(fmt::format("--absolute-tolerance {}: none of the methods {} chooses its steps",
+                                 *settings.absolute_tolerance, list));
   if (settings.nodes && !some([](const Choice& c) { return c.method.has_nodes; }))
     throw InputError(fmt::format("--nodes {}: none of the methods {} has nodes", *settings.nodes, list));
   if (settings.shape && !some([](const Choice& c) { return c.method.has_shape; }))
@@ -112,6 +117,8 @@ void add_common(CLI::App& command, Words& words) {
   command.add_option("--tolerance", words.tolerance,
                      "relative and absolute; 1e-9 without it. Methods of fixed step halve their step until "
                      "two runs agree");
+  command.add_option("--absolute-tolerance", words.absolute,
+                     "for components that become small; --tolerance without it. Not for fixed steps");
   command.add_option("--limit", words.limit, "wall time in seconds, at most, for a method")
       ->capture_default_str();
 }

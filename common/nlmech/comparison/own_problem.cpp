@@ -14,6 +14,7 @@ std::string Choice::setting() const {
   std::string text =
       settings.step ? fmt::format("step {:.6g}", *settings.step)
                     : fmt::format("tolerance {:.6g}", settings.tolerance.value_or(ivp::default_tolerance));
+  if (settings.absolute_tolerance) text += fmt::format(" absolute {:.6g}", *settings.absolute_tolerance);
   if (settings.nodes) text += fmt::format(" nodes {}", *settings.nodes);
   if (settings.shape) text += fmt::format(" shape {:.6g}", *settings.shape);
   if (settings.order) text += fmt::format(" order {}", *settings.order);

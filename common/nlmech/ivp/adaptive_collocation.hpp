@@ -213,8 +213,10 @@ class Run {
   Stopwatch watch_;
 };
 
+/// Sweeps of the three orders that the control chooses from.
 template <class S, bool second>
 using AllSweeps = Orders<Sweeper<S, 8, second>, Sweeper<S, 12, second>, Sweeper<S, 16, second>>;
+/// Newton's steps of the three orders that the control chooses from.
 template <class S>
 using AllNewtonSteps = Orders<NewtonSteps<S, 3>, NewtonSteps<S, 5>, NewtonSteps<S, 7>>;
 

@@ -71,6 +71,7 @@ struct LegendreRecurrence {
   std::array<double, 16> up{};    ///< (2j + 1)/(j + 1)
   std::array<double, 16> down{};  ///< (j + 1)/(j + 2)
 };
+/// The factors, computed once.
 inline constexpr LegendreRecurrence legendre_recurrence = [] {
   LegendreRecurrence r;
   for (std::size_t j = 0; j < r.up.size(); ++j) {

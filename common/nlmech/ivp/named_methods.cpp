@@ -97,10 +97,13 @@ void check(const MethodInfo& method, const Settings& settings) {
   };
   check_positive(method.name, "step", settings.step);
   check_positive(method.name, "tolerance", settings.tolerance);
+  check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
   check_positive(method.name, "shape", settings.shape);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
   if (settings.step && !method.fixed_step && !method.has_order)
     refuse("it chooses its steps itself; give a tolerance, not a step");
+  if (settings.absolute_tolerance && (method.fixed_step || settings.step))
+    refuse("an absolute tolerance is for methods that choose their steps");
   if (settings.nodes && !method.has_nodes) refuse("it has no nodes to choose");
   if (settings.shape && !method.has_shape) refuse("it has no shape to choose");
   if (settings.order && !method.has_order) refuse("it has no order to choose");
@@ -185,7 +188,8 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
 /// A method that chooses its steps; @p method has all else.
 template <int n, class Method>
 NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
-  method.relative_tolerance = method.absolute_tolerance = settings.tolerance.value_or(default_tolerance);
+  method.relative_tolerance = settings.tolerance.value_or(default_tolerance);
+  method.absolute_tolerance = settings.absolute_tolerance.value_or(method.relative_tolerance);
   check_options(method);
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
@@ -195,7 +199,8 @@ NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
 template <int n>
 NamedIntegrator<n> nystroem(const Settings& settings) {
   const double tolerance = settings.tolerance.value_or(default_tolerance);
-  const Rkn1210 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  const Rkn1210 method{.relative_tolerance = tolerance,
+                       .absolute_tolerance = settings.absolute_tolerance.value_or(tolerance)};
   check_options(method);
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,

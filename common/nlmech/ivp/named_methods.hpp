@@ -14,9 +14,11 @@ namespace nlmech::ivp {
 
 /// What a user may set of a method. A step or a tolerance, not both; neither: default_tolerance.
 struct Settings {
-  std::optional<double> step = std::nullopt;  ///< length of a step; positive. Methods of fixed step only
-  std::optional<double> tolerance =
-      std::nullopt;  ///< relative and absolute; positive. Methods of fixed step: search_step()
+  std::optional<double> step = std::nullopt;       ///< length of a step; positive. Methods of fixed step only
+  std::optional<double> tolerance = std::nullopt;  ///< relative, and absolute if nothing else is said;
+                                                   ///< positive. Methods of fixed step: search_step()
+  std::optional<double> absolute_tolerance = std::nullopt;  ///< of components that become small; positive;
+                                                            ///< nothing: the tolerance. Not for fixed steps
   std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; nothing: its default
   std::optional<double> shape =
       std::nullopt;  ///< c of rbf-coll in 1/time; positive; nothing: (N - 1) / (4 step)

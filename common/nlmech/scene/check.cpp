@@ -113,11 +113,13 @@ bool ChapterCheck::kept() const {
 
 namespace {
 
-/// A scene that fails leaves one quantity that no number keeps.
-void check_scene(const Scene& scene, Workshop& workshop, std::vector<CheckedQuantity>& quantities) {
+/// A scene that fails, or cannot be drawn, leaves one quantity that no number keeps.
+void check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop, bool quick,
+                 const std::optional<Publishing>& how, std::vector<CheckedQuantity>& quantities) {
   try {
-    for (Quantity& q : perform(scene, workshop).showing.quantities)
-      quantities.push_back({scene.name, std::move(q)});
+    const Performance performance = perform(scene, workshop);
+    for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});
+    if (how) publish(chapter, scene, performance, quick, *how);
   } catch (const Failure& failure) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     quantities.push_back({scene.name, {"the scene itself", "1", none, none, none, failure.what()}});
@@ -126,7 +128,8 @@ void check_scene(const Scene& scene, Workshop& workshop, std::vector<CheckedQuan
 
 }  // namespace
 
-ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick) {
+ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick,
+                   const std::optional<Publishing>& how) {
   const std::vector<Place> places = read_places(data_folder);
   Workshop workshop(quick);
   ChapterCheck result;
@@ -136,7 +139,7 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
   }
   refuse_orphans(chapter, result.values);
   for (const Scene& scene : chapter.scenes()) {
-    check_scene(scene, workshop, result.quantities);
+    check_scene(chapter, scene, workshop, quick, how, result.quantities);
   }
   return result;
 }

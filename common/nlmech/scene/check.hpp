@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "nlmech/scene/publish.hpp"
 #include "nlmech/scene/published.hpp"
 #include "nlmech/scene/scene.hpp"
 
@@ -38,9 +39,10 @@ struct ChapterCheck {
 /// Measures every published value that belongs to the chapter and every quantity of its scenes. A run that
 /// ends in a Failure costs its own values and scenes and no others: they count as missed, with the sentence
 /// of the failure.
+/// @param how where every scene is put on disk as well, computed once for both; nothing: nowhere
 /// @throws std::logic_error if a value that promises something has no measurement, or a measurement no value
-[[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder,
-                                 bool quick);
+[[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick,
+                                 const std::optional<Publishing>& how = {});
 
 /// `results/<chapter>/check.csv`: one row a value. The report reads it again.
 void write_check(const ChapterCheck& check, const std::string& chapter, const std::filesystem::path& out);

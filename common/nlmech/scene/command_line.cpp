@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -25,7 +26,7 @@ constexpr int failed = 1, wrong_usage = 2;
 
 struct Options {
   std::vector<std::string> scenes;
-  bool all = false, quick = false, no_plots = false, png = false, csv = false;
+  bool all = false, quick = false, no_plots = false, png = false, csv = false, draw = false;
   std::string out = ".";
 };
 
@@ -84,7 +85,9 @@ int run(const Chapter& chapter, const Options& options) {
 }
 
 int check(const Chapter& chapter, const Options& options) {
-  const ChapterCheck result = check(chapter, data_folder(), options.quick);
+  std::optional<Publishing> how;
+  if (options.draw) how = Publishing{options.out, true, false};
+  const ChapterCheck result = check(chapter, data_folder(), options.quick, how);
   write_check(result, chapter.name(), options.out);
   std::string text = reproduction_text(result.values);
   std::size_t kept = 0;
@@ -135,6 +138,7 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
 
   CLI::App* checker =
       app.add_subcommand("check", "Published beside reproduced; exit code 1 if a promise is missed");
+  checker->add_flag("--draw", options.draw, "also put every scene on disk, as run --all does");
   checker->callback([&] { code = check(chapter, options); });
 
   for (CLI::App* sub : {runner, checker}) {

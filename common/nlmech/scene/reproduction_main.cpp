@@ -1,9 +1,11 @@
 /// @file
 /// `reproduction`: published beside reproduced over all chapters of the build.
-///     reproduction report --chapters FILE [--out DIR] [--page FILE]   all values; exit code 1 if one missed
-///     its verdict reproduction verdict NAME --chapters FILE [--out DIR]           one value; 77 if its
-///     chapter is not built reproduction tests                                              names of all
-///     values, one a line
+///
+/// `report --chapters FILE [--out DIR] [--page FILE]`: all values; exit code 1 if one is missed.
+///
+/// `verdict NAME --chapters FILE [--out DIR]`: one value; exit code 77 if its chapter is not built.
+///
+/// `tests`: names of all values, one a line.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -92,6 +92,18 @@ TEST(Integrate, PeersAnswerOrSayThatTheyAreAbsent) {
   }
 }
 
+// The test set's digits; the second species is 8e-14, so that it needs an absolute tolerance of its own.
+// Asked: two digits less than the tolerance has.
+TEST(Integrate, AbsoluteToleranceOfItsOwn) {
+  const auto rows = trajectory(
+      "--problem robertson --until 1e11 --method adaptive-collocation --tolerance 1e-9 --absolute-tolerance "
+      "1e-17",
+      {"t", "x1", "x2", "x3"});
+  EXPECT_NEAR(rows.column[1].back() / 0.2083340149701255e-7, 1, 1e-7);
+  EXPECT_NEAR(rows.column[2].back() / 0.8333360770334713e-13, 1, 1e-7);
+  EXPECT_NEAR(rows.column[3].back() / 0.9999999791665050, 1, 1e-7);
+}
+
 TEST(Integrate, EveryGivesRowsByDenseOutput) {
   const auto rows =
       trajectory("--problem duffing --until 2.25 --method radau-coll --every 0.5", duffing_columns);
@@ -182,6 +194,11 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --method rk4 --step -0.1" + good, {"--step -0.1", "positive"}},
       {"integrate --method rk4 --tolerance -1e-9" + good, {"--tolerance -1e-9", "positive"}},
       {"integrate --method rk4 --tolerance tight" + good, {"--tolerance tight"}},
+      {"integrate --method ode45 --absolute-tolerance 0" + good, {"--absolute-tolerance 0", "positive"}},
+      {"integrate --method rk4 --absolute-tolerance 1e-9" + good, {"rk4", "absolute tolerance"}},
+      {"compare --methods rk4,radau-coll --absolute-tolerance 1e-9" + good,
+       {"--absolute-tolerance 1e-09", "rk4,radau-coll"}},
+      {"integrate --problem robertson --until 1 --method newmark", {"newmark", "velocities"}},
       {"integrate --method rk4 --step 0.1 --tolerance 1e-9" + good,
        {"--step 0.1", "--tolerance 1e-9", "not both"}},
       {"integrate --method rk4 --every 0" + good, {"--every 0", "positive"}},

@@ -87,13 +87,14 @@ std::string absent_peer_sentence(std::string_view name) {
 }
 
 template <int n>
-PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance) {
+PeerIntegrator<n> peer_integrator(std::string_view name, double relative, double absolute) {
   const Peer& peer = find(name);
-  require_tolerances(name, {tolerance, tolerance});
+  require_tolerances(name, {relative, absolute});
   if (!peer.available()) throw std::logic_error(absent_peer_sentence(name));
   return std::visit(
       [&](auto method) {
-        method.relative_tolerance = method.absolute_tolerance = tolerance;
+        method.relative_tolerance = relative;
+        method.absolute_tolerance = absolute;
         return PeerIntegrator<n>([method](const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
                                           double t1, const ivp::Observer<n>& observer,
                                           const ivp::Limits& limits) {
@@ -103,11 +104,11 @@ PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance) {
       peer.method);
 }
 
-template PeerIntegrator<1> peer_integrator<1>(std::string_view, double);
-template PeerIntegrator<2> peer_integrator<2>(std::string_view, double);
-template PeerIntegrator<3> peer_integrator<3>(std::string_view, double);
-template PeerIntegrator<4> peer_integrator<4>(std::string_view, double);
-template PeerIntegrator<6> peer_integrator<6>(std::string_view, double);
-template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double);
+template PeerIntegrator<1> peer_integrator<1>(std::string_view, double, double);
+template PeerIntegrator<2> peer_integrator<2>(std::string_view, double, double);
+template PeerIntegrator<3> peer_integrator<3>(std::string_view, double, double);
+template PeerIntegrator<4> peer_integrator<4>(std::string_view, double, double);
+template PeerIntegrator<6> peer_integrator<6>(std::string_view, double, double);
+template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double, double);
 
 }  // namespace nlmech::peers
