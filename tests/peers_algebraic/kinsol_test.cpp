@@ -16,7 +16,7 @@ using algebraic::Report;
 
 constexpr Kinsol both[] = {{.strategy = Kinsol::Strategy::none}, {.strategy = Kinsol::Strategy::line_search}};
 
-class Solvers : public testing::Test {
+class KinsolSolver : public testing::Test {
  protected:
   void SetUp() override {
     if (kinsol_available()) return;
@@ -27,7 +27,7 @@ class Solvers : public testing::Test {
   }
 };
 
-TEST_F(Solvers, FindRootsDenseAndSparse) {
+TEST_F(KinsolSolver, FindRootsDenseAndSparse) {
   const double far = std::sqrt(2 + std::sqrt(3.0));
   for (const Kinsol& method : both) {
     DenseEquations dense = circle();
@@ -45,7 +45,7 @@ TEST_F(Solvers, FindRootsDenseAndSparse) {
   }
 }
 
-TEST_F(Solvers, StartsFromZeroWithAFullStep) {
+TEST_F(KinsolSolver, StartsFromZeroWithAFullStep) {
   // KINSOL's own bound on a step is a multiple of |x(0)|.
   DenseEquations equations = linear(MatrixXd::Identity(2, 2), vector({1e6, -1e6}));
   for (const Kinsol& method : both) {
@@ -57,7 +57,7 @@ TEST_F(Solvers, StartsFromZeroWithAFullStep) {
 }
 
 // More, Garbow and Hillstrom 1981, problem 2: a minimum of |F|^2 of 48.9842...
-TEST_F(Solvers, LineSearchEndsInAMinimumThatIsNoRoot) {
+TEST_F(KinsolSolver, LineSearchEndsInAMinimumThatIsNoRoot) {
   DenseEquations equations = freudenstein_roth();
   VectorXd x = vector({0.5, -2});
   const Report report = find_root(Kinsol{}, equations, x);
@@ -66,7 +66,7 @@ TEST_F(Solvers, LineSearchEndsInAMinimumThatIsNoRoot) {
   EXPECT_NE(report.status.sentence().find("kinsol"), std::string::npos);
 }
 
-TEST_F(Solvers, FailuresBecomeStatus) {
+TEST_F(KinsolSolver, FailuresBecomeStatus) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Kinsol& method : both) {
     DenseEquations no_root = scalar([](double v) { return 1 + v * v; }, [](double v) { return 2 * v; });
@@ -90,7 +90,7 @@ TEST_F(Solvers, FailuresBecomeStatus) {
   }
 }
 
-TEST_F(Solvers, ExceptionsPassAndOptionsAreChecked) {
+TEST_F(KinsolSolver, ExceptionsPassAndOptionsAreChecked) {
   DenseEquations throwing(
       1, [](const VectorXd&, VectorXd&) { throw std::domain_error("thrown"); },
       [](const VectorXd&, MatrixXd&) {});
