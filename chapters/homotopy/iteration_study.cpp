@@ -29,7 +29,7 @@ struct Census {
   [[nodiscard]] int quantile(double q) const {
     std::vector<int> sorted = counts;
     std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+    return sorted[static_cast<std::size_t>(std::llround(q * static_cast<double>(sorted.size() - 1)))];
   }
   [[nodiscard]] double share(const std::function<bool(int)>& is) const {
     return static_cast<double>(std::count_if(counts.begin(), counts.end(), is)) /

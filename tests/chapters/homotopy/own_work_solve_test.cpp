@@ -36,7 +36,7 @@ TEST(SolveBySolver, AllButFictitiousTimeFindTheDeflection) {
       EXPECT_NE(f.errors.find("fictitious-time"), std::string::npos) << f.errors;
       continue;
     }
-      continue;  // B^T F nearly vanishes at the softest point; may take any number
+    continue;  // B^T F nearly vanishes at the softest point; may take any number
     ASSERT_EQ(f.exit_code, 0) << name << ": " << f.errors;
     EXPECT_NEAR(deflection_of(f), 0.265167973289, 5e-10) << name;
   }
