@@ -164,7 +164,7 @@ RC_GTEST_PROP(LeastSquares, StepOfASingularMatrixIsTheShortest, ()) {
   const MatrixXd b = random_matrix(n, rank) * random_matrix(rank, n);
   const VectorXd f = random_vector(n);
   const Eigen::JacobiSVD<MatrixXd> svd(b, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd s = svd.singularValues();
+  const VectorXd& s = svd.singularValues();
   RC_PRE(s[rank - 1] > 1e-3 * s[0]);
   VectorXd expected = VectorXd::Zero(n);
   for (Eigen::Index k = 0; k < rank; ++k)

@@ -120,7 +120,8 @@ TEST(SymmetricSolver, SeesWhatIsNotFinite) {
 /// The least value of g^T p + p^T B p/2 on a ball, by eigenvectors and bisection for the multiplier.
 double least(const MatrixXd& b, const VectorXd& g, double radius) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(b);
-  const VectorXd e = spectrum.eigenvalues(), c = spectrum.eigenvectors().transpose() * g;
+  const VectorXd& e = spectrum.eigenvalues();
+  const VectorXd c = spectrum.eigenvectors().transpose() * g;
   const auto step = [&](double multiplier) -> VectorXd {
     return -c.cwiseQuotient((e.array() + multiplier).matrix());
   };

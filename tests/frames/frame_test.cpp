@@ -40,7 +40,7 @@ TEST(Frame, RollsUpUnderAnEndMoment) {
     for (int i = 1; i <= members; ++i) {
       px += chord * std::cos((i - 0.5) * phi);
       py += chord * std::sin((i - 0.5) * phi);
-      x.segment<3>(3 * (i - 1)) << px - i, py, i * phi;
+      x.segment<3>(Eigen::Index{3} * (i - 1)) << px - i, py, i * phi;
     }
     EXPECT_NEAR(px, 0, 1e-13);  // closed
     ASSERT_TRUE(frame.force<double>(x, f).ok());

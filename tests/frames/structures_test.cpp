@@ -69,7 +69,7 @@ TEST_P(Structures, LeesFrame) {
   const auto expect = [](int elements, double high, double low) {
     const LoadedStructure s = make_frame(LeeFrame{.elements = elements});
     LoadedFrame equations(s.frame, s.load);
-    const Found found = follow(equations, GetParam(), 0.2, 2);
+    Found found = follow(equations, GetParam(), 0.2, 2);
     EXPECT_NEAR(found.folds[0].load, high, 2e-10);
     EXPECT_NEAR(found.folds[1].load, low, 2e-10);
     EXPECT_TRUE(found.branches.empty());

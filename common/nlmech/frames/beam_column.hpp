@@ -60,7 +60,7 @@ template <class T>
   using std::cos;
   using std::sin;
   using Number = decltype(value_of(x));
-  const Number turn = atan2(value_of(y), value_of(x));
+  Number turn = atan2(value_of(y), value_of(x));
   if constexpr (std::same_as<T, Number>) {
     return turn;
   } else {
