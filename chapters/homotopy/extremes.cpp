@@ -221,7 +221,7 @@ std::vector<scene::Quantity> quantities(const Extremes& x) {
       {"drop under 36 lb from the snapped shape, energy", "in", trial(snapped, energy).drop, 0.4801, 0.6144,
        "between the lower limit point and the limit load, on the snapped branch"},
       {"drop under 36 lb from the limit point, energy", "in", trial(singular, energy).drop, 0, 0.2272,
-       "on the rising branch, or past 0.4801 on the other"},
+       "on the rising branch: there the energy falls from the limit point to the nearest minimum"},
       {"drop under 36 lb from the limit point, riks", "in", trial(singular, first_path).drop, 0.2272, 0.4801,
        "on the falling branch, one way out of the limit point"},
       {"negative eigenvalues there", "1", static_cast<double>(trial(singular, first_path).negative), 1, 1,
