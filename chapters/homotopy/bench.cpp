@@ -7,43 +7,22 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "chapters/speed.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/path_solvers.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
-#include "nlmech/scene/bench.hpp"
 
 namespace {
 
 using namespace nlmech;
 using Eigen::VectorXd;
-
-/// Keeps the CPU time of every repetition, in microseconds a run.
-class Keeper : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
-  std::map<std::string, std::vector<double>> times;
-};
 
 /// A piece of work that is measured; false if it fails.
 struct Work {
@@ -101,14 +80,7 @@ std::vector<Work> all_work() {
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.02"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv);
 
   std::vector<Work> all;
   for (Work& w : all_work()) {
@@ -117,16 +89,9 @@ int bench(int argc, char** argv) {
     else
       fmt::print("{}: fails\n", w.name);
   }
-  for (const Work& w : all) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) benchmark::DoNotOptimize(w.run());
-    })->Unit(benchmark::kMicrosecond);
-  }
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
 
   // A second to compare with, so that the promise about 1000 elements is a ratio as the others.
-  std::vector<scene::BenchSeries> series = keeper.series();
+  std::vector<scene::BenchSeries> series = chapters::measure_speed(all);
   series.push_back({second, "us a run", std::vector<double>(11, 1e6)});
   std::vector<scene::SpeedClaim> claims = {
       {"1000 elements traced through both limit points in a second", trace(1000).name, second, 2}};
@@ -136,26 +101,9 @@ int bench(int argc, char** argv) {
     claims.push_back({fmt::format("energy trust region against KINSOL's line search, {} elements", elements),
                       "energy-trust-region" + where, "kinsol" + where, least});
   }
-  bool held = true;
-  std::vector<scene::SpeedResult> results;
-  for (const scene::SpeedClaim& claim : claims) {
-    results.push_back(scene::judge_claim(claim, series));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-               r.ratio, r.low, r.high, claim.least);
-  }
-  scene::write_bench("homotopy", series, results, ".");
-  return held ? 0 : 1;
+  return chapters::judge_speed("homotopy", claims, series);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "homotopy_bench: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return nlmech::chapters::speed_main("homotopy_bench", &bench, argc, argv); }
