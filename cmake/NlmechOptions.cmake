@@ -1,9 +1,9 @@
 # What is built, and how.
 
 # The chapters in the order of the book. A chapter is built once its folder exists.
-set(NLMECH_ALL_CHAPTERS geodesy two_body_series rbf_ivp rbf_inverse algebraic_series)
+set(NLMECH_ALL_CHAPTERS homotopy geodesy two_body_series rbf_ivp rbf_inverse algebraic_series)
 # Established libraries that chapters compare with, behind our interfaces.
-set(NLMECH_ALL_PEERS geographiclib cvode arkode gsl odeint ipopt)
+set(NLMECH_ALL_PEERS geographiclib cvode arkode kinsol gsl odeint ipopt)
 
 set(NLMECH_CHAPTERS "all" CACHE STRING "Chapters to build: all, or a list of ${NLMECH_ALL_CHAPTERS}")
 set(NLMECH_PEERS "all" CACHE STRING "Peers to compare with: all, none, or a list of ${NLMECH_ALL_PEERS}")

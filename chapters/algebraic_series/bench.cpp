@@ -9,18 +9,17 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "chapters/speed.hpp"
 #include "nlmech/ivp/series.hpp"
 #include "nlmech/peers/ivp/odeint_direct.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/scene/bench.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {
@@ -29,26 +28,6 @@ using namespace nlmech;
 
 constexpr double wanted = 1e-9;  // nine digits
 constexpr int end_times = 16;    // over which errors are medians
-
-/// Keeps the CPU time of every repetition.
-class Keeper : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
-  std::map<std::string, std::vector<double>> times;
-};
 
 /// A piece of work that is measured.
 struct Work {
@@ -202,48 +181,18 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Work>& all) {
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.02"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv);
 
   std::vector<Work> all;
   add_rivals(all, Case("duffing", problems::Duffing{}, 500));
   add_rivals(all, Case("three-masses", problems::ThreeMassChain{}, 200));
   add_rivals(all, Case("lorenz", problems::Lorenz{}, 20));
   add_coefficients(all);
-  for (const Work& w : all) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) w.run();
-    })->Unit(benchmark::kMicrosecond);
-  }
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-
-  std::vector<scene::SpeedResult> results;
-  bool held = true;
-  for (const scene::SpeedClaim& claim : claims(all)) {
-    results.push_back(scene::judge_claim(claim, keeper.series()));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-               r.ratio, r.low, r.high, claim.least);
-  }
-  scene::write_bench("algebraic_series", keeper.series(), results, ".");
-  return held ? 0 : 1;
+  return chapters::judge_speed("algebraic_series", claims(all), chapters::measure_speed(all));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "algebraic_series_bench: {}\n", error.what());
-    return 1;
-  }
+  return nlmech::chapters::speed_main("algebraic_series_bench", &bench, argc, argv);
 }

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "chapters/geodesy/contenders.hpp"
-#include "nlmech/scene/bench.hpp"
+#include "chapters/speed.hpp"
 #include "nlmech/scene/command_line.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -85,14 +85,7 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Contender>& all, const P
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.01"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv, "0.01");
 
   const geodesy::Ellipsoid earth = geodesy::Ellipsoid::wgs84();
   const std::vector<Contender> all = chapters::contenders(earth);
@@ -102,28 +95,11 @@ int bench(int argc, char** argv) {
   Keeper keeper;
   benchmark::RunSpecifiedBenchmarks(&keeper);
 
-  std::vector<scene::SpeedResult> results;
-  bool held = true;
-  for (const Points* points : {&small, &large}) {
-    for (const scene::SpeedClaim& claim : claims(all, *points)) {
-      results.push_back(scene::judge_claim(claim, keeper.series()));
-      const scene::SpeedResult& r = results.back();
-      held = held && r.held;
-      fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-                 r.ratio, r.low, r.high, claim.least);
-    }
-  }
-  scene::write_bench("geodesy", keeper.series(), results, ".");
-  return held ? 0 : 1;
+  std::vector<scene::SpeedClaim> promised = claims(all, small);
+  for (const scene::SpeedClaim& claim : claims(all, large)) promised.push_back(claim);
+  return chapters::judge_speed("geodesy", promised, keeper.series());
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "geodesy_bench: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return nlmech::chapters::speed_main("geodesy_bench", &bench, argc, argv); }

@@ -7,16 +7,15 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_ivp/cases.hpp"
 #include "chapters/rbf_ivp/sweeps.hpp"
+#include "chapters/speed.hpp"
 #include "nlmech/comparison/accuracy.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/scene/bench.hpp"
 
 namespace {
 
@@ -26,26 +25,6 @@ using comparison::Contender;
 using comparison::Setting;
 
 constexpr double wanted = 1e-6;  // six digits, which most methods reach
-
-/// Keeps the CPU time of every repetition, in microseconds a run.
-class Keeper : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
-  std::map<std::string, std::vector<double>> times;
-};
 
 /// A piece of work that is measured.
 struct Work {
@@ -138,14 +117,7 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Work>& all) {
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.02"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv);
 
   const std::vector<std::string> ours = {"rbf-coll, N = 35", "lgl-coll, N = 35", "radau-coll, N = 17",
                                          "mcpi, N = 17", "rk6"};
@@ -153,34 +125,9 @@ int bench(int argc, char** argv) {
   for (const Work& w : rivals(chapters::three_mass_case(), chapters::three_mass_steps(), ours))
     all.push_back(w);
   for (const Work& w : erasure()) all.push_back(w);
-  for (const Work& w : all) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) w.run();
-    })->Unit(benchmark::kMicrosecond);
-  }
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-
-  std::vector<scene::SpeedResult> results;
-  bool held = true;
-  for (const scene::SpeedClaim& claim : claims(all)) {
-    results.push_back(scene::judge_claim(claim, keeper.series()));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-               r.ratio, r.low, r.high, claim.least);
-  }
-  scene::write_bench("rbf_ivp", keeper.series(), results, ".");
-  return held ? 0 : 1;
+  return chapters::judge_speed("rbf_ivp", claims(all), chapters::measure_speed(all));
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "rbf_ivp_bench: {}\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return nlmech::chapters::speed_main("rbf_ivp_bench", &bench, argc, argv); }

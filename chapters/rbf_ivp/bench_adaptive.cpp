@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,36 +15,16 @@
 #include "chapters/rbf_ivp/cases.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
 #include "chapters/rbf_ivp/sweeps.hpp"
+#include "chapters/speed.hpp"
 #include "nlmech/comparison/accuracy.hpp"
 #include "nlmech/ivp/adaptive_collocation.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
-#include "nlmech/scene/bench.hpp"
 
 namespace {
 
 using namespace nlmech;
 using chapters::Case;
 using chapters::Stiff;
-
-/// Keeps the CPU time of every repetition, in microseconds a run.
-class Keeper : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
-  std::map<std::string, std::vector<double>> times;
-};
 
 /// A piece of work that is measured.
 struct Work {
@@ -200,44 +179,17 @@ Contest contest() {
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.02"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv);
   const Contest all = contest();
-  for (const Work& w : all.work) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) w.run();
-    })->Unit(benchmark::kMicrosecond);
-  }
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-  std::vector<scene::SpeedResult> results;
-  bool held = true;
-  for (const Claim& claim : all.claims) {
-    results.push_back(scene::judge_claim(
-        {fmt::format("{} against {}", claim.fast, claim.slow), claim.fast, claim.slow, claim.least},
-        keeper.series()));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT",
-               claim.fast + " against " + claim.slow, r.ratio, r.low, r.high, claim.least);
-  }
-  scene::write_bench("rbf_ivp_adaptive", keeper.series(), results, ".");
-  return held ? 0 : 1;
+  std::vector<scene::SpeedClaim> claims;
+  for (const Claim& claim : all.claims)
+    claims.push_back(
+        {fmt::format("{} against {}", claim.fast, claim.slow), claim.fast, claim.slow, claim.least});
+  return chapters::judge_speed("rbf_ivp_adaptive", claims, chapters::measure_speed(all.work));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "rbf_ivp_adaptive_bench: {}\n", error.what());
-    return 1;
-  }
+  return nlmech::chapters::speed_main("rbf_ivp_adaptive_bench", &bench, argc, argv);
 }

@@ -27,8 +27,9 @@ struct Stiff {
 
   /// Largest error of a component by its size; NaN if there is one.
   [[nodiscard]] double error(const ivp::State<n>& found) const {
-    return static_cast<double>(
-        ((found.template cast<long double>() - truth).array() / size.array()).abs().maxCoeff());
+    return static_cast<double>(((found.template cast<long double>() - truth).array() / size.array())
+                                   .abs()
+                                   .template maxCoeff<Eigen::PropagateNaN>());
   }
   /// -log10 of the error; 0 if nothing is right.
   [[nodiscard]] double digits(const ivp::State<n>& found) const {

@@ -9,17 +9,16 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "chapters/speed.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/peers/ivp/odeint_direct.hpp"
 #include "nlmech/problems/two_body.hpp"
-#include "nlmech/scene/bench.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {
@@ -29,26 +28,6 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 
 const double revolution = 2 * std::acos(-1.0);
 constexpr int orbits = 20, phases = 16;
-
-/// Keeps the CPU time of every repetition, in microseconds a run.
-class Keeper : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type == Run::RT_Iteration)
-        times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-    }
-  }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
-  std::map<std::string, std::vector<double>> times;
-};
 
 /// An ellipse with a = 1 and mu = 1 from its periapsis, and where it is at the end times.
 struct Ellipse {
@@ -173,14 +152,7 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Ellipse>& ellipses, cons
 }
 
 int bench(int argc, char** argv) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       "--benchmark_min_time=0.02"};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
+  chapters::begin_speed(argc, argv);
 
   const std::vector<Contender> all_contenders = contenders();
   std::vector<Ellipse> ellipses;
@@ -194,34 +166,11 @@ int bench(int argc, char** argv) {
       }
     }
   }
-  for (const Work& w : all) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) w.run();
-    })->Unit(benchmark::kMicrosecond);
-  }
-  Keeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-
-  std::vector<scene::SpeedResult> results;
-  bool held = true;
-  for (const scene::SpeedClaim& claim : claims(ellipses, all)) {
-    results.push_back(scene::judge_claim(claim, keeper.series()));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-               r.ratio, r.low, r.high, claim.least);
-  }
-  scene::write_bench("two_body_series", keeper.series(), results, ".");
-  return held ? 0 : 1;
+  return chapters::judge_speed("two_body_series", claims(ellipses, all), chapters::measure_speed(all));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return bench(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "two_body_series_bench: {}\n", error.what());
-    return 1;
-  }
+  return nlmech::chapters::speed_main("two_body_series_bench", &bench, argc, argv);
 }

@@ -43,7 +43,7 @@ TEST_F(Configure, NoChapterAtAllIsFine) {
 
 TEST_F(Configure, SaysWhichChaptersThereAre) {
   expect_refusal(configure({"-DNLMECH_CHAPTERS=geodesy,astrology"}),
-                 "there is no 'astrology'; there is geodesy");
+                 "there is no 'astrology'; there is homotopy");
 }
 
 TEST_F(Configure, SaysWhichPackageIsMissing) {

@@ -17,7 +17,8 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 inline constexpr double duffing_period = 4.7680220291024608063;
 
 /// Position and velocity at time t from x = X at rest: X cn(omega t | m).
-[[gnu::noinline]] inline Vector<double, 2> duffing(double t, const problems::Duffing& problem = {}, double amplitude = 1) {
+[[gnu::noinline]] inline Vector<double, 2> duffing(double t, const problems::Duffing& problem = {},
+                                                   double amplitude = 1) {
   using boost::multiprecision::sqrt;
   const Real x0 = amplitude, omega = problem.argument_frequency(x0), m = problem.elliptic_parameter(x0);
   Real cn, dn;

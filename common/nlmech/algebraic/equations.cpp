@@ -4,23 +4,48 @@
 
 #include <utility>
 
+#include "nlmech/algebraic/linear_solver.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
 /// Ends an iteration from within its residual.
 struct Interrupted {};
 
+/// Newton's workspace with factors that are dense or sparse, as the equations are.
+struct Work {
+  explicit Work(const Equations& of)
+      : equations(of), residual(of.size()), update(of.size()), trial(of.size()), lu(of) {}
+  template <class Derivative>
+  [[nodiscard]] Outcome factorise(Derivative& derivative, const Eigen::VectorXd& x) {
+    derivative(x);
+    return lu.factorise(equations);
+  }
+  [[nodiscard]] Outcome solve() { return lu.solve(residual, update); }
+
+  const Equations& equations;
+  Eigen::VectorXd residual, update, trial;
+  LinearSolver lu;
+};
+
 std::string sentence(const char* name, Outcome outcome, const Report& report, int iterations) {
   switch (outcome) {
     case Outcome::singular_matrix:
-      return fmt::format("{}: the matrix dF/dx is singular at iteration {}; start elsewhere", name,
-                         report.statistics.newton_iterations);
+      return fmt::format("{}: the matrix dF/dx is singular at iteration {}, |F| = {:.3g}; start elsewhere",
+                         name, report.statistics.newton_iterations, report.last);
     case Outcome::non_finite:
       return fmt::format("{}: F or dF/dx is not finite at iteration {}; start elsewhere", name,
                          report.statistics.newton_iterations);
     case Outcome::interrupted:
       return fmt::format("{}: stopped by the observer at iteration {}", name,
                          report.statistics.newton_iterations);
+    case Outcome::not_converged:
+      if (report.statistics.newton_iterations < iterations)
+        return fmt::format(
+            "{}: at iteration {}, with |F| = {:.3g}: no shorter step makes |F| smaller: a minimum that is no "
+            "root, or rounding; start elsewhere or loosen the tolerance",
+            name, report.statistics.newton_iterations, report.last);
+      [[fallthrough]];
     default:
       return fmt::format(
           "{}: updates are not short enough after {} of {} iterations, |F| = {:.3g}; allow "
@@ -34,7 +59,7 @@ Report run(const char* name, const Method& method, Equations& equations, Eigen::
            const Observer& observer) {
   require_size(name, equations, x);
   Report report;
-  Workspace<Eigen::VectorXd, Eigen::MatrixXd> work(x.size());
+  Work work(equations);
   Outcome outcome = Outcome::interrupted;
   const auto residual = [&](const Eigen::VectorXd& at, Eigen::VectorXd& f) {
     equations.residual(at, f);
@@ -45,10 +70,7 @@ Report run(const char* name, const Method& method, Equations& equations, Eigen::
     report.least = std::min(report.least, norm);
     if (observer && !observer({index, static_cast<double>(index), at, f, norm})) throw Interrupted{};
   };
-  const auto derivative = [&](const Eigen::VectorXd& at, Eigen::MatrixXd& b) {
-    equations.linearise(at);
-    equations.matrix(b);
-  };
+  const auto derivative = [&](const Eigen::VectorXd& at) { equations.linearise(at); };
   try {
     outcome = solve(method, residual, derivative, x, work, report.statistics);
   } catch (const Interrupted&) {

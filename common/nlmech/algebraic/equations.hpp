@@ -17,6 +17,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <functional>
 #include <stdexcept>
 
@@ -49,6 +50,12 @@ class Equations {
   /// B, n by n, for methods that factorise it.
   /// @throws std::logic_error if the equations offer products only, as they do unless they say otherwise
   virtual void matrix(Eigen::MatrixXd& b) const;
+  /// B as the equations store it, if that is sparse: compressed, of a pattern that never changes, valid until
+  /// the next linearise(). Null, unless the equations say otherwise.
+  [[nodiscard]] virtual const Eigen::SparseMatrix<double>* sparse() const { return nullptr; }
+  /// Why F or B did not exist where it was asked for last, if the equations know more than that it is not
+  /// finite.
+  [[nodiscard]] virtual Status status() const { return {}; }
 };
 
 /// Equations from two functions.

@@ -20,6 +20,7 @@ struct Newton {
   /// rounding noise: done, counted as a fallback. Zero: never.
   double noise = 0;
   int iterations = 50;  ///< at most so many updates
+  double residual = 0;  ///< done, too, where |F|, Euclidean, is no greater; 0: the updates alone decide
 };
 
 /// Newton's direction, shortened until the residual's norm falls (Armijo's rule, halving): for starts that
@@ -29,6 +30,7 @@ struct DampedNewton {
   double noise = 0;           ///< as for Newton
   int iterations = 200;       ///< at most so many updates
   double shortest = 0x1p-30;  ///< a shorter fraction of Newton's step ends with `not_converged`
+  double residual = 0;        ///< as for Newton
 };
 
 /// What the iteration works on; sized once, reused from solve to solve.
@@ -43,6 +45,20 @@ struct Workspace {
   V trial;                    ///< the damped iteration's next x
   M matrix;                   ///< dF/dx
   Eigen::PartialPivLU<M> lu;  ///< its factors
+
+  /// dF/dx at @p x, factorised. @return success or `non_finite`
+  template <class Derivative>
+  [[nodiscard]] Outcome factorise(Derivative& derivative, const V& x) {
+    derivative(x, matrix);
+    if (!matrix.allFinite()) return Outcome::non_finite;
+    lu.compute(matrix);
+    return Outcome::success;
+  }
+  /// The update from the residual. @return success or `singular_matrix`
+  [[nodiscard]] Outcome solve() {
+    update = lu.solve(residual);
+    return update.allFinite() ? Outcome::success : Outcome::singular_matrix;
+  }
 };
 
 namespace detail {
@@ -59,18 +75,15 @@ template <class V>
 }
 
 /// Newton's step at x, whose residual is known, into w.update.
-template <class V, class M, class Derivative>
-[[nodiscard]] Outcome newton_step(Derivative& derivative, const V& x, Workspace<V, M>& w,
-                                  Statistics& statistics) {
+template <class V, class Work, class Derivative>
+[[nodiscard]] Outcome newton_step(Derivative& derivative, const V& x, Work& w, Statistics& statistics) {
   if (!w.residual.allFinite()) return Outcome::non_finite;
-  derivative(x, w.matrix);
+  const Outcome outcome = w.factorise(derivative, x);
   ++statistics.jacobians;
-  if (!w.matrix.allFinite()) return Outcome::non_finite;
-  w.lu.compute(w.matrix);
+  if (outcome == Outcome::non_finite) return outcome;
   ++statistics.factorisations;
-  w.update = w.lu.solve(w.residual);
   ++statistics.newton_iterations;
-  return w.update.allFinite() ? Outcome::success : Outcome::singular_matrix;
+  return outcome == Outcome::success ? w.solve() : outcome;
 }
 
 /// Is the iteration done after an update of this length, @p before being the length of the one before?
@@ -89,17 +102,18 @@ template <class V, class M, class Derivative>
 /// @param residual `residual(x, f)` writes F(x) to f
 /// @param derivative `derivative(x, j)` writes dF/dx to j
 /// @param x start, then the root
-/// @param w of the size of x; nothing is allocated
+/// @param w a Workspace of the size of x, with which nothing is allocated, or another type with its members
 /// @param statistics Newton iterations, Jacobians, factorisations and fallbacks are added to it
 /// @return success; when the iterations are used up `not_converged` if the last update was short (below
 /// 1e-3), else `newton_diverged`; `singular_matrix` if an update is not finite; `non_finite` if F or its
 /// derivative is not
-template <class V, class M, class Residual, class Derivative>
-[[nodiscard]] Outcome solve(const Newton& method, Residual&& residual, Derivative&& derivative, V& x,
-                            Workspace<V, M>& w, Statistics& statistics) {
+template <class V, class Work, class Residual, class Derivative>
+[[nodiscard]] Outcome solve(const Newton& method, Residual&& residual, Derivative&& derivative, V& x, Work& w,
+                            Statistics& statistics) {
   double before = HUGE_VAL;
   for (int k = 0; k < method.iterations; ++k) {
     residual(x, w.residual);
+    if (method.residual > 0 && w.residual.norm() <= method.residual) return Outcome::success;
     const Outcome outcome = detail::newton_step(derivative, x, w, statistics);
     if (outcome != Outcome::success) return outcome;
     const double length = detail::length_of_update(w.update, x);
@@ -111,12 +125,13 @@ template <class V, class M, class Residual, class Derivative>
 }
 
 /// The same with damped steps.
-template <class V, class M, class Residual, class Derivative>
+template <class V, class Work, class Residual, class Derivative>
 [[nodiscard]] Outcome solve(const DampedNewton& method, Residual&& residual, Derivative&& derivative, V& x,
-                            Workspace<V, M>& w, Statistics& statistics) {
+                            Work& w, Statistics& statistics) {
   double before = HUGE_VAL;
   residual(x, w.residual);
   for (int k = 0; k < method.iterations; ++k) {
+    if (method.residual > 0 && w.residual.norm() <= method.residual) return Outcome::success;
     const Outcome outcome = detail::newton_step(derivative, x, w, statistics);
     if (outcome != Outcome::success) return outcome;
     const double norm = w.residual.norm();

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include "chapters/rbf_ivp/extended.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
@@ -107,6 +110,31 @@ TEST(StiffProblems, CountDigits) {
   EXPECT_NEAR(duffing.digits(truth + Vector<double, 2>(1e-5 * size, 0)), 5, 1e-6);
   EXPECT_EQ(duffing.digits(3 * truth), 0);
   EXPECT_EQ(duffing.digits(Vector<double, 2>(NAN, 0)), 0);
+}
+
+/// The digits that the file of references has for a problem.
+std::vector<double> published(const std::string& problem) {
+  std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/ivp_test_set.csv");
+  std::vector<double> values;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(problem + ",", 0) == 0) values.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+  }
+  return values;
+}
+
+TEST(StiffProblems, EndWhereTheTestSetSays) {
+  const auto expect = [](const auto& problem, std::vector<double> exact) {
+    ASSERT_EQ(problem.truth.size(), static_cast<Eigen::Index>(exact.size()));
+    for (Eigen::Index i = 0; i < problem.truth.size(); ++i)
+      EXPECT_DOUBLE_EQ(static_cast<double>(problem.truth[i]), exact[static_cast<std::size_t>(i)])
+          << problem.name;
+  };
+  expect(robertson(), published("Robertson"));
+  expect(hires(), published("HIRES"));
+  auto creep = published("van der Pol");
+  ASSERT_EQ(creep.size(), 2U);
+  creep[1] /= 1000;  // the test set's time is t/mu
+  expect(van_der_pol_of_the_test_set(), creep);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ class ArkodeStepper final : public PeerStepper {
  private:
   void set_up(const Arkode& method) {
     void* memory = arkode_.get();
-    ARKStepSetErrHandlerFn(memory, &SundialsCallbacks::silence, nullptr);
+    ARKStepSetErrHandlerFn(memory, &silence_sundials, nullptr);
     ARKStepSetUserData(memory, &callbacks_);
     ARKStepSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);
     ARKStepSetMaxNumSteps(memory, -1);  // no limit of its own (500): the walk counts

@@ -73,7 +73,7 @@ class CvodeStepper final : public PeerStepper {
   void set_up(const Cvode& method) {
     void* memory = cvode_.get();
     N_VConst(0, state_.get());
-    CVodeSetErrHandlerFn(memory, &SundialsCallbacks::silence, nullptr);
+    CVodeSetErrHandlerFn(memory, &silence_sundials, nullptr);
     CVodeInit(memory, &SundialsCallbacks::rhs, 0, state_.get());
     CVodeSetUserData(memory, &callbacks_);
     CVodeSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);

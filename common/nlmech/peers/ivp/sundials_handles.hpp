@@ -1,65 +1,19 @@
 /// @file
-/// What CVODE and ARKODE share: owners of SUNDIALS objects, callbacks, and the meaning of return flags. Only
-/// sources that are compiled with SUNDIALS include this.
+/// What CVODE and ARKODE share: callbacks, and the meaning of return flags. Only sources that are compiled
+/// with SUNDIALS include this.
 #pragma once
 
 #include <fmt/format.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sundials/sundials_types.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 #include <algorithm>
-#include <new>
 #include <stdexcept>
 #include <string_view>
 
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/peers/ivp/peer_stepper.hpp"
+#include "nlmech/peers/sundials_objects.hpp"
 
 namespace nlmech::peers {
-
-/// Frees a SUNDIALS object that is freed by its value.
-template <class Handle, auto release>
-class SundialsObject {
- public:
-  /// Takes over @p handle. @throws std::bad_alloc if it is null: SUNDIALS had no memory
-  explicit SundialsObject(Handle handle) : handle_(handle) {
-    if (!handle_) throw std::bad_alloc();
-  }
-  ~SundialsObject() { release(handle_); }
-  SundialsObject(const SundialsObject&) = delete;
-  SundialsObject& operator=(const SundialsObject&) = delete;
-  /// For calls of the library.
-  [[nodiscard]] Handle get() const { return handle_; }
-
- private:
-  Handle handle_;
-};
-
-/// The context that all objects of one integration belong to.
-class SundialsContext {
- public:
-  SundialsContext() {
-    if (SUNContext_Create(nullptr, &context_) != 0) throw std::bad_alloc();
-  }
-  ~SundialsContext() { SUNContext_Free(&context_); }
-  SundialsContext(const SundialsContext&) = delete;
-  SundialsContext& operator=(const SundialsContext&) = delete;
-  /// For calls of the library.
-  [[nodiscard]] SUNContext get() const { return context_; }
-
- private:
-  SUNContext context_ = nullptr;
-};
-
-/// Column of numbers.
-using SundialsVector = SundialsObject<N_Vector, &N_VDestroy>;
-/// Dense matrix.
-using SundialsMatrix = SundialsObject<SUNMatrix, &SUNMatDestroy>;
-/// Dense factorisation.
-using SundialsLinearSolver = SundialsObject<SUNLinearSolver, &SUNLinSolFree>;
 
 /// What callbacks get as their user data.
 struct SundialsCallbacks {
@@ -86,9 +40,6 @@ struct SundialsCallbacks {
       return all_finite(out, size * size) ? 0 : 1;
     });
   }
-  /// SUNDIALS prints its errors and warnings unless it is told where to send them.
-  static void silence(int /*code*/, const char* /*module*/, const char* /*function*/, char* /*message*/,
-                      void* /*data*/) noexcept {}
 };
 
 /// SUNDIALS interpolates within the latest step alone, and leaves the vector as it is elsewhere.

@@ -1,0 +1,239 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "chapters/homotopy/rows.hpp"
+#include "chapters/homotopy/scenes.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+constexpr int limit = 2500;
+/// Steps that reproduce Table 2.2, and the least and last residuals of Table 2.4 with A_nd as printed.
+constexpr double window_low = 0.873, window_high = 0.916;
+
+/// The counts of one row for many steps or starts. A count of `limit` means that it did not converge.
+struct Census {
+  PrintedRow row;
+  std::string jacobian, varied;
+  std::vector<double> at;  ///< steps or starts
+  std::vector<int> counts;
+  std::vector<double> residuals;  ///< |F| over that at rest, of the last iterates
+
+  [[nodiscard]] int quantile(double q) const {
+    std::vector<int> sorted = counts;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>(std::llround(q * static_cast<double>(sorted.size() - 1)))];
+  }
+  [[nodiscard]] double share(const std::function<bool(int)>& is) const {
+    return static_cast<double>(std::count_if(counts.begin(), counts.end(), is)) /
+           static_cast<double>(counts.size());
+  }
+  [[nodiscard]] double unfinished() const {
+    return share([](int n) { return n >= limit; });
+  }
+};
+
+std::string jacobian_of(Model model) {
+  switch (model) {
+    case Model::williams_frozen: return "d_5 held constant";
+    case Model::element_printed: return "A_nd as printed";
+    default: return "derivative of F";
+  }
+}
+
+/// Counts of a row over @p count + 1 equally spaced steps, or starts for Newton.
+Census census(PrintedRow row, Model model, double low, double high, int count, int most = limit) {
+  const bool starts = row.iteration.scheme == Scheme::newton;
+  Census c{row, jacobian_of(model), fmt::format("{} {} to {}", starts ? "start" : "step", low, high), {}, {},
+           {}};
+  LoadedToggle toggle(model, row.height, row.load);
+  row.iteration.limit = most;
+  for (int i = 0; i <= count; ++i) {
+    const double at = low + (high - low) * i / count;
+    (starts ? row.iteration.start : row.iteration.step) = at;
+    const Count found = iterate(toggle, row.iteration);
+    c.at.push_back(at);
+    c.counts.push_back(found.converged ? found.iterations : limit);
+    c.residuals.push_back(found.residual / toggle.scale());
+  }
+  return c;
+}
+
+/// Eq. 2.16 for one unknown beside Newton's step times dt/2: the greatest difference of an iterate, relative.
+double difference_from_damped_newton() {
+  double greatest = 0;
+  for (const double step : {0.3, example_step, 1.0, 2.0}) {
+    LoadedToggle toggle(Model::williams, 0.44, near_load);
+    std::vector<Trace> trace;
+    static_cast<void>(
+        iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = step, .limit = limit}, &trace));
+    const frames::Williams w{.height = 0.44};
+    for (std::size_t k = 0; k + 1 < trace.size(); ++k) {
+      const double x = trace[k].deflection, f = w.load(x) - near_load, slope = w.stiffness(x);
+      const double damped = x - step / 2 * f / slope;
+      greatest = std::max(greatest, std::abs(trace[k + 1].deflection - damped) /
+                                        (std::abs(x) + std::abs(trace[k + 1].deflection)));
+    }
+  }
+  return greatest;
+}
+
+struct Study {
+  std::vector<Census> steps;   ///< over all steps; the drawn ones
+  std::vector<Census> window;  ///< the same over the window
+  std::vector<Census> starts;  ///< Newton's
+  double window_of_30_low = 0, window_of_30_high = 0;
+  double difference = 0;  ///< from damped Newton
+};
+
+Study study(bool quick) {
+  const int grid = quick ? 165 : 1650, fine = quick ? 215 : 430, starts = quick ? 2000 : 20'000;
+  Study s;
+  for (const PrintedRow& row : printed_rows()) {
+    const bool williams = row.model == Model::williams;
+    if (row.iteration.scheme == Scheme::newton) {
+      if (row.table == "table-2.2") continue;
+      s.starts.push_back(census(row, row.model, 0, 1, starts));
+      if (williams) s.starts.push_back(census(row, Model::williams_frozen, 0, 1, starts / 20, 1000));
+      continue;
+    }
+    s.steps.push_back(census(row, row.model, 0.3, 1.95, grid));
+    s.window.push_back(census(row, row.model, window_low, window_high, fine));
+    if (williams) continue;
+    s.steps.push_back(census(row, Model::element_printed, 0.3, 1.95, grid));
+    s.window.push_back(census(row, Model::element_printed, window_low, window_high, fine));
+  }
+  const Census close = census(printed_rows()[1], Model::williams, 0.8, 1, 400);
+  s.window_of_30_low = HUGE_VAL;
+  for (std::size_t i = 0; i < close.at.size(); ++i) {
+    if (close.counts[i] != 30) continue;
+    s.window_of_30_low = std::min(s.window_of_30_low, close.at[i]);
+    s.window_of_30_high = close.at[i];
+  }
+  s.difference = difference_from_damped_newton();
+  return s;
+}
+
+scene::Table tabulate(const Study& s) {
+  scene::Table table({{"table"},
+                      {"method"},
+                      {"Jacobian"},
+                      {"varied"},
+                      {"printed"},
+                      {"least"},
+                      {"median"},
+                      {"90 %"},
+                      {"greatest"},
+                      {"as printed (%)", 3},
+                      {"as many or more (%)", 3},
+                      {"not in 2500 (%)", 3}});
+  for (const auto* list : {&s.steps, &s.window, &s.starts}) {
+    for (const Census& c : *list) {
+      const int printed = c.row.printed;
+      table.add({c.row.table.substr(6), c.row.method, c.jacobian, c.varied, std::int64_t{printed},
+                 std::int64_t{c.quantile(0)}, std::int64_t{c.quantile(0.5)}, std::int64_t{c.quantile(0.9)},
+                 std::int64_t{c.quantile(1)}, 100 * c.share([printed](int n) { return n == printed; }),
+                 100 * c.share([printed](int n) { return n >= printed; }), 100 * c.unfinished()});
+    }
+  }
+  return table;
+}
+
+/// Panels: Tables 2.2, 2.3, and the two homotopies of 2.4.
+scene::Figure draw(const Study& s) {
+  scene::Table data({{"panel"}, {"set", 3, true}, {"step"}, {"count"}, {"printed"}});
+  std::int64_t set = 0;
+  for (const Census& c : s.steps) {
+    if (c.row.table == "table-2.5") continue;
+    ++set;
+    const std::int64_t panel = c.row.table == "table-2.2"                      ? 1
+                               : c.row.table == "table-2.3"                    ? 2
+                               : c.row.iteration.scheme == Scheme::fixed_point ? 3
+                                                                               : 4;
+    for (std::size_t i = 0; i < c.at.size(); ++i)
+      data.add({panel, set, c.at[i], std::int64_t{c.counts[i]}, std::int64_t{c.row.printed}});
+  }
+  return {std::move(data),
+          "homotopy-counts",
+          {{"heading", "Past the limit point the count of iterations is a lottery"},
+           {"width", "920"},
+           {"height", "680"}}};
+}
+
+const Census& find(const std::vector<Census>& list, const std::string& table, Scheme scheme,
+                   const std::string& jacobian) {
+  return *std::find_if(list.begin(), list.end(), [&](const Census& c) {
+    return c.row.table == table && c.row.iteration.scheme == scheme && c.jacobian == jacobian;
+  });
+}
+
+std::vector<scene::Quantity> quantities(const Study& s) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const std::string exact = "derivative of F", frozen = "d_5 held constant", printed = "A_nd as printed";
+  const Census &newton = find(s.starts, "table-2.3", Scheme::newton, exact),
+               &held = find(s.starts, "table-2.3", Scheme::newton, frozen),
+               &elements = find(s.starts, "table-2.4", Scheme::newton, exact),
+               &lottery = find(s.window, "table-2.3", Scheme::fixed_point, exact),
+               &misprint = find(s.window, "table-2.4", Scheme::fixed_point, printed),
+               &other = find(s.window, "table-2.4", Scheme::newton_homotopy, printed);
+  const char* starts = "20 001 starts by an independent program; every tenth if quick";
+  const char* window = "an independent program over the same steps; chaotic counts scatter";
+  const auto at_least = [](const Census& c, int n) { return c.share([n](int k) { return k >= n; }); };
+  return {
+      scene::at_most("difference from Newton's step times dt/2, relative", "1", s.difference, 8 * eps,
+                     "the same formula for one unknown; eight roundings"),
+      {"least step that takes 30 iterations, Table 2.2", "1", s.window_of_30_low, 0.8825, 0.8840,
+       "an independent program: 0.883"},
+      {"greatest such step", "1", s.window_of_30_high, 0.9050, 0.9065, "an independent program: 0.906"},
+      {"median of Newton over starts, Williams, 43.79 lb", "1", static_cast<double>(newton.quantile(0.5)), 7,
+       9, starts},
+      {"90 % of starts need at most, Williams, 43.79 lb", "1", static_cast<double>(newton.quantile(0.9)), 56,
+       84, starts},
+      scene::at_most("greatest count over starts, Williams, 43.79 lb", "1",
+                     static_cast<double>(newton.quantile(1)), 600,
+                     "an independent program: 399; half as many again for what rounding does"),
+      scene::at_most("starts that do not converge, Williams, 43.79 lb", "1", newton.unfinished(), 0, starts),
+      scene::at_most("greatest count over starts, element, 43.79 lb", "1",
+                     static_cast<double>(elements.quantile(1)), 430,
+                     "an independent program: 285; half as many again"),
+      scene::at_most("starts that converge with d_5 held constant", "1", 1 - held.unfinished(), 0,
+                     "no start of 20 001 in 1000 iterations: an independent program"),
+      {"median residual after 1000 iterations with d_5 held constant", "1", median(held.residuals), 0.03,
+       0.07, "an independent program: 0.046, between 0.024 and 0.74 for four fifths of the starts"},
+      {"median count, Table 2.3, steps 0.873 to 0.916", "1", static_cast<double>(lottery.quantile(0.5)), 70,
+       140, window},
+      {"share of 345 iterations or more, Table 2.3", "1", at_least(lottery, 345), 0.002, 0.08, window},
+      {"median count, Table 2.4, A_nd as printed", "1", static_cast<double>(misprint.quantile(0.5)), 50, 85,
+       window},
+      {"share of 160 iterations or more, Table 2.4, A_nd as printed", "1", at_least(misprint, 160), 0.06, 0.2,
+       window},
+      scene::at_most("share of 500 iterations or more, Newton homotopy, Table 2.4", "1", at_least(other, 500),
+                     0.03, window)};
+}
+
+}  // namespace
+
+void add_iteration_study(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<Study>("counts",
+                                           "the rows of Tables 2.2 to 2.5 from rest for equally spaced Euler "
+                                           "steps, Newton for equally spaced starts",
+                                           {}, [](Workshop& w) { return study(w.quick()); });
+  chapter.add({.name = "iteration-study",
+               .title = "Iterations against the step of fictitious time, and against the start",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 5,
+               .show = [&run](Workshop& w) {
+                 const Study& s = w.result(run);
+                 return scene::Showing{draw(s), tabulate(s), quantities(s)};
+               }});
+}
+
+}  // namespace nlmech::chapters

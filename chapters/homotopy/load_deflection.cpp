@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "chapters/homotopy/curves.hpp"
+#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/toggles.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+constexpr const char* independent = "an independent program, all digits";
+// Bisection finds the deflection to rounding of the stiffness; the load is stationary there.
+constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
+
+/// Limit points as an independent program has them.
+struct Known {
+  double height;
+  LimitPoints williams, element;
+};
+constexpr std::array known = {
+    Known{0.38,
+          {{0.23287115497799, 33.278532607761}, {0.3935882935498, 30.588387926087}},
+          {{0.23387819214942, 33.122797603353}, {0.38040896031666, 31.107808393235}}},
+    Known{0.44,
+          {{0.22818821400337, 42.771896097273}, {0.4947308255747, 30.363548710287}},
+          {{0.22710546333003, 42.435492120383}, {0.4800337802312, 32.124218754757}}}};
+
+void add_limit_points(std::vector<scene::Quantity>& all, const std::string& model, const LoadCurve& curve,
+                      const LimitPoints& reference) {
+  const auto found = limit_points(curve);
+  const LimitPoints at = found.value_or(LimitPoints{{NAN, NAN}, {NAN, NAN}});
+  const auto add = [&](const char* which, const CurvePoint& ours, const CurvePoint& theirs) {
+    all.push_back(scene::near(fmt::format("load at the {}, {}", which, model), "lb", ours.load, theirs.load,
+                              eleven_digits, independent));
+    all.push_back(scene::near(fmt::format("deflection at the {}, {}", which, model), "in", ours.deflection,
+                              theirs.deflection, nine_digits,
+                              "an independent program; the stiffness has a simple zero, rounding by 1e-12"));
+  };
+  add("maximum", at.maximum, reference.maximum);
+  add("minimum", at.minimum, reference.minimum);
+}
+
+void sample(Curves& figure, double end, const std::function<double(double)>& f) {
+  constexpr int points = 300;
+  for (int i = 0; i <= points; ++i) figure.add(end * i / points, f(end * i / points));
+}
+
+const char* const drop = "deflection of the apex {/:Italic δ} (in)";
+const char* const load_of_toggle = "load {/:Italic W} (lb)";
+
+scene::Showing three_curves() {
+  Curves figure("Two of the three heights have limit points", drop, load_of_toggle);
+  for (const double height : heights) {
+    figure.begin(fmt::format("{{/:Italic l}} sin {{/:Italic β}} = {} in", height),
+                 fmt::format("l{}", height < 0.35  ? 1
+                                    : height < 0.4 ? 2
+                                                   : 5));
+    const auto curve = williams_curve(height);
+    sample(figure, 0.8, [&](double d) { return curve->load(d); });
+  }
+  figure.begin("limit points", "p3");
+  std::vector<scene::Quantity> quantities;
+  for (const Known& k : known) {
+    const auto curve = williams_curve(k.height);
+    const auto at = limit_points(*curve);
+    if (at) figure.add(at->maximum.deflection, at->maximum.load);
+    if (at) figure.add(at->minimum.deflection, at->minimum.load);
+    add_limit_points(quantities, fmt::format("height {}", k.height), *curve, k.williams);
+  }
+  return {figure.with("key", "top left").with("yrange", "[0:90]").take(), {}, quantities};
+}
+
+scene::Showing three_slopes() {
+  Curves figure("At two heights the Jacobian vanishes twice", drop, "d{/:Italic W}/d{/:Italic δ} (lb/in)");
+  std::vector<scene::Quantity> quantities;
+  for (const double height : heights) {
+    figure.begin(fmt::format("{{/:Italic l}} sin {{/:Italic β}} = {} in", height),
+                 fmt::format("l{}", height < 0.35  ? 1
+                                    : height < 0.4 ? 2
+                                                   : 5));
+    const auto curve = williams_curve(height);
+    sample(figure, 0.8, [&](double d) { return curve->stiffness(d); });
+    // F/2 of Eq. 2.21 has half the slope.
+    if (const auto at = limit_points(*curve)) {
+      quantities.push_back(scene::at_most(
+          fmt::format("slope at the maximum, height {}", height), "lb/in",
+          std::abs(curve->stiffness(at->maximum.deflection)), 1e-10,
+          "a bisected root: the slope of the stiffness, 2e3 lb/in^2, times rounding of the deflection"));
+    }
+  }
+  figure.begin("", "l13");
+  figure.add(0, 0);
+  figure.add(0.8, 0);
+  const CurvePoint soft = softest(*williams_curve(0.32));
+  quantities.push_back(scene::near("least slope, height 0.32", "lb/in",
+                                   williams_curve(0.32)->stiffness(soft.deflection), 12.55869263, 1e-9,
+                                   "an independent program, ten digits"));
+  quantities.push_back(scene::near("load at the least slope, height 0.32", "lb", soft.load, 27.0833960, 1e-6,
+                                   "an independent program; a minimum is found to half the digits"));
+  return {figure.with("key", "top center").take(), {}, quantities};
+}
+
+/// Williams' equation beside one element a member.
+scene::Showing both_models(double height) {
+  const auto williams = williams_curve(height), element = element_curve(height);
+  Curves figure(height < 0.35 ? "No limit point: Williams' equation and one element agree"
+                              : "Agreement up to the maximum, less at the minimum",
+                drop, load_of_toggle);
+  figure.begin("Williams' equation", "l1");
+  sample(figure, 0.75, [&](double d) { return williams->load(d); });
+  figure.begin("one element a member", "l5");
+  sample(figure, 0.75, [&](double d) { return element->load(d); });
+  std::vector<scene::Quantity> quantities;
+  for (const Known& k : known) {
+    if (k.height != height) continue;
+    add_limit_points(quantities, "Williams", *williams, k.williams);
+    add_limit_points(quantities, "element", *element, k.element);
+    figure.begin("limit points", "p3");
+    for (const auto* curve : {williams.get(), element.get()}) {
+      const auto at = limit_points(*curve);
+      if (at) figure.add(at->maximum.deflection, at->maximum.load);
+      if (at) figure.add(at->minimum.deflection, at->minimum.load);
+    }
+  }
+  if (quantities.empty()) {
+    const CurvePoint w = softest(*williams), e = softest(*element);
+    quantities = {scene::near("least slope, Williams", "lb/in", williams->stiffness(w.deflection),
+                              12.55869263, 1e-9, "an independent program, ten digits"),
+                  scene::near("least slope, element", "lb/in", element->stiffness(e.deflection), 14.70048679,
+                              1e-9, "an independent program, ten digits"),
+                  scene::near("load at the least slope, element", "lb", e.load, 27.0422397, 1e-6,
+                              "an independent program; a minimum is found to half the digits")};
+  }
+  return {figure.with("key", "top left").take(), {}, quantities};
+}
+
+/// The greatest load between deflections of 0.1 and 0.35 in, by golden section.
+double greatest_load(const std::function<double(double)>& load) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  double low = 0.1, high = 0.35;
+  for (int k = 0; k < 60; ++k) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    if (load(a) > load(b))
+      high = b;
+    else
+      low = a;
+  }
+  return load((low + high) / 2);
+}
+
+/// Limit loads of Williams' toggle of 0.44 in, read in other ways.
+std::vector<scene::Quantity> other_readings() {
+  const frames::Williams w{.height = 0.44};
+  /// (2.17)-(2.19) with 6 d_5 of n and `bowing` for 0.6.
+  const auto load = [&w](double d, double bowing, bool linear, double cosine) {
+    const double sine = w.height / w.length, l = w.length;
+    const double p = w.ea / l * (d * sine - bowing * d * d / l), n = -p * l * l / w.ei;
+    // 6 d_5 = 12 + 6 n/5 + ... at small n, by the power series of the beam-column.
+    const double six_d5 =
+        linear ? 12 + 1.2 * n : frames::stability_functions<double>(n).antisymmetric.value + n;
+    return 2 * (w.ei / (l * l * l) * six_d5 * d * cosine + p * sine);
+  };
+  const double cosine = std::sqrt(1 - std::pow(w.height / w.length, 2));
+  const frames::Williams span{.height = 0.44, .length = std::hypot(12.94, 0.44)};
+  const char* reason = "an independent program, five digits";
+  return {
+      scene::near("limit load, d_5 linearised", "lb",
+                  greatest_load([&](double d) { return load(d, 0.6, true, 1); }), 43.447, 2e-5, reason),
+      scene::near("limit load, 0.5 for 0.6", "lb",
+                  greatest_load([&](double d) { return load(d, 0.5, false, 1); }), 44.164, 2e-5, reason),
+      scene::near("limit load, F cos(beta) for F", "lb",
+                  greatest_load([&](double d) { return load(d, 0.6, false, cosine); }), 42.778, 2e-5, reason),
+      scene::near("limit load, l the half span", "lb", greatest_load([&](double d) { return span.load(d); }),
+                  42.698, 2e-5, reason)};
+}
+
+/// Loads that the text calls near the limit point, against the limits.
+scene::Showing published_loads() {
+  const auto williams = williams_curve(0.44), element = element_curve(0.44);
+  Curves figure("Both published loads lie above the maximum", drop, load_of_toggle);
+  figure.begin("Williams' equation", "l1");
+  sample(figure, 0.75, [&](double d) { return williams->load(d); });
+  figure.begin("one element a member", "l5");
+  sample(figure, 0.75, [&](double d) { return element->load(d); });
+  for (const double load : {near_load, last_load}) {
+    figure.begin(load == near_load ? "43.79 and 44 lb" : "", "l3");
+    figure.add(0, load);
+    figure.add(0.75, load);
+  }
+  scene::Table table({{"load (lb)", 4},
+                      {"model"},
+                      {"limit load (lb)", 8},
+                      {"above it (%)"},
+                      {"equilibria"},
+                      {"deflection there (in)", 9}});
+  std::vector<scene::Quantity> quantities = other_readings();
+  figure.begin("the only equilibria there", "p3");
+  for (const double load : {near_load, last_load}) {
+    for (const bool by_williams : {true, false}) {
+      const LoadCurve& curve = by_williams ? *williams : *element;
+      const char* name = by_williams ? "Williams" : "element";
+      const double limit = limit_points(curve).value().maximum.load;
+      const auto at = deflections_under(curve, load);
+      table.add(
+          {load, name, limit, 100 * (load / limit - 1), static_cast<std::int64_t>(at.size()), at.back()});
+      figure.add(at.back(), load);
+      const double expected = by_williams ? (load == near_load ? 0.635331561089 : 0.636310193301)
+                                          : (load == near_load ? 0.621922545486 : 0.623070489);
+      quantities.push_back(scene::near(fmt::format("{} over the limit load, {}", load, name), "1",
+                                       load / limit - 1,
+                                       load / (by_williams ? 42.771896097273 : 42.435492120383) - 1, 1e-9,
+                                       "limit loads of an independent program"));
+      quantities.push_back(scene::near(fmt::format("equilibria under {}, {}", load, name), "1",
+                                       static_cast<double>(at.size()), 1, 0,
+                                       "the load is above the maximum: only the rising branch behind the "
+                                       "minimum carries it"));
+      quantities.push_back(scene::near(fmt::format("deflection under {}, {}", load, name), "in", at.back(),
+                                       expected, 1e-8, "an independent program, nine digits"));
+    }
+  }
+  return {figure.with("below", "1")
+              .with("height", "520")
+              .with("xrange", "[0:0.75]")
+              .with("yrange", "[24:48]")
+              .take(),
+          table, quantities};
+}
+
+void add_scene(scene::Chapter& chapter, const std::string& name, const std::string& title,
+               const std::function<scene::Showing()>& show) {
+  chapter.add({.name = name,
+               .title = title,
+               .place = name.starts_with("fig-") ? "Figure " + name.substr(4) : "our own",
+               .needs = {},
+               .seconds = 0.1,
+               .show = [show](Workshop&) { return show(); }});
+}
+
+}  // namespace
+
+void add_williams_curves(scene::Chapter& chapter) {
+  add_scene(chapter, "fig-2.6", "Williams' equation: load against deflection for three heights",
+            three_curves);
+  add_scene(chapter, "fig-2.7", "Williams' equation: the Jacobian against deflection for three heights",
+            three_slopes);
+}
+
+void add_load_deflection(scene::Chapter& chapter) {
+  const std::array names = {"fig-2.13", "fig-2.14", "fig-2.15"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double height = heights.at(i);
+    add_scene(
+        chapter, names.at(i),
+        fmt::format("Load against deflection, Williams' equation and element, l sin(beta) = {} in", height),
+        [height] { return both_models(height); });
+  }
+  add_scene(chapter, "limit-load", "The published loads against the limit load", published_loads);
+}
+
+}  // namespace nlmech::chapters

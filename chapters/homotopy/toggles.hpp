@@ -1,0 +1,92 @@
+/// @file
+/// The toggles of section 2.3: Williams' equation and one beam-column a member, their curves and limit
+/// points.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nlmech/algebraic/equations.hpp"
+#include "nlmech/frames/equilibrium.hpp"
+#include "nlmech/frames/toggle.hpp"
+
+namespace nlmech::chapters {
+
+/// Heights l sin(beta) of the three cases, inch.
+inline constexpr std::array heights = {0.32, 0.38, 0.44};
+/// Loads of Tables 2.2 to 2.5, pound: below a height of 0.32; near and past the limit load of 0.44.
+inline constexpr double low_load = 27.11, near_load = 43.79, last_load = 44;
+
+/// A point of a load-deflection curve.
+struct CurvePoint {
+  double deflection;  ///< delta, inch
+  double load;        ///< W, pound
+};
+
+/// Where the load is stationary along the curve from rest.
+struct LimitPoints {
+  CurvePoint maximum;  ///< first
+  CurvePoint minimum;  ///< behind it
+};
+
+/// A curve W(delta): with one element a member the symmetric toggle has one unknown, as Williams' equation.
+class LoadCurve {
+ public:
+  virtual ~LoadCurve() = default;
+  /// W(delta).
+  [[nodiscard]] virtual double load(double deflection) const = 0;
+  /// dW/ddelta.
+  [[nodiscard]] virtual double stiffness(double deflection) const = 0;
+
+ protected:
+  LoadCurve() = default;
+  LoadCurve(const LoadCurve&) = default;
+  LoadCurve& operator=(const LoadCurve&) = default;
+};
+
+/// Eq. 2.21 (corrected) with the numbers of Table 2.1.
+[[nodiscard]] std::unique_ptr<LoadCurve> williams_curve(double height);
+/// Eqs 2.22-2.39 (corrected) with the numbers of Table 2.1.
+[[nodiscard]] std::unique_ptr<LoadCurve> element_curve(double height);
+
+/// The limit points up to a deflection of @p end, by bisection of the stiffness to the last bit; nothing if
+/// the stiffness does not vanish.
+[[nodiscard]] std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end = 0.9);
+/// Where the stiffness is least, to half the digits of a double.
+[[nodiscard]] CurvePoint softest(const LoadCurve& curve, double end = 0.6);
+/// The deflections in [0, @p end] at which the curve carries @p load, by bisection.
+[[nodiscard]] std::vector<double> deflections_under(const LoadCurve& curve, double load, double end = 0.9);
+
+/// Which equations, and which Jacobian.
+enum class Model : std::uint8_t {
+  williams,         ///< Eq. 2.21 and its derivative
+  williams_frozen,  ///< Eq. 2.21, its Jacobian with d_5 held constant
+  element,          ///< one beam-column a member
+  element_printed   ///< the same, the tangent by A_nd of Eq. 2.35 as printed
+};
+
+/// A toggle under a load as equations for a solver; F is half the imbalance, as in Eq. 2.21.
+class LoadedToggle {
+ public:
+  /// @param length l of a member
+  LoadedToggle(Model model, double height, double load, double length = 12.94);
+  /// F(x) = 0.
+  [[nodiscard]] algebraic::Equations& equations() { return *equations_; }
+  /// delta of the unknowns.
+  [[nodiscard]] double deflection(const Eigen::VectorXd& x) const { return sign_ * x[0]; }
+  /// The unknowns for a delta.
+  [[nodiscard]] Eigen::VectorXd unknowns(double deflection) const {
+    return Eigen::VectorXd::Constant(1, sign_ * deflection);
+  }
+  /// |F| at rest, W/2: residuals are relative to it.
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  double sign_, scale_;
+  std::unique_ptr<frames::ToggleFrame> frame_;
+  std::unique_ptr<algebraic::Equations> equations_;
+};
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,131 @@
+#include "nlmech/algebraic/named_solvers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "nlmech/algebraic/broyden.hpp"
+#include "nlmech/algebraic/continuous_newton.hpp"
+#include "nlmech/algebraic/descent.hpp"
+#include "nlmech/algebraic/dogleg.hpp"
+#include "nlmech/algebraic/energy_trust_region.hpp"
+#include "nlmech/algebraic/first_scalar_homotopy.hpp"
+#include "nlmech/algebraic/least_squares.hpp"
+#include "nlmech/algebraic/path_solvers.hpp"
+#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/algebraic/solver_run.hpp"
+#include "nlmech/algebraic/vector_homotopy.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+/// What a call passes to a solver.
+struct Call {
+  double tolerance;  // on |F|
+  std::int64_t iterations;
+  Equations& equations;
+  Eigen::VectorXd& x;
+  const Observer& observer;
+
+  template <class Method>
+  [[nodiscard]] Report operator()(const Method& method) const {
+    return find_root(method, equations, x, observer);
+  }
+  [[nodiscard]] int count() const {
+    return static_cast<int>(std::min<std::int64_t>(iterations, std::numeric_limits<int>::max()));
+  }
+};
+
+// Updates alone do not end the named Newton: an update of length 0 does.
+Report newton(const Call& c) {
+  return c(Newton{.tolerance = 0, .iterations = c.count(), .residual = c.tolerance});
+}
+Report damped_newton(const Call& c) {
+  return c(DampedNewton{.tolerance = 0, .iterations = c.count(), .residual = c.tolerance});
+}
+Report scalar(const Call& c, ScalarHomotopy::Function function) {
+  return c(ScalarHomotopy{.function = function, .tolerance = c.tolerance, .steps = c.iterations});
+}
+Report fixed_point(const Call& c) { return scalar(c, ScalarHomotopy::Function::fixed_point); }
+Report newton_homotopy(const Call& c) { return scalar(c, ScalarHomotopy::Function::newton); }
+Report vector_homotopy(const Call& c) {
+  return c(VectorHomotopy{.tolerance = c.tolerance, .limit = c.iterations});
+}
+
+// Potentials and paths end at rounding and not at a residual: the tolerance is not theirs.
+Report energy_trust_region(const Call& c) {
+  auto* const potential = dynamic_cast<Potential*>(&c.equations);
+  if (!potential)
+    throw std::logic_error("energy-trust-region: these equations are not the gradient of a potential");
+  return find_root(EnergyTrustRegion{.iterations = c.count()}, *potential, c.x, c.observer);
+}
+template <PathMethod::Kind kind>
+Report arc_length(const Call& c) {
+  return c(ArcLength{.path = {.kind = kind}, .steps = c.iterations});
+}
+
+/// The default options of a method, with the call's tolerance and limit.
+template <class Method>
+Report plain(const Call& c) {
+  Method method;
+  method.tolerance = c.tolerance;
+  method.iterations = c.iterations;
+  return c(method);
+}
+
+struct Entry {
+  std::string_view name;
+  Report (*solve)(const Call&);
+};
+
+// One line a solver; a further one is added here.
+constexpr Entry entries[] = {
+    {"newton", newton},
+    {"damped-newton", damped_newton},
+    {"continuous-newton", plain<ContinuousNewton>},
+    {"broyden", plain<Broyden>},
+    {"least-squares", plain<LeastSquares>},
+    {"steepest-descent", plain<SteepestDescent>},
+    {"fictitious-time", plain<FictitiousTime>},
+    {"vector-homotopy", vector_homotopy},
+    {"chow-yorke", plain<ChowYorke>},
+    {"scalar-homotopy", plain<FirstScalarHomotopy>},
+    {"fixed-point", fixed_point},
+    {"newton-homotopy", newton_homotopy},
+    {"optimal-iterative", plain<OptimalIterative>},
+    {"levenberg-marquardt", plain<LevenbergMarquardt>},
+    {"dogleg", plain<Dogleg>},
+    {"energy-trust-region", energy_trust_region},
+    {"riks", arc_length<PathMethod::Kind::riks>},
+    {"crisfield", arc_length<PathMethod::Kind::crisfield>},
+    {"gdc", arc_length<PathMethod::Kind::gdc>},
+};
+
+}  // namespace
+
+std::vector<std::string_view> solver_names() {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : entries) names.push_back(entry.name);
+  return names;
+}
+
+Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorXd& x,
+                 const Observer& observer) {
+  const auto* const entry = std::find_if(std::begin(entries), std::end(entries),
+                                         [&](const Entry& e) { return e.name == method.name; });
+  if (entry == std::end(entries))
+    throw std::invalid_argument(
+        fmt::format("no solver is called '{}'; there are {}", method.name, fmt::join(solver_names(), ", ")));
+  const std::string_view name = method.name;
+  require_option(name, method.tolerance > 0 && std::isfinite(method.tolerance), "tolerance", method.tolerance,
+                 "positive");
+  require_option(name, method.scale > 0 && std::isfinite(method.scale), "scale", method.scale, "positive");
+  require_option(name, method.iterations >= 1, "iterations", static_cast<double>(method.iterations),
+                 "at least 1");
+  return entry->solve({method.tolerance * method.scale, method.iterations, equations, x, observer});
+}
+
+}  // namespace nlmech::algebraic

@@ -1,0 +1,36 @@
+/// @file
+/// All solvers of this component by name, under one tolerance and one limit.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nlmech/algebraic/equations.hpp"
+
+namespace nlmech::algebraic {
+
+/// A solver with its usual options, named as on a command line: one of solver_names().
+struct NamedSolver {
+  std::string name;                  ///< "newton", "levenberg-marquardt", ...
+  double tolerance = 1e-10;          ///< done when |F|, Euclidean, is at most this part of `scale`; positive
+  double scale = 1;                  ///< what |F| is compared with, as the length of a load; positive
+  std::int64_t iterations = 10'000;  ///< at most so many accepted and rejected steps; at least 1
+};
+
+/// The names, in the order of the dissertation and then of the library.
+[[nodiscard]] std::vector<std::string_view> solver_names();
+
+/// Solves by name. `scalar-homotopy` is Eq. 2.11, `fixed-point` 2.15 and `newton-homotopy` 2.16 with Euler's
+/// rule of step 1; all else is as the solver's own header says. `energy-trust-region` needs a Potential; it
+/// and the paths `riks`, `crisfield` and `gdc` end at rounding, whatever the tolerance, and a path's start is
+/// taken for the structure at rest.
+/// @return as the solver's own find_root()
+/// @throws std::invalid_argument for an unknown name, with all names in the text, for options out of range,
+/// or if x has another size than the equations; std::logic_error if the equations do not offer what the
+/// solver needs
+[[nodiscard]] Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorXd& x,
+                               const Observer& observer = {});
+
+}  // namespace nlmech::algebraic

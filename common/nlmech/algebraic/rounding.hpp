@@ -1,0 +1,59 @@
+/// @file
+/// How well F and V are known: what a change of x in its last digits changes them by.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "nlmech/algebraic/potential.hpp"
+
+namespace nlmech::algebraic {
+
+/// out = x with every component changed by one or two units in its last place, up or down as a sequence of
+/// random bits says.
+/// @param sequence another number gives another sequence
+inline void shake(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::VectorXd& out) {
+  out.resize(x.size());
+  std::uint64_t bits = 0x9E3779B97F4A7C15ULL * (sequence + 1);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    bits = 6364136223846793005ULL * bits + 1442695040888963407ULL;
+    out[i] = x[i] * (1 + ((bits >> 62) & 1 ? 1 : -1) * std::numeric_limits<double>::epsilon());
+  }
+}
+
+/// Largest change of V by two such changes of x. At least eps |V|.
+/// @param energy V(x)
+/// @param work overwritten
+[[nodiscard]] inline double rounding_of_energy(Potential& equations, const Eigen::VectorXd& x, double energy,
+                                               Eigen::VectorXd& work) {
+  double most = std::numeric_limits<double>::epsilon() * std::abs(energy);
+  for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
+    shake(x, sequence, work);
+    const double change = std::abs(equations.energy(work) - energy);
+    if (std::isfinite(change)) most = std::max(most, change);
+  }
+  return most;
+}
+
+/// Largest size(F(x') - F(x)) of two such changes of x.
+/// @param f F(x)
+/// @param size measures a change of F
+template <class Size>
+[[nodiscard]] double rounding_of_residual(Equations& equations, const Eigen::VectorXd& x,
+                                          const Eigen::VectorXd& f, const Size& size) {
+  Eigen::VectorXd at, change(f.size());
+  double most = 0;
+  for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
+    shake(x, sequence, at);
+    equations.residual(at, change);
+    change -= f;
+    const double here = size(change);
+    if (std::isfinite(here)) most = std::max(most, here);
+  }
+  return most;
+}
+
+}  // namespace nlmech::algebraic

@@ -1,0 +1,102 @@
+/// @file
+/// Equilibrium of a loaded structure as equations for the solvers of `algebraic`.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "nlmech/algebraic/potential.hpp"
+#include "nlmech/frames/frame.hpp"
+#include "nlmech/frames/williams.hpp"
+
+namespace nlmech::frames {
+
+/// F(x) = dU/dx - W q for a frame under the load W q; V = U - W q^T x. B is sparse.
+class Equilibrium : public algebraic::Potential {
+ public:
+  /// @param frame the structure; must outlive this object
+  /// @param direction q, forces on the unknowns for W = 1
+  /// @param load W
+  /// @param coupling `printed` gives B the misprint of Eq. 2.35, to show what it does; F is not touched
+  /// @throws std::invalid_argument if q has another size than the frame, or q or W is not finite
+  Equilibrium(const Frame& frame, Eigen::VectorXd direction, double load,
+              Coupling coupling = Coupling::consistent);
+
+  /// W.
+  [[nodiscard]] double load() const { return load_; }
+  /// Another W.
+  void set_load(double load) { load_ = load; }
+  /// q.
+  [[nodiscard]] const Eigen::VectorXd& direction() const { return direction_; }
+  /// The structure.
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+
+  /// See Equations.
+  [[nodiscard]] Eigen::Index size() const override { return frame_.size(); }
+  /// See Equations; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
+  void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
+  /// See Equations.
+  void linearise(const Eigen::VectorXd& x) override;
+  /// See Equations.
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out.noalias() = tangent_ * v; }
+  /// See Equations.
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
+    out.noalias() = tangent_.transpose() * v;
+  }
+  /// See Equations.
+  void matrix(Eigen::MatrixXd& b) const override { b = tangent_; }
+  /// See Equations.
+  [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
+  /// What the frame said last.
+  [[nodiscard]] Status status() const override { return status_; }
+  /// See Potential.
+  [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
+
+ private:
+  const Frame& frame_;
+  Eigen::VectorXd direction_;
+  double load_;
+  Coupling coupling_;
+  Eigen::SparseMatrix<double> tangent_;
+  Status status_;
+};
+
+/// Williams' equation (2.21) for one unknown, the drop delta of the apex: F = (W(delta) - W)/2, whose
+/// potential is the integral of F from 0 to delta. F is not finite at and past the pole of d_5.
+class WilliamsEquilibrium : public algebraic::Potential {
+ public:
+  /// @throws std::invalid_argument if a number of the toggle is not positive or the load is not finite
+  WilliamsEquilibrium(const Williams& toggle, double load);
+
+  /// W.
+  [[nodiscard]] double load() const { return load_; }
+  /// Another W.
+  void set_load(double load) { load_ = load; }
+  /// The toggle.
+  [[nodiscard]] const Williams& toggle() const { return toggle_; }
+
+  /// 1
+  [[nodiscard]] Eigen::Index size() const override { return 1; }
+  /// See Equations.
+  void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
+  /// See Equations.
+  void linearise(const Eigen::VectorXd& x) override;
+  /// See Equations.
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = slope_ * v; }
+  /// See Equations.
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = slope_ * v; }
+  /// See Equations.
+  void matrix(Eigen::MatrixXd& b) const override { b.setConstant(1, 1, slope_); }
+  /// Says where the equation ends.
+  [[nodiscard]] Status status() const override { return status_; }
+  /// See Potential; by Gauss' rule, to a few roundings of its largest part.
+  [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
+
+ private:
+  Williams toggle_;
+  double load_;
+  double slope_ = 0;
+  Status status_;
+};
+
+}  // namespace nlmech::frames

@@ -1,0 +1,122 @@
+#include "nlmech/frames/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace nlmech::frames {
+namespace {
+
+void require_node(int node, std::size_t nodes, const char* whose) {
+  if (node < 0 || static_cast<std::size_t>(node) >= nodes)
+    throw std::invalid_argument(fmt::format("Frame: {} names node {} of {} nodes", whose, node, nodes));
+}
+
+BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& nodes) {
+  require_node(m.first, nodes.size(), "a member");
+  require_node(m.second, nodes.size(), "a member");
+  const Node &a = nodes[static_cast<std::size_t>(m.first)], &b = nodes[static_cast<std::size_t>(m.second)];
+  const BeamColumn beam{b.x - a.x, b.y - a.y, m.ea, m.ei};
+  const double length = std::hypot(beam.dx, beam.dy);
+  if (!(length > 0 && std::isfinite(length)))
+    throw std::invalid_argument(fmt::format("Frame: member {} has the length {}", index, length));
+  if (!(m.ea > 0 && std::isfinite(m.ea) && m.ei > 0 && std::isfinite(m.ei))) {
+    throw std::invalid_argument(
+        fmt::format("Frame: member {} has EA = {} and EI = {}; both must be positive", index, m.ea, m.ei));
+  }
+  return beam;
+}
+
+}  // namespace
+
+Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::vector<Support>& supports)
+    : nodes_(std::move(nodes)), members_(std::move(members)) {
+  number_unknowns(supports);
+  parts_.reserve(members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    const Member& m = members_[i];
+    Part part{beam_of(m, i, nodes_), {}, {}};
+    for (std::size_t j = 0; j < 3; ++j) {
+      part.unknowns[j] = unknowns_[3 * static_cast<std::size_t>(m.first) + j];
+      part.unknowns[j + 3] = unknowns_[3 * static_cast<std::size_t>(m.second) + j];
+    }
+    parts_.push_back(part);
+  }
+  make_pattern();
+}
+
+void Frame::number_unknowns(const std::vector<Support>& supports) {
+  unknowns_.assign(3 * nodes_.size(), 0);
+  for (const Support& s : supports) {
+    require_node(s.node, nodes_.size(), "a support");
+    unknowns_[3 * static_cast<std::size_t>(s.node) + static_cast<std::size_t>(s.motion)] = -1;
+  }
+  for (Eigen::Index& u : unknowns_) {
+    if (u == 0) u = size_++;
+  }
+  if (size_ == 0) throw std::invalid_argument("Frame: nothing can move");
+}
+
+void Frame::make_pattern() {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(36 * parts_.size());
+  for (const Part& part : parts_) {
+    for (const Eigen::Index column : part.unknowns) {
+      for (const Eigen::Index row : part.unknowns) {
+        if (row >= 0 && column >= 0)
+          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.);
+      }
+    }
+  }
+  pattern_.resize(size_, size_);
+  pattern_.setFromTriplets(entries.begin(), entries.end());
+  pattern_.makeCompressed();
+  const int* const rows = pattern_.innerIndexPtr();
+  const int* const starts = pattern_.outerIndexPtr();
+  for (Part& part : parts_) {
+    for (std::size_t i = 0; i < 36; ++i) {
+      const Eigen::Index row = part.unknowns[i % 6], column = part.unknowns[i / 6];
+      part.slots[i] = -1;
+      if (row < 0 || column < 0) continue;
+      const int *const first = rows + starts[column], *const last = rows + starts[column + 1];
+      part.slots[i] = std::lower_bound(first, last, static_cast<int>(row)) - rows;
+    }
+  }
+}
+
+Eigen::Index Frame::unknown(int node, Motion motion) const {
+  require_node(node, nodes_.size(), "the caller");
+  return unknowns_[3 * static_cast<std::size_t>(node) + static_cast<std::size_t>(motion)];
+}
+
+void Frame::require_size(Eigen::Index size) const {
+  if (size != size_)
+    throw std::invalid_argument(fmt::format("Frame: {} displacements for {} unknowns", size, size_));
+}
+
+Status Frame::failure(std::size_t member, Outcome outcome) const {
+  const Member& m = members_[member];
+  const std::string where =
+      fmt::format("frame: member {} from node {} to node {}", member, m.first, m.second);
+  switch (outcome) {
+    case Outcome::wrong_branch:
+      return Status::failure(
+          outcome, where +
+                       " carries more than its clamped buckling load without symmetric bending: this is the"
+                       " straight branch, which is unstable; take two elements a member, or start from a"
+                       " symmetric imperfection of the end rotations");
+    case Outcome::at_pole:
+      return Status::failure(outcome, where +
+                                          " is at its clamped buckling load, where its bending stiffness has"
+                                          " a pole; change the displacements slightly");
+    case Outcome::outside_validity:
+      return Status::failure(outcome, where + " has both ends in one place; take a shorter step");
+    default:
+      return Status::failure(outcome, where + " has displacements that are not finite; take a shorter step");
+  }
+}
+
+}  // namespace nlmech::frames

@@ -1,0 +1,41 @@
+#include "nlmech/frames/toggle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace nlmech::frames {
+
+ToggleFrame make_frame(const Toggle& toggle) {
+  if (!(toggle.height > 0 && toggle.length > toggle.height && std::isfinite(toggle.length))) {
+    throw std::invalid_argument(
+        fmt::format("Toggle: a height of {} with members of length {}", toggle.height, toggle.length));
+  }
+  if (toggle.elements < 1)
+    throw std::invalid_argument(fmt::format("Toggle: {} elements a member", toggle.elements));
+  const double half_span = std::sqrt((toggle.length - toggle.height) * (toggle.length + toggle.height));
+  const int apex = toggle.elements, last = toggle.full ? 2 * apex : apex;
+  std::vector<Node> nodes;
+  std::vector<Member> members;
+  for (int i = 0; i <= last; ++i) {
+    // Mirrored places are exact mirror images.
+    const double part = static_cast<double>(i <= apex ? apex - i : i - apex) / apex;
+    nodes.push_back({(i <= apex ? -part : part) * half_span, (1 - part) * toggle.height});
+    if (i > 0) members.push_back({i - 1, i, toggle.ea, toggle.ei});
+  }
+  std::vector<Support> supports = {{0, Motion::x}, {0, Motion::y}, {0, Motion::rotation}};
+  const auto hold = [&](int node, Motion motion) { supports.push_back({node, motion}); };
+  hold(last, Motion::x);
+  hold(last, Motion::rotation);
+  if (toggle.full) hold(last, Motion::y);
+  Frame frame(std::move(nodes), std::move(members), supports);
+  const Eigen::Index at = frame.unknown(apex, Motion::y);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(frame.size());
+  load[at] = toggle.full ? -1 : -0.5;
+  return {std::move(frame), at, std::move(load)};
+}
+
+}  // namespace nlmech::frames

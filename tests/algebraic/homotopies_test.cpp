@@ -1,0 +1,293 @@
+// Vector homotopies, Chow and Yorke's path, the first scalar homotopy, and the options of Eq. 2.14.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+
+#include "nlmech/algebraic/first_scalar_homotopy.hpp"
+#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/algebraic/vector_homotopy.hpp"
+#include "tests/algebraic/classics.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+using namespace classics;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Homotopy both[] = {Homotopy::fixed_point, Homotopy::newton};
+
+DenseEquations cube() {
+  return scalar([](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
+}
+
+/// x^3 - 3 x + 3: extrema at -1 and 1, one root, left of both.
+DenseEquations bent() {
+  return scalar([](double x) { return (x * x - 3) * x + 3; }, [](double x) { return 3 * x * x - 3; });
+}
+/// By Cardano's formula.
+double root_of_bent() { return -std::cbrt((3 + std::sqrt(5.0)) / 2) - std::cbrt((3 - std::sqrt(5.0)) / 2); }
+
+/// H of the given point, from F there and at the start.
+VectorXd value_of(Homotopy function, const Iterate& i, const VectorXd& start, const VectorXd& first) {
+  const double t = i.time;
+  if (function == Homotopy::newton) return i.f - (1 - t) * first;
+  return t * i.f + (1 - t) * (i.x - start);
+}
+
+// The Newton homotopy in one variable has the closed path F(x) = (1 - t) F(x(0)).
+TEST(VectorHomotopy, EqualStepsAreOfOrderFour) {
+  double errors[2];
+  for (int k = 0; k < 2; ++k) {
+    DenseEquations equations = cube();
+    VectorXd x = vector({3});
+    const VectorHomotopy method = {.function = Homotopy::newton, .accuracy = 0, .steps = 16 << k};
+    static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+      if (i.time == 1) errors[k] = std::abs(i.x[0] - 2);
+      return i.time < 1;
+    }));
+  }
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 4, 0.2);  // next term: h = 1/16 times a constant of about 2
+}
+
+TEST(VectorHomotopy, ChosenStepsStayOnThePath) {
+  for (const Homotopy function : both) {
+    DenseEquations equations = circle();
+    VectorXd x = vector({2, 1}), first(2);
+    const VectorXd start = x;
+    equations.residual(x, first);
+    const VectorHomotopy method = {.function = function, .accuracy = 1e-6};
+    const Report report = find_root(method, equations, x, [&](const Iterate& i) {
+      // |dH/dx| <= 6 on the way, the path's error a hundred times a step's.
+      EXPECT_LE(value_of(function, i, start, first).norm(), 6e-4 * (1 + i.x.norm()));
+      return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.text();
+    EXPECT_EQ(report.time, 1);
+  }
+}
+
+TEST(VectorHomotopy, StopsAtATurningPointThatChowAndYorkePass) {
+  DenseEquations equations = bent();
+  VectorXd x = vector({2});
+  const Report stopped = find_root(VectorHomotopy{.function = Homotopy::newton}, equations, x);
+  EXPECT_EQ(stopped.status.outcome(), Outcome::step_underflow) << stopped.status.text();
+  EXPECT_NEAR(stopped.time, 0.8, 1e-3);  // F(1) = 1 of F(2) = 5
+  EXPECT_NEAR(x[0], 1, 0.05);            // F is flat: the root of 1e-3, times a few
+}
+
+// From 2 down to 1 where t = 0.8, back to t = 0 at -1, and to the root.
+TEST(ChowYorke, PassesTurningPoints) {
+  DenseEquations equations = bent();
+  for (const double longest : {0.05, 1.0}) {
+    VectorXd x = vector({2});
+    const VectorXd start = x, first = vector({5});
+    double greatest_before = 0, least_after = 1, previous = 2;
+    const ChowYorke method = {.function = Homotopy::newton, .longest = longest};
+    const Report report = find_root(method, equations, x, [&](const Iterate& i) {
+      if (i.time < 1) {
+        EXPECT_LE(value_of(Homotopy::newton, i, start, first).norm(), 5e-6);  // its accuracy
+      }
+      EXPECT_LT(i.x[0], previous + 1e-9);
+      previous = i.x[0];
+      (i.x[0] > 1 ? greatest_before : least_after) =
+          i.x[0] > 1 ? std::max(greatest_before, i.time) : std::min(least_after, i.time);
+      return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.text();
+    EXPECT_NEAR(x[0], root_of_bent(), 2e-11);  // tolerance over F' = 10.3
+    EXPECT_LE(greatest_before, 0.8 + 1e-6);
+    EXPECT_GE(least_after, -1e-6);
+    if (longest < 0.1) {
+      EXPECT_LT(least_after, 0.01);  // t is below that for 0.26 of x
+    }
+  }
+}
+
+TEST(ChowYorke, BothHomotopiesFindTheirRootDenseAndSparse) {
+  for (const Homotopy function : both) {
+    DenseEquations dense = circle();
+    Sparse sparse(dense);
+    // At the root near it det B > 0, as det dH/dx is at the start of the fixed-point path.
+    VectorXd x = vector({3, 0.5}), y = x;
+    ASSERT_TRUE(find_root(ChowYorke{.function = function}, dense, x).status.ok());
+    const Report report = find_root(ChowYorke{.function = function}, sparse, y);
+    ASSERT_TRUE(report.status.ok()) << report.status.text();
+    EXPECT_LE((x - y).norm(), 1e-9);
+  }
+}
+
+TEST(ChowYorke, StartsWhereTheMatrixIsSingular) {
+  // dF/dx = 0 at 1; the Newton homotopy leaves along x, not along t.
+  DenseEquations equations = bent();
+  VectorXd x = vector({1});
+  const Report report = find_root(ChowYorke{.function = Homotopy::newton}, equations, x);
+  EXPECT_EQ(report.statistics.fallbacks, 1);
+  // Either side of the path is as good: one leads to the root, the other one to t = -infinity.
+  if (report.status.ok()) {
+    EXPECT_NEAR(x[0], root_of_bent(), 2e-11);
+  } else {
+    EXPECT_EQ(report.status.outcome(), Outcome::step_limit) << report.status.text();
+  }
+}
+
+// H = 0 at the start and F = H at the end make the Newton homotopy of linear equations a straight line.
+RC_GTEST_PROP(ChowYorke, IsStraightForLinearEquations, ()) {
+  MatrixXd m(3, 3);
+  for (double& v : m.reshaped()) v = *rc::gen::inRange(-100, 101) / 100.0;
+  const MatrixXd a = m + 4 * MatrixXd::Identity(3, 3);  // diagonally dominant
+  const VectorXd root = vector({1, -2, 3});
+  DenseEquations equations = linear(a, root);
+  VectorXd x = VectorXd::Zero(3);
+  const Report report =
+      find_root(ChowYorke{.function = Homotopy::newton}, equations, x, [&](const Iterate& i) {
+        RC_ASSERT((i.x - i.time * root).norm() <= 1e-12);
+        return true;
+      });
+  RC_ASSERT(report.status.ok());
+  RC_ASSERT(report.statistics.rejected == 0);
+}
+
+/// The largest defect of h = 0 in the first pass, h of Eq. 2.11.
+double defect(int steps) {
+  DenseEquations equations = circle();
+  VectorXd x = vector({3, -1});
+  const VectorXd start = x;
+  double worst = 0;
+  const FirstScalarHomotopy method = {.weight = 1, .steps = steps, .tolerance = 0, .iterations = steps};
+  static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+    const double h = (i.time * i.f.squaredNorm() - (1 - i.time) * (i.x - start).squaredNorm()) / 2;
+    worst = std::max(worst, std::abs(h));
+    return true;
+  }));
+  return worst;
+}
+
+TEST(FirstScalarHomotopy, KeepsItsFunctionZeroToSecondOrder) {
+  const double coarse = defect(400), fine = defect(800);
+  EXPECT_GT(coarse, 0);
+  EXPECT_NEAR(coarse / fine, 4, 0.5);  // next term: the step of 0.004 times a constant below 30
+}
+
+TEST(FirstScalarHomotopy, DoesNotDependOnTheUnitsOfF) {
+  VectorXd ends[2];
+  for (int k = 0; k < 2; ++k) {
+    const double c = k == 0 ? 1 : 0x1p40;
+    DenseEquations plain = circle();
+    DenseEquations scaled(
+        2,
+        [&](const VectorXd& x, VectorXd& f) {
+          plain.residual(x, f);
+          f *= c;
+        },
+        [&](const VectorXd& x, MatrixXd& b) {
+          plain.linearise(x);
+          plain.matrix(b);
+          b *= c;
+        });
+    ends[k] = vector({3, -1});
+    static_cast<void>(find_root(FirstScalarHomotopy{.tolerance = 0, .iterations = 30}, scaled, ends[k]));
+  }
+  EXPECT_EQ(ends[0], ends[1]);  // a power of two
+}
+
+TEST(FirstScalarHomotopy, TimeRunsFromZeroToOneInEveryPass) {
+  DenseEquations equations = circle();
+  VectorXd x = vector({2, 1});
+  std::vector<double> times;
+  const FirstScalarHomotopy method = {.steps = 4, .tolerance = 0, .iterations = 8};
+  static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+    times.push_back(i.time);
+    return true;
+  }));
+  ASSERT_EQ(times.size(), 9U);
+  for (int k = 1; k <= 8; ++k) {
+    const double s = std::sin(std::acos(-1.0) / 8 * ((k - 1) % 4 + 1));
+    EXPECT_NEAR(times[static_cast<std::size_t>(k)], s * s, 1e-15);
+  }
+}
+
+/// The largest defect on the way to t = 1 of what the exact flow keeps: |F|^2 Q less |x - x(0)|^2 for the
+/// fixed point.
+double kept(const ScalarHomotopy& options, int steps) {
+  MatrixXd a(2, 2);
+  a << 3, 1, 1, 2;
+  DenseEquations equations(
+      2,
+      [a](const VectorXd& x, VectorXd& f) {
+        f = a * x + x.array().cube().matrix() - vector({1, 2});
+      },
+      [a](const VectorXd& x, MatrixXd& b) {
+        b = a;
+        b.diagonal() += (3 * x.array().square()).matrix();
+      });
+  VectorXd x = vector({2, -1});
+  const VectorXd start = x;
+  double worst = 0, first = -1;
+  ScalarHomotopy method = options;
+  method.step = 1.0 / steps;
+  method.tolerance = 0;
+  method.steps = steps;
+  static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+    const bool is_power = method.growth == ScalarHomotopy::Growth::power;
+    double value = i.f.squaredNorm() * (is_power ? std::pow(1 + i.time, method.power) : std::exp(i.time));
+    if (method.function == ScalarHomotopy::Function::fixed_point) value -= (i.x - start).squaredNorm();
+    if (first < 0) first = value;
+    worst = std::max(worst, std::abs(value - first) / first);
+    return true;
+  }));
+  return worst;
+}
+
+TEST(ScalarHomotopy, EveryDriveAndGrowthKeepsItsInvariantToFirstOrder) {
+  using S = ScalarHomotopy;
+  for (const S::Function function : {S::Function::fixed_point, S::Function::newton}) {
+    for (const S::Drive drive : {S::Drive::gradient, S::Drive::residual, S::Drive::transposed_residual}) {
+      for (const S::Growth growth : {S::Growth::exponential, S::Growth::power}) {
+        const S options = {.function = function, .drive = drive, .growth = growth, .power = 2};
+        const double coarse = kept(options, 400), fine = kept(options, 800);
+        EXPECT_GT(coarse, 0);
+        EXPECT_NEAR(coarse / fine, 2, 0.1);  // next term: the step of 0.0025 times a constant below 40
+        EXPECT_LT(fine, 0.02);               // the step of 1/800 times a constant of 16
+      }
+    }
+  }
+}
+
+TEST(ScalarHomotopy, DriveOfTheResidualFindsTheRootOfDefiniteEquations) {
+  MatrixXd a(2, 2);
+  a << 3, 1, 1, 2;
+  for (const auto growth : {ScalarHomotopy::Growth::exponential, ScalarHomotopy::Growth::power}) {
+    DenseEquations equations = linear(a, vector({1, 2}));
+    VectorXd x = vector({0, 0});
+    const ScalarHomotopy method = {.step = 0.5,
+                                   .tolerance = 1e-6,
+                                   .drive = ScalarHomotopy::Drive::residual,
+                                   .growth = growth,
+                                   .power = 6};
+    const Report report = find_root(method, equations, x);
+    ASSERT_TRUE(report.status.ok()) << report.status.text();
+    EXPECT_LE((x - vector({1, 2})).norm(), 1e-6);  // |A^-1| = 0.72
+  }
+}
+
+TEST(Homotopies, OptionsOutOfRangeAreRefused) {
+  const auto refused = [](const auto& method) {
+    DenseEquations equations = circle();
+    VectorXd x = vector({2, 1});
+    EXPECT_THROW(static_cast<void>(find_root(method, equations, x)), std::invalid_argument);
+  };
+  refused(VectorHomotopy{.accuracy = -1});
+  refused(VectorHomotopy{.steps = 0});
+  refused(VectorHomotopy{.corrections = -1});
+  refused(ChowYorke{.step = 0});
+  refused(ChowYorke{.longest = nan});
+  refused(ChowYorke{.turn = 2});
+  refused(ChowYorke{.accuracy = 0});
+  refused(FirstScalarHomotopy{.steps = 0});
+  refused(FirstScalarHomotopy{.weight = -1});
+  refused(ScalarHomotopy{.power = 0});
+}
+
+}  // namespace
+}  // namespace nlmech::algebraic

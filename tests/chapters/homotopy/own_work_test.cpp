@@ -1,0 +1,150 @@
+/// `homotopy limit-points` and `homotopy solve` as a user types them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/process.hpp"
+
+namespace nlmech {
+namespace {
+
+using scene::Finished;
+
+/// Runs a program with words separated by blanks.
+Finished run(const std::string& program, const std::string& words) {
+  std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/" + program};
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    if (end > begin) arguments.push_back(words.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return scene::run_program(arguments, {});
+}
+
+Finished homotopy(const std::string& words) { return run("homotopy", words); }
+
+/// The rows of `limit-points`, which has to succeed.
+std::vector<scene::CsvRecord> limit_points(const std::string& words) {
+  const Finished f = homotopy("limit-points " + words);
+  EXPECT_EQ(f.exit_code, 0) << words << ": " << f.errors;
+  EXPECT_TRUE(f.output.starts_with("kind,load,deflection\n")) << f.output;
+  auto rows = scene::parse_csv(f.output, "output");
+  rows.erase(rows.begin());
+  return rows;
+}
+
+double number(const std::string& text) {
+  double value = NAN;
+  EXPECT_TRUE(scene::parse_number(text, value)) << text;
+  return value;
+}
+
+void expect_pair(const std::string& words, double maximum, double minimum, double relative) {
+  const auto rows = limit_points(words);
+  ASSERT_EQ(rows.size(), 2U) << words;
+  EXPECT_EQ(rows[0].cells.at(0), "maximum");
+  EXPECT_EQ(rows[1].cells.at(0), "minimum");
+  EXPECT_NEAR(number(rows[0].cells.at(1)), maximum, relative * maximum) << words;
+  EXPECT_NEAR(number(rows[1].cells.at(1)), minimum, relative * minimum) << words;
+  EXPECT_LT(number(rows[0].cells.at(2)), number(rows[1].cells.at(2))) << words;
+}
+
+// Loads of an independent program, all its digits.
+TEST(LimitPoints, KnownLoads) {
+  expect_pair("--height 0.44", 42.435492120383, 32.124218754757, 1e-10);
+  expect_pair("--height 0.44 --elements 4", 42.4387099966, 32.1222520061, 1e-10);
+  expect_pair("--height 0.44 --model element --elements 16", 42.4397089470, 32.1221702414, 1e-10);
+  expect_pair("--height 0.44 --model williams", 42.771896097273, 30.363548710287, 1e-10);
+  expect_pair("--height 0.38 --model williams", 33.278532607761, 30.588387926087, 1e-10);
+  expect_pair("--height 0.38", 33.122797603353, 31.107808393235, 1e-10);
+}
+
+TEST(LimitPoints, NoneAtTheLowestHeight) {
+  EXPECT_TRUE(limit_points("--height 0.32").empty());
+  EXPECT_TRUE(limit_points("--height 0.32 --model williams").empty());
+  EXPECT_TRUE(limit_points("--height 0.32 --elements 4").empty());
+}
+
+struct Solved {
+  std::string status;
+  double deflection = NAN, residual = NAN, iterations = NAN;
+  Finished finished;
+};
+
+Solved solve(const std::string& words) {
+  Solved s;
+  s.finished = homotopy("solve " + words);
+  if (!s.finished.output.starts_with("status,deflection,residual,iterations\n")) return s;
+  const auto rows = scene::parse_csv(s.finished.output, "output");
+  if (rows.size() != 2) return s;
+  s.status = rows[1].cells.at(0);
+  s.deflection = number(rows[1].cells.at(1));
+  s.residual = number(rows[1].cells.at(2));
+  s.iterations = number(rows[1].cells.at(3));
+  return s;
+}
+
+// Deflections of an independent program; |F| of the default tolerance over a stiffness of 15 lb/in and more.
+TEST(Solve, KnownDeflections) {
+  struct Case {
+    std::string words;
+    double deflection;
+  };
+  const std::vector<Case> cases = {
+      {"--height 0.44 --load 43.79", 0.621922545486},
+      {"--height 0.44 --load 44", 0.623070489},
+      {"--height 0.32 --load 27.11", 0.265167973289},
+      {"--height 0.44 --load 43.79 --solver newton", 0.621922545486},
+      {"--height 0.32 --load 27.11 --solver newton", 0.265167973289},
+      {"--height 0.44 --load 43.79 --model williams", 0.635331561089},
+      {"--height 0.44 --load 44 --model williams", 0.636310193301},
+      {"--height 0.32 --load 27.11 --model williams", 0.266690787315},
+      {"--height 0.32 --load 27.11 --model williams --solver newton", 0.266690787315}};
+  for (const Case& c : cases) {
+    const Solved s = solve(c.words);
+    EXPECT_EQ(s.finished.exit_code, 0) << c.words << ": " << s.finished.errors;
+    EXPECT_EQ(s.status, "success") << c.words;
+    EXPECT_NEAR(s.deflection, c.deflection, 2e-9) << c.words;
+    EXPECT_GE(s.iterations, 1) << c.words;
+  }
+}
+
+// With two elements a member as with one: the S is its own mirror image.
+TEST(Solve, ElementsAMember) {
+  const Solved one = solve("--height 0.44 --load 43.79"),
+               two = solve("--height 0.44 --load 43.79 --elements 2");
+  EXPECT_EQ(two.status, "success");
+  EXPECT_NEAR(one.deflection, two.deflection, 1e-8);
+}
+
+// A solver that lets |F| fall is stuck at its minimum by the fold: it says so, and the command ends with 1.
+TEST(Solve, FailureIsSaid) {
+  const Solved s = solve("--height 0.44 --load 43.79 --solver damped-newton");
+  EXPECT_EQ(s.finished.exit_code, 1);
+  EXPECT_FALSE(s.finished.errors.empty());
+}
+
+TEST(OwnWork, WrongWordsAreRefused) {
+  for (const std::string words :
+       {"limit-points", "limit-points --height x", "limit-points --height -1", "limit-points --height 13",
+        "limit-points --height 0.44 --model wooden", "limit-points --height 0.44 --elements 0", "solve",
+        "solve --height 0.44", "solve --height 0.44 --load nan",
+        "solve --height 0.44 --load 43 --solver magic", "solve --height 0.44 --load 43 --elements 1.5"}) {
+    const Finished f = homotopy(words);
+    EXPECT_EQ(f.exit_code, 2) << words;
+    EXPECT_TRUE(f.output.empty()) << words;
+    EXPECT_FALSE(f.errors.empty()) << words;
+  }
+}
+
+TEST(Example, Runs) {
+  const Finished f = run("homotopy_example", "");
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  EXPECT_NE(f.output.find("0.6219225"), std::string::npos) << f.output;
+}
+
+}  // namespace
+}  // namespace nlmech

@@ -1,0 +1,140 @@
+/// What the chapter's figures and tables are made with.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "chapters/homotopy/curves.hpp"
+#include "chapters/homotopy/iterations.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+// Limit points of an independent program, all digits.
+TEST(LoadCurves, LimitPoints) {
+  EXPECT_FALSE(limit_points(*williams_curve(0.32)));
+  EXPECT_FALSE(limit_points(*element_curve(0.32)));
+  const auto w = limit_points(*williams_curve(0.44)), e = limit_points(*element_curve(0.44));
+  ASSERT_TRUE(w && e);
+  EXPECT_NEAR(w->maximum.load, 42.771896097273, 1e-11);
+  EXPECT_NEAR(w->minimum.load, 30.363548710287, 1e-11);
+  EXPECT_NEAR(e->maximum.load, 42.435492120383, 1e-11);
+  EXPECT_NEAR(e->minimum.load, 32.124218754757, 1e-11);
+}
+
+// dW/ddelta against central differences of W: h^2 W'''/6 and rounding of W over h.
+RC_GTEST_PROP(LoadCurves, StiffnessIsTheSlope, ()) {
+  const double d = *rc::gen::inRange(0, 900) * 1e-3, height = *rc::gen::element(0.32, 0.38, 0.44), h = 1e-4;
+  for (const bool williams : {true, false}) {
+    const auto curve = williams ? williams_curve(height) : element_curve(height);
+    const double difference = (curve->load(d + h) - curve->load(d - h)) / (2 * h);
+    RC_ASSERT(std::abs(curve->stiffness(d) - difference) < 1e-4 + 1e-6 * std::abs(difference));
+  }
+}
+
+TEST(LoadCurves, EquilibriaCarryTheLoad) {
+  const auto curve = element_curve(0.44);
+  for (const double load : {10.0, 35.0, 42.0, 60.0}) {
+    const auto all = deflections_under(*curve, load);
+    EXPECT_EQ(all.size(), load > 32.2 && load < 42.4 ? 3U : 1U) << load;
+    for (const double d : all) EXPECT_NEAR(curve->load(d), load, 1e-11) << load;
+  }
+}
+
+// Half the load is missing at rest, whatever the model; and the unknowns are the deflection.
+TEST(LoadedToggles, AgreeWithTheCurves) {
+  for (const Model model :
+       {Model::williams, Model::williams_frozen, Model::element, Model::element_printed}) {
+    LoadedToggle toggle(model, 0.44, near_load);
+    const bool williams = model == Model::williams || model == Model::williams_frozen;
+    const auto curve = williams ? williams_curve(0.44) : element_curve(0.44);
+    for (const double d : {0.0, 0.1, 0.5}) {
+      Eigen::VectorXd f(1);
+      toggle.equations().residual(toggle.unknowns(d), f);
+      EXPECT_NEAR(std::abs(f[0]), std::abs(curve->load(d) - near_load) / 2, 1e-12);
+      EXPECT_EQ(toggle.deflection(toggle.unknowns(d)), d);
+    }
+    EXPECT_EQ(toggle.scale(), near_load / 2);
+  }
+}
+
+// d_5 held constant: the slope of Eq. 2.21 between two deflections, with d_5 of the first in both.
+TEST(LoadedToggles, FrozenJacobianHoldsD5) {
+  LoadedToggle toggle(Model::williams_frozen, 0.44, near_load);
+  const frames::Williams w{.height = 0.44};
+  for (const double d : {0.05, 0.2, 0.6}) {
+    const double n = -w.compression(d) * w.length * w.length / w.ei;
+    const double six_d5 = frames::stability_functions<double>(n).antisymmetric.value + n;
+    const auto half_load = [&](double x) {
+      return w.ei * six_d5 / std::pow(w.length, 3) * x + w.compression(x) * w.height / w.length;
+    };
+    Eigen::MatrixXd b;
+    toggle.equations().linearise(toggle.unknowns(d));
+    toggle.equations().matrix(b);
+    // A quadratic: its central difference is exact.
+    EXPECT_NEAR(b(0, 0), (half_load(d + 0.1) - half_load(d - 0.1)) / 0.2, 1e-9);
+  }
+}
+
+// A step of 2 makes Eq. 2.16 Newton's iteration for one unknown.
+TEST(Iterations, StepOfTwoIsNewton) {
+  LoadedToggle toggle(Model::williams, 0.32, low_load);
+  std::vector<Trace> newton, homotopy;
+  EXPECT_TRUE(iterate(toggle, {}, &newton).converged);
+  EXPECT_TRUE(iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = 2}, &homotopy).converged);
+  ASSERT_EQ(newton.size(), homotopy.size());
+  for (std::size_t k = 0; k < newton.size(); ++k)
+    EXPECT_NEAR(newton[k].deflection, homotopy[k].deflection, 1e-13) << k;
+}
+
+// Near the root a step dt leaves |1 - dt/2| of the residual.
+TEST(Iterations, ContractionIsThatOfDampedNewton) {
+  for (const double step : {0.3, 0.895, 1.5}) {
+    LoadedToggle toggle(Model::williams, 0.32, low_load);
+    std::vector<Trace> trace;
+    EXPECT_TRUE(
+        iterate(toggle, {.scheme = Scheme::fixed_point, .step = step, .tolerance = 1e-9}, &trace).converged);
+    const double ratio = trace.back().residual / trace.at(trace.size() - 2).residual;
+    EXPECT_NEAR(ratio, 1 - step / 2, 1e-4) << step;
+  }
+}
+
+TEST(Iterations, CountAndTraceAgree) {
+  LoadedToggle toggle(Model::element_printed, 0.44, last_load);
+  for (const Scheme scheme : {Scheme::newton, Scheme::fixed_point, Scheme::newton_homotopy}) {
+    std::vector<Trace> trace;
+    const Count count =
+        iterate(toggle, {.scheme = scheme, .step = 0.895, .tolerance = 0.022, .limit = 37}, &trace);
+    EXPECT_EQ(trace.size(), static_cast<std::size_t>(count.iterations) + 1);
+    EXPECT_EQ(trace.back().residual, count.residual);
+    EXPECT_EQ(count.converged, count.residual <= 0.022);
+    EXPECT_EQ(trace.front().deflection, 0);
+  }
+}
+
+// The attractor of Table 2.5: 0.30373 of the load, printed 0.3042, reached from rest with nothing to choose.
+TEST(Iterations, CycleOfTheMisprint) {
+  LoadedToggle toggle(Model::element_printed, 0.44, last_load);
+  const Count count = iterate(toggle, {.tolerance = relative_tolerance(last_load, 1e-3)});
+  EXPECT_FALSE(count.converged);
+  EXPECT_EQ(count.iterations, 1000);
+  EXPECT_NEAR(count.residual / toggle.scale(), 0.30373, 1e-5);
+  EXPECT_NEAR(count.residual / toggle.scale(), 0.3042, 0.005 * 0.3042);
+}
+
+TEST(Iterations, RowsAreThoseOfTheTables) {
+  const auto rows = printed_rows();
+  ASSERT_EQ(rows.size(), 10U);
+  for (const PrintedRow& row : rows) {
+    EXPECT_EQ(row.model == Model::williams, row.table < "table-2.4") << row.table;
+    EXPECT_EQ(row.height, row.table == "table-2.2" ? 0.32 : 0.44);
+  }
+}
+
+TEST(Curves, BlanksBesideMarkupStay) {
+  EXPECT_EQ(with_kept_blanks("load {/:Italic W} (lb)"), "load \u200b{/:Italic W}\u200b (lb)");
+  EXPECT_EQ(with_kept_blanks("plain text"), "plain text");
+}
+
+}  // namespace
+}  // namespace nlmech::chapters

@@ -1,0 +1,65 @@
+/// @file
+/// Displacement control for tests: the load at which one displacement has a given value, and the slope there.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "nlmech/frames/frame.hpp"
+
+namespace nlmech::frames {
+
+/// A point of a load path.
+struct PathPoint {
+  Eigen::VectorXd x;  ///< displacements
+  double load;        ///< factor of the load vector
+  double slope;       ///< its derivative by the controlled displacement
+};
+
+/// Newton's iteration for f(x) = W load, x_i = value, dense.
+inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen::Index i, double value,
+                         PathPoint at) {
+  const Eigen::Index n = frame.size();
+  Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  Eigen::VectorXd f(n), rest(n + 1);
+  Eigen::SparseMatrix<double> k;
+  double before = HUGE_VAL;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    EXPECT_TRUE(frame.force<double>(at.x, f).ok());
+    EXPECT_TRUE(frame.tangent<double>(at.x, k).ok());
+    bordered.topLeftCorner(n, n) = k;
+    bordered.col(n).head(n) = -load;
+    bordered(n, i) = 1;
+    rest << f - at.load * load, at.x[i] - value;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(bordered);
+    const Eigen::VectorXd step = lu.solve(rest);
+    at.x -= step.head(n);
+    at.load -= step[n];
+    const double length = step.head(n).norm() / (1 + at.x.norm());
+    if (length < 1e-9 && length >= before / 4) {  // it no longer shrinks: rounding
+      at.slope = lu.solve(Eigen::VectorXd::Unit(n + 1, n))[n];
+      return at;
+    }
+    before = length;
+  }
+  ADD_FAILURE() << "displacement control does not converge at " << value;
+  return at;
+}
+
+/// The point between two values of the controlled displacement where the load is stationary.
+inline PathPoint limit_point(const Frame& frame, const Eigen::VectorXd& load, Eigen::Index i, PathPoint from,
+                             double end) {
+  double low = from.x[i], high = end;
+  PathPoint at = std::move(from);
+  const bool sign = at.slope > 0;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (low + high) / 2;
+    at = control(frame, load, i, middle, at);
+    ((at.slope > 0) == sign ? low : high) = middle;
+  }
+  return at;
+}
+
+}  // namespace nlmech::frames
