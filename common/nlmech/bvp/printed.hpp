@@ -46,7 +46,7 @@ class GlobalCollocation final : public algebraic::Equations {
   GlobalCollocation(const Problem& problem, GlobalMethod method);
 
   /// Success, or why D cannot be had: it is not finite.
-  [[nodiscard]] const Status& status() const { return status_; }
+  [[nodiscard]] Status status() const override { return status_; }
   /// Times of the nodes.
   [[nodiscard]] const Eigen::VectorXd& times() const { return times_; }
   /// D, 1/time.
