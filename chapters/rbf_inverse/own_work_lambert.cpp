@@ -121,9 +121,8 @@ orbit::Transfer by_collocation(const orbit::TransferProblem& p, const Words& wor
                     words.revolutions));
   if (arc.long_way)
     throw InputError(
-        "--method collocation --long-way: from every guess that was tried Newton's iteration leaves the long "
-        "way for "
-        "the short one; use --method izzo");
+        "--method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use "
+        "--method izzo");
   orbit::Transfer t = orbit::collocate(p, {.nodes = 81});
   const orbit::Vector3<double> plane = orbit::cross(p.from, p.to);
   if (t.status.ok() && plane.dot(orbit::cross(p.from, t.v1)) < 0)

@@ -98,7 +98,9 @@ orbit::Elements shape_of(const Reader& r) {
       r.refuse(r.at("a"), fmt::format("{} = {}: {}", r.full("a"), r.required("a"), error.what()));
     }
   }
-  return {.semi_latus_rectum = r.required("p"), .eccentricity = e};
+  const double p = r.required("p");
+  if (!(p > 0)) r.refuse(r.at("p"), fmt::format("{} = {} must be positive", r.full("p"), p));
+  return {.semi_latus_rectum = p, .eccentricity = e};
 }
 
 orbit::Ephemeris orbit_of(const Reader& r, double mu) {
@@ -119,7 +121,7 @@ orbit::Ephemeris orbit_of(const Reader& r, double mu) {
   try {
     body.state = orbit::state_of(conic, mu);
   } catch (const std::invalid_argument& error) {
-    r.refuse(nullptr, error.what());
+    r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
   }
   return body;
 }

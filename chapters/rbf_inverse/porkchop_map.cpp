@@ -25,7 +25,7 @@ double round_step(double least) {
 
 /// Contour lines between the least speed and the ceiling: "3,4,5".
 std::string levels(double least) {
-  const double step = round_step((ceiling - 1) * least / 8);
+  const double step = round_step((ceiling - 1) * least / 12);
   std::string list;
   for (double k = std::ceil(least / step); k * step < ceiling * least; ++k) {
     if (k * step <= least) continue;

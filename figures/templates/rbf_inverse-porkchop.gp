@@ -19,7 +19,7 @@ set label 1 heading at screen 0.5, screen 0.965 center font sprintf("%s:Bold,%d"
 set border 15 linecolor rgb ink linewidth 1
 unset grid
 unset key
-set xlabel xlabel
+set xlabel xlabel textcolor rgb ink
 stats data using "departure":"arrival" nooutput
 set xrange [STATS_min_x:STATS_max_x]
 set yrange [STATS_min_y:STATS_max_y]
@@ -38,14 +38,14 @@ do for [k = 1:2] {
   unset table
   set surface
   unset contour
-  left = k == 1 ? 0.105 : 0.575
-  set margins screen left, screen left + 0.29, screen 0.16, screen 0.86
-  if (k == 1) {set ylabel ylabel} else {unset ylabel}
+  left = k == 1 ? 0.125 : 0.605
+  set margins screen left, screen left + 0.28, screen 0.16, screen 0.86
+  if (k == 1) {set ylabel ylabel offset 0.8,0 textcolor rgb ink} else {unset ylabel}
   set label 2 (k == 1 ? "at the departure" : "at the arrival") at graph 0.0, graph 1.04 left
   set cbrange [least:most]
   eval "set cbtics (" . levels . ")"
-  set colorbox user origin screen left + 0.305, screen 0.16 size screen 0.018, screen 0.70 noborder
-  set label 3 speed at screen left + 0.305, graph 1.04 left
+  set colorbox user origin screen left + 0.295, screen 0.16 size screen 0.018, screen 0.70 noborder
+  set label 3 speed at screen left + 0.295, graph 1.04 left
   plot data using "departure":"arrival":name(k) with image
   set datafile separator whitespace
   unset datafile columnheaders
@@ -59,7 +59,7 @@ do for [k = 1:2] {
   plot $lines using 1:2:(column(3) < middle ? 0xffffff : 0x222222) with lines linewidth 1 dashtype 1 linecolor rgb variable
   set format x "%g"
   set format y "%g"
-  set xlabel xlabel
+  set xlabel xlabel textcolor rgb ink
   set datafile separator ","
   set datafile columnheaders
 }
