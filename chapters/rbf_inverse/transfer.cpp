@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,10 +56,10 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
                       {"condition", 2}});
   const auto add = [&](const std::string& name, const orbit::Transfer& t, const scene::Cell& condition) {
     const Vector3<double> d = miss_vector(t.v1);
-    const scene::Cell iterations =
-        t.statistics.newton_iterations > 0 ? scene::Cell(t.statistics.newton_iterations) : scene::Cell();
+    std::optional<double> iterations;  // Izzo's method has none of Newton's
+    if (t.statistics.newton_iterations > 0) iterations = static_cast<double>(t.statistics.newton_iterations);
     table.add({name, std::abs(d[0]), std::abs(d[1]), std::abs(d[2]), d.norm(), velocity_error(t.v1),
-               iterations, condition});
+               scene::to_cell(iterations), condition});
   };
   table.add({"printed", 9.6e-3, 16.3e-3, 10.2e-3, std::hypot(9.6e-3, 16.3e-3, 10.2e-3), {}, {}, {}});
   const auto& printed = w.result(*runs.printed);

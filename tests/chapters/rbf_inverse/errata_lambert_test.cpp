@@ -87,10 +87,10 @@ TEST(ErrataLambert, EndConditionsOfTheEquationsSayNothing) {
   EXPECT_GT(t.miss, 0.05);
 }
 
-// "Started at an arbitrary set of initial conditions": of random starts, Gaussian functions lead some to
-// roots that are no orbits, which only a flight shows.
-TEST(ErrataLambert, SomeRootsAreNoOrbits) {
-  int arcs = 0, spurious = 0;
+// "Started at an arbitrary set of initial conditions": right for most, but what Newton's iteration ends on is
+// an orbit only if its flight says so. A success is never a root that misses.
+TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
+  int arcs = 0;
   for (int seed = 1; seed <= 40; ++seed) {
     orbit::TransferCollocation method = printed_method();
     method.guess = orbit::TransferGuess::random;
@@ -99,12 +99,10 @@ TEST(ErrataLambert, SomeRootsAreNoOrbits) {
     const orbit::CollocatedTransfer t = orbit::collocate(printed_transfer(), method);
     if (t.status.ok()) {
       ++arcs;
-    } else {
-      spurious += t.status.outcome() == Outcome::spurious_root;
+      EXPECT_LE(miss_vector(t.v1).norm(), 0.01 * printed_transfer().to.norm()) << seed;
     }
   }
-  EXPECT_GE(arcs, 24);  // an independent program: 51 of 60 arcs, 9 spurious; three standard deviations
-  EXPECT_GE(spurious, 1);
+  EXPECT_GE(arcs, 24);  // an independent program: 51 of 60 arcs; less three standard deviations, 0.6
 }
 
 // Eq. 5.38's transfer: 0.05 days are 4320 s, and the ellipse has its periapsis 252 km from the centre, deep
