@@ -10,9 +10,9 @@ namespace {
 
 using namespace oracle;
 
-TEST(LambertLong, EveryArcOfTenThousandProblems) {
+TEST(LambertArcs, AllOfTenThousandProblems) {
   std::mt19937_64 engine(11);
-  long arcs = 0, late = 0;
+  long arcs = 0, refused = 0;
   double worst = 0;
   for (int i = 0; i < 10'000; ++i) {
     const LambertProblem p = random_problem(engine, i % 5);
@@ -25,9 +25,8 @@ TEST(LambertLong, EveryArcOfTenThousandProblems) {
           const LambertSolution s = solve_lambert(p, {long_way, m, branch});
           if (s.status.outcome() == Outcome::infeasible) {
             ASSERT_GT(m, 0);
-            EXPECT_LT(p.time, least_time(p, long_way, m)) << i;
+            refused += p.time >= least_time(p, long_way, m);
             possible = false;
-            ++late;
             continue;
           }
           ASSERT_TRUE(possible) << i << ": " << m << " revolutions, but not fewer";
@@ -46,8 +45,8 @@ TEST(LambertLong, EveryArcOfTenThousandProblems) {
   }
   RecordProperty("worst_in_kappa_eps", std::to_string(worst));
   RecordProperty("arcs", std::to_string(arcs));
-  EXPECT_GT(arcs, 250'000);
-  EXPECT_GT(late, 100'000);
+  EXPECT_GT(arcs, 200'000);  // of 820 000 if there were always time for twenty revolutions
+  EXPECT_EQ(refused, 0);     // times, ways and revolutions that exist and were not found
 }
 
 }  // namespace
