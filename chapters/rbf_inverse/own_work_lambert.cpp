@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "chapters/rbf_inverse/porkchop_file.hpp"
@@ -168,10 +170,31 @@ class Scratch {
   std::filesystem::path path_;
 };
 
+/// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
+std::pair<double, std::string> short_unit(double largest, const std::string& label) {
+  if (!(largest >= 1e4 || (largest > 0 && largest < 1e-2))) return {1, label};
+  const double exponent = 3 * std::floor(std::log10(largest) / 3);
+  return {std::pow(10, exponent), fmt::format("{} in 10^{{{:.0f}}}", label, exponent)};
+}
+
+/// The units of the file, which are not known.
+PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
+  PorkchopAxes axes{.heading = "Excess speeds by departure and arrival"};
+  double latest = 0, least = HUGE_VAL;
+  for (const auto* times : {&grid.departures, &grid.arrivals}) {
+    for (const double t : *times) latest = std::max(latest, std::abs(t));
+  }
+  for (const orbit::PorkchopCell& cell : grid.cells) least = std::min(least, cell.v_departure);
+  std::tie(axes.time, axes.departure) = short_unit(latest, axes.departure);
+  axes.arrival = short_unit(latest, axes.arrival).second;
+  std::tie(axes.speed_unit, axes.speed) = short_unit(4 * least, axes.speed);
+  return axes;
+}
+
 /// <name of the TOML file>.svg in the current folder.
 void plot(const Words& words, const orbit::Porkchop& grid) {
   const std::string stem = words.file == "-" ? "porkchop" : std::filesystem::path(words.file).stem().string();
-  const scene::Figure figure = porkchop_map(grid, {.heading = "Excess speeds by departure and arrival"});
+  const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
   const Scratch folder;
   scene::write_whole(folder.path() / "data.csv", figure.data.csv());
   scene::write_whole(stem + ".svg", scene::draw(scene::data_folder() / "figures", figure.template_name,

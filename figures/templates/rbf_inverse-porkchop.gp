@@ -45,7 +45,7 @@ do for [k = 1:2] {
   set cbrange [least:most]
   eval "set cbtics (" . levels . ")"
   set colorbox user origin screen left + 0.295, screen 0.16 size screen 0.018, screen 0.70 noborder
-  set label 3 speed at screen left + 0.295, graph 1.04 left
+  set label 3 speed at screen left + 0.305, graph 1.04 center
   plot data using "departure":"arrival":name(k) with image
   set datafile separator whitespace
   unset datafile columnheaders
