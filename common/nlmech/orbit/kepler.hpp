@@ -162,7 +162,8 @@ struct KeplerCondition {
 
 /// kappa = sum over the data d of |d(result)/d(d)| |d|/|result|, d the components of position and velocity
 /// (each with the length of its vector), mu and the time. It grows linearly with the number of revolutions,
-/// because an error of the velocity changes the period. Derivatives by dual numbers, exact to rounding.
+/// because an error of the velocity changes the period. Derivatives by dual numbers, exact to rounding;
+/// finite on every conic, straight lines and the fastest flybys included.
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 
