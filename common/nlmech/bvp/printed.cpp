@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/bvp/condensed.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
@@ -115,6 +116,11 @@ VectorXd GlobalCollocation::condition_residuals(const VectorXd& unknowns) const 
   return r;
 }
 
+bool GlobalCollocation::is_replaced(Index row) const {
+  return std::any_of(method_.rows.begin(), method_.rows.end(),
+                     [&](const ReplacedRow& r) { return row_of(r) == row; });
+}
+
 Index GlobalCollocation::row_of(const ReplacedRow& row) const {
   return row.component * nodes_ + (row.at_end ? nodes_ - 1 : 0);
 }
@@ -216,6 +222,21 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
 
 }  // namespace
 
+namespace {
+
+algebraic::Report iterate(algebraic::Equations& equations, VectorXd& x, bool damped, int iterations) {
+  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
+  constexpr double tolerance = 1e-9, noise = 1e-7;
+  if (!damped) {
+    return find_root(algebraic::Newton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                     equations, x);
+  }
+  return find_root(algebraic::DampedNewton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                   equations, x);
+}
+
+}  // namespace
+
 GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method, const Start& start,
                           double flight_tolerance, bool damped, int iterations) {
   GlobalResult result;
@@ -224,13 +245,13 @@ GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& me
   s.status = equations.status();
   if (!s.status.ok()) return result;
   VectorXd x = equations.unknowns(start);
-  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
-  if (damped) {
-    result.report = find_root(
-        algebraic::DampedNewton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations}, equations, x);
+  if (method.condensed.empty()) {
+    result.report = iterate(equations, x, damped, iterations);
   } else {
-    result.report = find_root(algebraic::Newton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations},
-                              equations, x);
+    CondensedCollocation condensed(problem, equations, method.condensed);
+    VectorXd some = condensed.reduced(x);
+    result.report = iterate(condensed, some, damped, iterations);
+    x = condensed.expanded(some);
   }
   if (!x.allFinite()) {
     s.status =

@@ -28,12 +28,19 @@ struct ReplacedRow {
   bool at_end = false;  ///< at the last node, else at the first
 };
 
+/// An equation x_k' = a x_m with a constant a, by which x_m is known where x_k is.
+struct LinearEquation {
+  int equation = 0;  ///< k
+  int unknown = 0;   ///< m
+};
+
 /// N nodes, D and the placement of conditions.
 struct GlobalMethod {
   int nodes = 40;                                            ///< N of section 5.3.5, LGL, ends included
   double relative_shape = 39.0 / 4;                          ///< c T; printed: (N - 1)/4
   DerivativeMatrix derivative = DerivativeMatrix::gaussian;  ///< D
   std::vector<ReplacedRow> rows = {};                        ///< one for each condition
+  std::vector<LinearEquation> condensed = {};  ///< solve_global eliminates by these, see CondensedCollocation
 };
 
 /// The n N equations D x = f at N nodes with rows replaced (Eqs 5.25, 5.28), for the solvers of algebraic/.
@@ -55,6 +62,8 @@ class GlobalCollocation final : public algebraic::Equations {
   [[nodiscard]] Eigen::VectorXd unknowns(const Start& start) const;
   /// The states of unknowns, one node a column.
   [[nodiscard]] Eigen::MatrixXd states(const Eigen::VectorXd& unknowns) const;
+  /// Does an end condition stand in this equation's place?
+  [[nodiscard]] bool is_replaced(Eigen::Index row) const;
   /// Residuals of the end conditions in their order: what Table 5.3 prints.
   [[nodiscard]] Eigen::VectorXd condition_residuals(const Eigen::VectorXd& unknowns) const;
 
