@@ -95,7 +95,7 @@ scene::Table tabulate(const Study& s) {
   scene::Table table(
       {{"case"}, {"T"}, {"N"}, {"c T", 4}, {"derivative matrix or rows"}, {"largest error", 2}});
   const auto cell = [](double e) {
-    return std::isfinite(e) ? scene::Cell(e) : scene::Cell(std::string("no root"));
+    return std::isfinite(e) ? scene::Cell(e) : scene::Cell(std::string("no solution"));
   };
   for (std::size_t c = 0; c < cases.size(); ++c)
     for (std::size_t d = 0; d < derivatives.size(); ++d) {

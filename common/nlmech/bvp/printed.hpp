@@ -99,7 +99,9 @@ struct GlobalResult {
   Extremal extremal;           ///< solution on one interval through the nodes; its status tells all
   algebraic::Report report;    ///< of the solver
   Eigen::VectorXd conditions;  ///< residuals of the end conditions
-  Eigen::MatrixXd flown;       ///< states flown from the own initial values, at the nodes; Eq. "Delta x"
+  /// States flown from the own initial values, at the nodes (Eq. "Delta x"); fewer columns if the flight was
+  /// off before the end.
+  Eigen::MatrixXd flown;
 };
 
 /// The rows in which the end conditions of an extremal problem of two states stand:
