@@ -21,8 +21,8 @@ void check_arguments(const State& start, double time, double mu, const char* who
 constexpr int data = 8;
 using D = Dual<double, data>;
 
-/// The end of a flyby with its derivatives, in units of r_0. The roots are found in double; one step of
-/// Newton's in dual numbers then carries the derivatives.
+/// The end of a flyby with its derivatives, in units of r_0. The roots are found in double; what they are off
+/// by carries the derivatives.
 BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v, const D& time) {
   const detail::Flyby<D> flyby(direction, v);
   Vector3<double> plain_direction, plain_v;
@@ -31,12 +31,8 @@ BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<
     plain_v[i] = v[i].value;
   }
   const detail::Flyby<double> plain(plain_direction, plain_v);
-  D s0 = plain.begin();
-  s0 = s0 - (flyby.radial(s0) - flyby.sigma) / (flyby.e * stumpff(D(flyby.alpha * s0 * s0)).c0);
-  const D wanted = flyby.time(s0) + time;
-  D s1 = plain.at_time(wanted.value);
-  s1 = s1 - (flyby.time(s1) - wanted) / flyby.distance(s1);
-  return flyby.state(s0, s1);
+  const D wanted = flyby.begin_time(D(plain.begin())) + time;
+  return flyby.state(D(plain.at_time(wanted.value)), wanted);
 }
 
 /// The moved state with its derivatives, found as by kepler_state().

@@ -47,9 +47,10 @@ template <class T>
 namespace detail {
 
 /// A hyperbola that is entered from far, where the terms of F and G cancel: times are counted from the
-/// periapsis, t_p = r_p s + e s^3 c_3, in which nothing does, and the place is found by true anomalies,
-/// tan(nu/2) = ((1 + e)/r_p)^(1/2) U_1(s/2)/U_0(s/2). Units as in Universal. Nothing is divided by the
-/// angular momentum, so that straight lines have derivatives too.
+/// periapsis, t_p = r_p s + e s^3 c_3, in which nothing does. On a fast one s k, k = (-alpha)^(1/2), is the
+/// logarithm of a large number, so that s in double precision is not exact enough; what it is off by is
+/// carried as a small number beside. Units as in Universal. Nothing is divided by the angular momentum, so
+/// that straight lines have derivatives too.
 template <class T>
 struct Flyby {
   Vector3<T> direction, across;  ///< along r_0, and the part of the velocity across it
@@ -68,21 +69,31 @@ struct Flyby {
                     : size * sqrt((x / size) * (x / size) + (sigma / size * sigma) * (p / size));
     rp = p / (1 + e);
   }
-  /// Time since the periapsis, distance, and r.v, at s.
-  [[nodiscard]] T time(const T& s) const { return rp * s + e * s * s * s * stumpff(T(alpha * s * s)).c3; }
-  [[nodiscard]] T distance(const T& s) const { return rp + e * s * s * stumpff(T(alpha * s * s)).c2; }
-  [[nodiscard]] T radial(const T& s) const { return e * s * stumpff(T(alpha * s * s)).c1; }
 
-  /// s at r_0.
+  /// Everything at one s.
+  struct At {
+    T time, r;       ///< since the periapsis; distance
+    T radial, rise;  ///< r.v = dr/ds, and its derivative
+  };
+  [[nodiscard]] At at(const T& s) const {
+    const Stumpff<T> c = stumpff(T(alpha * s * s));
+    return {rp * s + e * s * s * s * c.c3, rp + e * s * s * c.c2, e * s * c.c1, e * c.c0};
+  }
+  /// s at r_0, rounded.
   [[nodiscard]] T begin() const {
     using std::asinh;
     using std::sqrt;
     const T k = sqrt(-alpha);
     return asinh(T(sigma * k / e)) / k;
   }
-  /// s at a time since the periapsis. Kepler's equation from the periapsis is the universal one with r_0 =
-  /// r_p and sigma = 0: in the unit r_p it would be singular for straight lines, so it is solved here, by
-  /// Newton's iteration on a function without inflection for s > 0, from beyond the root.
+  /// Time of r_0 since the periapsis, @p s being begin(): what that is off by is seen in r.v.
+  [[nodiscard]] T begin_time(const T& s) const {
+    const At a = at(s);
+    return a.time + a.r * (sigma - a.radial) / a.rise;
+  }
+  /// s at a time since the periapsis, rounded. Kepler's equation from the periapsis is the universal one with
+  /// r_0 = r_p and sigma = 0: in the unit r_p it would be singular for straight lines, so it is solved here,
+  /// by Newton's iteration on a function without inflection for s > 0, from beyond the root.
   [[nodiscard]] T at_time(const T& wanted) const {
     using std::abs;
     using std::asinh;
@@ -92,29 +103,24 @@ struct Flyby {
     const T n = goal * k * -alpha;
     T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
     for (int i = 0; i < 200; ++i) {
-      const T next = s - (time(s) - goal) / distance(s);
+      const At a = at(s);
+      const T next = s - (a.time - goal) / a.r;
       if (!(next < s)) break;  // monotone until rounding
       s = next;
     }
     return wanted < 0 ? T(-s) : s;
   }
-  /// The state at @p s1, with @p s0 at r_0.
-  [[nodiscard]] BasicState<T> state(const T& s0, const T& s1) const {
-    // cos nu, and sin nu over sqrt(p)
-    const auto anomaly = [this](const T& s, T& cosine, T& sine) {
-      const Stumpff<T> c = stumpff(T(alpha * s * s / 4));
-      const T tangent = s / 2 * c.c1 / c.c0, square = (1 + e) * tangent * tangent, sum = rp + square;
-      cosine = (rp - square) / sum;
-      sine = 2 * tangent / sum;
-    };
-    T cosine0, sine0, cosine1, sine1;
-    anomaly(s0, cosine0, sine0);
-    anomaly(s1, cosine1, sine1);
-    const T turn = cosine1 * cosine0 + p * sine1 * sine0, lift = sine1 * cosine0 - cosine1 * sine0,
-            r = distance(s1);
+  /// The state at the time @p wanted since the periapsis, @p s being at_time(wanted) or its value alone.
+  /// Directions by cos nu = p/(e r) - 1/e and sin nu/p^(1/2) = (dr/dt)/e.
+  [[nodiscard]] BasicState<T> state(const T& s, const T& wanted) const {
+    const At a = at(s);
+    const T off = (wanted - a.time) / a.r, r = a.r + a.radial * off, speed = (a.radial + a.rise * off) / r;
+    const T share = p / e, cosine0 = share - 1 / e, sine0 = sigma / e, cosine = share / r - 1 / e,
+            sine = speed / e;
+    const T turn = cosine * cosine0 + p * sine * sine0, lift = sine * cosine0 - cosine * sine0;
     const Vector3<T> outwards = turn * direction + lift * across,
                      forwards = turn * across - (p * lift) * direction;
-    return {r * outwards, (radial(s1) / r) * outwards + forwards / r};
+    return {r * outwards, speed * outwards + forwards / r};
   }
 };
 
@@ -131,8 +137,8 @@ template <class T>
   const Vector3<T> direction = s.position / r0, v = s.velocity / speed;
   if (v.dot(v) > 3 && direction.dot(v) * time < 0) {
     const detail::Flyby<T> flyby(direction, v);
-    const T begin = flyby.begin();
-    const BasicState<T> end = flyby.state(begin, flyby.at_time(T(flyby.time(begin) + time * speed / r0)));
+    const T wanted = flyby.begin_time(flyby.begin()) + time * speed / r0;
+    const BasicState<T> end = flyby.state(flyby.at_time(wanted), wanted);
     return {r0 * end.position, speed * end.velocity};
   }
   const auto c = lagrange_coefficients(s, time, mu);
