@@ -22,9 +22,17 @@ scene::Chapter rbf_inverse_chapter() {
   add_control_extremes(chapter);
   add_error_vs_time_control(chapter);
   // Section 5.4: Lambert's problem.
+  add_transfer(chapter);
+  add_guesses(chapter);
+  add_shape_study_lambert(chapter);
+  add_porkchop(chapter);
+  add_error_vs_time_lambert(chapter);
   return chapter;
 }
 
-void rbf_inverse_work(CLI::App& app) { add_duffing_command(app); }
+void rbf_inverse_work(CLI::App& app) {
+  add_duffing_command(app);
+  add_lambert_commands(app);
+}
 
 }  // namespace nlmech::chapters

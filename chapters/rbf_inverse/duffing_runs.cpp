@@ -30,37 +30,6 @@ bvp::DuffingSettings printed_settings(DuffingCase which, double final_time) {
   return {.which = which, .final_time = final_time, .beta = bvp::printed_beta(which)};
 }
 
-const std::vector<KnownExtremal>& known_extremals() {
-  static const std::vector<KnownExtremal> all = {
-      {DuffingCase::free,
-       8.941912450065515,
-       {0, 0, 2.060495823933756, 0.215891919825513},
-       {1.406579787605473, 0.975517062167925}},
-      {DuffingCase::fixed, 122.0837680864659, {0, 0, -20.3785164364616, 1.335548229680382}, {5, 2}},
-      {DuffingCase::x1x1,
-       7.995667087524662,
-       {0, 14.08822800786590, 5.850923755444759, 0},
-       {5, 1.011787960236148}},
-      {DuffingCase::x1x2,
-       0.103245928109679,
-       {0, 14.97839700000099, 0.076466977013640, 0},
-       {4.548603692554052, 2}},
-      {DuffingCase::x2x1,
-       9.507655814376282,
-       {-5.56330095391728, 0, 0, -0.70499691970990},
-       {5, 4.115791009731094}},
-      {DuffingCase::harmonic,
-       61.52486965748495,
-       {0, 0, -14.5329639555076, -0.86459967812977},
-       {1.512448336822282, 12.04724790330829}}};
-  return all;
-}
-
-const KnownExtremal& known_extremal(DuffingCase which) {
-  const auto& all = known_extremals();
-  return *std::find_if(all.begin(), all.end(), [&](const KnownExtremal& k) { return k.which == which; });
-}
-
 const std::vector<GlobalVariant>& global_variants() {
   static const std::vector<GlobalVariant> all = {
       {"Gaussian, c T = 9.75 (printed)", bvp::DerivativeMatrix::gaussian, 9.75},

@@ -31,17 +31,19 @@ inline constexpr std::size_t nominal = 1;
 /// A case with the printed values, S = I.
 [[nodiscard]] bvp::DuffingSettings printed_settings(bvp::DuffingCase which, double final_time);
 
-/// A value of the lowest extremal at T = 2 from an independent program: a Taylor method in 36 digits.
+/// The lowest extremal known of a case, from an independent program.
 struct KnownExtremal {
-  bvp::DuffingCase which;       ///< the case
+  bvp::DuffingCase which;       ///< the case, with its printed beta
+  double final_time;            ///< T
   double cost;                  ///< J
   std::array<double, 4> first;  ///< x1, x2, lambda1, lambda2 at 0
   std::array<double, 2> last;   ///< x1, x2 at T
 };
-/// For the six cases.
+/// The six cases and x2x2 at all final times.
 [[nodiscard]] const std::vector<KnownExtremal>& known_extremals();
 /// One of them.
-[[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which);
+[[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which,
+                                                  double final_time = final_times[nominal]);
 
 /// How D is made.
 struct GlobalVariant {

@@ -65,7 +65,7 @@ scene::Showing show(const scene::Run<std::vector<Point>>& run, Workshop& w) {
       if (p.method == m) curves.add(p.seconds, std::max(p.miss, 1e-10));
     }
   }
-  curves.with("logx", "1").with("logy", "1").with("key", "top left");
+  curves.with("logx", "1").with("logy", "1").with("key", "bottom right").with("yrange", "[1e-12:1e3]");
   double best = HUGE_VAL;
   for (const Point& p : points) {
     if (p.method > 0) best = std::min(best, p.miss);

@@ -90,12 +90,21 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
 std::vector<scene::Quantity> promises(const DuffingRuns& runs, Workshop& w) {
   std::vector<scene::Quantity> all;
   const Extremals& at2 = w.result(*runs.extremals[nominal]);
+  double worst_first = 0;
   for (const KnownExtremal& k : known_extremals()) {
-    const bvp::Extremal& e = best_of(at2, k.which);
-    all.push_back(scene::at_most(fmt::format("lowest cost, {}, T = 2", to_string(k.which)), "1", e.cost,
-                                 k.cost * (1 + 1e-9),
-                                 "the best of 150 to 300 starts of an independent program"));
+    const auto time = static_cast<std::size_t>(
+        std::find(final_times.begin(), final_times.end(), k.final_time) - final_times.begin());
+    const bvp::Extremal& e = best_of(w.result(*runs.extremals[time]), k.which);
+    all.push_back(scene::at_most(
+        fmt::format("lowest cost, {}, {}", to_string(k.which), time_label(k.final_time)), "1", e.cost,
+        k.cost * (1 + 1e-9), "the lowest of 270 starts, in 40 digits by an independent Taylor method"));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double off = e.solution.first()[static_cast<Eigen::Index>(i)] - k.first[i];
+      worst_first = std::max(worst_first, std::abs(off) / std::max(1.0, std::abs(k.first[i])));
+    }
   }
+  all.push_back(scene::at_most("largest error of their initial states and co-states", "1", worst_first, 1e-10,
+                               "the same; relative where above 1"));
   double worst_miss = 0;
   for (std::size_t i = 0; i < final_times.size(); ++i)
     for (const bvp::Multistart& m : w.result(*runs.extremals[i]))

@@ -1,16 +1,22 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "chapters/rbf_inverse/porkchop_file.hpp"
+#include "chapters/rbf_inverse/porkchop_map.hpp"
 #include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/orbit/transfer.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
+#include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -21,7 +27,8 @@ struct Words {
   std::string from, to, time, mu = "3.986e14", revolutions = "0", branch, plane, zonal, radius,
                               method = "izzo";
   bool long_way = false;
-  std::string file, grid, shard = "1/1", threads = "0";
+  std::string file, grid, shard, threads = "0";
+  bool plot = false;
   std::vector<std::string> parts;
 };
 
@@ -106,13 +113,24 @@ orbit::LambertArc arc_of(const Words& words) {
   return arc;
 }
 
-/// Collocation with polynomials from near the arc that is asked for.
-orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
+/// Collocation with polynomials, from the guess that turns about the centre the short way.
+orbit::Transfer by_collocation(const orbit::TransferProblem& p, const Words& words,
+                               const orbit::LambertArc& arc) {
   if (arc.revolutions > 0)
-    throw InputError("--method collocation: leads to no arc of whole revolutions; use izzo");
-  orbit::TransferCollocation method{.nodes = 81};
-  if (arc.long_way) throw InputError("--method collocation: finds the short way; use izzo for --long-way");
-  return orbit::collocate(p, method);
+    throw InputError(
+        fmt::format("--method collocation --revolutions {}: no guess is known from which collocation "
+                    "finds an arc of whole revolutions; use --method izzo",
+                    words.revolutions));
+  if (arc.long_way)
+    throw InputError(
+        "--method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use "
+        "--method izzo");
+  orbit::Transfer t = orbit::collocate(p, {.nodes = 81});
+  const orbit::Vector3<double> plane = orbit::cross(p.from, p.to);
+  if (t.status.ok() && plane.dot(orbit::cross(p.from, t.v1)) < 0)
+    t.status = Status::failure(Outcome::spurious_root,
+                               "lambert: collocation has ended on the arc the long way; use --method izzo");
+  return t;
 }
 
 std::string lambert(const Words& words) {
@@ -122,14 +140,65 @@ std::string lambert(const Words& words) {
     throw InputError(fmt::format("--method {}: there are izzo and collocation", words.method));
   orbit::Transfer t;
   try {
-    t = words.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, arc);
+    t = words.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, words, arc);
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
+  if (t.status.outcome() ==
+      Outcome::outside_validity)  // positions that determine no plane, an impossible time
+    throw InputError(fmt::format("--from {} --to {} --time {}: {}", words.from, words.to, words.time,
+                                 t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
   return fmt::format(
       "vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
       t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
+}
+
+/// A folder for the data of a drawing, gone with it.
+class Scratch {
+ public:
+  Scratch() : path_(std::filesystem::temp_directory_path() / fmt::format("nlmech-porkchop-{}", ::getpid())) {}
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
+std::pair<double, std::string> short_unit(double largest, const std::string& label) {
+  if (!(largest >= 1e4 || (largest > 0 && largest < 1e-2))) return {1, label};
+  const double exponent = 3 * std::floor(std::log10(largest) / 3);
+  return {std::pow(10, exponent), fmt::format("{} in 10^{{{:.0f}}}", label, exponent)};
+}
+
+/// The units of the file, which are not known.
+PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
+  PorkchopAxes axes{.heading = "Excess speeds by departure and arrival"};
+  double latest = 0, least = HUGE_VAL;
+  for (const auto* times : {&grid.departures, &grid.arrivals}) {
+    for (const double t : *times) latest = std::max(latest, std::abs(t));
+  }
+  for (const orbit::PorkchopCell& cell : grid.cells) least = std::min(least, cell.v_departure);
+  std::tie(axes.time, axes.departure) = short_unit(latest, axes.departure);
+  axes.arrival = short_unit(latest, axes.arrival).second;
+  std::tie(axes.speed_unit, axes.speed) = short_unit(4 * least, axes.speed);
+  return axes;
+}
+
+/// <name of the TOML file>.svg in the current folder.
+void plot(const Words& words, const orbit::Porkchop& grid) {
+  const std::string stem = words.file == "-" ? "porkchop" : std::filesystem::path(words.file).stem().string();
+  const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
+  const Scratch folder;
+  scene::write_whole(folder.path() / "data.csv", figure.data.csv());
+  scene::write_whole(stem + ".svg", scene::draw(scene::data_folder() / "figures", figure.template_name,
+                                                folder.path(), "data.csv", figure.variables));
 }
 
 std::string porkchop(const Words& words) {
@@ -137,10 +206,14 @@ std::string porkchop(const Words& words) {
   const auto [rows, columns] = halves("--grid", words.grid, 'x');
   p.departures.count = whole("--grid", rows, 1, 1'000'000);
   p.arrivals.count = whole("--grid", columns, 1, 1'000'000);
-  const auto [shard, shards] = halves("--shard", words.shard, '/');
   orbit::PorkchopWork work{.threads = whole("--threads", words.threads, 0, 1024)};
-  work.shards = whole("--shard", shards, 1, 1'000'000);
-  work.shard = whole("--shard", shard, 1, work.shards);
+  if (!words.shard.empty()) {
+    const auto [shard, shards] = halves("--shard", words.shard, '/');
+    work.shards = whole("--shard", shards, 1, 1'000'000);
+    work.shard = whole("--shard", shard, 1, work.shards);
+    if (words.plot)
+      throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", words.shard));
+  }
   orbit::Porkchop grid;
   try {
     grid = orbit::porkchop(p, work);
@@ -148,7 +221,8 @@ std::string porkchop(const Words& words) {
     throw InputError(fmt::format("{}: {}", words.file, error.what()));
   }
   if (!grid.status.ok()) throw Failure(grid.status);
-  return porkchop_csv(grid);
+  if (words.plot) plot(words, grid);
+  return words.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid);
 }
 
 std::string merge(const Words& words) {
@@ -198,10 +272,11 @@ void add_porkchop_commands(CLI::App& app) {
                    "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
       ->required();
   command->add_option("--grid", words->grid, "NxM: departures and arrivals")->required();
-  command->add_option("--shard", words->shard, "i/n: the i-th of n disjoint parts")->capture_default_str();
+  command->add_option("--shard", words->shard, "i/n: the i-th of n disjoint parts, for merge");
   command->add_option("--threads", words->threads, "how many; 0: one a processor")->capture_default_str();
+  command->add_flag("--plot", words->plot, "also draws the grid: <name of the TOML file>.svg in this folder");
   const auto others = std::make_shared<Words>();
-  add(app, "merge", "Puts shards of one grid together, in any order, as CSV", others, merge)
+  add(app, "merge", "Joins all shards of one grid, given in any order, to what one run writes", others, merge)
       ->add_option("parts", others->parts, "files written by porkchop --shard")
       ->required();
 }

@@ -4,13 +4,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/csv.hpp"
@@ -97,7 +98,9 @@ orbit::Elements shape_of(const Reader& r) {
       r.refuse(r.at("a"), fmt::format("{} = {}: {}", r.full("a"), r.required("a"), error.what()));
     }
   }
-  return {.semi_latus_rectum = r.required("p"), .eccentricity = e};
+  const double p = r.required("p");
+  if (!(p > 0)) r.refuse(r.at("p"), fmt::format("{} = {} must be positive", r.full("p"), p));
+  return {.semi_latus_rectum = p, .eccentricity = e};
 }
 
 orbit::Ephemeris orbit_of(const Reader& r, double mu) {
@@ -118,7 +121,7 @@ orbit::Ephemeris orbit_of(const Reader& r, double mu) {
   try {
     body.state = orbit::state_of(conic, mu);
   } catch (const std::invalid_argument& error) {
-    r.refuse(nullptr, error.what());
+    r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
   }
   return body;
 }
@@ -135,6 +138,72 @@ orbit::Window window_of(const Reader& r) {
 void add_row(std::string& text, double departure, double arrival, double v1, double v2, double revolutions) {
   fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.0f}\n", departure, arrival, v1,
                  v2, revolutions);
+}
+
+/// A number for everything that the cells depend on: FNV-1a of all values in hexadecimal digits.
+std::uint64_t digest(const orbit::PorkchopProblem& p) {
+  std::string text =
+      fmt::format("{:a} {} {:a} {:a} {} {:a} {:a} {}", p.mu, p.departures.count, p.departures.first,
+                  p.departures.last, p.arrivals.count, p.arrivals.first, p.arrivals.last, p.most_revolutions);
+  for (const orbit::Ephemeris* body : {&p.from, &p.to}) {
+    text += fmt::format(" {:a}", body->epoch);
+    for (int k = 0; k < 3; ++k)
+      text += fmt::format(" {:a} {:a}", body->state.position[k], body->state.velocity[k]);
+  }
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+/// What the first line of a part says.
+struct Label {
+  int shard = 0, shards = 0;
+  std::string grid;  ///< "200 x 300 problem 9f86d081884c7d65"
+  std::int64_t rows = 0;
+};
+
+Label label_of(const PorkchopPart& part) {
+  const std::string line = part.text.substr(0, std::min<std::size_t>(part.text.find('\n'), 200));
+  std::istringstream in(line);
+  std::string mark, shard, slash, grid, down, times, across, rows, problem, number, rest;
+  Label label;
+  in >> mark >> shard >> label.shard >> slash >> label.shards >> grid >> down >> times >> across >> rows >>
+      label.rows >> problem >> number;
+  if (!in || (in >> rest) ||
+      mark + shard + slash + grid + times + rows + problem != "#shard/gridxrowsproblem" || label.shard < 1 ||
+      label.shard > label.shards || label.shards > 1'000'000 || label.rows < 0)
+    throw InputError(
+        fmt::format("{}, line 1: '{}' does not say which part of which grid this is; merge joins what "
+                    "porkchop --shard i/n writes",
+                    part.name, line));
+  label.grid = fmt::format("{} x {} problem {}", down, across, number);
+  return label;
+}
+
+/// The parts by number, each there once.
+std::vector<const PorkchopPart*> in_order(const std::vector<PorkchopPart>& parts) {
+  const Label first = label_of(parts.at(0));
+  std::vector<const PorkchopPart*> ordered(static_cast<std::size_t>(first.shards), nullptr);
+  for (const PorkchopPart& part : parts) {
+    const Label label = label_of(part);
+    if (label.grid != first.grid || label.shards != first.shards)
+      throw InputError(fmt::format(
+          "{}, line 1: shard {} / {} of grid {} is no part of that of {}: {} shards of grid {}", part.name,
+          label.shard, label.shards, label.grid, parts[0].name, first.shards, first.grid));
+    const PorkchopPart*& place = ordered[static_cast<std::size_t>(label.shard - 1)];
+    if (place != nullptr)
+      throw InputError(fmt::format("{}: shard {} / {} is in {} already", part.name, label.shard, label.shards,
+                                   place->name));
+    place = &part;
+  }
+  std::string missing;
+  for (std::size_t k = 0; k < ordered.size(); ++k) {
+    if (ordered[k] == nullptr && missing.size() < 60)
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", k + 1);
+  }
+  if (!missing.empty())
+    throw InputError(fmt::format("{}: shards {} of {} are missing", parts[0].name, missing, first.shards));
+  return ordered;
 }
 
 }  // namespace
@@ -176,31 +245,35 @@ std::string porkchop_csv(const orbit::Porkchop& grid) {
   return text;
 }
 
+std::string porkchop_part_csv(const orbit::PorkchopProblem& problem, const orbit::PorkchopWork& work,
+                              const orbit::Porkchop& grid) {
+  const auto rows = std::count_if(grid.cells.begin(), grid.cells.end(),
+                                  [](const orbit::PorkchopCell& cell) { return cell.exists(); });
+  return fmt::format("# shard {} / {} grid {} x {} rows {} problem {:016x}\n", work.shard, work.shards,
+                     problem.departures.count, problem.arrivals.count, rows, digest(problem)) +
+         porkchop_csv(grid);
+}
+
 std::string merged(const std::vector<PorkchopPart>& parts) {
-  struct Row {
-    std::array<double, 5> value;
-    std::size_t part, line;
-  };
-  std::vector<Row> rows;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const scene::NumberColumns n = scene::parse_numbers(parts[k].text, parts[k].name, header);
-    for (std::size_t i = 0; i < n.rows(); ++i)
-      rows.push_back(
-          {{n.column[0][i], n.column[1][i], n.column[2][i], n.column[3][i], n.column[4][i]}, k, n.line[i]});
-  }
-  const auto times = [](const Row& r) { return std::pair(r.value[0], r.value[1]); };
-  std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return times(a) < times(b); });
+  const std::vector<const PorkchopPart*> ordered = in_order(parts);
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& r = rows[i];
-    if (i > 0 && times(rows[i - 1]) == times(r)) {
-      throw InputError(
-          fmt::format("{}, line {}: departure {:.17g} and arrival {:.17g} are in {}, line {} already; "
-                      "shards of one grid are disjoint",
-                      parts[r.part].name, r.line, r.value[0], r.value[1], parts[rows[i - 1].part].name,
-                      rows[i - 1].line));
+  std::pair<double, double> before(-HUGE_VAL, -HUGE_VAL);
+  for (const PorkchopPart* part : ordered) {
+    const scene::NumberColumns n = scene::parse_numbers(part->text, part->name, header);
+    const std::int64_t announced = label_of(*part).rows;
+    if (static_cast<std::int64_t>(n.rows()) != announced)
+      throw InputError(fmt::format("{}: {} rows where its first line announces {}: the file is not whole",
+                                   part->name, n.rows(), announced));
+    for (std::size_t i = 0; i < n.rows(); ++i) {
+      const std::pair<double, double> times(n.column[0][i], n.column[1][i]);
+      if (!(before < times))
+        throw InputError(
+            fmt::format("{}, line {}: departure {:.17g} and arrival {:.17g} do not come after {:.17g} "
+                        "and {:.17g}",
+                        part->name, n.line[i], times.first, times.second, before.first, before.second));
+      before = times;
+      add_row(text, times.first, times.second, n.column[2][i], n.column[3][i], n.column[4][i]);
     }
-    add_row(text, r.value[0], r.value[1], r.value[2], r.value[3], r.value[4]);
   }
   return text;
 }

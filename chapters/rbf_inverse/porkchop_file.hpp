@@ -19,14 +19,20 @@ namespace nlmech::chapters {
 /// departure,arrival,v_departure,v_arrival,revolutions: a row for each pair of times with a transfer.
 [[nodiscard]] std::string porkchop_csv(const orbit::Porkchop& grid);
 
-/// A shard as read back.
+/// The same of a part, and before it a line that says which: "# shard 2 / 4 grid 200 x 300 rows 17123 problem
+/// 9f86d081884c7d65", the last a number that depends on everything in @p problem.
+[[nodiscard]] std::string porkchop_part_csv(const orbit::PorkchopProblem& problem,
+                                            const orbit::PorkchopWork& work, const orbit::Porkchop& grid);
+
+/// A part as read back.
 struct PorkchopPart {
   std::string text;  ///< the file's
   std::string name;  ///< the file's, for complaints
 };
 
-/// The rows of all parts by departure, then arrival: what one run without shards writes.
-/// @throws InputError naming file and line for what is no number, or a pair of times that was there before
+/// All parts of one grid, given in any order, joined: the bytes that one run without shards writes.
+/// @throws InputError naming the file, and line and value where there is one, for what is no part or of
+/// another grid, a part that was there before, one that is not whole, parts that are missing
 [[nodiscard]] std::string merged(const std::vector<PorkchopPart>& parts);
 
 }  // namespace nlmech::chapters

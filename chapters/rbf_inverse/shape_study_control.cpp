@@ -56,7 +56,7 @@ Study compute(const DuffingRuns& runs, Workshop& w) {
   Study s;
   s.shapes = {1, 1.5, 2, 3, 4, 5, 6, 7, 7.5, 8, 9, 9.75, 11, 13};
   s.counts = {10, 14, 20, 28, 40, 56, 80, 112};
-  if (!w.quick()) s.counts.push_back(160);
+  if (!w.quick()) s.counts.push_back(200);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const bvp::ExtremalProblem problem = duffing_problem(printed_settings(cases[c], 2));
     const bvp::Start start = start_from(best_of(w.result(*runs.extremals[nominal]), cases[c]).solution);
@@ -95,7 +95,7 @@ scene::Table tabulate(const Study& s) {
   scene::Table table(
       {{"case"}, {"T"}, {"N"}, {"c T", 4}, {"derivative matrix or rows"}, {"largest error", 2}});
   const auto cell = [](double e) {
-    return std::isfinite(e) ? scene::Cell(e) : scene::Cell(std::string("no root"));
+    return std::isfinite(e) ? scene::Cell(e) : scene::Cell(std::string("no solution"));
   };
   for (std::size_t c = 0; c < cases.size(); ++c)
     for (std::size_t d = 0; d < derivatives.size(); ++d) {

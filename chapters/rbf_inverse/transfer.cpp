@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,10 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
                       {"condition", 2}});
   const auto add = [&](const std::string& name, const orbit::Transfer& t, const scene::Cell& condition) {
     const Vector3<double> d = miss_vector(t.v1);
+    std::optional<double> iterations;  // Izzo's method has none of Newton's
+    if (t.statistics.newton_iterations > 0) iterations = static_cast<double>(t.statistics.newton_iterations);
     table.add({name, std::abs(d[0]), std::abs(d[1]), std::abs(d[2]), d.norm(), velocity_error(t.v1),
-               t.statistics.newton_iterations, condition});
+               scene::to_cell(iterations), condition});
   };
   table.add({"printed", 9.6e-3, 16.3e-3, 10.2e-3, std::hypot(9.6e-3, 16.3e-3, 10.2e-3), {}, {}, {}});
   const auto& printed = w.result(*runs.printed);
@@ -77,8 +80,9 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
   return {
       {},
       std::move(table),
-      {scene::near("condition of the printed functions", "1", std::log10(printed.front().condition), 17.3,
-                   0.05, program + "1.9e17, as its logarithm; rounding is all there is"),
+      {scene::near("log10 of the condition of the printed functions", "1",
+                   std::log10(printed.front().condition), 17.3, 0.05,
+                   program + "1.9e17, as its logarithm; rounding is all there is"),
        {"best of twelve units of time, as printed", "m", least->miss, 0.05, 500,
         program + "4.7 m at best; a lottery of rounding around 57 m"},
        {"worst of twelve units of time, as printed", "m", most->miss, 50, 1e5, program + "1.8 km at worst"},
@@ -114,7 +118,8 @@ scene::Showing show_history(const TransferRuns& runs, Workshop& w, bool velocity
     for (Eigen::Index j = 0; j < nodes.times.size(); ++j)
       curves.add(nodes.times[j], (velocity ? nodes.velocities : nodes.positions)(k, j) / 1e3);
   }
-  curves.with("key", velocity ? "top right" : "bottom left");
+  curves.with("key", velocity ? "top right" : "top left");
+  if (!velocity) curves.with("yrange", "[-2000:18000]");
   scene::Showing showing;
   showing.figure = curves.take();
   showing.quantities = {
@@ -131,7 +136,7 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
   const Vector3<double> ex = p.from.normalized(), n = orbit::cross(p.from, izzo.v1).normalized(),
                         ey = orbit::cross<double>(n, ex);
   ControlCurves curves("Lambert's problem: two positions and a time make an orbit");
-  curves.panel("in the plane of the orbit, along r_0 (1000 km)", "across (1000 km)");
+  curves.panel("in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
   const auto add = [&](const Vector3<double>& r) { curves.add(r.dot(ex) / 1e6, r.dot(ey) / 1e6); };
   const double period = 2 * std::acos(-1.0) / std::sqrt(p.gravity.mu) *
                         std::pow(orbit::reciprocal_axis(orbit::State{p.from, izzo.v1}, p.gravity.mu), -1.5);
@@ -145,7 +150,8 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
     add({0, 0, 0});
     add(end);
   }
-  curves.with("key", "bottom right").overall("height", "520");
+  // Both axes have the same scale.
+  curves.with("key", "top left").with("xrange", "[-2:14]").with("yrange", "[-2.6:6.8]");
   const Vector3<double> e = orbit::eccentricity_vector(orbit::State{p.from, izzo.v1}, p.gravity.mu);
   scene::Showing showing;
   showing.figure = curves.take();

@@ -124,6 +124,8 @@ TEST(Extremal, RefusesWhatCannotBeMeant) {
   task = rest_to_rest(2);
   task.waypoints = {{2.5, 0, 1}};
   EXPECT_THROW((void)mass(task), std::invalid_argument);
+  task.waypoints = {{1, 0, 1}, {1, 0, 2}};  // the same component twice, with two values
+  EXPECT_THROW((void)mass(task), std::invalid_argument);
   task = rest_to_rest(2);
   task.constraints.control_limit = -1;
   EXPECT_THROW((void)mass(task), std::invalid_argument);

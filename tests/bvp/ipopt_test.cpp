@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "nlmech/bvp/duffing.hpp"
 
 namespace nlmech::peers {
@@ -26,6 +28,34 @@ TEST(Ipopt, StartsTheFixedDuffingCase) {
   ASSERT_TRUE(e.solution.status.ok()) << e.solution.status.text();
   EXPECT_NEAR(e.cost, 122.0837680864659, 1e-9);  // 36-digit reference
   EXPECT_THROW((void)ipopt_start(problem, guess, {.pieces = 1}), std::invalid_argument);
+}
+
+// Another way to the six cases at T = 1 and 5: an interior-point method on the trapezoidal rule, from forces
+// and begins of its own. The extremals that it leads to cost no less than what the own starts find.
+TEST(Ipopt, FindsNothingCheaper) {
+  if (!ipopt_available()) GTEST_SKIP() << "no Ipopt in this build";
+  using enum bvp::DuffingCase;
+  int solved = 0;
+  for (const double T : {1.0, 5.0}) {
+    for (const bvp::DuffingCase which : {free, fixed, x1x1, x1x2, x2x1, harmonic}) {
+      const bvp::DuffingSettings settings{.which = which, .final_time = T, .beta = bvp::printed_beta(which)};
+      const bvp::ExtremalProblem problem = bvp::duffing_problem(settings);
+      const bvp::Multistart own = duffing_extremals(settings, {.random = 0}, {}, {});
+      ASSERT_FALSE(own.found.empty()) << to_string(which);
+      for (const double v : {-15.0, 0.0, 15.0}) {
+        const bvp::ControlGuess guess{Eigen::Vector2d(v / 5, v), [v, T](double t, VectorXd& u) {
+                                        u[0] = v == 0 ? 1 : v * std::sin(4 * t / T);
+                                      }};
+        const bvp::DirectResult direct = ipopt_start(problem, guess, {.pieces = 120, .iterations = 120});
+        if (!direct.status.ok()) continue;
+        const bvp::Extremal e = bvp::solve_extremal(problem, direct.start);
+        if (!e.solution.status.ok()) continue;
+        ++solved;
+        EXPECT_GE(e.cost, own.found[0].extremal.cost * (1 - 1e-9)) << to_string(which) << ", T = " << T;
+      }
+    }
+  }
+  EXPECT_GE(solved, 18);  // half of them
 }
 
 }  // namespace

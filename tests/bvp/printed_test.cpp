@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/bvp/condensed.hpp"
 #include "nlmech/bvp/duffing.hpp"
 
 namespace nlmech::bvp {
@@ -105,6 +106,55 @@ TEST(Printed, DerivativeOfTheEquationsMatchesDifferences) {
   VectorXd transposed(x.size());
   equations.apply_transposed(v, transposed);
   EXPECT_LE((b.transpose() * v - transposed).norm(), 1e-12 * transposed.norm());
+}
+
+// x1' = x2 and lambda2' = -lambda1 are linear with constants: Newton's steps in the other unknowns stay.
+TEST(Condensed, TakesTheSameStepsWithHalfTheUnknowns) {
+  for (const DuffingCase which : {DuffingCase::free, DuffingCase::fixed, DuffingCase::x1x2}) {
+    const ExtremalProblem problem = duffing_problem(settings_of(which));
+    const GlobalMethod method{
+        .nodes = 20, .derivative = DerivativeMatrix::polynomial, .rows = printed_rows(problem)};
+    GlobalCollocation equations(problem, method);
+    CondensedCollocation condensed(problem, equations, {{0, 1}, {3, 2}});
+    EXPECT_LE(condensed.size(), 2 * 20 + 2);
+    VectorXd all = equations.unknowns(random_start(Eigen::Vector4d::Ones(), 0, 2, 3));
+    VectorXd some = condensed.reduced(all), f(all.size()), g(some.size());
+    for (int k = 0; k < 3; ++k) {
+      MatrixXd b, c;
+      equations.residual(all, f);
+      equations.linearise(all);
+      equations.matrix(b);
+      all -= b.partialPivLu().solve(f);
+      condensed.residual(some, g);
+      condensed.linearise(some);
+      condensed.matrix(c);
+      some -= c.partialPivLu().solve(g);
+      // Conditions of some 1e5 times rounding, and what iterates that wander magnify.
+      EXPECT_LE((condensed.expanded(some) - all).norm(), 1e-8 * (1 + all.norm()))
+          << to_string(which) << ", step " << k;
+    }
+  }
+}
+
+TEST(Condensed, FindsTheSameRoot) {
+  const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::free));
+  GlobalMethod method{.derivative = DerivativeMatrix::polynomial, .rows = printed_rows(problem)};
+  const Start start = constant_start(VectorXd::Zero(4));
+  const GlobalResult whole = solve_global(problem, method, start);
+  method.condensed = {{0, 1}, {3, 2}};
+  const GlobalResult half = solve_global(problem, method, start);
+  ASSERT_TRUE(whole.report.status.ok()) << whole.report.status.text();
+  ASSERT_TRUE(half.report.status.ok()) << half.report.status.text();
+  EXPECT_NEAR(half.extremal.cost, whole.extremal.cost, 1e-10 * whole.extremal.cost);
+}
+
+TEST(Condensed, RefusesEquationsThatAreNotOfItsForm) {
+  const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::free));
+  GlobalCollocation equations(problem, {.rows = printed_rows(problem)});
+  EXPECT_THROW(CondensedCollocation(problem, equations, {{1, 3}}), std::invalid_argument);  // Eq. 5.18
+  EXPECT_THROW(CondensedCollocation(problem, equations, {{0, 2}}), std::invalid_argument);
+  EXPECT_THROW(CondensedCollocation(problem, equations, {{0, 4}}), std::invalid_argument);
+  EXPECT_THROW(CondensedCollocation(problem, equations, {{0, 1}, {0, 1}}), std::invalid_argument);
 }
 
 TEST(Printed, RefusesRowsThatDoNotFit) {

@@ -56,6 +56,36 @@ RC_GTEST_PROP(Kepler, ErrorOfFlybysToo, ()) {
   RC_ASSERT(error_in_kappa_eps(s, *between(0, 3) / speed, 1) <= promised);
 }
 
+// Aimed at the centre within any fraction of eps of a straight line, at any speed; also exactly, along an
+// axis.
+RC_GTEST_PROP(Kepler, ErrorOfFlybysThatGrazeTheCentreToo, ()) {
+  const double speed = std::pow(10, *between(0.3, 8)), aside = std::pow(10, *between(-18, -6));
+  State s = random_state(1, 1, speed, pi - aside);
+  if (*rc::gen::inRange(0, 4) == 0) s = {{1, 0, 0}, {-speed, speed * aside, 0}};
+  if (*rc::gen::inRange(0, 8) == 0) s = {{1, 0, 0}, {-speed, 0, 0}};
+  const double time = *between(0, 3) / speed;
+  const KeplerCondition kappa = kepler_condition(s, time, 1);
+  RC_ASSERT(std::isfinite(kappa.position));
+  RC_ASSERT(std::isfinite(kappa.velocity));
+  RC_ASSERT(error_in_kappa_eps(s, time, 1) <= promised);
+}
+
+// So fast that squares of the eccentricity are no doubles: a straight line, r + v t to (1/v)^2.
+TEST(Kepler, FastestFlybys) {
+  for (const double speed : {1e10, 1e50, 1e90, 1e149}) {
+    const State s{{1, 0, 0}, {-0.5 * speed, 0.75 * speed, 0.25 * speed}};
+    const KeplerSolution k = propagate_kepler(s, 1 / speed, 1);
+    ASSERT_TRUE(k.status.ok());
+    const KeplerCondition kappa = kepler_condition(s, 1 / speed, 1);
+    const Vector3<double> end(0.5, 0.75, 0.25);
+    // Of r + v t: |r|, |v| three times, and v t, over the end; of v: each of its components.
+    EXPECT_NEAR(kappa.position, (3 + 4 * std::sqrt(0.875)) / end.norm(), 1e-6) << speed;
+    EXPECT_NEAR(kappa.velocity, 3, 1e-6) << speed;
+    EXPECT_LE((k.state.position - end).norm(), promised * eps * kappa.position * end.norm()) << speed;
+    EXPECT_LE((k.state.velocity - s.velocity).norm() / speed, promised * eps * 3) << speed;
+  }
+}
+
 TEST(Kepler, ParabolaWhoseSpeedIsExact) {
   const State s{{0, 2, 0}, {-1, 0, 0}};  // v.v = 2 mu/r to the last bit
   for (const double t : {-1e6, -3., -0.1, 0.2, 5., 1e8})

@@ -21,6 +21,7 @@ TEST(Lambert, TimeOfFlightToZero) {
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     // Attraction, about 1, changes the velocity by time, of 1/time; two roundings.
     EXPECT_LE((s.v1 * time - (p.to - p.from)).norm(), 2 * time * time + 8 * eps) << time;
+    EXPECT_LE(miss(p, s), promised) << time;
   }
   p.time = 1e-200;
   const LambertSolution s = solve_lambert(p);

@@ -102,6 +102,15 @@ class Descent {
     return x + h_ / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
 
+  /// The cost's rate with the penalties; second derivatives are not made where there are none.
+  [[nodiscard]] double rate(Index k, const VectorXd& x, const VectorXd& u) const {
+    if (task_.constraints.penalty_weight > 0) {
+      return model_.expand(time(k), x, u, VectorXd::Zero(n_), task_.mu, task_.constraints).value;
+    }
+    VectorXd g(n_);
+    return model_.dynamics(time(k), x, u, task_.mu, g);
+  }
+
   /// Derivatives of next() by x and u, stage by stage.
   void linearise(Index k, MatrixXd& a, MatrixXd& b) const {
     const double t = time(k);
@@ -135,10 +144,9 @@ class Descent {
   /// Follows x from its first column under u; false if it is not finite.
   bool fly(Trajectory& trajectory) const {
     double running = 0;
-    const VectorXd zero = VectorXd::Zero(n_);
     for (Index k = 0; k < steps_; ++k) {
       const VectorXd x = trajectory.x.col(k), u = trajectory.u.col(k);
-      running += h_ * model_.expand(time(k), x, u, zero, task_.mu, task_.constraints).value;
+      running += h_ * rate(k, x, u);
       trajectory.x.col(k + 1) = next(k, x, u);
     }
     trajectory.merit = running + target_cost(trajectory);
@@ -217,7 +225,6 @@ class Descent {
     trial.x = now_.x;
     trial.u = now_.u;
     trial.x.col(0) += fraction * begin_change_;
-    const VectorXd zero = VectorXd::Zero(n_);
     const double limit = task_.constraints.control_limit;
     double running = 0;
     for (Index k = 0; k < steps_; ++k) {
@@ -228,7 +235,7 @@ class Descent {
       const VectorXd x = trial.x.col(k);
       if (!x.allFinite() || !u.allFinite()) return false;
       trial.u.col(k) = u;
-      running += h_ * model_.expand(time(k), x, u, zero, task_.mu, task_.constraints).value;
+      running += h_ * rate(k, x, u);
       trial.x.col(k + 1) = next(k, x, u);
     }
     trial.merit = running + target_cost(trial);

@@ -86,9 +86,12 @@ struct DuffingSettings {
 /// The problem of extremals.
 [[nodiscard]] ExtremalProblem duffing_problem(const DuffingSettings& settings);
 
-/// Trajectory under the force f = g x2/sqrt(2 E) that changes sqrt(E) linearly in time, E the energy: flown
-/// backward from the target, with lambda2 = -f and lambda1 = -dlambda2/dt. g = k (sqrt(E_F) - sqrt(E_0))/T.
-/// @param strength k: 1.9 to 2.8 reach the neighbourhood of a start at rest
+/// Trajectory under the cheapest force that raises the energy E over many swings: f = g x2/sqrt(m(E)), m the
+/// mean of x2^2 over a swing, so that the integral of dE/sqrt(m) grows linearly in time. (The mean of E' is
+/// p m for f = p x2, at a cost of p^2 m/2; least for E'/sqrt(m) constant.) Flown backward from the target,
+/// with lambda2 = -f and lambda1 = -dlambda2/dt. It costs (integral of dE/sqrt(m))^2/(2 T), about 3 E/(2 T).
+/// @param strength g over the one that reaches the begin's energy by that mean; 1.02 is best, 0.9 to 1.2 lead
+/// to neighbouring extremals
 [[nodiscard]] Start pump_start(const DuffingSettings& settings, double strength);
 
 /// The unforced trajectory, lambda = 0, from x(0); or backward from x(T).
@@ -99,11 +102,15 @@ struct DuffingSettings {
 struct DuffingStarts {
   bool constants = true;  ///< zeros and ones
   int unforced = 12;      ///< trajectories without force, over the free values of the begin
-  int pumps = 6;          ///< pump_start, k from 1.9 to 2.8
+  int pumps = 6;          ///< pump_start of strengths 0.9 to 1.2
   int direct = 12;        ///< direct_start from zero, constant, pumping and unforced guesses
   int random = 12;        ///< random_start
   unsigned seed = 1;      ///< of the random ones
   int direct_pieces = 0;  ///< of direct_start; 0: by the number of oscillations
+  /// direct_start from pump_start of strengths 1 to 1.08, where T holds four swings or more; 20 ms a swing.
+  int driven = 6;
+  /// Penalty of a miss as large as the target, over the expected cost, of these; less for very many swings.
+  double driven_weight = 2000;
 };
 
 /// The program's own starts: nothing but the settings goes in.

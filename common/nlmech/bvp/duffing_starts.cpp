@@ -34,14 +34,20 @@ double fast_frequency(const DuffingSettings& s) {
   return std::sqrt(w2 + 0.75 * std::max(s.beta, 0.0) * amplitude2);
 }
 
-/// Mesh and table of a trajectory: forty steps a cycle at least.
+/// From so many swings on, starts that know of none lead to expensive extremals or to none.
+constexpr double many_swings = 4;
+
+/// Oscillations within T at the target's energy.
+double swings(const DuffingSettings& s) { return fast_frequency(s) * s.final_time / (2 * std::numbers::pi); }
+
+/// Steps of a table of a trajectory.
 int table_steps(const DuffingSettings& s) {
-  const double cycles = fast_frequency(s) * s.final_time / (2 * std::numbers::pi);
+  const double cycles = swings(s);
   return std::clamp(static_cast<int>(std::lround(200 * cycles)), 400, 20000);
 }
 
 std::vector<double> mesh_for(const DuffingSettings& s) {
-  const double cycles = fast_frequency(s) * s.final_time / (2 * std::numbers::pi);
+  const double cycles = swings(s);
   const int intervals = std::clamp(static_cast<int>(std::ceil(6 * cycles)), 8, 800);
   std::vector<double> mesh;
   for (int i = 0; i <= intervals; ++i) mesh.push_back(s.final_time * i / intervals);
@@ -81,16 +87,45 @@ MatrixXd table_of(const DuffingSettings& s, Vector2d x, bool from_the_end, const
   return table;
 }
 
+/// m(E): the mean of x2^2 over an unforced swing of energy E. With x1 = a sin(phi) the speed is a cos(phi) g,
+/// g smooth, and the midpoint rule over a quarter is exact to rounding but for the last digits.
+double mean_square_velocity(const DuffingSettings& s, double e) {
+  const double w2 = s.frequency * s.frequency, beta = std::max(s.beta, 0.0);
+  const double amplitude2 = 4 * e / (w2 + std::sqrt(w2 * w2 + 4 * beta * e));
+  constexpr int points = 8;
+  double squares = 0, times = 0;
+  for (int i = 0; i < points; ++i) {
+    const double phase = (i + 0.5) / points * std::numbers::pi / 2, sine = std::sin(phase),
+                 cosine = std::cos(phase);
+    const double g = std::sqrt(w2 + beta / 2 * amplitude2 * (1 + sine * sine));
+    squares += amplitude2 * cosine * cosine * g;
+    times += 1 / g;
+  }
+  return squares / times;
+}
+
+/// Integral of dE/sqrt(m(E)) from 0 to e, by the midpoint rule in sqrt(E), in which it is nearly linear.
+double distance_of_energy(const DuffingSettings& s, double e) {
+  constexpr int parts = 200;
+  double sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    const double root = (i + 0.5) / parts, at = e * root * root;
+    if (at > 0) sum += 2 * root * e / parts / std::sqrt(mean_square_velocity(s, at));
+  }
+  return sum;
+}
+
 double pump_gain(const DuffingSettings& s, double strength) {
-  const double rise = std::sqrt(energy(s, duffing_target(s))) - std::sqrt(energy(s, known_begin(s)));
+  const double rise =
+      distance_of_energy(s, energy(s, duffing_target(s))) - distance_of_energy(s, energy(s, known_begin(s)));
   return strength * rise / s.final_time;
 }
 
 Force pump(const DuffingSettings& s, double strength) {
-  const double gain = pump_gain(s, strength);
-  return [s, gain](const Vector2d& x) {
+  const double gain = pump_gain(s, strength), least = 1e-9 * energy(s, duffing_target(s));
+  return [s, gain, least](const Vector2d& x) {
     const double e = energy(s, x);
-    return e > 1e-12 ? gain * x[1] / std::sqrt(2 * e) : 0;
+    return e > least ? gain * x[1] / std::sqrt(mean_square_velocity(s, e)) : 0;
   };
 }
 
@@ -131,8 +166,9 @@ std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
 
 void add_direct(const DuffingSettings& s, const DuffingStarts& which, std::vector<Start>& starts) {
   const ExtremalProblem problem = duffing_problem(s);
-  const double cycles = fast_frequency(s) * s.final_time / (2 * std::numbers::pi);
-  DirectOptions options;
+  const double cycles = swings(s);
+  // The neighbourhood of a minimum is enough.
+  DirectOptions options{.weight_growth = 40, .rounds = 4, .tolerance = 1e-4};
   options.pieces = which.direct_pieces > 0 ? which.direct_pieces
                                            : std::clamp(static_cast<int>(std::lround(60 * cycles)), 80, 2000);
   const auto forces = forces_in_time(s, which.direct);
@@ -149,20 +185,43 @@ void add_direct(const DuffingSettings& s, const DuffingStarts& which, std::vecto
   }
 }
 
+/// Starts for many swings: descent from pumps. Each is left after one round with a penalty that outweighs the
+/// cost, because it is Newton's iteration that meets the end.
+void add_driven(const DuffingSettings& s, const DuffingStarts& which, std::vector<Start>& starts) {
+  const ExtremalProblem problem = duffing_problem(s);
+  const double cycles = swings(s);
+  const Vector2d target = duffing_target(s);
+  const double cost = 1.5 * energy(s, target) / s.final_time;
+  DirectOptions options{.pieces = std::clamp(static_cast<int>(std::lround(60 * cycles)), 80, 4000),
+                        .first_weight = which.driven_weight * cost / target.squaredNorm(),
+                        .rounds = 1};
+  for (int k = 0; k < which.driven; ++k) {
+    const double strength = 1 + 0.016 * k;
+    const Start guess = pump_start(s, strength);
+    VectorXd z(4);
+    const auto force = [&guess, &z](double t, VectorXd& u) {
+      guess.states(t, z);
+      u[0] = -z[3];
+    };
+    DirectResult result = direct_start(problem, {known_begin(s), force}, options);
+    if (!result.status.ok()) continue;
+    result.start.mesh = guess.mesh;
+    starts.push_back(std::move(result.start));
+  }
+}
+
 }  // namespace
 
 Start pump_start(const DuffingSettings& s, double strength) {
-  MatrixXd table = table_of(s, duffing_target(s), true, pump(s, strength));
-  const double gain = pump_gain(s, strength);
-  for (Index k = 0; k < table.cols(); ++k) {
-    const Vector2d x = table.col(k).head<2>();
-    const double e = energy(s, x);
-    if (e <= 1e-12) continue;
-    const double root = std::sqrt(2 * e), f = gain * x[1] / root;
-    const double x2_dot = f - s.frequency * s.frequency * x[0] - s.beta * x[0] * x[0] * x[0];
-    // f' with E' = x2 f; lambda2 = -f and lambda1 = -lambda2' = f'.
-    table(2, k) = gain * (x2_dot / root - x[1] * (x[1] * f) / (root * root * root));
-    table(3, k) = -f;
+  const Force force = pump(s, strength);
+  MatrixXd table = table_of(s, duffing_target(s), true, force);
+  const Index last = table.cols() - 1;
+  for (Index k = 0; k <= last; ++k) table(3, k) = -force(table.col(k).head<2>());
+  // lambda1 = -lambda2'.
+  const double h = s.final_time / static_cast<double>(last);
+  for (Index k = 0; k <= last; ++k) {
+    const Index before = std::max<Index>(k - 1, 0), after = std::min(k + 1, last);
+    table(2, k) = (table(3, before) - table(3, after)) / (h * static_cast<double>(after - before));
   }
   return tabled(s, std::move(table));
 }
@@ -174,10 +233,11 @@ Start unforced_start(const DuffingSettings& s, const Vector2d& x, bool from_the_
 std::vector<Start> duffing_starts(const DuffingSettings& s, const DuffingStarts& which) {
   std::vector<Start> starts;
   const VectorXd parameters = duffing_problem(s).own_parameters();
+  if (swings(s) >= many_swings && energy(s, duffing_target(s)) > 0) add_driven(s, which, starts);
   add_direct(s, which, starts);
   for (int k = 0; k < which.pumps; ++k) {
     const double share = which.pumps > 1 ? static_cast<double>(k) / (which.pumps - 1) : 0.5;
-    starts.push_back(pump_start(s, 1.9 + 0.9 * share));
+    starts.push_back(pump_start(s, 0.9 + 0.3 * share));
   }
   for (const Vector2d& x : begins(s, which.unforced)) starts.push_back(unforced_start(s, x, false));
   if (which.unforced > 0) starts.push_back(unforced_start(s, duffing_target(s), true));

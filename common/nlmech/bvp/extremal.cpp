@@ -55,6 +55,13 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
       throw std::invalid_argument(
           fmt::format("optimal control: waypoint of component {} at t = {}", w.component, w.t));
     }
+    for (const Waypoint& other : task_.waypoints) {
+      if (other.t == w.t && other.component == w.component && other.value != w.value) {
+        throw std::invalid_argument(
+            fmt::format("optimal control: component {} at t = {} is prescribed as {} and as {}", w.component,
+                        w.t, w.value, other.value));
+      }
+    }
     points_.push_back(w.t);
   }
   std::sort(points_.begin(), points_.end());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/bvp/condensed.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
@@ -115,6 +116,11 @@ VectorXd GlobalCollocation::condition_residuals(const VectorXd& unknowns) const 
   return r;
 }
 
+bool GlobalCollocation::is_replaced(Index row) const {
+  return std::any_of(method_.rows.begin(), method_.rows.end(),
+                     [&](const ReplacedRow& r) { return row_of(r) == row; });
+}
+
 Index GlobalCollocation::row_of(const ReplacedRow& row) const {
   return row.component * nodes_ + (row.at_end ? nodes_ - 1 : 0);
 }
@@ -194,16 +200,27 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
            GlobalResult& result) {
   Solution& s = result.extremal.solution;
   const VectorXd& t = equations.times();
-  const std::span<const double> times(t.data(), static_cast<std::size_t>(t.size()));
-  const Flight flight = fly(problem, s.first(), VectorXd(), times);
-  result.flown = flight.states;
-  double worst = std::numeric_limits<double>::infinity();
-  if (flight.status.ok()) {
-    const MatrixXd& values = s.unknowns.intervals.front().values;
-    const VectorXd scale = values.cwiseAbs().rowwise().maxCoeff().array() + 1;
-    worst = (scale.cwiseInverse().asDiagonal() * (values - flight.states)).cwiseAbs().maxCoeff();
-    s.flown_end = flight.states.rightCols(1);
+  const MatrixXd& values = s.unknowns.intervals.front().values;
+  const VectorXd weight = (values.cwiseAbs().rowwise().maxCoeff().array() + 1).cwiseInverse();
+  MatrixXd& flown = result.flown;
+  flown = values.col(0);
+  double worst = 0;
+  // In pieces: what is no solution mostly swings fast, and need not be flown to the end.
+  constexpr Index piece = 6;
+  while (flown.cols() < t.size() && worst <= tolerance) {
+    const Index done = flown.cols(), next = std::min(done + piece, static_cast<Index>(t.size()));
+    const std::span<const double> times(t.data() + done - 1, static_cast<std::size_t>(next - done + 1));
+    const Flight flight = fly(problem, flown.rightCols(1), VectorXd(), times);
+    if (!flight.status.ok()) {
+      worst = std::numeric_limits<double>::infinity();
+      break;
+    }
+    flown.conservativeResize(Eigen::NoChange, next);
+    flown.rightCols(next - done) = flight.states.rightCols(next - done);
+    const MatrixXd off = values.leftCols(next) - flown;
+    worst = (weight.asDiagonal() * off).cwiseAbs().maxCoeff();
   }
+  if (flown.cols() == t.size()) s.flown_end = flown.rightCols(1);
   s.flight_error = worst;
   if (worst <= tolerance) return;
   s.status = Status::failure(
@@ -216,6 +233,21 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
 
 }  // namespace
 
+namespace {
+
+algebraic::Report iterate(algebraic::Equations& equations, VectorXd& x, bool damped, int iterations) {
+  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
+  constexpr double tolerance = 1e-9, noise = 1e-7;
+  if (!damped) {
+    return find_root(algebraic::Newton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                     equations, x);
+  }
+  return find_root(algebraic::DampedNewton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                   equations, x);
+}
+
+}  // namespace
+
 GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method, const Start& start,
                           double flight_tolerance, bool damped, int iterations) {
   GlobalResult result;
@@ -224,13 +256,13 @@ GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& me
   s.status = equations.status();
   if (!s.status.ok()) return result;
   VectorXd x = equations.unknowns(start);
-  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
-  if (damped) {
-    result.report = find_root(
-        algebraic::DampedNewton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations}, equations, x);
+  if (method.condensed.empty()) {
+    result.report = iterate(equations, x, damped, iterations);
   } else {
-    result.report = find_root(algebraic::Newton{.tolerance = 1e-9, .noise = 1e-7, .iterations = iterations},
-                              equations, x);
+    CondensedCollocation condensed(problem, equations, method.condensed);
+    VectorXd some = condensed.reduced(x);
+    result.report = iterate(condensed, some, damped, iterations);
+    x = condensed.expanded(some);
   }
   if (!x.allFinite()) {
     s.status =

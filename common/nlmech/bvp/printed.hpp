@@ -28,12 +28,19 @@ struct ReplacedRow {
   bool at_end = false;  ///< at the last node, else at the first
 };
 
+/// An equation x_k' = a x_m with a constant a, by which x_m is known where x_k is.
+struct LinearEquation {
+  int equation = 0;  ///< k
+  int unknown = 0;   ///< m
+};
+
 /// N nodes, D and the placement of conditions.
 struct GlobalMethod {
   int nodes = 40;                                            ///< N of section 5.3.5, LGL, ends included
   double relative_shape = 39.0 / 4;                          ///< c T; printed: (N - 1)/4
   DerivativeMatrix derivative = DerivativeMatrix::gaussian;  ///< D
   std::vector<ReplacedRow> rows = {};                        ///< one for each condition
+  std::vector<LinearEquation> condensed = {};  ///< solve_global eliminates by these, see CondensedCollocation
 };
 
 /// The n N equations D x = f at N nodes with rows replaced (Eqs 5.25, 5.28), for the solvers of algebraic/.
@@ -46,7 +53,7 @@ class GlobalCollocation final : public algebraic::Equations {
   GlobalCollocation(const Problem& problem, GlobalMethod method);
 
   /// Success, or why D cannot be had: it is not finite.
-  [[nodiscard]] const Status& status() const { return status_; }
+  [[nodiscard]] Status status() const override { return status_; }
   /// Times of the nodes.
   [[nodiscard]] const Eigen::VectorXd& times() const { return times_; }
   /// D, 1/time.
@@ -55,6 +62,8 @@ class GlobalCollocation final : public algebraic::Equations {
   [[nodiscard]] Eigen::VectorXd unknowns(const Start& start) const;
   /// The states of unknowns, one node a column.
   [[nodiscard]] Eigen::MatrixXd states(const Eigen::VectorXd& unknowns) const;
+  /// Does an end condition stand in this equation's place?
+  [[nodiscard]] bool is_replaced(Eigen::Index row) const;
   /// Residuals of the end conditions in their order: what Table 5.3 prints.
   [[nodiscard]] Eigen::VectorXd condition_residuals(const Eigen::VectorXd& unknowns) const;
 
@@ -90,7 +99,9 @@ struct GlobalResult {
   Extremal extremal;           ///< solution on one interval through the nodes; its status tells all
   algebraic::Report report;    ///< of the solver
   Eigen::VectorXd conditions;  ///< residuals of the end conditions
-  Eigen::MatrixXd flown;       ///< states flown from the own initial values, at the nodes; Eq. "Delta x"
+  /// States flown from the own initial values, at the nodes (Eq. "Delta x"); fewer columns if the flight was
+  /// off before the end.
+  Eigen::MatrixXd flown;
 };
 
 /// The rows in which the end conditions of an extremal problem of two states stand:

@@ -21,8 +21,21 @@ void check_arguments(const State& start, double time, double mu, const char* who
 constexpr int data = 8;
 using D = Dual<double, data>;
 
-/// The moved state with its derivatives. The root is found in double; one step of Newton's in dual numbers
-/// then carries the derivatives.
+/// The end of a flyby with its derivatives, in units of r_0. The roots are found in double; what they are off
+/// by carries the derivatives.
+BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v, const D& time) {
+  const detail::Flyby<D> flyby(direction, v);
+  Vector3<double> plain_direction, plain_v;
+  for (int i = 0; i < 3; ++i) {
+    plain_direction[i] = direction[i].value;
+    plain_v[i] = v[i].value;
+  }
+  const detail::Flyby<double> plain(plain_direction, plain_v);
+  const D wanted = flyby.begin_time(D(plain.begin())) + time;
+  return flyby.state(D(plain.at_time(wanted.value)), wanted);
+}
+
+/// The moved state with its derivatives, found as by kepler_state().
 BasicState<D> with_derivatives(const State& start, double time, double mu) {
   BasicState<D> s;
   for (int i = 0; i < 3; ++i) {
@@ -32,9 +45,13 @@ BasicState<D> with_derivatives(const State& start, double time, double mu) {
   const D m = D::variable(mu, 6);
   const D r0 = sqrt(s.position.dot(s.position)), speed = sqrt(m / r0), rate = speed / r0;
   const Vector3<D> direction = s.position / r0, v = s.velocity / speed;
-  const detail::Universal<D> u{2 - v.dot(v), direction.dot(v)};
-  const detail::Universal<double> plain{u.alpha.value, u.sigma.value};
   D t = D::variable(time, 7) * rate;
+  const detail::Universal<D> u{2 - v.dot(v), direction.dot(v)};
+  if (value_of(u.alpha) < -1 && value_of(u.sigma) * time < 0) {
+    const BasicState<D> end = flyby_with_derivatives(direction, v, t);
+    return {r0 * end.position, speed * end.velocity};
+  }
+  const detail::Universal<double> plain{u.alpha.value, u.sigma.value};
   double turns = 0;
   const double reduced = detail::within_one_turn(plain.alpha, t.value, turns);
   if (turns != 0) t -= turns * (4 * std::acos(0.0)) / (u.alpha * sqrt(u.alpha));
@@ -45,14 +62,14 @@ BasicState<D> with_derivatives(const State& start, double time, double mu) {
 }
 
 double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]) {
-  double sum = 0, length = 0;
+  double sum = 0;
+  const double length = std::hypot(result[0].value, result[1].value, result[2].value);
   for (std::size_t j = 0; j < data; ++j) {
-    double square = 0;
-    for (int i = 0; i < 3; ++i) square += result[i].partial[j] * result[i].partial[j];
-    sum += std::sqrt(square) * size[j];
+    // The quotient first: derivatives by the time of a fast flight have squares beyond all doubles.
+    const double unit = size[j] / length;
+    sum += std::hypot(result[0].partial[j] * unit, result[1].partial[j] * unit, result[2].partial[j] * unit);
   }
-  for (int i = 0; i < 3; ++i) length += result[i].value * result[i].value;
-  return sum / std::sqrt(length);
+  return sum;
 }
 
 }  // namespace

@@ -46,54 +46,83 @@ template <class T>
 
 namespace detail {
 
-/// Through the periapsis of a hyperbola that is entered from far, where the terms of F and G cancel: times
-/// are counted from the periapsis, t_p = r_p s + e s^3 c_3, in which nothing does, and the place is found by
-/// true anomalies, tan(nu/2) = ((1 + e)/r_p)^(1/2) U_1(s/2)/U_0(s/2). Units as in Universal, r_0 along @p
-/// direction, @p v the velocity.
+/// A hyperbola that is entered from far, where the terms of F and G cancel: times are counted from the
+/// periapsis, t_p = r_p s + e s^3 c_3, in which nothing does. On a fast one s k, k = (-alpha)^(1/2), is the
+/// logarithm of a large number, so that s in double precision is not exact enough; what it is off by is
+/// carried as a small number beside. Units as in Universal. Nothing is divided by the angular momentum, so
+/// that straight lines have derivatives too.
 template <class T>
-[[nodiscard]] BasicState<T> along_hyperbola(const Vector3<T>& direction, const Vector3<T>& v, const T& t) {
-  using std::abs;
-  using std::asinh;
-  using std::sqrt;
-  const T alpha = 2 - v.dot(v), sigma = direction.dot(v);
-  const Vector3<T> across = v - sigma * direction;
-  const T p = across.dot(across), root = sqrt(p);
-  const Vector3<T> ahead = p > 0 ? Vector3<T>(across / root) : Vector3<T>(Vector3<T>::Zero());
-  const T x = p - 1, y = sigma * root, e = sqrt(x * x + y * y), rp = p / (1 + e), k = sqrt(-alpha);
-  // Kepler's equation from the periapsis is the universal one with r_0 = r_p and sigma = 0: in the unit r_p
-  // it would be singular for straight lines, so it is solved here, by Newton's iteration on a function
-  // without inflection for s > 0, from beyond the root.
-  const auto time_at = [&](const T& s) {
-    const Stumpff<T> c = stumpff(T(alpha * s * s));
-    return T(rp * s + e * s * s * s * c.c3);
-  };
-  const T s0 = asinh(T(sigma * k / e)) / k, wanted = time_at(s0) + t, goal = abs(wanted);
-  // From e (sinh H - H) <= N: H is at most asinh(N/e) plus asinh of what that leaves out.
-  const T n = goal * k * -alpha;
-  T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
-  for (int i = 0; i < 200; ++i) {
-    const Stumpff<T> c = stumpff(T(alpha * s * s));
-    const T r = rp + e * s * s * c.c2, next = s - (rp * s + e * s * s * s * c.c3 - goal) / r;
-    if (!(next < s)) break;  // monotone until rounding
-    s = next;
+struct Flyby {
+  Vector3<T> direction, across;  ///< along r_0, and the part of the velocity across it
+  T alpha, sigma;                ///< 1/a and r_0.v_0
+  T p, e, rp;                    ///< semi-latus rectum, eccentricity, distance of the periapsis
+
+  /// @param towards along r_0, a unit vector  @param v the velocity
+  Flyby(const Vector3<T>& towards, const Vector3<T>& v)
+      : direction(towards), alpha(2 - v.dot(v)), sigma(towards.dot(v)) {
+    using std::sqrt;
+    across = v - sigma * direction;
+    p = across.dot(across);
+    const T x = p - 1;
+    const auto size = 1 + value_of(v.dot(v));  // e is less; its square may not be a double
+    e = size < 1e60 ? sqrt(x * x + sigma * sigma * p)
+                    : size * sqrt((x / size) * (x / size) + (sigma / size * sigma) * (p / size));
+    rp = p / (1 + e);
   }
-  if (wanted < 0) s = -s;
-  const auto anomaly = [&](const T& at, T& cosine, T& sine) {
-    const Stumpff<T> c = stumpff(T(alpha * at * at / 4));
-    const T tangent = at / 2 * c.c1 / c.c0, square = (1 + e) * tangent * tangent, sum = rp + square;
-    cosine = (rp - square) / sum;
-    sine = 2 * sqrt(rp * (1 + e)) * tangent / sum;
+
+  /// Everything at one s.
+  struct At {
+    T time, r;       ///< since the periapsis; distance
+    T radial, rise;  ///< r.v = dr/ds, and its derivative
   };
-  T c0, s0_sine, c1, s1_sine;
-  anomaly(s0, c0, s0_sine);
-  anomaly(s, c1, s1_sine);
-  const T turn_cos = c1 * c0 + s1_sine * s0_sine, turn_sin = s1_sine * c0 - c1 * s0_sine;
-  const Vector3<T> outwards = turn_cos * direction + turn_sin * ahead,
-                   forwards = turn_cos * ahead - turn_sin * direction;
-  const Stumpff<T> c = stumpff(T(alpha * s * s));
-  const T r = rp + e * s * s * c.c2;
-  return {r * outwards, (e * s * c.c1 / r) * outwards + (root / r) * forwards};
-}
+  [[nodiscard]] At at(const T& s) const {
+    const Stumpff<T> c = stumpff(T(alpha * s * s));
+    return {rp * s + e * s * s * s * c.c3, rp + e * s * s * c.c2, e * s * c.c1, e * c.c0};
+  }
+  /// s at r_0, rounded.
+  [[nodiscard]] T begin() const {
+    using std::asinh;
+    using std::sqrt;
+    const T k = sqrt(-alpha);
+    return asinh(T(sigma * k / e)) / k;
+  }
+  /// Time of r_0 since the periapsis, @p s being begin(): what that is off by is seen in r.v.
+  [[nodiscard]] T begin_time(const T& s) const {
+    const At a = at(s);
+    return a.time + a.r * (sigma - a.radial) / a.rise;
+  }
+  /// s at a time since the periapsis, rounded. Kepler's equation from the periapsis is the universal one with
+  /// r_0 = r_p and sigma = 0: in the unit r_p it would be singular for straight lines, so it is solved here,
+  /// by Newton's iteration on a function without inflection for s > 0, from beyond the root.
+  [[nodiscard]] T at_time(const T& wanted) const {
+    using std::abs;
+    using std::asinh;
+    using std::sqrt;
+    const T k = sqrt(-alpha), goal = abs(wanted);
+    // From e (sinh H - H) <= N: H is at most asinh(N/e) plus asinh of what that leaves out.
+    const T n = goal * k * -alpha;
+    T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
+    for (int i = 0; i < 200; ++i) {
+      const At a = at(s);
+      const T next = s - (a.time - goal) / a.r;
+      if (!(next < s)) break;  // monotone until rounding
+      s = next;
+    }
+    return wanted < 0 ? T(-s) : s;
+  }
+  /// The state at the time @p wanted since the periapsis, @p s being at_time(wanted) or its value alone.
+  /// Directions by cos nu = p/(e r) - 1/e and sin nu/p^(1/2) = (dr/dt)/e.
+  [[nodiscard]] BasicState<T> state(const T& s, const T& wanted) const {
+    const At a = at(s);
+    const T off = (wanted - a.time) / a.r, r = a.r + a.radial * off, speed = (a.radial + a.rise * off) / r;
+    const T share = p / e, cosine0 = share - 1 / e, sine0 = sigma / e, cosine = share / r - 1 / e,
+            sine = speed / e;
+    const T turn = cosine * cosine0 + p * sine * sine0, lift = sine * cosine0 - cosine * sine0;
+    const Vector3<T> outwards = turn * direction + lift * across,
+                     forwards = turn * across - (p * lift) * direction;
+    return {r * outwards, speed * outwards + forwards / r};
+  }
+};
 
 }  // namespace detail
 
@@ -107,7 +136,9 @@ template <class T>
   const T r0 = sqrt(s.position.dot(s.position)), speed = sqrt(mu / r0);
   const Vector3<T> direction = s.position / r0, v = s.velocity / speed;
   if (v.dot(v) > 3 && direction.dot(v) * time < 0) {
-    const BasicState<T> end = detail::along_hyperbola<T>(direction, v, T(time * speed / r0));
+    const detail::Flyby<T> flyby(direction, v);
+    const T wanted = flyby.begin_time(flyby.begin()) + time * speed / r0;
+    const BasicState<T> end = flyby.state(flyby.at_time(wanted), wanted);
     return {r0 * end.position, speed * end.velocity};
   }
   const auto c = lagrange_coefficients(s, time, mu);
@@ -137,7 +168,8 @@ struct KeplerCondition {
 
 /// kappa = sum over the data d of |d(result)/d(d)| |d|/|result|, d the components of position and velocity
 /// (each with the length of its vector), mu and the time. It grows linearly with the number of revolutions,
-/// because an error of the velocity changes the period. Derivatives by dual numbers, exact to rounding.
+/// because an error of the velocity changes the period. Derivatives by dual numbers, exact to rounding;
+/// finite on every conic, straight lines and the fastest flybys included.
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 

@@ -18,20 +18,22 @@ using bvp::DuffingCase;
 /// The start of the neighbourhood of the cheapest extremal: the trajectory of its initial values of 16
 /// digits.
 bvp::Start start_near(const KnownExtremal& known) {
-  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+  const double T = known.final_time;
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, T));
   const Eigen::VectorXd z = Eigen::Map<const Eigen::Vector4d>(known.first.data());
   std::vector<double> times;
-  for (int k = 0; k <= 400; ++k) times.push_back(2 * k / 400.);
+  for (int k = 0; k <= 400; ++k) times.push_back(T * k / 400.);
   const Eigen::MatrixXd states = fly(problem, z, Eigen::VectorXd(), times).states;
-  return {.states = [states](double t, Eigen::VectorXd& x) {
-    x = states.col(std::lround(t * 200));  // the node nearest in time is near enough
+  return {.states = [states, T](double t, Eigen::VectorXd& x) {
+    x = states.col(std::lround(t / T * 400));  // the node nearest in time is near enough
   }};
 }
 
-// Six cases against an independent Taylor method in 36 digits.
+// Seven cases at three final times against an independent Taylor method in 40 digits.
 TEST(KnownExtremals, AreExtremals) {
+  EXPECT_EQ(known_extremals().size(), 7 * final_times.size());
   for (const KnownExtremal& known : known_extremals()) {
-    const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
+    const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, known.final_time));
     const bvp::Extremal e = solve_extremal(problem, start_near(known));
     ASSERT_TRUE(e.solution.status.ok()) << to_string(known.which) << e.solution.status.text();
     EXPECT_NEAR(e.cost, known.cost, 1e-9 * known.cost) << to_string(known.which);

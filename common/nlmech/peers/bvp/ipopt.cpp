@@ -297,9 +297,10 @@ bvp::DirectResult ipopt_start(const bvp::ExtremalProblem& problem, const bvp::Co
   // The multipliers of the constraints are -lambda in the middle of the intervals.
   MatrixXd table(2 * n, m + 1);
   table.topRows(n) = program->z.topRows(n);
-  for (int k = 0; k <= m; ++k) {
-    table.col(k).tail(n) = -(program->y.col(std::max(k - 1, 0)) + program->y.col(std::min(k, m - 1))) / 2;
-  }
+  for (int k = 1; k < m; ++k) table.col(k).tail(n) = -(program->y.col(k - 1) + program->y.col(k)) / 2;
+  // At the ends by the line through the two next to them.
+  table.col(0).tail(n) = -(3 * program->y.col(0) - program->y.col(1)) / 2;
+  table.col(m).tail(n) = -(3 * program->y.col(m - 1) - program->y.col(m - 2)) / 2;
   const double t0 = problem.task().begin_time, h = (problem.task().final_time - t0) / m;
   result.start.states = [table, t0, h](double t, VectorXd& at) {
     const double s = std::clamp((t - t0) / h, 0.0, static_cast<double>(table.cols() - 1));

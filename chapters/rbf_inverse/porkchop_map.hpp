@@ -1,0 +1,30 @@
+/// @file
+/// The picture of a grid of transfers, for the scene and for `rbf_inverse porkchop --plot`.
+#pragma once
+
+#include <string>
+
+#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters {
+
+/// What is written at the axes, and in which units.
+struct PorkchopAxes {
+  std::string heading;                                 ///< at most 60 characters
+  std::string departure = "departure";                 ///< label below
+  std::string arrival = "arrival";                     ///< label at the left
+  std::string speed = "speed";                         ///< what follows the colours: "km/s"
+  double time = 1;                                     ///< so many units of the grid are one of the axes
+  double speed_unit = 1;                               ///< the same for speeds
+  std::string template_name = "rbf_inverse-porkchop";  ///< in figures/templates
+};
+
+/// Two maps over departure and arrival, of the excess speeds at both. Colours and contour lines go from the
+/// least speed to four times that; what is above, or has no transfer, is left white. Of a grid of more than
+/// 400 rows or columns, every second, third, ... is drawn.
+/// @param grid whole, with at least two rows and columns and a transfer somewhere
+/// @throws Failure if there is nothing to draw
+[[nodiscard]] scene::Figure porkchop_map(const orbit::Porkchop& grid, const PorkchopAxes& axes);
+
+}  // namespace nlmech::chapters
