@@ -33,14 +33,14 @@ struct Frequencies {
 
 /// Zeros of y(x)/u.
 struct Zeros {
-  std::vector<Complex> s;  ///< with Im s >= 0, and Re s >= 0 on both sides (-s is one too), by modulus
+  std::vector<Complex> s;  ///< those with Im s >= 0, by modulus, then by real part
   int counted = 0;         ///< by the argument principle, of z = s^2
   Status status;           ///< success: as many were found as counted
 };
 
-/// All zeros of y(x)/u with modulus up to about @p omega (the square |Re z|, |Im z| <= omega^2 of z = s^2;
-/// its side is shifted a little if it meets a zero). A zero z stands for s and -s: that in the first quadrant
-/// or on the axes, and for a complex pair of z also its mirror image -conj s, is listed.
+/// All zeros of y(x)/u with |Re s^2| and |Im s^2| up to @p omega^2; the side of that square is made a little
+/// longer if it meets a zero. With s also -s and the conjugate of s are zeros: one on the imaginary axis is
+/// listed once, a real one with both signs, any other with its mirror image -conj(s).
 /// @param x above 0 up to L: y(0) is always 0
 /// @throws std::invalid_argument if x or omega is out of range
 [[nodiscard]] Zeros deflection_zeros(const Plant& plant, double x, double omega);
