@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <functional>
 #include <vector>
 
@@ -34,13 +35,14 @@ struct DiscreteModel {
   [[nodiscard]] Eigen::MatrixXd full_stiffness() const;
 };
 
-/// Frequency response by a dense solve at every s: (s^2 M + K) x = e_1. Keeps its workspace: one a thread.
+/// Frequency response by a dense solve at every s, (s^2 M + K) x = e_1, by LU decomposition with row
+/// pivoting. Allocates nothing after its construction; one object a thread.
 class DenseResponse {
  public:
   /// @param model is copied
   /// @param x place of the deflection, ft
   DenseResponse(const DiscreteModel& model, double x);
-  /// theta/u and y(x)/u; at_pole if the matrix is singular to rounding.
+  /// theta/u and y(x)/u; at_pole if they are not finite: an exactly singular matrix.
   [[nodiscard]] Response response(Complex s);
   /// The same at s = j omega in real arithmetic.
   [[nodiscard]] AxisResponse at_frequency(double omega);
@@ -49,6 +51,10 @@ class DenseResponse {
   Eigen::MatrixXd mass_, stiffness_, real_;
   Eigen::MatrixXcd complex_;
   Eigen::VectorXd shape_;  ///< phi(x)
+  Eigen::PartialPivLU<Eigen::MatrixXd> real_solver_;
+  Eigen::PartialPivLU<Eigen::MatrixXcd> complex_solver_;
+  Eigen::VectorXd real_solution_;
+  Eigen::VectorXcd complex_solution_;
 };
 
 /// The diagonalised model:
