@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -45,6 +46,7 @@ constexpr double weights[] = {0.2955242247147529, 0.2692667193099964, 0.21908636
 
 /// The integral over [a, b], in the variable v of omega = centre + width sinh v.
 void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, double b, Three& sum) {
+  if (!(b > a)) return;
   const double width = std::max(std::abs(pole.real()), 1e-13 * std::abs(pole)), centre = pole.imag();
   const double first = std::asinh((a - centre) / width), last = std::asinh((b - centre) / width);
   const int pieces = std::max(1, static_cast<int>(std::ceil((last - first) / 0.5)));
@@ -97,29 +99,32 @@ QuadratureCosts costs_by_quadrature(const Parameters& parameters, const Gains& g
     throw std::invalid_argument(
         fmt::format("costs by quadrature: modes = {}; 16 to 2000 are possible", modes));
   QuadratureCosts costs;
-  const LoopPoles poles = loop.poles(modes + 8);
+  LoopPoles poles = loop.poles(modes + 8);
   const Frequencies cuts = hub_zeros(loop.plant(), modes);
   costs.status = poles.status.ok() ? cuts.status : poles.status;
   if (!costs.status.ok()) return costs;
-  // Between two hub-locked resonances, where the densities are ordinary, lies one resonance; each of its
-  // poles takes the part up to the middle between it and the next.
+  std::sort(poles.s.begin(), poles.s.end(), [](Complex p, Complex q) { return p.imag() < q.imag(); });
+  // Between two hub-locked resonances lies one pole, mostly near to the lower one, and on the length between
+  // them the densities also change just below it: there the stretch is centred at the cut.
   Three sum{};
   std::array<std::array<double, 4>, 3> sums{};
   std::array<double, 4> step{};
-  std::size_t stage = 0;
+  std::size_t stage = 0, next = 0;
   double a = 0;
-  std::size_t next = 0;
   for (int n = 1; n <= modes; ++n) {
     const double end = cuts.omega[static_cast<std::size_t>(n) - 1];
-    // Poles in order of their frequency up to the cut.
-    std::vector<Complex> here;
-    for (; next < poles.s.size() && poles.s[next].imag() <= end; ++next) here.push_back(poles.s[next]);
-    if (here.empty()) here.emplace_back(-end, a);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      const double b = i + 1 < here.size() ? std::max(a, (here[i].imag() + here[i + 1].imag()) / 2) : end;
-      add_stretched(loop, x, here[i], a, b, sum);
-      a = b;
+    Complex last(-end, a);
+    for (; next < poles.s.size() && poles.s[next].imag() <= end; ++next) {
+      last = poles.s[next];
+      const bool more = next + 1 < poles.s.size() && poles.s[next + 1].imag() <= end;
+      const double b = (last.imag() + (more ? poles.s[next + 1].imag() : end)) / 2;
+      add_stretched(loop, x, last, a, b, sum);
+      a = std::max(a, b);
     }
+    const double above = next < poles.s.size() ? poles.s[next].imag() - end : end;
+    if (a == last.imag()) add_stretched(loop, x, last, a, (a + end) / 2, sum), a = (a + end) / 2;
+    add_stretched(loop, x, Complex(std::max(above, 1e-9 * end), end), a, end, sum);
+    a = end;
     if (n == modes / 8 || n == modes / 4 || n == modes / 2 || n == modes) {
       step[stage] = 1 / std::sqrt(end);
       for (std::size_t j = 0; j < 3; ++j) sums[j][stage] = sum[j];
