@@ -79,7 +79,7 @@ scene::Figure draw(const std::vector<Sample>& samples) {
       }
     }
   }
-  return plot.with("key1", "top center").with("height", "600").take();
+  return plot.with("key1", "top left").with("height", "600").take();
 }
 
 scene::Showing show(const Samples& all) {

@@ -18,6 +18,15 @@ Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
 Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
 Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
+/// A text whose blanks beside marked-up words stay.
+std::string with_kept_blanks(std::string text) {
+  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += 4)
+    text.insert(at + 1, "\u200b");  // a space of no width
+  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += 4)
+    text.insert(at + 1, "\u200b");
+  return text;
+}
+
 /// Lines, arrows and texts (without commas) for the template `gss_control-drawing`.
 class Drawing {
  public:
@@ -30,7 +39,7 @@ class Drawing {
     table_.add({kind, ++paths_, from.x, from.y, to.x - from.x, to.y - from.y, {}});
   }
   void text(const std::string& words, Spot at) {
-    table_.add({"label", ++paths_, at.x, at.y, 0.0, 0.0, words});
+    table_.add({"label", ++paths_, at.x, at.y, 0.0, 0.0, with_kept_blanks(words)});
   }
   /// A part of a circle, angles in radians.
   void arc(const std::string& kind, Spot centre, double radius, double from, double to) {
@@ -131,9 +140,9 @@ scene::Showing draw_appendage_axes() {
   for (int i = 0; i <= 60; ++i) bent.push_back(c.beam(i / 60.0));
   d.path("member", bent);
   d.arc("body", bent.back(), 0.2, 0, 2 * std::numbers::pi);
-  d.arc("body", {0, 0}, c.radius, -0.6, 1.9);
+  d.arc("body", {0, 0}, c.radius, 0, 2 * std::numbers::pi);
   d.arrow(foot, point - 0.05 * (point - foot), "force");
-  d.text("{/:Italic y}({/:Italic x}, {/:Italic t})", foot + 0.45 * (point - foot) + Spot{0.75, 0});
+  d.text("{/:Italic y}", foot + 0.45 * (point - foot) + Spot{0.3, 0.05});
   // Lengths, measured below the axis b_1.
   const Spot below = -0.45 * c.across();
   const auto measure = [&](double from, double to, const std::string& name, double offset) {
@@ -147,15 +156,15 @@ scene::Showing draw_appendage_axes() {
   measure(c.radius, c.radius + c.length, "{/:Italic L}", 2.6);
   d.turn({0, 0}, 7.6, 0, c.angle);
   d.text("{/:Italic θ}", 7.95 * direction(0.4 * c.angle));
-  d.text("hub", {0.35, 0.75});
+  d.text("hub", {-0.5, 0.75});
   d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{0.15, 0.6});
   // The drawn shape is a clamped one: it leaves the hub along b_1, and carries no moment at its tip.
   const auto xi = [](double t) { return t * t * (3 - t) / 2; };
   constexpr double h = 1e-3;
   return {
       d.take({{"heading", "The deflection is measured from the axis that turns with the hub"},
-              {"xrange", "[-2:9.8]"},
-              {"yrange", "[-1.5:5.2]"},
+              {"xrange", "[-2.2:9.8]"},
+              {"yrange", "[-2:5.2]"},
               {"height", "430"}}),
       {},
       {scene::near("slope of the drawn shape at the hub", "1", (xi(h) - xi(-h)) / (2 * h) + 1, 1, 1e-6,

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/discrete_loop.hpp"
+#include "chapters/gss_control/modal_loop.hpp"
 #include "chapters/gss_control/plots.hpp"
 #include "chapters/gss_control/scenes.hpp"
 #include "nlmech/ivp/integrate.hpp"
@@ -135,7 +135,7 @@ class Field {
   }
 
   void bromwich_lines() {
-    for (const double highest : {1e2, 3e2, 1e3, 3e3, 1e4, 3e4}) {
+    for (const double highest : {1e2, 3e2, 1e3, 3e3, 1e4}) {
       if (quick_ && highest > 3e3) continue;
       add(
           "Bromwich", fmt::format("to {} rad/s", highest),
@@ -154,7 +154,7 @@ class Field {
     }
   }
 
-  [[nodiscard]] History integrated(const ivp::System<Eigen::Dynamic>& system, const DiscreteLoop& loop,
+  [[nodiscard]] History integrated(const ivp::System<Eigen::Dynamic>& system, const ModalLoop& loop,
                                    const Eigen::VectorXd& shapes, double tolerance) const {
     History h;
     const auto watch = [&](const ivp::Step<Eigen::Dynamic>& step) {
@@ -175,13 +175,14 @@ class Field {
   }
 
   void discretised() {
-    for (const int modes : {2, 5, 10, 20}) {
+    for (const int modes : {5, 10, 20}) {
       if (quick_ && modes > 5) continue;
       const auto model = diagonalise(spacecraft::assumed_modes(loop_.parameters(), modes));
-      const DiscreteLoop problem(model, designed_gains, 1);
+      const ModalLoop problem(model, designed_gains, 1);
       const ivp::System<Eigen::Dynamic> system(problem);
       const Eigen::VectorXd shapes = model.mode_shapes(places.front());
       for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+        if (modes > 10 && tolerance != 1e-5) continue;
         add(
             fmt::format("{} assumed modes by CVODE", modes), fmt::format("tolerance {:.0e}", tolerance),
             [&] { return integrated(system, problem, shapes, tolerance); }, 1);
@@ -205,8 +206,7 @@ double best(const std::vector<Cost>& all, const std::string& method) {
 }
 
 scene::Figure draw(const std::vector<Cost>& all) {
-  Plot plot("Residues are exact; a truncated model stops at four digits", "time for 16 instants (s)",
-            "time_s");
+  Plot plot("Residues gain digits; ten assumed modes stop at three", "time for 16 instants (s)", "time_s");
   plot.log_x(1e-6, 10);
   plot.panel("digits of {/:Italic θ} and {/:Italic y}, median");
   plot.y_range(0, 17);
@@ -216,10 +216,10 @@ scene::Figure draw(const std::vector<Cost>& all) {
                                                                   {"Talbot", "b2"},
                                                                   {"de Hoog", "b4"},
                                                                   {"Bromwich", "b3"},
-                                                                  {"2 assumed modes by CVODE", "b8"},
+
                                                                   {"5 assumed modes by CVODE", "b7"},
                                                                   {"10 assumed modes by CVODE", "b5"},
-                                                                  {"20 assumed modes by CVODE", "b3"}};
+                                                                  {"20 assumed modes by CVODE", "b8"}};
   for (const auto& [method, look] : looks) {
     if (!std::isfinite(best(all, method))) continue;
     plot.begin(method, look);
@@ -227,7 +227,7 @@ scene::Figure draw(const std::vector<Cost>& all) {
       if (c.method == method) plot.add(c.time.median, std::clamp(-std::log10(c.middle), 0., 17.));
     }
   }
-  return plot.with("below", "3").with("height", "560").take();
+  return plot.with("below", "2").with("height", "600").take();
 }
 
 scene::Showing show(const std::vector<Cost>& all) {

@@ -68,13 +68,13 @@ scene::Showing show() {
     const spacecraft::Plant plant(craft(tip));
     const auto poles = spacecraft::poles(plant, modes), zeros = spacecraft::hub_zeros(plant, modes);
     plot.panel(fmt::format("relative error, {}", model));
-    plot.log_y(1e-8, 1);
+    plot.log_y(1e-9, 1);
     std::array<Eigen::VectorXd, drawn.size()> found;
     for (std::size_t k = 0; k < drawn.size(); ++k) {
       found.at(k) = frequencies(plant.parameters(), drawn.at(k));
       plot.begin(tip ? "" : drawn.at(k).legend, drawn.at(k).look);
       for (int i = 0; i < modes; ++i)
-        plot.add(i + 1, std::max(1e-8, std::abs(found.at(k)[i] / poles.omega.at(std::size_t(i)) - 1)));
+        plot.add(i + 1, std::max(1e-9, std::abs(found.at(k)[i] / poles.omega.at(std::size_t(i)) - 1)));
     }
     for (std::size_t i = 0; i < modes; ++i) {
       const auto error = [&](std::size_t k) {

@@ -8,8 +8,8 @@ namespace {
 using spacecraft::Complex;
 
 FormValue by_closed_form(const spacecraft::Plant& plant, double omega, double x) {
-  const auto r = spacecraft::closed_form<Complex>(plant.parameters(), Complex(0, omega), x);
-  return {r.theta.real(), r.deflection.real()};
+  const spacecraft::GssSolution<Complex> solution(plant.parameters(), Complex(0, omega));
+  return {solution.theta(x).real(), solution.deflection(x).real()};
 }
 
 FormValue by_series(const spacecraft::Plant& plant, double omega, double x) {

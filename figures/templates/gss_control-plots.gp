@@ -24,7 +24,7 @@ others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
 
 if (exists("logx")) set logscale x
 if (exists("xrange")) eval "set xrange " . xrange
-foot = exists("below") ? 0.23 : 0.125
+foot = exists("below") ? 0.31 : 0.125
 set multiplot
 set lmargin at screen 0.135
 set rmargin at screen 0.965
@@ -45,7 +45,7 @@ do for [p = 1:int(panels)] {
   if (exists(sprintf("yrange%d", p))) {eval sprintf("eval 'set yrange ' . yrange%d", p)}
   if (exists(sprintf("ytics%d", p))) {eval sprintf("eval 'set ytics ' . ytics%d", p)}
   if (exists(sprintf("key%d", p))) {eval sprintf("eval 'set key ' . key%d", p)}
-  if (exists("below")) {eval "set key at screen 0.55, screen 0.01 center bottom samplen 3 width -1 maxrows 3 maxcols " . below}
+  if (exists("below")) {eval "set key at screen 0.53, screen 0.005 center bottom samplen 3 width -2 spacing 1.1 maxrows 5 maxcols " . below}
 
   if (exists("labels")) {
     rest = labels

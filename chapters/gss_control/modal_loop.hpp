@@ -12,14 +12,14 @@ namespace nlmech::chapters {
 
 /// eta_i'' + omega_i^2 eta_i = b_i u, theta = theta_0 + sum b_i eta_i, J theta_0'' = u, and the controller
 /// (3.55) with the root load (u - I_hub theta'')/2. State: theta_0, eta, and their rates; from rest it is 0.
-struct DiscreteLoop {
+struct ModalLoop {
   static constexpr int dimension = Eigen::Dynamic;
   double hub_inertia, rigid;    ///< I_hub; 1/J
   Eigen::VectorXd omega, gain;  ///< omega_i; b_i
   spacecraft::Gains gains;
   double target;  ///< theta_f
 
-  DiscreteLoop(const spacecraft::ModalModel& model, const spacecraft::Gains& k, double final_angle)
+  ModalLoop(const spacecraft::ModalModel& model, const spacecraft::Gains& k, double final_angle)
       : hub_inertia(model.hub_inertia),
         rigid(1 / model.total_inertia),
         omega(model.omega),
