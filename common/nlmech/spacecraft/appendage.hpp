@@ -28,7 +28,7 @@ enum class Evaluation : std::uint8_t {
 /// Exact appendage, Euler and Bernoulli's beam. Immutable; every function may be called from many threads.
 ///
 /// Accuracy (tests/spacecraft, against 60 and more digits, with and without tip): B(s), g_3(x) and the
-/// transfer functions within 1e-12 max(1, |s G'/G|) of themselves on the imaginary axis for |s| from 1e-8 to
+/// transfer functions within 1e-14 max(1, |s G'/G|) of themselves on the imaginary axis for |s| from 1e-8 to
 /// 1e8, for real s of both signs, and in the plane.
 class Appendage {
  public:
