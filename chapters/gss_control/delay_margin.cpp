@@ -23,17 +23,20 @@ constexpr int modes = 9;
 /// A loop with what a delay and its sensitivity make of it.
 struct Fragile {
   std::string name;
-  std::array<int, delays.size()> unstable{};
+  std::array<int, delays.size()> unstable{};  ///< of the first nine poles
+  std::array<int, delays.size()> of_ten{};    ///< of the first ten: the rigid mode and nine flexible ones
   std::vector<spacecraft::SensitivityPeak> peaks;
   spacecraft::Margins margins;
 };
 
 Fragile measure(const std::string& name, const spacecraft::Gains& gains, int peaks) {
   const ClosedLoop loop(craft(true), gains);
-  Fragile f{name, {}, sensitivity_peaks(loop, peaks), margins(loop, modes)};
+  Fragile f{name, {}, {}, sensitivity_peaks(loop, peaks), margins(loop, modes)};
   for (std::size_t i = 0; i < delays.size(); ++i) {
     const auto moved = delayed_poles(loop, delays.at(i), modes);
     f.unstable.at(i) = moved.status.ok() ? moved.unstable : -1;
+    const auto ten = delayed_poles(loop, delays.at(i), modes + 1);
+    f.of_ten.at(i) = ten.status.ok() ? ten.unstable : -1;
   }
   return f;
 }
@@ -64,9 +67,9 @@ std::vector<scene::Quantity> promises(const std::vector<Fragile>& all, bool quic
       count("unstable modes of nine, unit gains, 10 us", unit.unstable[1], 5),
       count("unstable modes of nine, designed gains, 1 ms", designed.unstable[3], 0),
       count("unstable modes of nine, designed gains, 10 ms", designed.unstable[4], 3),
-      count("unstable modes of nine, optimum, 1 us", optimum.unstable[0], 0),
-      count("unstable modes of nine, optimum, 10 us", optimum.unstable[1], 3),
-      count("unstable modes of nine, optimum, 100 us", optimum.unstable[2], 6),
+      count("unstable modes of ten, optimum, 1 us", optimum.of_ten[0], 0),
+      count("unstable modes of ten, optimum, 10 us", optimum.of_ten[1], 3),
+      count("unstable modes of ten, optimum, 100 us", optimum.of_ten[2], 6),
       scene::near("largest sensitivity, designed gains", "1", largest(designed).value, 1.111, 5e-3,
                   "an independent program, four digits, from a grid")};
   // Unit gains: |S| near successive poles.

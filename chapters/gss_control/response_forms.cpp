@@ -7,6 +7,7 @@ namespace {
 
 using spacecraft::Complex;
 
+//! [closed form and series]
 FormValue by_closed_form(const spacecraft::Plant& plant, double omega, double x) {
   const spacecraft::GssSolution<Complex> solution(plant.parameters(), Complex(0, omega));
   return {solution.theta(x).real(), solution.deflection(x).real()};
@@ -19,6 +20,8 @@ FormValue by_series(const spacecraft::Plant& plant, double omega, double x) {
   return {(motion.determinant / (s * s * inertia)).real(),
           (plant.appendage().deflection(motion, x) / inertia).real()};
 }
+
+//! [closed form and series]
 
 }  // namespace
 

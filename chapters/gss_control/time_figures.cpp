@@ -130,10 +130,11 @@ scene::Showing step_figure(What what, const TimeResponse& response) {
 constexpr const char* sampled =
     "an independent residue sum over 25 pole pairs, sampled in time: peaks lie a little above its samples";
 
-/// An extreme that others have sampled: at least as far out as theirs, and by no more than @p above of it.
+/// An extreme that others have sampled: but for 1e-8 at least as far out as theirs, and by no more than @p
+/// above of it.
 scene::Quantity beyond_samples(std::string name, std::string unit, double value, double reference,
                                double above) {
-  const double a = reference * (1 - 1e-9), b = reference * (1 + above);
+  const double a = reference * (1 - 1e-8), b = reference * (1 + above);
   return {std::move(name), std::move(unit), value, std::min(a, b), std::max(a, b), sampled};
 }
 

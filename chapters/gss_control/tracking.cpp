@@ -49,12 +49,12 @@ void draw(Plot& plot, double duration) {
                  forward = track(duration, TrackingLaw::feedforward);
   const std::vector<double> times = equidistant(0, 1.5 * duration, 601);
   plot.panel("{/:Italic θ} (rad)");
-  plot.begin("target", "l8");
-  for (const double t : times) plot.add(t, regulator.turn().value(t));
   plot.begin("controller of the text", "l5");
   for (const double t : times) plot.add(t, regulator.at(t).theta);
   plot.begin("torque fed forward", "l1");
   for (const double t : times) plot.add(t, forward.at(t).theta);
+  plot.begin("target", "l3");
+  for (const double t : times) plot.add(t, regulator.turn().value(t));
   plot.panel("{/:Italic y}(2 ft) (ft)");
   plot.begin("", "l5");
   for (const double t : times) plot.add(t, regulator.at(t).deflection.front());

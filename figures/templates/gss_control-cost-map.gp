@@ -10,9 +10,9 @@
 if (!exists("heading")) heading = ""
 set title heading
 set xlabel "{/:Italic k}_2"
-set ylabel "{/:Italic k}_3 (ft lb s/rad)" offset 0.5,0
-set xrange [-1.9:15]
-set yrange [4:70]
+set ylabel "{/:Italic k}_3\U+200B (ft lb s/rad)" offset 0.5,0
+set xrange [-2.01:15.11]
+set yrange [3.58:70.42]
 set border 15
 unset grid
 set lmargin at screen 0.11

@@ -21,10 +21,10 @@ set margins 0.5, 0.5, 0.5, 2.5
 of(name) = strcol("kind") eq name ? column("x") : NaN
 plot data using (of("rest")):"y" with lines linestyle 11 linewidth 1.5, \
      data using (of("thin")):"y" with lines linestyle 13, \
-     data using (of("arrow")):"y":"dx":"dy" with vectors head filled size 0.22,18 linestyle 13, \
      data using (of("axis")):"y":"dx":"dy" with vectors head filled size 0.22,18 linestyle 10, \
      data using (of("member")):"y" with lines linestyle 1 linewidth 3, \
      data using (of("body")):"y" with filledcurves closed fillcolor rgb pale, \
      data using (of("body")):"y" with lines linestyle 10 linewidth 2, \
+     data using (of("arrow")):"y":"dx":"dy" with vectors head filled size 0.22,18 linestyle 13, \
      data using (of("force")):"y":"dx":"dy" with vectors head filled size 0.3,18 linestyle 5 dashtype solid, \
      data using (of("label")):"y":"text" with labels textcolor rgb ink
