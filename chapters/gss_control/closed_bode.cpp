@@ -90,18 +90,18 @@ scene::Showing show(bool designed, bool hub) {
   if (hub) {
     const Peak peak = largest([&](double w) { return std::abs(value(w)); }, 0.02, 4);
     quantities = {
-        scene::Quantity{"largest |theta/theta_f|", "1", peak.size,
+        scene::Quantity{"largest modulus of theta/theta_f", "1", peak.size,
                         (designed ? 1.099208 : 4.840366) * (1 - 1e-6),
                         (designed ? 1.099208 : 4.840366) * (1 + 1e-5),
                         "an independent program, the maximum of a grid, which lies a little below the peak"},
         scene::near("frequency of it", "rad/s", peak.omega, designed ? 0.5256 : 0.2055, 5e-4,
                     "an independent program, four digits"),
-        scene::near("largest |theta/theta_f| in dB", "dB", 20 * std::log10(peak.size),
+        scene::near("largest theta/theta_f in dB", "dB", 20 * std::log10(peak.size),
                     designed ? 0.82 : 13.70, 1e-2, "an independent program, two decimals")};
   } else {
     const Peak peak = largest([&](double w) { return std::abs(value(w)); }, 52.1, 52.7);
     const Peak exact = largest([&](double w) { return std::abs(value(w)); }, 51.5, 53);
-    quantities = {scene::near("flexible peak of |y(2 ft)/theta_f| near 52 rad/s", "ft/rad",
+    quantities = {scene::near("flexible peak of y(2 ft)/theta_f near 52 rad/s", "ft/rad",
                               std::max(peak.size, exact.size), designed ? 0.794 : 0.711, 0.03,
                               "an independent program, the maximum of a grid, which a narrow peak exceeds by "
                               "little")};

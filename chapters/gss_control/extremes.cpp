@@ -89,7 +89,7 @@ scene::Showing show(bool quick) {
   return {
       {},
       table,
-      {scene::at_most("largest error of theta/u and y/u over max(1, |omega G'/G|), all spacecraft", "1",
+      {scene::at_most("largest error of theta/u and y/u over max(1, condition), all spacecraft", "1",
                       worst, 1e-12, "against 100 digits, 1e-8 to 1e8 rad/s"),
        scene::near("spacecraft all of whose first five poles are counted and found", "1", found,
                    static_cast<double>(all.size()), 0, "the argument principle says that none is missing"),
