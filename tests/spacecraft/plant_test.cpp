@@ -183,6 +183,25 @@ TEST(Plant, RealAndComplexArithmeticAgree) {
   }
 }
 
+// Where they meet both evaluations are right; far from there each loses what the other keeps.
+TEST(Plant, SeriesAndWavesMeet) {
+  for (const Parameters& p : both()) {
+    const Appendage a(p);
+    const auto difference = [&](Complex s) {
+      const Motion<Complex> series = a.motion(s, Evaluation::krylov), waves = a.motion(s, Evaluation::waves);
+      const Complex y1 = a.deflection(series, 3) / series.determinant,
+                    y2 = a.deflection(waves, 3) / waves.determinant;
+      return std::abs(y1 / y2 - 1.);
+    };
+    const double unit = 1 / std::sqrt(a.beta_unit());
+    for (const double q : {2., 2.5, 3.2})
+      for (const double angle : {0., 0.8, 1.4, 2.9})
+        EXPECT_LE(difference(std::polar(q * q * unit, angle)), 1e-12);
+    EXPECT_GT(difference(std::polar(1e-8 * unit, 0.8)), 1e-9);
+    EXPECT_GT(difference(std::polar(400 * unit, 1.4)), 1e-6);
+  }
+}
+
 TEST(Plant, MomentAndShearHoldTheBoundaryConditions) {
   for (const Parameters& p : both()) {
     const Appendage a(p);

@@ -69,7 +69,7 @@ Status Plant::status(Outcome outcome, Complex s) const {
                                                 s.real(), s.imag()));
   }
   return Status::failure(outcome, fmt::format("transfer function: s = {} + {} i is not finite, or too large: "
-                                              "|s|^2 rho L^4/EI must stay below 1e300",
+                                              "|s|^2 rho L^4/EI must stay below 1e200",
                                               s.real(), s.imag()));
 }
 
