@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -270,6 +272,20 @@ TEST(Plant, PassesTheResonancesOfTheLockedHub) {
   expect_exact(plant, {0, omega}, 2);
   EXPECT_LT(std::abs(plant.at_frequency(omega, 2).theta), 1e-15);
   EXPECT_GT(std::abs(plant.at_frequency(omega, 2).deflection), 1e-5);
+}
+
+TEST(Plant, TakesSeveralPlaces) {
+  const Plant plant(table_3_1());
+  const std::array<double, 3> x = {0., 1.3, 4.};
+  std::array<Complex, 3> y;
+  Complex theta;
+  for (const Complex s : {Complex(0, 33), Complex(-0.5, 33)}) {
+    EXPECT_EQ(plant.response(s, x, theta, y), Outcome::success);
+    EXPECT_EQ(y[0], Complex(0));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(y[i], plant.response(s, x[i]).deflection);
+    EXPECT_EQ(theta, plant.response(s).theta);
+  }
+  EXPECT_THROW(static_cast<void>(plant.response(1., x, theta, std::span(y).first(2))), std::invalid_argument);
 }
 
 TEST(Plant, StandsExtremeData) {
