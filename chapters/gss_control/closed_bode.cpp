@@ -96,8 +96,8 @@ scene::Showing show(bool designed, bool hub) {
                         "an independent program, the maximum of a grid, which lies a little below the peak"},
         scene::near("frequency of it", "rad/s", peak.omega, designed ? 0.5256 : 0.2055, 5e-4,
                     "an independent program, four digits"),
-        scene::near("largest theta/theta_f in dB", "dB", 20 * std::log10(peak.size),
-                    designed ? 0.82 : 13.70, 1e-2, "an independent program, two decimals")};
+        scene::near("largest theta/theta_f in dB", "dB", 20 * std::log10(peak.size), designed ? 0.82 : 13.70,
+                    1e-2, "an independent program, two decimals")};
   } else {
     const Peak peak = largest([&](double w) { return std::abs(value(w)); }, 52.1, 52.7);
     const Peak exact = largest([&](double w) { return std::abs(value(w)); }, 51.5, 53);

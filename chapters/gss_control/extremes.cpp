@@ -89,8 +89,8 @@ scene::Showing show(bool quick) {
   return {
       {},
       table,
-      {scene::at_most("largest error of theta/u and y/u over max(1, condition), all spacecraft", "1",
-                      worst, 1e-12, "against 100 digits, 1e-8 to 1e8 rad/s"),
+      {scene::at_most("largest error of theta/u and y/u over max(1, condition), all spacecraft", "1", worst,
+                      1e-12, "against 100 digits, 1e-8 to 1e8 rad/s"),
        scene::near("spacecraft all of whose first five poles are counted and found", "1", found,
                    static_cast<double>(all.size()), 0, "the argument principle says that none is missing"),
        scene::near("a pole is said or its value is beyond 1e8", "1", said ? 1 : 0, 1, 0,
