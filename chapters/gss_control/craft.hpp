@@ -1,0 +1,19 @@
+/// @file
+/// The spacecraft of Table 3.1 with and without tips, and the gains of the text.
+#pragma once
+
+#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/parameters.hpp"
+
+namespace nlmech::chapters {
+
+/// Table 3.1, with its tips or without.
+[[nodiscard]] inline spacecraft::Parameters craft(bool tip) {
+  const spacecraft::Parameters all = spacecraft::table_3_1();
+  return tip ? all : without_tip(all);
+}
+
+using spacecraft::designed_gains;
+using spacecraft::unit_gains;
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/spacecraft/parameters.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+/// A place on the page.
+struct Spot {
+  double x, y;
+};
+Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
+Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
+Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
+Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// A text whose blanks beside marked-up words stay.
+std::string with_kept_blanks(std::string text) {
+  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += 4)
+    text.insert(at + 1, "\u200b");  // a space of no width
+  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += 4)
+    text.insert(at + 1, "\u200b");
+  return text;
+}
+
+/// Lines, arrows and texts (without commas) for the template `gss_control-drawing`.
+class Drawing {
+ public:
+  /// @param kind `member`, `rest`, `thin` or `body`
+  void path(const std::string& kind, const std::vector<Spot>& points) {
+    ++paths_;
+    for (const Spot& p : points) table_.add({kind, paths_, p.x, p.y, 0.0, 0.0, {}});
+  }
+  void arrow(Spot from, Spot to, const std::string& kind = "arrow") {
+    table_.add({kind, ++paths_, from.x, from.y, to.x - from.x, to.y - from.y, {}});
+  }
+  void text(const std::string& words, Spot at) {
+    table_.add({"label", ++paths_, at.x, at.y, 0.0, 0.0, with_kept_blanks(words)});
+  }
+  /// A part of a circle, angles in radians.
+  void arc(const std::string& kind, Spot centre, double radius, double from, double to) {
+    std::vector<Spot> points;
+    for (int i = 0; i <= 72; ++i) points.push_back(centre + radius * direction(from + (to - from) * i / 72));
+    path(kind, points);
+  }
+  /// The same with an arrow's head at its end.
+  void turn(Spot centre, double radius, double from, double to, const std::string& kind = "arrow") {
+    arc("thin", centre, radius, from, to);
+    const double before = to - 0.12 * (to > from ? 1 : -1);
+    arrow(centre + radius * direction(before), centre + radius * direction(to), kind);
+  }
+  [[nodiscard]] scene::Figure take(std::map<std::string, std::string> variables) {
+    return {std::move(table_), "gss_control-drawing", std::move(variables)};
+  }
+
+ private:
+  std::int64_t paths_ = 0;
+  scene::Table table_{{{"kind"}, {"path", 3, true}, {"x"}, {"y"}, {"dx"}, {"dy"}, {"text"}}};
+};
+
+/// A hub that has turned by an angle, and the deflections drawn too large.
+struct Craft {
+  double radius = 1, length = 5.2, angle = 0.35, bend = 1.1;
+  [[nodiscard]] Spot along() const { return direction(angle); }
+  [[nodiscard]] Spot across() const { return direction(angle + std::numbers::pi / 2); }
+  /// Static shape of a clamped beam under a force at its tip: xi^2 (3 - xi)/2.
+  [[nodiscard]] Spot beam(double xi) const {
+    return (radius + length * xi) * along() + bend * xi * xi * (3 - xi) / 2 * across();
+  }
+};
+
+void draw_appendage(Drawing& d, const Craft& c, double sign) {
+  std::vector<Spot> rest, bent;
+  for (int i = 0; i <= 60; ++i) {
+    rest.push_back(sign * (c.radius + c.length * i / 60) * c.along());
+    bent.push_back(sign * c.beam(i / 60.0));
+  }
+  d.path("rest", rest);
+  d.path("member", bent);
+  d.arc("body", bent.back(), 0.22, 0, 2 * std::numbers::pi);
+}
+
+scene::Showing draw_spacecraft() {
+  const Craft c;
+  Drawing d;
+  d.arrow({0, 0}, {8, 0});
+  d.text("{/:Bold n}_1", {8.35, 0});
+  d.arrow({0, 0}, {0, 3.2});
+  d.text("{/:Bold n}_2", {0.45, 3.25});
+  d.arrow({0, 0}, 8.3 * c.along(), "axis");
+  d.text("{/:Bold b}_1", 8.65 * c.along());
+  d.arrow({0, 0}, 3.2 * c.across(), "axis");
+  d.text("{/:Bold b}_2", 3.55 * c.across());
+  draw_appendage(d, c, 1);
+  draw_appendage(d, c, -1);
+  d.arc("body", {0, 0}, c.radius, 0, 2 * std::numbers::pi);
+  d.turn({0, 0}, 4.6, 0, c.angle);
+  d.text("{/:Italic θ}", 5.0 * direction(c.angle / 2));
+  d.turn({0, 0}, 1.45, 3.6, 5.6, "force");
+  d.text("{/:Italic u}", {0.2, -1.95});
+  d.text("hub {/:Italic I}_{hub}", {-1.6, 1.35});
+  d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{-0.2, 0.65});
+  d.text("{/:Italic m} {/:Italic I}_{tip}", -1 * c.beam(1) + Spot{0.2, -0.65});
+  d.text("{/:Italic ρ} {/:Italic EI} {/:Italic L}", -1 * c.beam(0.6) + Spot{0.3, -0.55});
+  // The inertia of the rigid body, by the formulas behind (3.20) and by summing slices of the appendages.
+  const spacecraft::Parameters p = spacecraft::table_3_1();
+  double slices = p.hub_inertia + 2 * p.tip_mass * std::pow(p.hub_radius + p.length, 2) + 2 * p.tip_inertia;
+  constexpr int n = 2000;
+  const double h = p.length / n;
+  for (int i = 0; i < n; ++i)
+    slices += 2 * p.mass_per_length * h * (std::pow(p.hub_radius + (i + 0.5) * h, 2) + h * h / 12);
+  return {d.take({{"heading", "A rigid hub with two flexible appendages and tip bodies"},
+                  {"xrange", "[-7.6:9]"},
+                  {"yrange", "[-4.1:4.3]"},
+                  {"height", "400"}}),
+          {},
+          {scene::near("inertia of the rigid body", "slug ft^2", p.total_inertia(), slices, 1e-12,
+                       "the sum over 2000 rigid slices of an appendage, each with its own inertia: exact but "
+                       "for rounding"),
+           scene::near("the same, by hand", "slug ft^2", p.total_inertia(), 18.0961, 1e-12,
+                       "8 + 2 x 0.1569 x 25 + 2 x 0.0018 + 2 x 0.0271875 x 124/3 by hand")}};
+}
+
+scene::Showing draw_appendage_axes() {
+  Craft c{.radius = 1.6, .length = 5.6, .angle = 0.3, .bend = 1.7};
+  Drawing d;
+  const double at = 0.62;
+  const Spot foot = (c.radius + c.length * at) * c.along(), point = c.beam(at);
+  d.arrow({0, 0}, {8.2, 0});
+  d.text("{/:Bold n}_1", {8.55, 0});
+  d.arrow({0, 0}, 8.6 * c.along(), "axis");
+  d.text("{/:Bold b}_1", 8.95 * c.along());
+  d.arrow({0, 0}, 3.3 * c.across(), "axis");
+  d.text("{/:Bold b}_2", 3.65 * c.across());
+  std::vector<Spot> bent;
+  for (int i = 0; i <= 60; ++i) bent.push_back(c.beam(i / 60.0));
+  d.path("member", bent);
+  d.arc("body", bent.back(), 0.2, 0, 2 * std::numbers::pi);
+  d.arc("body", {0, 0}, c.radius, 0, 2 * std::numbers::pi);
+  d.arrow(foot, point - 0.05 * (point - foot), "force");
+  d.text("{/:Italic y}", foot + 0.45 * (point - foot) + Spot{0.3, 0.05});
+  // Lengths, measured below the axis b_1.
+  const Spot below = -0.45 * c.across();
+  const auto measure = [&](double from, double to, const std::string& name, double offset) {
+    const Spot shift = offset * below;
+    d.arrow(0.5 * (from + to) * c.along() + shift, from * c.along() + shift);
+    d.arrow(0.5 * (from + to) * c.along() + shift, to * c.along() + shift);
+    d.text(name, 0.5 * (from + to) * c.along() + shift + 0.75 * below);
+  };
+  measure(0, c.radius, "{/:Italic r}", 1);
+  measure(c.radius, c.radius + at * c.length, "{/:Italic x}", 1);
+  measure(c.radius, c.radius + c.length, "{/:Italic L}", 2.6);
+  d.turn({0, 0}, 7.6, 0, c.angle);
+  d.text("{/:Italic θ}", 7.95 * direction(0.4 * c.angle));
+  d.text("hub", {-0.5, 0.75});
+  d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{0.15, 0.6});
+  // The drawn shape is a clamped one: it leaves the hub along b_1, and carries no moment at its tip.
+  const auto xi = [](double t) { return t * t * (3 - t) / 2; };
+  constexpr double h = 1e-3;
+  return {
+      d.take({{"heading", "The deflection is measured from the axis that turns with the hub"},
+              {"xrange", "[-2.2:9.8]"},
+              {"yrange", "[-2:5.2]"},
+              {"height", "430"}}),
+      {},
+      {scene::near("slope of the drawn shape at the hub", "1", (xi(h) - xi(-h)) / (2 * h) + 1, 1, 1e-6,
+                   "clamped: the central difference of a cubic, off by h^2/2"),
+       scene::near("curvature of the drawn shape at the tip", "1",
+                   (xi(1 + h) - 2 * xi(1) + xi(1 - h)) / (h * h) + 1, 1, 1e-9,
+                   "no moment there: the second difference of a cubic is exact but for rounding over h^2")}};
+}
+
+void add_drawing(scene::Chapter& chapter, const std::string& name, const std::string& title,
+                 scene::Showing (*show)()) {
+  chapter.add({.name = name,
+               .title = title,
+               .place = "Figure " + name.substr(4),
+               .needs = {},
+               .seconds = 0.1,
+               .show = [show](scene::Workshop&) { return show(); }});
+}
+
+}  // namespace
+
+void add_drawings(scene::Chapter& chapter) {
+  add_drawing(chapter, "fig-3.1", "The symmetric rotating spacecraft (drawn)", draw_spacecraft);
+  add_drawing(chapter, "fig-3.2", "Deformation and axes of an appendage (drawn)", draw_appendage_axes);
+}
+
+}  // namespace nlmech::chapters

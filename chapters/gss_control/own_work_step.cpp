@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "chapters/gss_control/own_work_words.hpp"
+#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/spacecraft_file.hpp"
+#include "nlmech/spacecraft/response.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string craft, gains, angle, until, every, at;
+};
+
+spacecraft::TimeResponse respond(const Words& words, const spacecraft::Parameters& craft,
+                                 const std::vector<double>& places) {
+  if (words.gains.empty()) {
+    if (!words.angle.empty())
+      throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", words.angle));
+    return torque_response(spacecraft::Plant(craft), 1, places);
+  }
+  const double angle = words.angle.empty() ? 1 : typed_number("--final-angle", words.angle);
+  return step_response(typed_loop(craft, words.gains), angle, places);
+}
+
+void step(const Words& words) {
+  const spacecraft::Parameters craft = read_spacecraft(words.craft);
+  const std::vector<double> times = typed_times(words.until, words.every);
+  const std::vector<Place> places = typed_places("--at", words.at, craft);
+  std::vector<double> x;
+  std::string text = "t,theta,theta_dot";
+  for (const Place& p : places) {
+    text += fmt::format(",y@{0},ydot@{0}", p.text);
+    x.push_back(p.x);
+  }
+  text += '\n';
+  const spacecraft::TimeResponse r = respond(words, craft, x);
+  if (!r.status.ok()) throw Failure(r.status);
+  for (const double t : times) {
+    text += fmt::format("{:.17g},{:.17g},{:.17g}", t, r.theta.value(t), r.theta_dot.value(t));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      text += fmt::format(",{:.17g},{:.17g}", r.deflection[i].value(t), r.deflection_dot[i].value(t));
+    text += '\n';
+  }
+  scene::print_result(text);
+}
+
+}  // namespace
+
+void add_step_command(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* const command = app.add_subcommand(
+      "step",
+      "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
+      "t,theta,theta_dot,y@X,ydot@X; s, rad, ft");
+  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without");
+  command->add_option("--gains", words->gains, "k1,k2,k3");
+  command->add_option("--final-angle", words->angle, "theta_f, rad; 1 without");
+  command->add_option("--until", words->until, "last time, s")->required();
+  command->add_option("--every", words->every, "a row each so many seconds; without, the first and the last");
+  command->add_option("--at", words->at, "places on the appendage x1,x2,..., ft from the rim");
+  command->callback([words] { step(*words); });
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,15 @@
+/// @file
+/// Finite elements: beam elements of equal length with Hermite's cubics and consistent mass.
+#pragma once
+
+#include "nlmech/spacecraft/discrete_model.hpp"
+#include "nlmech/spacecraft/parameters.hpp"
+
+namespace nlmech::spacecraft {
+
+/// A model of @p elements an appendage: 2 coordinates (deflection, slope times element length) a node. Poles
+/// converge with the fourth power of the element length (tests/spacecraft).
+/// @throws std::invalid_argument if elements is not 1 to 500, or as require_physical()
+[[nodiscard]] DiscreteModel finite_elements(const Parameters& parameters, int elements);
+
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,71 @@
+/// @file
+/// Numerical inversion of Laplace transforms: fixed Talbot contour, de Hoog's continued fraction, Durbin's
+/// trapezoidal sum on a Bromwich line.
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::spacecraft {
+
+/// F(s), the transform of a real function of time: F(conj s) = conj F(s).
+using Transform = std::function<std::complex<double>(std::complex<double>)>;
+
+/// f(t) as one of the inversions gives it.
+struct Inverted {
+  double value = 0;  ///< f(t); of no use if the status is a failure
+  Status status;     ///< `non_finite` if F is NaN or infinite at a point of the contour
+};
+
+/// The fixed Talbot method of Abate and Valko (Int. J. Numer. Meth. Engng 60, 2004):
+///
+///     f(t) ~ r/M { F(r) e^(rt) / 2 + sum_{k=1}^{M-1} Re[e^(s_k t) F(s_k) (1 + i sigma_k)] },
+///     r = 2M/(5t), s_k = r theta_k (cot theta_k + i), theta_k = k pi/M.
+///
+/// The contour opens to the left and leaves poles of large imaginary part outside: right for functions
+/// without fast oscillations, 1e-9 of max |f| with 24 nodes for smooth ones; each node more loses 0.17 digits
+/// to rounding, e^(2M/5) eps in all. A flexible structure's modes above about M/t are missed altogether.
+/// @param transform F(s), without singularities to the right of the contour
+/// @param time t > 0
+/// @param nodes M, 2 to 200
+/// @throws std::invalid_argument for a time that is not positive and finite, or nodes out of range
+[[nodiscard]] Inverted talbot(const Transform& transform, double time, int nodes = 24);
+
+/// What de_hoog() may be told.
+struct DeHoogOptions {
+  int degree = 40;          ///< M, 1 to 1000: 2M + 1 evaluations of F
+  double tolerance = 1e-9;  ///< aliasing e^(-2 (shift - abscissa) T) that is allowed; between 0 and 1
+  double abscissa = 0;      ///< the largest real part of a singularity of F
+  double scale = 2;         ///< T/t, above 1/2: half the period over the time
+};
+
+/// The quotient-difference algorithm of de Hoog, Knight and Stokes (SIAM J. Sci. Stat. Comput. 3, 1982): the
+/// Fourier series of Durbin with half period T = scale t, summed as a continued fraction with its remainder
+/// estimated. Good to about the tolerance where 2M + 1 frequencies k pi/T reach beyond the modes that
+/// matter; not for late times of a lightly damped structure.
+/// @throws std::invalid_argument for a time that is not positive and finite or options out of range
+[[nodiscard]] Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& options = {});
+
+/// What bromwich() may be told. The defaults suit times up to 60 s of the spacecraft of Table 3.1.
+struct BromwichOptions {
+  double half_period = 60;   ///< T; times must be below 2 T
+  double shift = 0.25;       ///< c > the largest real part of a singularity; aliasing is e^(-2 c T)
+  double frequency = 1.2e4;  ///< W, the highest frequency that is summed; at least pi/T
+};
+
+/// Durbin's sum: the trapezoidal rule on the Bromwich line Re s = c,
+///
+///     f(t) ~ e^(ct)/T { F(c)/2 + sum_{k pi/T <= W} Re[F(c + i k pi/T) e^(i k pi t/T)] },
+///
+/// for many times at once, F being evaluated once a frequency. Errors: aliasing, f(t + 2T) e^(-2cT); and the
+/// sum's rest, at most |F(c + iW)| e^(ct) / (pi t) where F decays smoothly, c t <= 10 being wise.
+/// @returns one value a time; all with the status of the sum
+/// @throws std::invalid_argument for a time outside (0, 2T), or options out of range
+[[nodiscard]] std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
+                                             const BromwichOptions& options = {});
+
+}  // namespace nlmech::spacecraft

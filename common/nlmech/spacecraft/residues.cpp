@@ -1,0 +1,255 @@
+#include "nlmech/spacecraft/residues.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace nlmech::spacecraft {
+namespace {
+
+bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
+
+Complex power(Complex p, int order) {
+  Complex result = 1;
+  for (int i = 0; i < order; ++i) result *= p;
+  return result;
+}
+
+/// The fastest oscillation, or decay, of a sum: what a sampling must resolve.
+double fastest(const ExponentialSum& f) {
+  double rate = 0;
+  for (const Complex p : f.poles()) rate = std::max(rate, std::abs(p));
+  return rate;
+}
+
+/// The root of f^(order) between @p a and @p b, where it has different signs; by halving, which cannot fail.
+double halve(const ExponentialSum& f, int order, double offset, double a, double b) {
+  const bool negative = f.value(a, order) < offset;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = a + (b - a) / 2;
+    if (middle <= a || middle >= b) break;
+    ((f.value(middle, order) < offset) == negative ? a : b) = middle;
+  }
+  return a;
+}
+
+/// The largest value of sign * f in [a, b], a few periods of the fast terms at most.
+Extreme local_maximum(const ExponentialSum& f, double sign, double a, double b) {
+  constexpr int parts = 12;
+  Extreme best{a, -std::numeric_limits<double>::infinity()};
+  const auto consider = [&](double t) {
+    if (const double value = sign * f.value(t); value > best.value) best = {t, value};
+  };
+  double before = sign * f.value(a, 1);
+  consider(a);
+  for (int i = 1; i <= parts; ++i) {
+    const double left = a + (b - a) * (i - 1) / parts, right = a + (b - a) * i / parts;
+    const double slope = sign * f.value(right, 1);
+    consider(right);
+    if (before > 0 && slope <= 0) consider(halve(f, 1, 0, left, right));
+    before = slope;
+  }
+  best.value *= sign;
+  return best;
+}
+
+/// The largest value of sign * f in an interval.
+Extreme maximum(const ExponentialSum& f, double sign, double from, double until) {
+  const double remainder = 2e-4 * f.envelope(0);
+  const ExponentialSum main = f.without_small(remainder);
+  const double rate = std::max(fastest(main), 1 / (until - from));
+  const auto count = static_cast<std::size_t>(std::min(std::ceil((until - from) * rate * 4), 4e6)) + 8;
+  const double step = (until - from) / static_cast<double>(count);
+  const std::vector<double> samples = main.samples(from, step, count + 1);
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double s : samples) largest = std::max(largest, sign * s);
+  // The maximum lies within half a step of a sample that is less than the largest by no more than what is
+  // left out, and what the curvature allows between samples.
+  const double curvature = main.derivative().derivative().envelope(from);
+  const double enough = largest - 2 * remainder - 2 * curvature * step * step / 8;
+  Extreme best{from, f.value(from)};
+  if (sign * f.value(until) > sign * best.value) best = {until, f.value(until)};
+  int looked_at = 0;
+  for (std::size_t i = 0; i <= count && looked_at < 20000; ++i) {
+    if (sign * samples[i] < enough) continue;
+    const double time = from + static_cast<double>(i) * step;
+    const Extreme near =
+        local_maximum(f, sign, std::max(from, time - step / 2), std::min(until, time + step / 2));
+    if (sign * near.value > sign * best.value) best = near;
+    ++looked_at;
+  }
+  return best;
+}
+
+/// The last crossing of the band's edge in [a, b], on the whole sum; negative if it stays within.
+double last_crossing(const ExponentialSum& f, double centre, double band, double a, double b) {
+  constexpr int parts = 48;
+  double right = b, slope = f.value(b, 1);
+  for (int i = parts; i-- > 0;) {
+    const double left = a + (b - a) * i / parts, before = f.value(left, 1);
+    // The largest distance of this part: at its left end, or where the slope changes its sign.
+    double far = left;
+    if (before * slope < 0) {
+      const double top = halve(f, 1, 0, left, right);
+      if (std::abs(f.value(top) - centre) > std::abs(f.value(left) - centre)) far = top;
+    }
+    if (std::abs(f.value(far) - centre) > band) {
+      const double sign = f.value(far) > centre ? 1 : -1;
+      return halve(f, 0, centre + sign * band, far, right);
+    }
+    right = left;
+    slope = before;
+  }
+  return -1;
+}
+
+}  // namespace
+
+ExponentialSum::ExponentialSum(const std::array<double, 3>& polynomial, std::vector<Complex> poles,
+                               std::vector<Complex> weights)
+    : polynomial_(polynomial), poles_(std::move(poles)), weights_(std::move(weights)) {
+  if (poles_.size() != weights_.size())
+    throw std::invalid_argument(
+        fmt::format("ExponentialSum: {} poles and {} weights", poles_.size(), weights_.size()));
+  const bool all =
+      std::all_of(poles_.begin(), poles_.end(), finite) &&
+      std::all_of(weights_.begin(), weights_.end(), finite) &&
+      std::all_of(polynomial_.begin(), polynomial_.end(), [](double c) { return std::isfinite(c); });
+  if (!all) throw std::invalid_argument("ExponentialSum: a coefficient is not finite");
+}
+
+double ExponentialSum::value(double time, int order) const {
+  double sum = 0;
+  // Fast terms are mostly small: added up first.
+  for (std::size_t k = poles_.size(); k-- > 0;)
+    sum += (weights_[k] * power(poles_[k], order) * std::exp(poles_[k] * time)).real();
+  const auto [c0, c1, c2] = polynomial_;
+  double smooth = c0 + time * (c1 + time * c2);
+  if (order == 1) smooth = c1 + 2 * time * c2;
+  if (order == 2) smooth = 2 * c2;
+  return 2 * sum + (order > 2 ? 0 : smooth);
+}
+
+std::vector<double> ExponentialSum::samples(double first, double step, std::size_t count) const {
+  constexpr std::size_t block = 64;
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = first + static_cast<double>(i) * step;
+    values[i] = polynomial_[0] + t * (polynomial_[1] + t * polynomial_[2]);
+  }
+  for (std::size_t k = poles_.size(); k-- > 0;) {
+    const Complex turn = std::exp(poles_[k] * step);
+    Complex term;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % block == 0)
+        term = 2. * weights_[k] * std::exp(poles_[k] * (first + static_cast<double>(i) * step));
+      values[i] += term.real();
+      // Written out: the library's product looks for infinities.
+      term = {term.real() * turn.real() - term.imag() * turn.imag(),
+              term.real() * turn.imag() + term.imag() * turn.real()};
+    }
+  }
+  return values;
+}
+
+ExponentialSum ExponentialSum::derivative() const {
+  ExponentialSum d = *this;
+  d.polynomial_ = {polynomial_[1], 2 * polynomial_[2], 0};
+  for (std::size_t k = 0; k < poles_.size(); ++k) d.weights_[k] *= poles_[k];
+  return d;
+}
+
+ExponentialSum ExponentialSum::scaled(double factor) const {
+  ExponentialSum s = *this;
+  for (double& c : s.polynomial_) c *= factor;
+  for (Complex& w : s.weights_) w *= factor;
+  return s;
+}
+
+double ExponentialSum::envelope(double time) const {
+  double sum = 0;
+  for (std::size_t k = poles_.size(); k-- > 0;)
+    sum += std::abs(weights_[k]) * std::exp(poles_[k].real() * time);
+  return 2 * sum;
+}
+
+ExponentialSum ExponentialSum::without_small(double remainder) const {
+  std::vector<std::size_t> order(poles_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return std::abs(weights_[a]) < std::abs(weights_[b]);
+  });
+  double left_out = 0;
+  std::vector<bool> kept(poles_.size(), true);
+  for (const std::size_t k : order) {
+    left_out += 2 * std::abs(weights_[k]);
+    if (left_out > remainder) break;
+    kept[k] = false;
+  }
+  ExponentialSum main;
+  main.polynomial_ = polynomial_;
+  for (std::size_t k = 0; k < poles_.size(); ++k) {
+    if (!kept[k]) continue;
+    main.poles_.push_back(poles_[k]);
+    main.weights_.push_back(weights_[k]);
+  }
+  return main;
+}
+
+Extremes extremes(const ExponentialSum& f, double from, double until) {
+  if (!(from >= 0 && until > from && std::isfinite(until)))
+    throw std::invalid_argument(
+        fmt::format("extremes: from {:g} until {:g} s is no interval of times", from, until));
+  return {maximum(f, -1, from, until), maximum(f, 1, from, until)};
+}
+
+Settling settling_time(const ExponentialSum& f, double final_value, double band, double latest) {
+  if (!(band > 0 && latest > 0 && std::isfinite(band) && std::isfinite(latest)))
+    throw std::invalid_argument(
+        fmt::format("settling_time: band {:g} and latest time {:g} must be positive", band, latest));
+  const double offset = std::abs(f.polynomial()[0] - final_value);
+  const auto late = [&](double sought) {
+    return Settling{
+        0, Status::failure(Outcome::not_converged,
+                           fmt::format("settling_time: not within {:g} of {:g} for good before {:g} s; "
+                                       "allow a later time or a wider band",
+                                       band, final_value, sought))};
+  };
+  if (offset >= band || f.polynomial()[1] != 0 || f.polynomial()[2] != 0) return late(latest);
+  // After `end` no term can lead out of the band.
+  double begin = 0, end = latest;
+  if (offset + f.envelope(end) > band) return late(latest);
+  for (int i = 0; i < 100 && end - begin > 1e-3 * end; ++i) {
+    const double middle = (begin + end) / 2;
+    (offset + f.envelope(middle) > band ? begin : end) = middle;
+  }
+  const double remainder = 0.02 * band;
+  const ExponentialSum main = f.without_small(remainder);
+  const double step = 0.25 / std::max(fastest(main), 1 / end);
+  if (end / step > 2e7) return late(end);
+  constexpr std::size_t block = 4096;
+  for (double right = end; right > 0;) {
+    const double left = std::max(0., right - static_cast<double>(block) * step);
+    const std::size_t count = static_cast<std::size_t>(std::ceil((right - left) / step)) + 1;
+    const double actual = (right - left) / static_cast<double>(count - 1);
+    const std::vector<double> samples = main.samples(left, actual, count);
+    for (std::size_t i = count; i-- > 0;) {
+      const double time = left + static_cast<double>(i) * actual,
+                   distance = std::abs(samples[i] - final_value);
+      // A sample that could hide an exceedance: near the band, on the whole sum. Samples a quarter of a
+      // radian apart miss 1 % of a crest, and 2 % are left out of them.
+      if (distance < 0.96 * band) continue;
+      const double crossing = last_crossing(f, final_value, band, std::max(0., time - actual), time + actual);
+      if (crossing >= 0) return {crossing, {}};
+    }
+    right = left;
+  }
+  return {};
+}
+
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,76 @@
+/// @file
+/// Motion in time by exact residues: the closed loop's answer to a step of the target angle, the open loop's
+/// to a step or pulse of torque.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/residues.hpp"
+
+namespace nlmech::spacecraft {
+
+/// How many residues are summed.
+struct ResidueOptions {
+  int pairs = 0;            ///< poles of Im >= 0 that are used; 0: as many as the tolerance needs
+  double tolerance = 1e-9;  ///< with pairs = 0: bound of what is left out of theta and y, relative to the
+                            ///< largest residue of each
+  int most = 800;           ///< with pairs = 0: no more than so many; 1 to 5000
+};
+
+/// What the residues that are left out can add up to: from the decay of the last quarter's moduli, twice the
+/// integral of the power law. Larger than the true remainder (tests/spacecraft, against 8 times the pairs).
+struct ResidueBounds {
+  double theta = 0;                    ///< rad
+  double theta_dot = 0;                ///< rad/s
+  std::vector<double> deflection;      ///< ft, one a place
+  std::vector<double> deflection_dot;  ///< ft/s
+  double torque = 0;                   ///< lb ft
+};
+
+/// Motion from rest. All sums share their poles.
+struct TimeResponse {
+  ExponentialSum theta;                        ///< rad
+  ExponentialSum theta_dot;                    ///< rad/s
+  std::vector<double> places;                  ///< x, ft
+  std::vector<ExponentialSum> deflection;      ///< y(x), ft, one a place
+  std::vector<ExponentialSum> deflection_dot;  ///< y'(x) by time, ft/s
+  ExponentialSum torque;                       ///< u, lb ft; closed loop only
+  ResidueBounds bounds;                        ///< of what is left out
+  Status status;                               ///< success, or what the poles' was
+};
+
+/// The closed loop from rest, the target being theta_f = @p final_angle from t = 0 on.
+///
+/// theta and y are sums of terms that fall like n^-6 and n^-5; theta' n^-4; y' n^-3; u n^-4 for k2 = 0 and
+/// n^-2 else (slowly and not near t = 0). Two poles that nearly coincide, as at critical damping, are
+/// replaced by 48 points of a circle round both, so that nothing cancels. With k1 = 0 nothing moves.
+/// @throws std::invalid_argument if a place is outside 0 to L, the angle is not finite, or an option is out
+/// of range
+[[nodiscard]] TimeResponse step_response(const ClosedLoop& loop, double final_angle,
+                                         std::span<const double> places, const ResidueOptions& options = {});
+
+/// The open loop from rest, with constant torque @p torque from t = 0 on: theta = u [t^2/(2J) + c + sum], the
+/// constant from the appendages' static strain energy.
+/// @throws std::invalid_argument as step_response()
+[[nodiscard]] TimeResponse torque_response(const Plant& plant, double torque, std::span<const double> places,
+                                           const ResidueOptions& options = {});
+
+/// The answer at @p time to the same torque ended after @p duration, from the answer to the step.
+/// @param step a sum of torque_response()
+[[nodiscard]] double pulse(const ExponentialSum& step, double time, double duration);
+
+/// Static data of one appendage on a locked hub, in closed form.
+struct Statics {
+  double strain;  ///< int M(x)^2/EI dx for theta'' = 1: B(s) = B(0) - strain s^2 + ..., slug ft^2 s^2
+  double green;   ///< G(x, x) = x^3/(3 EI): deflection at x by a unit force there, ft/lb
+  double square;  ///< C(x) = [rho int G(x, xi)^2 dxi + m G(x, L)^2 + I_tip (dG/dxi(x, L))^2]/2, ft^2 s^2/lb
+};
+
+/// Statics at @p x.
+/// @throws std::invalid_argument if x is outside 0 to L, or as require_physical()
+[[nodiscard]] Statics statics(const Parameters& parameters, double x);
+
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,95 @@
+/// Misprints and claims of section 3.1 that are not in tests/spacecraft: printed and corrected form against
+/// an independent oracle.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "chapters/gss_control/craft.hpp"
+#include "nlmech/spacecraft/margins.hpp"
+#include "nlmech/spacecraft/poles.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using spacecraft::Complex;
+
+/// exp(A) by Taylor's series: entries of A are at most of order ten here.
+Eigen::Matrix<double, 6, 6> exponential(const Eigen::Matrix<double, 6, 6>& a) {
+  Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Identity(), term = sum;
+  for (int k = 1; k < 80; ++k) {
+    term = term * a / k;
+    sum += term;
+  }
+  return sum;
+}
+
+/// The matrix of (3.25) at a beta; row 5 as printed repeats z_5 instead of giving z_6.
+Eigen::Matrix<double, 6, 6> state_matrix(double beta, bool printed) {
+  Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int i = 0; i < 4; ++i) a(i, i + 1) = 1;
+  a(4, printed ? 4 : 5) = 1;
+  a(5, 2) = -beta;
+  return a;
+}
+
+// (3.25), row 5: z_5' = z_6. The corrected matrix gives f = (cos + cosh)/2 as the factor of z_5(0) in z_5
+// (3.28); the printed one a plain exponential.
+TEST(Errata, RowFiveOfTheStateMatrix) {
+  const double beta = 0.5, x = 1.5;
+  // f = cos(b x) cosh(b x) with b = beta^(1/4)/sqrt 2 for beta > 0 (3.30).
+  const double b = std::pow(beta, 0.25) / std::sqrt(2.0), f = std::cos(b * x) * std::cosh(b * x);
+  const double corrected = exponential(state_matrix(beta, false) * x)(4, 4);
+  EXPECT_NEAR(corrected, f, 1e-14);  // some hundred roundings of numbers of order one
+  EXPECT_GT(std::abs(exponential(state_matrix(beta, true) * x)(4, 4) - f), 1);
+}
+
+// (3.40) gives five states at the root; (3.36) six. Only with z_1 = z_2 = z_3 = z_4 = 0 is the appendage
+// clamped: the deflection and its slope vanish there.
+TEST(Errata, SixStatesAtTheRoot) {
+  const spacecraft::Appendage appendage(craft(true));
+  for (const double omega : {0.1, 10.0, 1000.0}) {
+    EXPECT_LT(std::abs(appendage.deflection(Complex(0, omega), 0)), 1e-14);
+    EXPECT_LT(std::abs(appendage.slope(Complex(0, omega), 0)), 1e-14);
+  }
+}
+
+// Figure 3.8 is captioned "theta at x = 4 ft": theta/u does not depend on the place that is asked for.
+TEST(Errata, HubAngleHasNoPlace) {
+  const spacecraft::Plant plant(craft(true));
+  for (const double omega : {0.3, 7.0, 80.0})
+    EXPECT_EQ(plant.at_frequency(omega, 2).theta, plant.at_frequency(omega, 4).theta);
+}
+
+// "Phase shifting between +90 and -90": undamped transfer functions are real on the axis.
+TEST(Claims, OpenLoopPhaseIsZeroOrHalfATurn) {
+  const spacecraft::Plant plant(craft(true));
+  for (const double omega : {0.3, 7.0, 80.0, 500.0}) {
+    const auto r = plant.response(Complex(0, omega), 2);
+    EXPECT_LT(std::abs(r.theta.imag()), 1e-13 * std::abs(r.theta));
+    EXPECT_LT(std::abs(r.deflection.imag()), 1e-13 * std::abs(r.deflection));
+  }
+}
+
+// "Potential system instability" of unit gains: every one of the first poles is stable, and the gains may
+// grow without bound; what they do not bear is a delay.
+TEST(Claims, UnitGainsAreStableAndFragile) {
+  const spacecraft::ClosedLoop loop(craft(true), unit_gains);
+  const auto poles = loop.poles(40);
+  ASSERT_TRUE(poles.status.ok());
+  for (const Complex& s : poles.s) EXPECT_LT(s.real(), 0);
+  EXPECT_TRUE(std::isinf(margins(loop, 9).gain_margin));
+  EXPECT_GT(delayed_poles(loop, 1e-5, 9).unstable, 0);
+}
+
+// "A slight truncation error": the eleventh and later poles have no counterpart in ten modes at all.
+TEST(Claims, TheExactPlantHasMorePolesThanAnyTruncation) {
+  const auto poles = spacecraft::poles(spacecraft::Plant(craft(true)), 60);
+  ASSERT_TRUE(poles.status.ok());
+  EXPECT_EQ(poles.omega.size(), 60U);
+  EXPECT_EQ(poles.counted, 60);
+  for (std::size_t i = 1; i < poles.omega.size(); ++i) EXPECT_GT(poles.omega[i], poles.omega[i - 1]);
+}
+
+}  // namespace
+}  // namespace nlmech::chapters

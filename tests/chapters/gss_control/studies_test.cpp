@@ -1,0 +1,117 @@
+/// What the chapter's figures and tables are made with.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "chapters/gss_control/craft.hpp"
+#include "chapters/gss_control/extended.hpp"
+#include "chapters/gss_control/modal_loop.hpp"
+#include "chapters/gss_control/plots.hpp"
+#include "chapters/gss_control/response_forms.hpp"
+#include "nlmech/spacecraft/assumed_modes.hpp"
+#include "nlmech/spacecraft/lyapunov.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+// Values of an independent program in 60 digits, 15 of them printed.
+TEST(Extended, HasTheKnownValues) {
+  struct Known {
+    bool tip;
+    double omega, theta, middle, end;
+  };
+  constexpr std::array known = {
+      Known{false, 0.1, -9.75833120309274, -0.00155072104594153, -0.00447670586136782},
+      Known{false, 1000, -1.26289815221454e-7, 9.33002707313804e-7, -1.56096643502893e-7},
+      Known{true, 1, -0.0536584284810462, -0.00487037747371546, -0.0153109262016674},
+      Known{true, 100, -1.24569176143171e-5, 4.20049688309619e-5, 6.06691862730473e-5}};
+  for (const Known& k : known) {
+    const Extended e = extended_response(craft(k.tip), k.omega);
+    EXPECT_NEAR(e.value[0] / k.theta, 1, 2e-14) << k.omega;  // of 15 digits
+    EXPECT_NEAR(e.value[1] / k.middle, 1, 2e-14) << k.omega;
+    EXPECT_NEAR(e.value[2] / k.end, 1, 2e-14) << k.omega;
+  }
+}
+
+// theta/u ~ -1/(J omega^2) at both ends of low frequencies, whose logarithmic slope is -2.
+TEST(Extended, IsRigidAtLowFrequencies) {
+  const Extended e = extended_response(craft(true), 1e-6);
+  EXPECT_NEAR(e.value[0] * 1e-12 * -18.0961, 1, 1e-12);
+  EXPECT_NEAR(e.condition[0], 2, 1e-10);
+}
+
+// All forms are the same function where none has lost digits yet.
+TEST(Forms, AgreeInTheMiddle) {
+  const ResponseForms forms(craft(true));
+  for (const double omega : {1.0, 3.0, 10.0}) {
+    const FormValue closed = forms.evaluate(Form::closed, omega, 2),
+                    krylov = forms.evaluate(Form::krylov, omega, 2),
+                    scaled = forms.evaluate(Form::scaled, omega, 2);
+    EXPECT_NEAR(closed.theta / scaled.theta, 1, 1e-12) << omega;
+    EXPECT_NEAR(krylov.theta / scaled.theta, 1, 1e-12) << omega;
+    EXPECT_NEAR(closed.deflection / scaled.deflection, 1, 1e-9) << omega;
+    EXPECT_NEAR(krylov.deflection / scaled.deflection, 1, 1e-12) << omega;
+  }
+}
+
+/// The classical Runge-Kutta rule on the equations of CVODE's contender.
+Eigen::VectorXd integrate(const ModalLoop& loop, double end, int steps) {
+  using Vector = Eigen::VectorXd;
+  Vector x = Vector::Zero(loop.size()), a(x.size()), b(x.size()), c(x.size()), d(x.size());
+  const double h = end / steps;
+  for (int k = 0; k < steps; ++k) {
+    loop(0., x, a);
+    loop(0., Vector(x + h / 2 * a), b);
+    loop(0., Vector(x + h / 2 * b), c);
+    loop(0., Vector(x + h * c), d);
+    x += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return x;
+}
+
+// The law solved for u, against the matrix exponential of the undiagonalised model: with feedback of the root
+// load too. Runge and Kutta's error is (omega h)^4 of small parts: omega h is 0.13 for the third mode.
+TEST(ModalLoop, IsTheDiscretisedClosedLoop) {
+  const auto model = spacecraft::assumed_modes(craft(true), 3);
+  for (const spacecraft::Gains& gains : {unit_gains, designed_gains}) {
+    const ModalLoop loop(diagonalise(model), gains, 1);
+    const Eigen::VectorXd x = integrate(loop, 2, 2500);
+    spacecraft::DiscreteLoop exact(model, gains, 1, 0.01);
+    for (int k = 0; k < 200; ++k) exact.advance();
+    EXPECT_NEAR(loop.angle(x), exact.theta(), 1e-6) << gains.k2;
+    const Eigen::VectorXd shapes = diagonalise(model).mode_shapes(2);
+    EXPECT_NEAR(shapes.dot(x.segment(1, shapes.size())), exact.deflection(2), 1e-6) << gains.k2;
+  }
+}
+
+TEST(Plots, GridsHoldTheirEnds) {
+  const auto grid = logarithmic(1e-8, 1e8, 33);
+  EXPECT_EQ(grid.front(), 1e-8);
+  EXPECT_EQ(grid.back(), 1e8);
+  EXPECT_EQ(grid.size(), 33U);
+  for (std::size_t i = 1; i < grid.size(); ++i) EXPECT_NEAR(grid[i] / grid[i - 1], std::sqrt(10.0), 1e-12);
+  EXPECT_THROW((void)logarithmic(0, 1, 5), std::invalid_argument);
+  EXPECT_THROW((void)logarithmic(2, 1, 5), std::invalid_argument);
+  EXPECT_THROW((void)logarithmic(1, 2, 1), std::invalid_argument);
+}
+
+RC_GTEST_PROP(Plots, TicsAreNineAtMost, ()) {
+  const int low = *rc::gen::inRange(-30, 10), span = *rc::gen::inRange(1, 40);
+  Plot plot("heading", "x");
+  plot.panel("y");
+  plot.log_x(std::pow(10, low), std::pow(10, low + span));
+  plot.begin("", "l1");
+  plot.add(1, 1);
+  const std::string tics = plot.take().variables.at("xtics");
+  std::size_t named = 0;
+  for (std::size_t at = tics.find('"'); at != std::string::npos;
+       at = tics.find('"', tics.find('"', at + 1) + 1))
+    named += tics[at + 1] != '"' ? 1 : 0;
+  RC_ASSERT(named >= 1);
+  RC_ASSERT(named <= 9);
+}
+
+}  // namespace
+}  // namespace nlmech::chapters

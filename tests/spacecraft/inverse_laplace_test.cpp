@@ -1,0 +1,108 @@
+/// Numerical inverse Laplace transforms against pairs of the tables.
+#include "nlmech/spacecraft/inverse_laplace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace nlmech::spacecraft {
+namespace {
+
+using Complex = std::complex<double>;
+
+struct Pair {
+  const char* name;
+  Transform transform;
+  std::function<double(double)> function;
+};
+
+const std::array<Pair, 4>& smooth_pairs() {
+  static const std::array<Pair, 4> pairs = {
+      Pair{"exponential", [](Complex s) { return 1. / (s + 1.); }, [](double t) { return std::exp(-t); }},
+      Pair{"ramp", [](Complex s) { return 1. / (s * s); }, [](double t) { return t; }},
+      Pair{"root", [](Complex s) { return 1. / std::sqrt(s); },
+           [](double t) { return 1 / std::sqrt(std::numbers::pi * t); }},
+      Pair{"sine", [](Complex s) { return 1. / (s * s + 1.); }, [](double t) { return std::sin(t); }}};
+  return pairs;
+}
+
+// Abate and Valko: about 0.6 M digits, M being the nodes, less what e^(2M/5) eps of rounding takes: with 24
+// nodes the former is below the latter, 1.5e4 eps = 3e-12, times a few for the sum.
+TEST(Talbot, InvertsSmoothFunctions) {
+  for (const Pair& pair : smooth_pairs()) {
+    for (const double t : {0.01, 1., 3.}) {
+      const double exact = pair.function(t);
+      EXPECT_NEAR(talbot(pair.transform, t).value, exact, 1e-9 * std::max(1., std::abs(exact)))
+          << pair.name << " at " << t;
+    }
+  }
+}
+
+// The contour with M nodes holds |Im s| below about M/t: faster oscillations are lost, whole.
+TEST(Talbot, MissesFastOscillations) {
+  const Transform fast = [](Complex s) { return 100. / (s * s + 1e4); };
+  EXPECT_GT(std::abs(talbot(fast, 1.).value - std::sin(100.)), 0.1);
+}
+
+TEST(DeHoog, InvertsSmoothFunctions) {
+  for (const Pair& pair : smooth_pairs()) {
+    for (const double t : {0.01, 1., 3.}) {
+      const double exact = pair.function(t);
+      // The aliasing that is allowed, times the growth of f over the period 4 t.
+      EXPECT_NEAR(de_hoog(pair.transform, t).value, exact, 1e-8 * std::max(1., std::abs(exact)))
+          << pair.name << " at " << t;
+    }
+  }
+}
+
+TEST(DeHoog, NeedsMoreTermsForFasterOscillations) {
+  const Transform fast = [](Complex s) { return 100. / (s * s + 1e4); };
+  EXPECT_GT(std::abs(de_hoog(fast, 1., {.degree = 10}).value - std::sin(100.)), 1e-3);
+  EXPECT_NEAR(de_hoog(fast, 1., {.degree = 120}).value, std::sin(100.), 1e-7);
+}
+
+// Of 100/(s^2 + 1e4) the terms beyond W = 1e5 fall like 100/omega^2: what is left out is at most e^(ct)
+// 100/W^2 / (pi t), 1e-8 here, and aliasing e^(-2cT) = 1e-13.
+TEST(Bromwich, SumsOscillationsForManyTimes) {
+  const Transform fast = [](Complex s) { return 100. / (s * s + 1e4); };
+  const std::array<double, 4> times = {0.5, 1, 5, 20};
+  const std::vector<Inverted> f = bromwich(fast, times, {.half_period = 60, .shift = 0.25, .frequency = 1e5});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double allowed = std::exp(0.25 * times[i]) * 1e-8 / times[i] + 2e-13;
+    EXPECT_NEAR(f[i].value, std::sin(100 * times[i]), 2 * allowed) << times[i];
+  }
+}
+
+TEST(InverseLaplace, RefusesBadInput) {
+  const Transform f = [](Complex s) { return 1. / s; };
+  for (const double t : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_THROW((void)talbot(f, t), std::invalid_argument) << t;
+    EXPECT_THROW((void)de_hoog(f, t), std::invalid_argument) << t;
+    const std::array<double, 1> times = {t};
+    EXPECT_THROW((void)bromwich(f, times), std::invalid_argument) << t;
+  }
+  EXPECT_THROW((void)talbot(f, 1, 1), std::invalid_argument);
+  EXPECT_THROW((void)de_hoog(f, 1, {.degree = 0}), std::invalid_argument);
+  EXPECT_THROW((void)de_hoog(f, 1, {.tolerance = 0}), std::invalid_argument);
+  EXPECT_THROW((void)de_hoog(f, 1, {.scale = 0.5}), std::invalid_argument);
+  const std::array<double, 1> late = {121};
+  EXPECT_THROW((void)bromwich(f, late), std::invalid_argument);
+  EXPECT_THROW((void)bromwich(f, {}, {.frequency = 0.01}), std::invalid_argument);
+}
+
+TEST(InverseLaplace, SaysWhereATransformIsNotFinite) {
+  const Transform broken = [](Complex s) { return std::abs(s.imag()) > 3 ? Complex(std::nan("")) : 1. / s; };
+  const std::array<double, 1> times = {1};
+  for (const Inverted& f : {talbot(broken, 1), de_hoog(broken, 1), bromwich(broken, times)[0]}) {
+    EXPECT_EQ(f.status.outcome(), Outcome::non_finite);
+    EXPECT_NE(f.status.sentence().find("s ="), std::string::npos) << f.status.sentence();
+    EXPECT_EQ(f.value, 0);
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,91 @@
+/// Lyapunov functions along a discretised motion; the discretised motion against the exact one.
+#include "nlmech/spacecraft/lyapunov.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "nlmech/spacecraft/assumed_modes.hpp"
+#include "nlmech/spacecraft/finite_elements.hpp"
+#include "nlmech/spacecraft/response.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+// Vdot = -k3 theta'^2: the corrected function falls at every sample, and by what the controller dissipates,
+// integrated by Gauss's rule within each step (1e-9 of V(0) for the rounding of the modes, up to 1e7 in
+// stiffness).
+TEST(Lyapunov, CorrectedFunctionFallsByTheDissipation) {
+  for (const Gains& g : {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.5, 16}}) {
+    const LyapunovHistory h = lyapunov_history(table_3_1(), g, 10, 20, 0.002);
+    EXPECT_EQ(h.corrected_rise, 0) << g.k2;
+    EXPECT_LT(h.imbalance, 1e-9) << g.k2;
+    EXPECT_NEAR(h.samples[0].corrected, g.k1 / 2, 1e-12 * g.k1);
+    EXPECT_LT(h.samples.back().corrected, h.samples[0].corrected);
+  }
+}
+
+// The printed one counts one appendage and rises, by 10.5 % of its start with unit gains, by an independent
+// program's simulation.
+TEST(Lyapunov, PrintedFunctionIsNotMonotone) {
+  const LyapunovHistory unit = lyapunov_history(table_3_1(), unit_gains, 10, 200, 0.01);
+  EXPECT_NEAR(unit.printed_rise, 0.105, 0.002);
+  EXPECT_EQ(unit.corrected_rise, 0);
+  const LyapunovHistory designed = lyapunov_history(table_3_1(), designed_gains, 10, 40, 0.01);
+  EXPECT_GT(designed.printed_rise, 5e-5);
+  EXPECT_LT(designed.printed_rise, 5e-4);
+}
+
+struct Differences {
+  double theta = 0, rate = 0, y2 = 0, y2_rate = 0, y4 = 0;
+};
+
+Differences differences(const DiscreteModel& model, const Gains& g) {
+  const std::array<double, 2> places = {2, 4};
+  const TimeResponse exact = step_response(ClosedLoop(table_3_1(), g), 1, places, {.pairs = 128});
+  DiscreteLoop loop(model, g, 1, 0.01);
+  Differences d;
+  for (int i = 0; i <= 4000; ++i, loop.advance()) {
+    const double t = loop.time();
+    d.theta = std::max(d.theta, std::abs(loop.theta() - exact.theta.value(t)));
+    if (i % 8 != 0 && i > 1000) continue;
+    d.rate = std::max(d.rate, std::abs(loop.theta_dot() - exact.theta_dot.value(t)));
+    d.y2 = std::max(d.y2, std::abs(loop.deflection(2) - exact.deflection[0].value(t)));
+    d.y2_rate = std::max(d.y2_rate, std::abs(loop.deflection_dot(2) - exact.deflection_dot[0].value(t)));
+    d.y4 = std::max(d.y4, std::abs(loop.deflection(4) - exact.deflection[1].value(t)));
+  }
+  return d;
+}
+
+// The differences of ten assumed modes to the exact response, as an independent program's integration sees
+// them; largest values over times that are not the same.
+TEST(DiscreteLoop, OfTenAssumedModesDiffersAsPublished) {
+  const Differences d = differences(assumed_modes(table_3_1(), 10), designed_gains);
+  EXPECT_NEAR(d.theta, 9.8e-6, 0.3e-6);
+  EXPECT_NEAR(d.rate, 5.9e-4, 0.6e-4);
+  EXPECT_NEAR(d.y2, 5.5e-4, 0.3e-4);
+  EXPECT_NEAR(d.y2_rate, 0.0347, 0.004);
+  EXPECT_NEAR(d.y4, 5.1e-5, 0.5e-5);
+}
+
+// Finite elements converge to the exact response: two discretisations and the residues agree.
+TEST(DiscreteLoop, OfFiniteElementsConvergesToTheResidues) {
+  const Differences d = differences(finite_elements(table_3_1(), 12), designed_gains);
+  EXPECT_LT(d.theta, 1e-7);
+  EXPECT_LT(d.y2, 2e-5);
+  EXPECT_LT(d.y4, 2e-5);
+}
+
+TEST(DiscreteLoop, RefusesBadInput) {
+  const DiscreteModel model = assumed_modes(table_3_1(), 3);
+  EXPECT_THROW(DiscreteLoop(model, designed_gains, 1, 0), std::invalid_argument);
+  EXPECT_THROW(DiscreteLoop(model, {0, 0, 1}, 1, 0.1), std::invalid_argument);
+  EXPECT_THROW(DiscreteLoop(model, {1, -2, 1}, 1, 0.1), std::invalid_argument);
+  EXPECT_THROW((void)lyapunov_history(table_3_1(), designed_gains, 3, 0, 0.1), std::invalid_argument);
+  EXPECT_THROW((void)lyapunov_history(table_3_1(), designed_gains, 3, 1e9, 0.1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft

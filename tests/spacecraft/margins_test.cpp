@@ -1,0 +1,145 @@
+/// Margins of the torque loop: sensitivity peaks and delays of an independent program, the argument principle
+/// under a delay, crossovers.
+#include "nlmech/spacecraft/margins.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "nlmech/spacecraft/optimal_gains.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+using std::numbers::pi;
+
+TEST(Sensitivity, HasThePublishedPeaks) {
+  const std::vector<SensitivityPeak> unit = sensitivity_peaks(ClosedLoop(table_3_1(), unit_gains), 20);
+  ASSERT_EQ(unit.size(), 20u);
+  // To the digits an independent program gives.
+  const std::array<double, 6> expected = {3.78, 19.4, 139.8, 416.8, 794, 1245};
+  const std::array<double, 6> half_a_unit = {0.005, 0.05, 0.05, 0.05, 0.5, 0.5};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(unit[i].value, expected[i], half_a_unit[i]);
+  EXPECT_NEAR(unit[19].value, 2.64e4, 50);
+  EXPECT_NEAR(unit[19].omega, 9902, 0.5);
+  const std::vector<SensitivityPeak> designed =
+      sensitivity_peaks(ClosedLoop(table_3_1(), designed_gains), 20);
+  EXPECT_NEAR(designed[0].value, 1.111, 5e-4);
+  for (std::size_t i = 1; i < 20; ++i) EXPECT_LT(designed[i].value, 1.02);
+}
+
+// A maximum: larger than a little to both sides; and |S| = 1/|1 + L| by the loop gain.
+TEST(Sensitivity, IsThatOfTheLoopGain) {
+  const ClosedLoop loop(table_3_1(), unit_gains);
+  for (const SensitivityPeak& p : sensitivity_peaks(loop, 6)) {
+    EXPECT_NEAR(p.value * std::abs(1. + loop_gain(loop, p.omega)), 1, 1e-8);
+    EXPECT_GT(p.value, sensitivity(loop, p.omega * (1 - 1e-5)));
+    EXPECT_GT(p.value, sensitivity(loop, p.omega * (1 + 1e-5)));
+  }
+}
+
+TEST(DelayMargin, OfUnitAndDesignedGains) {
+  const ClosedLoop unit(table_3_1(), unit_gains), designed(table_3_1(), designed_gains);
+  EXPECT_EQ(delayed_poles(unit, 10e-6, 9).unstable, 5);
+  EXPECT_EQ(delayed_poles(designed, 1e-3, 9).unstable, 0);
+  EXPECT_EQ(delayed_poles(designed, 10e-3, 9).unstable, 3);
+  EXPECT_LT(margins(unit, 9).delay_margin, 10e-6);
+  const double designed_margin = margins(designed, 9).delay_margin;
+  EXPECT_GT(designed_margin, 1e-3);
+  // With k2 = 0, L is imaginary but for k1 at a high mode: a quarter of a period, pi/(2 omega).
+  EXPECT_NEAR(designed_margin, pi / 2 / designed.poles(9).s[8].imag(), 2e-3 * designed_margin);
+  // The optimum with the root load is fragile, without it is not.
+  const OptimalGains full = optimal_gains(table_3_1(), {100, 1 / 144.});
+  const OptimalGains pd = optimal_pd_gains(table_3_1(), {100, 1 / 144.});
+  EXPECT_EQ(delayed_poles(ClosedLoop(table_3_1(), full.gains), 1e-6, 9).unstable, 0);
+  EXPECT_GT(delayed_poles(ClosedLoop(table_3_1(), full.gains), 10e-6, 10).unstable, 2);
+  EXPECT_EQ(delayed_poles(ClosedLoop(table_3_1(), pd.gains), 1e-3, 9).unstable, 0);
+}
+
+// A delay just below the margin leaves all modes stable, just above it one is not.
+TEST(DelayMargin, IsWhereTheFirstPolePasses) {
+  for (const Gains& g : {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1, 16}}) {
+    const ClosedLoop loop(table_3_1(), g);
+    const double margin = margins(loop, 7).delay_margin;
+    EXPECT_EQ(delayed_poles(loop, margin * (1 - 1e-6), 7).unstable, 0) << g.k2;
+    EXPECT_EQ(delayed_poles(loop, margin * (1 + 1e-6), 7).unstable, 1) << g.k2;
+  }
+}
+
+// The poles followed into the right half plane are all that the argument principle finds there.
+TEST(DelayedPoles, AreThoseTheArgumentPrincipleCounts) {
+  for (const double delay : {1e-5, 1e-3, 1e-2}) {
+    for (const Gains& g : {unit_gains, designed_gains}) {
+      const ClosedLoop loop(table_3_1(), g);
+      const AnalyticFunction f = [&](Complex s) {
+        const Motion<Jet> motion = loop.plant().appendage().motion_with_slope(s);
+        const Jet z = Jet::variable(s);
+        const Jet feedback = (g.k3 * z + Jet(g.k1)) * motion.determinant +
+                             g.k2 * z * z * loop.plant().appendage().inertia(motion);
+        return z * z * loop.plant().effective_inertia(motion) + exp(-delay * z) * feedback;
+      };
+      // Between modes 9 and 10 the boundary meets no pole.
+      const LoopPoles poles = loop.poles(10);
+      const double top = (poles.s[8].imag() + poles.s[9].imag()) / 2;
+      const RootCount count = count_roots(f, {1e-9, 500, 1e-3, top});
+      ASSERT_TRUE(count.status.ok()) << count.status.text();
+      const DelayedPoles followed = delayed_poles(loop, delay, 9);
+      EXPECT_TRUE(followed.status.ok());
+      EXPECT_EQ(followed.unstable, count.count) << "delay " << delay << ", k1 " << g.k1;
+    }
+  }
+}
+
+TEST(Margins, FindEveryCrossover) {
+  const ClosedLoop loop(table_3_1(), designed_gains);
+  const Margins m = margins(loop, 9);
+  ASSERT_TRUE(m.status.ok());
+  // One of the rigid mode and two next to each open-loop pole.
+  EXPECT_EQ(m.crossovers.size(), 17u);
+  for (const Crossover& c : m.crossovers) {
+    const Complex gain = loop_gain(loop, c.omega);
+    // omega is known to a rounding, which the resonance amplifies.
+    EXPECT_NEAR(std::abs(gain), 1, 1e-7);
+    EXPECT_LT(std::abs(gain * std::polar(1., -c.omega * c.delay) + 1.), 1e-7);
+    EXPECT_NEAR(std::remainder(std::arg(-gain) - c.phase_margin, 2 * pi), 0, 1e-7);
+  }
+  EXPECT_TRUE(std::isinf(m.gain_margin));
+  EXPECT_NEAR(m.phase_margin, 0.951104, 1e-6);
+}
+
+// The phase margin of the rigid spacecraft in closed form: the first crossover of nearly rigid appendages.
+TEST(Margins, TendToTheRigidSpacecrafts) {
+  Parameters stiff = table_3_1();
+  stiff.youngs_modulus *= 1e8;
+  const Margins m = margins(ClosedLoop(stiff, designed_gains), 1);
+  const double j = stiff.total_inertia(), k1 = 12, k3 = 16;
+  const double square = (k3 * k3 + std::sqrt(std::pow(k3, 4) + 4 * k1 * k1 * j * j)) / (2 * j * j);
+  ASSERT_FALSE(m.crossovers.empty());
+  EXPECT_NEAR(m.crossovers[0].omega, std::sqrt(square), 1e-6);
+  EXPECT_NEAR(m.crossovers[0].phase_margin, std::atan(k3 * std::sqrt(square) / k1), 1e-6);
+}
+
+// With all gains times g < -2/k2 the loop is stable, beyond it is refused as unstable.
+TEST(Margins, GainMarginOfNegativeRootLoadFeedback) {
+  const ClosedLoop loop(table_3_1(), {12, -0.5, 16});
+  const double margin = margins(loop, 5).gain_margin;
+  EXPECT_EQ(margin, 4);
+  EXPECT_EQ(stability({3.99 * 12, 3.99 * -0.5, 3.99 * 16}).verdict, Stability::stable);
+  EXPECT_EQ(stability({4.01 * 12, 4.01 * -0.5, 4.01 * 16}).verdict, Stability::unstable);
+}
+
+TEST(Margins, RefuseBadInput) {
+  const ClosedLoop loop(table_3_1(), designed_gains);
+  EXPECT_THROW((void)margins(loop, 0), std::invalid_argument);
+  EXPECT_THROW((void)margins(ClosedLoop(table_3_1(), {0, 0, 1}), 3), std::invalid_argument);
+  EXPECT_THROW((void)sensitivity_peaks(ClosedLoop(table_3_1(), {1, 0, 0}), 3), std::invalid_argument);
+  EXPECT_THROW((void)delayed_poles(loop, -1, 3), std::invalid_argument);
+  EXPECT_THROW((void)delayed_poles(loop, std::nan(""), 3), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,121 @@
+/// Sums of exponentials: values, derivatives, samples, extremes and settling times of functions known in
+/// closed form.
+#include "nlmech/spacecraft/residues.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace nlmech::spacecraft {
+namespace {
+
+using std::numbers::pi;
+
+/// 1 + 2 t + 3 t^2 + e^(-t/2) cos 5t + e^-2t.
+ExponentialSum example() { return {{1, 2, 3}, {{-0.5, 5}, {-2, 0}}, {0.5, 0.5}}; }
+
+TEST(ExponentialSum, IsItsClosedForm) {
+  const ExponentialSum f = example();
+  for (const double t : {0., 0.3, 2., 9.}) {
+    const double e = std::exp(-t / 2), exact = 1 + 2 * t + 3 * t * t + e * std::cos(5 * t) + std::exp(-2 * t);
+    const double slope =
+        2 + 6 * t + e * (-0.5 * std::cos(5 * t) - 5 * std::sin(5 * t)) - 2 * std::exp(-2 * t);
+    const double second = 6 + e * (-24.75 * std::cos(5 * t) + 5 * std::sin(5 * t)) + 4 * std::exp(-2 * t);
+    // A few roundings of terms up to 30 and 300.
+    EXPECT_NEAR(f.value(t), exact, 1e-13);
+    EXPECT_NEAR(f.value(t, 1), slope, 1e-13);
+    EXPECT_NEAR(f.derivative().value(t), slope, 1e-13);
+    EXPECT_NEAR(f.value(t, 2), second, 1e-13);
+    EXPECT_NEAR(f.scaled(-2).value(t), -2 * exact, 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(f.envelope(0), 2);
+}
+
+TEST(ExponentialSum, SamplesAreItsValues) {
+  const ExponentialSum f = example();
+  const std::vector<double> samples = f.samples(0.1, 0.013, 700);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t = 0.1 + 0.013 * static_cast<double>(i);
+    // 64 rotations, a rounding each.
+    EXPECT_NEAR(samples[i], f.value(t), 1e-13 * (1 + t * t));
+  }
+}
+
+TEST(ExponentialSum, RefusesBadInput) {
+  EXPECT_THROW(ExponentialSum({}, {1.}, {}), std::invalid_argument);
+  EXPECT_THROW(ExponentialSum({std::nan(""), 0, 0}, {}, {}), std::invalid_argument);
+  EXPECT_THROW((void)extremes(example(), 1, 1), std::invalid_argument);
+  EXPECT_THROW((void)extremes(example(), -1, 1), std::invalid_argument);
+  EXPECT_THROW((void)settling_time(example(), 0, 0, 1), std::invalid_argument);
+  EXPECT_EQ(ExponentialSum().value(3), 0);
+}
+
+/// 1 - e^(-a t) (cos w t + a/w sin w t): a second order step response, with overshoot e^(-pi a/w) at pi/w.
+ExponentialSum step(double a, double w) { return {{1, 0, 0}, {{-a, w}}, {Complex(-0.5, a / (2 * w))}}; }
+
+TEST(Extremes, AreThoseOfASecondOrderStep) {
+  for (const double a : {0.01, 0.3, 2.}) {
+    const ExponentialSum f = step(a, 3);
+    const Extremes e = extremes(f, 0, 10);
+    EXPECT_NEAR(e.largest.value, 1 + std::exp(-pi * a / 3), 1e-14);
+    EXPECT_NEAR(e.largest.time, pi / 3, 1e-9);
+    EXPECT_NEAR(e.least.value, 0, 1e-15);
+    EXPECT_EQ(e.least.time, 0);
+  }
+}
+
+// A fast ripple of a ten-thousandth decides where the top of a slow wave is.
+TEST(Extremes, SeeFastSmallTerms) {
+  const double small = 1e-4, fast = 997;
+  const ExponentialSum f({0, 0, 0}, {{0, 1}, {0, fast}}, {Complex(0, -0.5), small / 2});
+  const Extremes e = extremes(f, 0, 3);
+  double best = 0, at = 0;
+  for (int i = 0; i <= 3'000'000; ++i) {
+    const double t = i * 1e-6, value = std::sin(t) + small * std::cos(fast * t);
+    if (value > best) best = value, at = t;
+  }
+  EXPECT_GE(e.largest.value, best - 1e-15);
+  EXPECT_NEAR(e.largest.value, best, 1e-10);
+  EXPECT_NEAR(e.largest.time, at, 2e-6);
+}
+
+// The crests of e^(-a t) (cos w t + a/w sin w t) are e^(-a k pi/w): the last one above the band is left
+// behind on its falling side.
+TEST(Settling, IsThatOfASecondOrderStep) {
+  const double a = 0.05, w = 4, band = 0.02;
+  const Settling s = settling_time(step(a, w), 1, band, 1e4);
+  ASSERT_TRUE(s.status.ok());
+  const double crest = std::floor(-std::log(band) / a / (pi / w)) * pi / w;
+  EXPECT_GT(s.time, crest);
+  EXPECT_LT(s.time, crest + pi / w / 2);
+  EXPECT_NEAR(std::abs(step(a, w).value(s.time) - 1), band, 1e-14);
+}
+
+TEST(Settling, SeesACrestThatBarelyPasses) {
+  const double a = 0.05, w = 4;
+  for (const double factor : {1 - 1e-6, 1 + 1e-6}) {
+    const double crest = 40 * pi / w, band = std::exp(-a * crest) * factor;
+    const Settling s = settling_time(step(a, w), 1, band, 1e4);
+    // With the narrower band the crest counts, with the wider one that before it.
+    if (factor < 1) {
+      EXPECT_NEAR(s.time, crest, 1e-2);
+    } else {
+      EXPECT_LT(s.time, crest - pi / w / 2);
+    }
+  }
+}
+
+TEST(Settling, SaysIfItDoesNot) {
+  const ExponentialSum undamped({0, 0, 0}, {{0, 1}}, {0.5});
+  EXPECT_EQ(settling_time(undamped, 0, 0.1, 100).status.outcome(), Outcome::not_converged);
+  EXPECT_EQ(settling_time(example(), 1, 0.1, 100).status.outcome(), Outcome::not_converged);
+  EXPECT_EQ(settling_time(step(0.3, 3), 2, 0.1, 100).status.outcome(), Outcome::not_converged);
+  const Settling within = settling_time(undamped, 0, 2, 100);
+  EXPECT_TRUE(within.status.ok());
+  EXPECT_EQ(within.time, 0);
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,273 @@
+/// Motion in time: peaks and settling times, the numerical inverse of the exact transfer functions, a
+/// discretised spacecraft, initial and late times, nearly double poles, torque steps and pulses.
+#include "nlmech/spacecraft/response.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "nlmech/spacecraft/inverse_laplace.hpp"
+#include "nlmech/spacecraft/poles.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+constexpr std::array<double, 2> places = {2, 4};
+
+TimeResponse designed(int pairs) {
+  return step_response(ClosedLoop(table_3_1(), designed_gains), 1, places, {.pairs = pairs});
+}
+TimeResponse unit(int pairs) {
+  return step_response(ClosedLoop(table_3_1(), unit_gains), 1, places, {.pairs = pairs});
+}
+
+// Values at the points of its grid of an independent program that sums the residues of 25 pairs in extended
+// precision, to all digits it gives. Its extremes are the largest values on that grid.
+TEST(StepResponse, AgreesWithAnIndependentSumOf25Pairs) {
+  const TimeResponse r = designed(25);
+  ASSERT_TRUE(r.status.ok()) << r.status.text();
+  EXPECT_NEAR(r.theta.value(4.508), 1.136136788, 1e-9);
+  EXPECT_NEAR(r.deflection[0].value(0.4315), -0.08167666738, 1e-11);
+  EXPECT_NEAR(r.deflection_dot[0].value(0.69), 0.3345334764, 1e-10);
+  EXPECT_NEAR(r.deflection_dot[0].value(0.264), -0.3025500021, 1e-10);
+}
+
+// The true extremes are no smaller than the grid's of that program, and larger by the curvature between
+// points 0.0005 to 0.001 s apart only.
+TEST(StepResponse, HasTheExtremesOfTheSourcesGains) {
+  const TimeResponse r = designed(128);
+  const Extremes theta = extremes(r.theta, 0, 40), rate = extremes(r.theta_dot, 0, 40),
+                 y = extremes(r.deflection[0], 0, 40), torque = extremes(r.torque, 0, 40);
+  EXPECT_NEAR(theta.largest.value, 1.136136788, 2e-9);
+  EXPECT_NEAR(theta.largest.time, 4.508, 5e-4);
+  EXPECT_NEAR(rate.largest.value, 0.4757196343, 5e-7);
+  EXPECT_NEAR(rate.largest.time, 1.216, 1e-3);
+  EXPECT_NEAR(y.least.value, -0.08167666738, 5e-8);
+  EXPECT_NEAR(y.least.time, 0.4315, 5e-4);
+  EXPECT_NEAR(y.largest.value, 0.0308832042, 2e-7);
+  EXPECT_NEAR(y.largest.time, 1.936, 5e-4);
+  EXPECT_NEAR(torque.largest.value, 12, 1e-8);
+  const TimeResponse slow = unit(64);
+  const Extremes angle = extremes(slow.theta, 0, 40), speed = extremes(slow.theta_dot, 0, 40),
+                 bending = extremes(slow.deflection[0], 0, 40);
+  EXPECT_NEAR(angle.largest.value, 1.720435423, 1e-8);
+  EXPECT_NEAR(angle.largest.time, 15.2, 5e-3);
+  EXPECT_NEAR(speed.largest.value, 0.1858306122, 1e-9);
+  EXPECT_NEAR(speed.least.value, -0.1328025717, 5e-7);
+  EXPECT_NEAR(bending.least.value, -0.0072821451, 5e-8);
+  EXPECT_NEAR(bending.largest.value, 0.004959086909, 2e-7);
+}
+
+// An extreme to 8 digits by other means: the numerical inverse at the extreme, its neighbours, and of the
+// derivative.
+TEST(StepResponse, ExtremesAreThoseOfTheNumericalInverse) {
+  const ClosedLoop loop(table_3_1(), designed_gains);
+  const TimeResponse r = designed(128);
+  const Extreme top = extremes(r.theta, 0, 40).largest, low = extremes(r.deflection[0], 0, 40).least;
+  const std::array<double, 3> near_top = {top.time - 0.01, top.time, top.time + 0.01};
+  const std::vector<Inverted> theta =
+      bromwich([&](Complex s) { return loop.response(s).theta / s; }, near_top, {.frequency = 2000});
+  EXPECT_NEAR(theta[1].value, top.value, 1e-10);
+  EXPECT_LT(theta[0].value, theta[1].value);
+  EXPECT_LT(theta[2].value, theta[1].value);
+  const std::array<double, 3> near_low = {low.time - 0.01, low.time, low.time + 0.01};
+  const std::vector<Inverted> y =
+      bromwich([&](Complex s) { return loop.response(s, 2).deflection / s; }, near_low);
+  EXPECT_NEAR(y[1].value, low.value, 2e-9);
+  EXPECT_GT(y[0].value, y[1].value);
+  EXPECT_GT(y[2].value, y[1].value);
+}
+
+// Digits of the independent program; its band of y and y' is of the extremes it saw, which the last digits do
+// not feel.
+TEST(StepResponse, SettlesWhenPublished) {
+  const TimeResponse r = designed(64);
+  const double y = -extremes(r.deflection[0], 0, 40).least.value;
+  const double rate = extremes(r.deflection_dot[0], 0, 40).largest.value;
+  const auto settles = [](const ExponentialSum& f, double end, double band) {
+    const Settling s = settling_time(f, end, band, 1e4);
+    EXPECT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_NEAR(std::abs(f.value(s.time) - end), band, 1e-9 * band);
+    return s.time;
+  };
+  EXPECT_NEAR(settles(r.theta, 1, 0.02), 7.143, 1.5e-3);
+  EXPECT_NEAR(settles(r.deflection[0], 0, 0.02 * y), 9.37, 5e-3);
+  EXPECT_NEAR(settles(r.deflection_dot[0], 0, 0.02 * rate), 88.5, 0.05);
+  EXPECT_NEAR(settles(r.deflection_dot[0], 0, 0.05 * rate), 39.9, 0.05);
+  EXPECT_NEAR(settles(unit(32).theta, 1, 0.02), 170.95, 5e-3);
+  // Never out again: no sample of a fine grid afterwards.
+  const double after = settles(r.theta, 1, 0.02);
+  for (const double v : r.theta.samples(after + 1e-6, 1e-3, 20000)) EXPECT_LE(std::abs(v - 1), 0.02);
+}
+
+TEST(StepResponse, IsTheNumericalInverse) {
+  const std::array<double, 3> times = {1, 5, 20};
+  for (const Gains& g : {designed_gains, unit_gains}) {
+    const ClosedLoop loop(table_3_1(), g);
+    const TimeResponse r = step_response(loop, 1, places);
+    const BromwichOptions options{.half_period = 60, .shift = 0.25, .frequency = 6000};
+    const auto theta = bromwich([&](Complex s) { return loop.response(s).theta / s; }, times, options);
+    const auto rate = bromwich([&](Complex s) { return loop.response(s).theta; }, times, options);
+    const auto y = bromwich([&](Complex s) { return loop.response(s, 2).deflection / s; }, times, options);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      // Aliasing e^-30 = 1e-13; beyond W each is of the order k1/(I_hub W^2) e^(t/4) or less, resonances
+      // included.
+      EXPECT_NEAR(theta[i].value, r.theta.value(times[i]), 5e-11);
+      EXPECT_NEAR(y[i].value, r.deflection[0].value(times[i]), 5e-8);
+      EXPECT_NEAR(rate[i].value, r.theta_dot.value(times[i]), 1e-6);
+    }
+  }
+}
+
+// The bounds hold against a sum of eight times as many pairs, and are no wild overestimate for theta.
+TEST(StepResponse, BoundsWhatIsLeftOut) {
+  for (const Gains& g : {designed_gains, unit_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.5, 16}}) {
+    const ClosedLoop loop(table_3_1(), g);
+    const TimeResponse few = step_response(loop, 1, places, {.pairs = 16});
+    const TimeResponse many = step_response(loop, 1, places, {.pairs = 128});
+    double theta = 0, rate = 0, y = 0, y_rate = 0;
+    for (const double t : {0., 0.01, 0.3, 1., 3., 10.}) {
+      theta = std::max(theta, std::abs(few.theta.value(t) - many.theta.value(t)));
+      rate = std::max(rate, std::abs(few.theta_dot.value(t) - many.theta_dot.value(t)));
+      y = std::max(y, std::abs(few.deflection[0].value(t) - many.deflection[0].value(t)));
+      y_rate = std::max(y_rate, std::abs(few.deflection_dot[0].value(t) - many.deflection_dot[0].value(t)));
+    }
+    EXPECT_LT(theta, few.bounds.theta);
+    EXPECT_LT(rate, few.bounds.theta_dot);
+    EXPECT_LT(y, few.bounds.deflection[0]);
+    EXPECT_LT(y_rate, few.bounds.deflection_dot[0]);
+    EXPECT_LT(few.bounds.theta, 1e-8);
+  }
+}
+
+TEST(StepResponse, ChoosesPairsByTheBound) {
+  const ClosedLoop loop(table_3_1(), designed_gains);
+  const TimeResponse rough = step_response(loop, 1, places, {.tolerance = 1e-5});
+  const TimeResponse fine = step_response(loop, 1, places, {.tolerance = 1e-11});
+  EXPECT_LT(rough.theta.poles().size(), fine.theta.poles().size());
+  EXPECT_LT(fine.bounds.deflection[0], 1e-11);
+  EXPECT_NEAR(rough.deflection[0].value(1), fine.deflection[0].value(1), 1e-6);
+}
+
+// At t = 0 everything is at rest; soon after theta = k1 t^2/(2 I_hub), since the hub is felt first. Late it
+// has arrived.
+TEST(StepResponse, BeginsAtRestAndArrives) {
+  for (const Gains& g : {designed_gains, unit_gains}) {
+    const TimeResponse r = step_response(ClosedLoop(table_3_1(), g), 0.5, places, {.pairs = 400});
+    EXPECT_NEAR(r.theta.value(0), 0, 1e-14);
+    EXPECT_NEAR(r.theta_dot.value(0), 0, 1e-13);
+    EXPECT_NEAR(r.deflection[1].value(0), 0, 1e-13);
+    EXPECT_NEAR(r.deflection_dot[1].value(0), 0, 1e-11);
+    const double t = 1e-4, early = 0.5 * g.k1 * t * t / (2 * table_3_1().hub_inertia);
+    // The appendages take part as B(1/t)/I_hub: 2 % of the hub.
+    EXPECT_NEAR(r.theta.value(t), early, 0.03 * early);
+    EXPECT_NEAR(r.theta.value(1e4), 0.5, 1e-13);
+    EXPECT_NEAR(r.deflection[1].value(1e6), 0, 1e-13);
+    EXPECT_EQ(r.theta.value(1e12), 0.5);
+  }
+}
+
+// u of the residues is the control law's, where that needs theta and theta' alone.
+TEST(StepResponse, TorqueIsTheControlLaws) {
+  const TimeResponse r = designed(64);
+  for (const double t : {0., 0.1, 1., 7.}) {
+    const double law = -12 * (r.theta.value(t) - 1) - 16 * r.theta_dot.value(t);
+    EXPECT_NEAR(r.torque.value(t), law, 1e-6) << t;
+  }
+}
+
+/// k3 at which the slow pair of k1 = 12, k2 = 0 becomes real.
+double critical_k3() {
+  double a = 16, b = 60;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (a + b) / 2;
+    const LoopPoles poles = ClosedLoop(table_3_1(), {12, 0, middle}).poles(1);
+    (poles.s[0].imag() > 0 ? a : b) = middle;
+  }
+  return a;
+}
+
+// A double pole has no residue of its own. The response is the numerical inverse nevertheless, at it and near
+// it.
+TEST(StepResponse, StandsNearlyDoublePoles) {
+  const double critical = critical_k3();
+  const std::array<double, 3> times = {0.5, 3, 10};
+  for (const double factor : {1., 1 - 1e-12, 1 + 1e-9, 1 - 1e-7, 1 + 1e-5, 1 - 1e-3}) {
+    const ClosedLoop loop(table_3_1(), {12, 0, critical * factor});
+    const TimeResponse r = step_response(loop, 1, places, {.pairs = 64});
+    ASSERT_TRUE(r.status.ok()) << factor << r.status.text();
+    EXPECT_NEAR(r.theta.value(0), 0, 1e-10) << factor;
+    const auto theta =
+        bromwich([&](Complex s) { return loop.response(s).theta / s; }, times, {.frequency = 2000});
+    for (std::size_t i = 0; i < times.size(); ++i)
+      EXPECT_NEAR(r.theta.value(times[i]), theta[i].value, 2e-9) << factor << " at " << times[i];
+  }
+}
+
+TEST(StepResponse, WithoutAngleFeedbackNothingMoves) {
+  const TimeResponse r = step_response(ClosedLoop(table_3_1(), {0, 1, 1}), 1, places);
+  EXPECT_TRUE(r.status.ok());
+  EXPECT_EQ(r.theta.value(3), 0);
+  EXPECT_EQ(r.deflection_dot[1].value(3), 0);
+}
+
+TEST(TorqueResponse, BeginsAtRestAndIsTheNumericalInverse) {
+  for (const Parameters& p : {table_3_1(), without_tip(table_3_1())}) {
+    const Plant plant(p);
+    const TimeResponse r = torque_response(plant, 2, places, {.pairs = 200});
+    ASSERT_TRUE(r.status.ok());
+    // The constant from the static strain energy against the sum of the residues: independent of each other.
+    EXPECT_NEAR(r.theta.value(0), 0, 1e-14);
+    EXPECT_NEAR(r.deflection[0].value(0), 0, 1e-12);
+    const std::array<double, 2> times = {0.7, 6};
+    const auto theta = bromwich([&](Complex s) { return 2. * plant.response(s).theta / s; }, times,
+                                {.half_period = 20, .shift = 0.8, .frequency = 2000});
+    const auto y = bromwich([&](Complex s) { return 2. * plant.response(s, 2).deflection / s; }, times,
+                            {.half_period = 20, .shift = 0.8, .frequency = 6000});
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      EXPECT_NEAR(r.theta.value(times[i]), theta[i].value, 1e-8);
+      EXPECT_NEAR(r.deflection[0].value(times[i]), y[i].value, 1e-6);
+    }
+  }
+}
+
+// After a pulse of torque u for T the angular momentum is u T: the mean rate over many periods tends to u
+// T/J.
+TEST(TorqueResponse, PulseLeavesItsMomentum) {
+  const Parameters p = table_3_1();
+  const TimeResponse r = torque_response(Plant(p), 3, places, {.pairs = 50});
+  EXPECT_EQ(pulse(r.theta, 0.2, 0.5), r.theta.value(0.2));
+  const double travel = pulse(r.theta, 1000.5, 0.5) - pulse(r.theta, 0.5, 0.5);
+  // What oscillates is less than the sum of its moduli at both ends.
+  EXPECT_NEAR(travel, 1000 * 3 * 0.5 / p.total_inertia(), 4 * r.theta.envelope(0));
+  EXPECT_GT(travel, 80);
+}
+
+// Numbers of an independent program with 60 digits.
+TEST(Statics, AreTheClosedForms) {
+  const Parameters p = table_3_1();
+  EXPECT_NEAR(statics(p, 2).square, 7.48287762891742e-4, 1e-17);
+  EXPECT_NEAR(statics(p, 4).square, 7.4743411811217e-3, 1e-15);
+  EXPECT_NEAR(statics(p, 4).green, 64 / (3 * p.bending_stiffness()), 1e-15);
+  // B(s) = B(0) - strain s^2 at small s, where s is large enough for the difference to have 8 digits.
+  const Appendage appendage(p);
+  const double s = 1e-2, difference = p.appendage_inertia() - appendage.inertia(Complex(s)).real();
+  EXPECT_NEAR(statics(p, 0).strain * s * s / difference, 1, 1e-4);
+  EXPECT_THROW((void)statics(p, -0.1), std::invalid_argument);
+}
+
+TEST(TimeResponses, RefuseBadInput) {
+  const ClosedLoop loop(table_3_1(), designed_gains);
+  const std::array<double, 1> outside = {4.5};
+  EXPECT_THROW((void)step_response(loop, 1, outside), std::invalid_argument);
+  EXPECT_THROW((void)step_response(loop, std::nan(""), places), std::invalid_argument);
+  EXPECT_THROW((void)step_response(loop, 1, places, {.pairs = -1}), std::invalid_argument);
+  EXPECT_THROW((void)step_response(loop, 1, places, {.tolerance = 0}), std::invalid_argument);
+  EXPECT_THROW((void)torque_response(loop.plant(), 1, outside), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft
