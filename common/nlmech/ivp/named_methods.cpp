@@ -19,7 +19,9 @@
 #include "nlmech/ivp/dormand_prince.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/generalized_alpha.hpp"
+#include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/ivp/hht.hpp"
+#include "nlmech/ivp/mtl.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
@@ -55,6 +57,22 @@ constexpr std::array methods = {
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
     MethodInfo{GeneralizedAlpha::name, true, 2, "the generalised alpha method, rho = 0.8", true, false,
                false},
+    MethodInfo{laier.name, true, 4, "Laier's Hermitian operators, with jerks", true, false, false},
+    MethodInfo{argyris.name, true, 4, "Argyris and Mlejnek's Hermitian operators, stable in part", true,
+               false, false},
+    MethodInfo{hoff.name, true, 2, "Hoff and Pahl's operators without dissipation: newmark", true, false,
+               false},
+    MethodInfo{bazzi.name, true, 2, "Bazzi and Anderheggen's operators without dissipation: newmark", true,
+               false, false},
+    MethodInfo{Mtl::name,
+               true,
+               {},
+               "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
+               false,
+               false,
+               false,
+               false,
+               true},
     MethodInfo{Mcpi::name, true, {}, "modified Chebyshev-Picard iteration, 9 nodes", false, true, false},
     MethodInfo{RbfCollocation::name,
                true,
@@ -107,6 +125,7 @@ void check(const MethodInfo& method, const Settings& settings) {
   if (settings.nodes && !method.has_nodes) refuse("it has no nodes to choose");
   if (settings.shape && !method.has_shape) refuse("it has no shape to choose");
   if (settings.order && !method.has_order) refuse("it has no order to choose");
+  if (settings.points && !method.has_points) refuse("it has no points to choose");
   if (settings.nodes && (*settings.nodes < 2 || *settings.nodes > collocation::max_nodes))
     refuse(fmt::format("the nodes must be from 2 to {}, not {}", collocation::max_nodes, *settings.nodes));
 }
@@ -196,6 +215,16 @@ NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
 }
 
+/// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
+template <int n>
+NamedIntegrator<n> by_operators(const HermitianPair& pair, const Settings& settings) {
+  if (!settings.step) return by_tolerance<n>(settings, Hermitian{.operators = pair});
+  const Hermitian method{.operators = pair, .step = *settings.step};
+  return
+      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
 template <int n>
 NamedIntegrator<n> nystroem(const Settings& settings) {
   const double tolerance = settings.tolerance.value_or(default_tolerance);
@@ -205,6 +234,14 @@ NamedIntegrator<n> nystroem(const Settings& settings) {
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
+template <int n>
+NamedIntegrator<n> transversal(const MethodInfo& info, const Settings& settings) {
+  const int points = settings.points.value_or(Mtl{}.points);
+  const auto make = [points](double step) { return Mtl{.step = step, .points = points}; };
+  check_options(make(1));
+  return fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points), make);
 }
 
 /// Methods with nodes; nothing for another name.
@@ -248,6 +285,9 @@ NamedIntegrator<n> second_order_by_name(const MethodInfo& info, const Settings& 
     if (info.name == Hht::name) return with([](double step) { return Hht{.step = step}; });
     if (info.name == GeneralizedAlpha::name)
       return with([](double step) { return GeneralizedAlpha{.step = step}; });
+    for (const HermitianPair& pair : {laier, argyris, hoff, bazzi}) {
+      if (info.name == pair.name) return by_operators<n>(pair, settings);
+    }
   } else if (info.second_order_only) {
     throw std::invalid_argument(fmt::format(
         "{}: it needs positions and as many velocities; a state of {} components has none", info.name, n));
@@ -284,6 +324,7 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
     const int order = settings.order.value_or(settings.step ? published_order : 0);
     return by_tolerance<n, Series>(settings, {.order = order, .step = step});
   }
+  if (info.name == Mtl::name) return transversal<n>(info, settings);
   if (auto method = collocation_by_name<n>(info, settings)) return method;
   return second_order_by_name<n>(info, settings);
 }
