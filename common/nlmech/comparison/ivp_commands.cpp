@@ -168,6 +168,26 @@ void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std
   command->callback([words, problems] { integrate(*words, problems); });
 }
 
+void add_integrate_command(CLI::App& app, const OwnProblems& problems, const MethodOption& choice) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
+  add_common(*command, *words);
+  words->method = choice.names.front();
+  command
+      ->add_option(choice.option, words->method,
+                   fmt::format("{}: {}", choice.help, fmt::join(choice.names, " ")))
+      ->capture_default_str();
+  command->add_option("--every", words->every,
+                      "rows at this distance in time; without it the first and the last");
+  command->footer(describe_problems(problems));
+  command->callback([words, problems, choice] {
+    if (std::find(choice.names.begin(), choice.names.end(), words->method) == choice.names.end())
+      throw InputError(fmt::format("{} {}: there is no such choice; there is {}", choice.option,
+                                   words->method, fmt::join(choice.names, ", ")));
+    integrate(*words, problems);
+  });
+}
+
 void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::string& program) {
   const auto words = std::make_shared<Words>();
   CLI::App* command = app.add_subcommand(
