@@ -149,8 +149,8 @@ TEST(MtlStiff, BoundedForEveryStep) {
 // ------------------------------------------------------------------------------------------------------
 // energy
 
-// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy is that of an independent program,
-// and it is there in the first tenth as in the last: no drift.
+// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is that of an
+// independent program, and it is there in the first tenth as in the last: no drift.
 TEST(MtlEnergy, IsBounded) {
   const DrivenDuffing problem{.force = 0};
   const double known[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6};
@@ -159,17 +159,15 @@ TEST(MtlEnergy, IsBounded) {
     const double energy = problem.energy(x0);
     double early = 0, late = 0;
     const auto observe = [&](const Step<2>& s) {
-      for (Eigen::Index i = 0; i < s.states.cols(); ++i) {
-        const double error = std::abs(problem.energy(s.states.col(i)) - energy);
-        if (s.t1 <= 60) early = std::max(early, error);
-        if (s.t1 > 540) late = std::max(late, error);
-      }
+      const double error = std::abs(problem.energy(s.x1) - energy);
+      if (s.t1 <= 60) early = std::max(early, error);
+      if (s.t1 > 540) late = std::max(late, error);
       return true;
     };
     const auto end = integrate(System(problem), x0, 0, 600, Mtl{.step = 0.1, .points = p}, observe);
     ASSERT_TRUE(end.status.ok());
     EXPECT_NEAR(late / early, 1, 0.1) << p;
-    EXPECT_NEAR(std::max(early, late) / known[p - 1], 1, 0.3) << p;
+    EXPECT_NEAR(std::max(early, late) / known[p - 1], 1, 0.05) << p;
   }
 }
 

@@ -76,12 +76,12 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> lagrange(int p) {
 }
 
 /// W_lk = sum over m of c_km m! l^(m+1) h phi_{m+1}(A l h) e_2, the closed form in one piece from 0.
-Eigen::Matrix<Real, 2, 1> closed_form(const Eigen::Matrix2d& a, double h, int p, int l, int k) {
-  const auto c = lagrange(p);
-  const auto phi = phi_functions(a.cast<Real>() * (Real(h) * l), p + 1);
+/// @param c Lagrange's coefficients @param phi functions of A l h
+Eigen::Matrix<Real, 2, 1> closed_form(const Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& c,
+                                      const std::vector<Matrix2>& phi, double h, int l, int k) {
   Eigen::Matrix<Real, 2, 1> sum = Eigen::Matrix<Real, 2, 1>::Zero();
   Real factor = h;
-  for (int m = 0; m <= p; ++m) {
+  for (int m = 0; m < c.cols(); ++m) {
     factor *= l;
     if (m > 0) factor *= m;
     sum += phi[static_cast<std::size_t>(m + 1)].col(1) * Real(c(k, m) * factor);
@@ -91,19 +91,21 @@ Eigen::Matrix<Real, 2, 1> closed_form(const Eigen::Matrix2d& a, double h, int p,
 
 // Each weight to roundings of the largest in its row, for slow, fast, damped and growing linear parts.
 TEST(MtlWeights, AreTheClosedForm) {
-  for (const double z : {0., 1e-8, 1e-3, 0.3, 1., 7., 60., 1e3}) {
-    for (const double zeta : {0., 0.1, 1., 5., -0.5}) {
+  for (const double z : {0., 1e-8, 0.3, 7., 1e3}) {
+    for (const double zeta : {0., 0.1, 5., -0.5}) {
       if (std::abs(zeta) * z > 40) continue;  // growth or decay by e^40 and more a step: scaled otherwise
       for (const int p : {1, 2, 3, 5, 8}) {
         const double h = 0.1, w = z / h;
         const Eigen::Matrix2d a = oscillator(w, zeta);
         MtlWeights weights(2, 1, MtlBasis::lagrange, p, {});
         ASSERT_EQ(weights.compute(a, h), Outcome::success);
+        const auto c = lagrange(p);
         for (int l = 1; l <= p; ++l) {
+          const auto phi = phi_functions(a.cast<Real>() * (Real(h) * l), p + 1);
           std::vector<Eigen::Matrix<Real, 2, 1>> row;
           Eigen::Array2d largest(0, 0);
           for (int k = 0; k <= p; ++k) {
-            row.push_back(closed_form(a, h, p, l, k));
+            row.push_back(closed_form(c, phi, h, l, k));
             for (int i = 0; i < 2; ++i)
               largest[i] = std::max(largest[i], static_cast<double>(abs(row.back()[i])));
           }
