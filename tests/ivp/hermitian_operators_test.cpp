@@ -83,7 +83,7 @@ TEST(HermitianOperators, SignsOfEquationOneAsPrinted) {
   EXPECT_LT(degree(literal(laier.first)), 0);
   EXPECT_LT(degree(literal(argyris.first)), 0);
   EXPECT_LT(degree(literal(bazzi.first)), 0);
-  EXPECT_EQ(degree(literal(HermitianOperator{0, 0, 1, -1, 1. / 2, -1. / 2, 0, 0})), 2);
+  EXPECT_EQ(degree(literal(HermitianOperator{0, 0, 1, -1, 1. / 2, -1. / 2, 0, 0})), 3);
   // With all signs positive, as Eq. (6) uses it.
   EXPECT_EQ(degree(laier.first), 4);
   EXPECT_EQ(degree(argyris.first), 5);

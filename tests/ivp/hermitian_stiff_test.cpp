@@ -31,6 +31,8 @@ TEST(WrongBranch, NoStepErrsWithoutNotice) {
   for (const Relaxation& r : relaxations) {
     for (const HermitianPair& pair : {laier, argyris, newmark_pair}) {
       for (const double step : {2.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625}) {
+        if (r.mu * step < 0.5 || (r.mu > 100 && step < 0.015))
+          continue;  // right, or too many steps for a unit test
         const auto checked = run(r, {.operators = pair, .step = step});
         if (checked.status.ok()) {
           EXPECT_NEAR(checked.x[0], r.truth, 0.2) << pair.name << " mu " << r.mu << " step " << step;
@@ -47,13 +49,14 @@ TEST(WrongBranch, NoStepErrsWithoutNotice) {
   EXPECT_GT(silent_unless_checked, 15);  // the test is needed
 }
 
-// And what is right is let through: steps of a tenth of the leap's length, 1/mu.
+// And what is right is let through: steps of a fifth of the leap's length, 1/mu. An independent program errs
+// by 2e-6 with half the step for mu = 10; order 4 makes that 3.2e-5.
 TEST(WrongBranch, RightStepsPass) {
   for (const Relaxation& r : relaxations) {
     if (r.mu > 100) continue;  // too many steps for a unit test
-    const auto end = run(r, {.step = 0.1 / r.mu * 2});
+    const auto end = run(r, {.step = 0.2 / r.mu});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
-    EXPECT_NEAR(end.x[0], r.truth, 2e-5);
+    EXPECT_NEAR(end.x[0], r.truth, 4e-5);
   }
 }
 
