@@ -139,7 +139,7 @@ scene::Showing show(const std::vector<Fate>& all) {
   scene::Showing showing;
   showing.table = std::move(table);
   showing.quantities = {
-      scene::near("van der Pol: successes that err by more than 0.1", "1", silent, 0, 0,
+      scene::near("successes on van der Pol's oscillator that err by more than 0.1", "1", silent, 0, 0,
                   "the estimate is there to catch them"),
       {"steps that are refused as wrong branches", "1", static_cast<double>(caught), 6, 12,
        "all that are longer than the leap of the three oscillators"},
