@@ -136,6 +136,9 @@ scene::Showing show(const std::vector<Fate>& all) {
   };
   const auto caught =
       std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
+  double well = 0;
+  for (const char* step : {"step 0.1", "step 0.01"})
+    well += error("fast Duffing, smooth start", "argyris", step) < 1e-3 ? 1 : 0;  // NaN: it failed
   scene::Showing showing;
   showing.table = std::move(table);
   showing.quantities = {
@@ -154,8 +157,8 @@ scene::Showing show(const std::vector<Fate>& all) {
                                error("fast Duffing, smooth start", "laier", "step 0.01"),
                                error("fast Duffing, smooth start", "laier", "step 0.001")}),
                      4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost"),
-      {"the same with Argyris, step 0.01", "1", error("fast Duffing, smooth start", "argyris", "step 0.01"),
-       1e10, 1e300, "h omega = 10 lies beyond sqrt(60); an independent program: 3e20"},
+      scene::near("the same, runs of Argyris with h omega = 10 or 100 that end well", "1", well, 0, 0,
+                  "both lie beyond sqrt(60); an independent program ends at 3e20"),
       scene::at_most("fast Duffing, oscillating start: error with tolerance 1e-10", "1",
                      error("fast Duffing, oscillating start", "laier", "tolerance 1e-10"), 1e-4,
                      "an error of 1e-10 a step, of one sign, over all its steps"),

@@ -31,7 +31,7 @@ namespace nlmech::ivp {
 ///  - With a `step`, a step whose estimate, as a displacement, exceeds `branch_tolerance` of the
 ///  displacements
 ///    ends the integration with `wrong_branch`, if stiffness times h^2 or damping times h change by more than
-///    1 over the step. On linear problems, where a step has one root only, it never does.
+///    3 over the step. On linear problems, where a step has one root only, it never does.
 ///  - Without, steps are chosen: accepted if max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1; the next
 ///  one is
 ///    longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that is not solved
@@ -90,7 +90,7 @@ class FixedStepper : public Stepper<S::dimension> {
     if (outcome != Outcome::success)
       return step_not_solved(name(), outcome, t, h, static_cast<int>(statistics.newton_iterations - before));
     const double estimate = trial_.relative_displacement();
-    if (estimate > method_.branch_tolerance && trial_.nonlinearity(statistics) > 1)
+    if (estimate > method_.branch_tolerance && trial_.nonlinearity(statistics) > 3)
       return wrong_branch(name(), t, h, estimate);
     x1 = trial_.end_state();
     return {};

@@ -33,6 +33,13 @@ namespace {
 
 constexpr std::string_view lgl_name = "lgl-coll", radau_name = "radau-coll";
 
+/// A row of Hermitian operators: steps by an estimate of their error, or as given.
+constexpr MethodInfo hermitian_info(const HermitianPair& pair, int order, std::string_view meaning) {
+  MethodInfo info{pair.name, false, order, meaning, true, false, false};
+  info.takes_step = true;
+  return info;
+}
+
 // name, fixed step, order, meaning, for accelerations, nodes, shape
 constexpr std::array methods = {
     MethodInfo{Euler::name, true, 1, "forward Euler", false, false, false},
@@ -57,13 +64,10 @@ constexpr std::array methods = {
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
     MethodInfo{GeneralizedAlpha::name, true, 2, "the generalised alpha method, rho = 0.8", true, false,
                false},
-    MethodInfo{laier.name, true, 4, "Laier's Hermitian operators, with jerks", true, false, false},
-    MethodInfo{argyris.name, true, 4, "Argyris and Mlejnek's Hermitian operators, stable in part", true,
-               false, false},
-    MethodInfo{hoff.name, true, 2, "Hoff and Pahl's operators without dissipation: newmark", true, false,
-               false},
-    MethodInfo{bazzi.name, true, 2, "Bazzi and Anderheggen's operators without dissipation: newmark", true,
-               false, false},
+    hermitian_info(laier, 4, "Laier's Hermitian operators, with jerks"),
+    hermitian_info(argyris, 4, "Argyris and Mlejnek's Hermitian operators, stable in part"),
+    hermitian_info(hoff, 2, "Hoff and Pahl's operators without dissipation: newmark"),
+    hermitian_info(bazzi, 2, "Bazzi and Anderheggen's operators without dissipation: newmark"),
     MethodInfo{Mtl::name,
                true,
                {},
@@ -118,7 +122,7 @@ void check(const MethodInfo& method, const Settings& settings) {
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
   check_positive(method.name, "shape", settings.shape);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
-  if (settings.step && !method.fixed_step && !method.has_order)
+  if (settings.step && !method.fixed_step && !method.has_order && !method.takes_step)
     refuse("it chooses its steps itself; give a tolerance, not a step");
   if (settings.absolute_tolerance && (method.fixed_step || settings.step))
     refuse("an absolute tolerance is for methods that choose their steps");

@@ -50,6 +50,7 @@ struct MethodInfo {
   bool has_shape;            ///< Settings::shape counts
   bool has_order = false;    ///< Settings::order counts; takes a step as well as a tolerance
   bool has_points = false;   ///< Settings::points counts
+  bool takes_step = false;   ///< chooses its steps, but takes one that is given
 };
 
 /// All methods, simple ones first.
