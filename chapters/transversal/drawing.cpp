@@ -72,8 +72,8 @@ double drawn_gap(double s) {
 
 scene::Showing show(const Block& b) {
   scene::Table data({{"series", 3, true}, {"t"}, {"y"}});
-  int crossings = 1;
-  double before = -1;
+  int crossings = 0;
+  double before = drawn_gap(-0.2);
   for (int i = -10; i <= 210; ++i) {
     const double s = i / 50.;
     data.add({std::int64_t{1}, s, drawn_path(s)});
@@ -81,8 +81,8 @@ scene::Showing show(const Block& b) {
   for (int i = -10; i <= 210; ++i) {
     const double s = i / 50., gap = drawn_gap(s);
     data.add({std::int64_t{2}, s, drawn_path(s) + gap});
-    if (i % 50 != 0 && i > 0 && gap * before < 0) ++crossings;
-    if (i % 50 != 0) before = gap;
+    if (gap * before < 0) ++crossings;
+    if (gap != 0) before = gap;  // it vanishes at the points
   }
   for (int k = 0; k <= p; ++k) data.add({std::int64_t{3}, double(k), drawn_path(k)});
   for (std::size_t i = 0; i < b.t.size(); ++i) data.add({std::int64_t{4}, b.t[i] / h, 1e3 * b.defect[i]});

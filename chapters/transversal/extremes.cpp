@@ -54,9 +54,11 @@ void add_van_der_pol(std::vector<Fate>& all) {
   add(10, 40, ten, {.step = 0.01, .linear = MtlLinear::jacobian});
   add(100, 200, hundred, {.step = 0.05});
   add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero});
+  add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero, .error_tolerance = 1e-3});
   add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::jacobian});
   add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
   add(100, 200, hundred, {.step = 0.002, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
+  add(100, 200, hundred, {.step = 0.0005, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
   add(1000, 2000, thousand, {.step = 0.5, .linear = MtlLinear::zero});
   add(1000, 2000, thousand, {.step = 0.5, .linear = MtlLinear::jacobian});
   add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::zero});
@@ -93,9 +95,19 @@ void add_linear(std::vector<Fate>& all) {
   all.push_back(fate("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4, {.step = 1}));
 }
 
+// Points at equal distances and a high degree: a root far away from the solution.
+void add_far_root(std::vector<Fate>& all) {
+  for (const double allowed : {0., 1e-2}) {
+    const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
+    all.push_back(fate("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0}, 50,
+                       1.203734404401093362708, method));
+  }
+}
+
 std::vector<Fate> fates() {
   std::vector<Fate> all;
   add_van_der_pol(all);
+  add_far_root(all);
   add_fast(all);
   add_linear(all);
   return all;
@@ -122,6 +134,9 @@ scene::Showing show(const std::vector<Fate>& all) {
                   0, 0, "the estimate stops them"),
       {"runs that end with wrong_branch", "1", static_cast<double>(caught), 2, 10,
        "at least both of mu = 1000 with steps that cannot resolve the leap"},
+      {"error of p = 8, h = 0.4, without an estimate", "1",
+       error("Duffing, x'' + x + x^3 = cos t, to t = 50", {.step = 0.4, .points = 8}), 10, 1e9,
+       "the solution stays below 2: a root of the equations of a block that is none of the problem"},
       scene::at_most("error of van der Pol's oscillator, mu = 10, h = 0.01", "1",
                      error("van der Pol, mu = 10, to t = 40", {.step = 0.01}), 1e-5,
                      "an independent program: 1e-7 at the end of its choice; order 4 with mu h = 0.1"),

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,18 +58,19 @@ scene::Showing show(const Histories& all) {
     add_curve(data, ++number, pair.rk6.points);
     add_curve(data, ++number, pair.mtl.points);
     const auto cell = [](const Course& c) {
-      return std::isfinite(c.error) ? scene::Cell(c.error) : scene::Cell();
+      return scene::to_cell(std::isfinite(c.error) ? std::optional(c.error) : std::nullopt);
     };
     table.add({pair.step, std::string(to_string(pair.rk6.status.outcome())), cell(pair.rk6),
                std::string(to_string(pair.mtl.status.outcome())), cell(pair.mtl), pair.mtl.largest});
   }
   scene::Showing showing;
   showing.table = std::move(table);
-  showing.figure = {std::move(data),
-                    "transversal-histories",
-                    {{"heading", "RK6 overflows at {/:Italic h} = 0.21; MTL stays bounded, and wrong"},
-                     {"panels", "h = 0.05|h = 0.1|h = 0.21"},
-                     {"height", "620"}}};
+  showing.figure = {
+      std::move(data),
+      "transversal-histories",
+      {{"heading", "RK6 overflows at\u00a0{/:Italic h}\u00a0= 0.21; MTL stays bounded, and wrong"},
+       {"panels", "h = 0.05|h = 0.1|h = 0.21"},
+       {"height", "620"}}};
   const Pair &fine = all.pairs[0], &coarse = all.pairs[2];
   showing.quantities = {
       {"does RK6 overflow at h = 0.21", "1", coarse.rk6.overflows() ? 1.0 : 0.0, 1, 1, "as the paper says"},

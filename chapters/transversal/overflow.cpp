@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "chapters/transversal/scenes.hpp"
@@ -87,21 +89,24 @@ scene::Showing show(const Fates& soft, const Fates& stiff) {
                       {"error, e2 = 1", 2},
                       {"ends, e2 = 1"}});
   std::int64_t number = 0;
-  std::string legend, last;
+  std::string legend, last, crosses;
   const auto cell = [](const Fate& f) {
-    return std::isfinite(f.error) ? scene::Cell(f.error) : scene::Cell();
+    return scene::to_cell(std::isfinite(f.error) ? std::optional(f.error) : std::nullopt);
   };
   for (std::size_t i = 0; i < soft.fates.size(); ++i) {
     const Fate &f = soft.fates[i], &g = stiff.fates[i];
     if (f.method != last) {
       ++number;
       last = f.method;
-      legend += (legend.empty() ? "" : "|") +
-                (last.starts_with("mtl") ? "MTL {/:Italic p} = " + last.substr(4) : "RK" + last.substr(2));
+      legend += (legend.empty() ? "" : "|") + (last.starts_with("mtl")
+                                                   ? "MTL\u00a0{/:Italic p}\u00a0= " + last.substr(4)
+                                                   : "RK" + last.substr(2));
     }
-    const bool failed = !std::isfinite(f.error);
-    data.add({number, f.step, failed ? scene::Cell() : scene::Cell(f.error),
-              failed ? scene::Cell(20.0 * std::pow(1.5, static_cast<double>(number - 1))) : scene::Cell()});
+    std::optional<double> cross;
+    if (!std::isfinite(f.error)) cross = 20 * std::pow(1.5, static_cast<double>(number - 1));
+    data.add({number, f.step, cell(f), scene::to_cell(cross)});
+    const std::string word = std::to_string(number);
+    if (cross && !crosses.ends_with(word)) crosses += (crosses.empty() ? "" : " ") + word;
     const int hundredths = static_cast<int>(std::lround(f.step * 100));
     if (hundredths == 5 || hundredths == 10 || hundredths == 15 || hundredths == 20 || hundredths == 21 ||
         hundredths == 30)
@@ -109,18 +114,20 @@ scene::Showing show(const Fates& soft, const Fates& stiff) {
   }
   scene::Showing showing;
   showing.table = std::move(table);
-  showing.figure = {std::move(data),
-                    "transversal-steps",
-                    {{"heading", "Bounded is not accurate: at {/:Italic h} = 0.21 nothing is right"},
-                     {"legend", legend},
-                     {"xrange", "[8e-3:0.6]"},
-                     {"yrange", "[1e-9:300]"},
-                     {"xlabel", "step {/:Italic h} (periods of the force)"},
-                     {"ylabel", "greatest error of {/:Italic x} to {/:Italic t} = 40"},
-                     {"level", fmt::format("{:.6g}", soft.amplitude)},
-                     {"level_words", "amplitude of the motion"},
-                     {"mark", "0.21"},
-                     {"overflow_words", "overflow or no root"}}};
+  showing.figure = {
+      std::move(data),
+      "transversal-steps",
+      {{"heading", "Bounded is not accurate: at\u00a0{/:Italic h}\u00a0= 0.21 nothing is right"},
+       {"legend", legend},
+       {"xrange", "[8e-3:0.6]"},
+       {"yrange", "[1e-9:300]"},
+       {"xlabel", "step\u00a0{/:Italic h}\u00a0(periods of the force)"},
+       {"ylabel", "greatest error of\u00a0{/:Italic x}\u00a0to\u00a0{/:Italic t}\u00a0= 40"},
+       {"level", fmt::format("{:.6g}", soft.amplitude)},
+       {"level_words", "amplitude of the motion"},
+       {"mark", "0.21"},
+       {"crosses", crosses},
+       {"overflow_words", "overflow or no root"}}};
   add_quantities("e2 = 0.5", soft, {0.19, 0.31}, showing.quantities);
   add_quantities("e2 = 1", stiff, {0.20, 0.36}, showing.quantities);
   return showing;

@@ -5,7 +5,8 @@
 #
 # Variables: data, legend (names in the order of the series, separated by |), xrange, yrange, xlabel, ylabel (required);
 # heading (title), linear_x (if it exists, the first axis is linear), level and level_words (a line and what it says),
-# mark (a step marked by a vertical line), overflow_words (what crosses at the top mean); optional.
+# mark (a step marked by a vertical line), crosses (numbers of the series that failed somewhere, with blanks between) and
+# overflow_words (what their crosses mean); optional.
 #
 # Data: CSV with the header `series,step,error,overflow`, a blank line between series. error is empty where a run failed;
 # overflow is then the height of its cross.
@@ -41,13 +42,19 @@ if (exists("level")) {
 }
 if (exists("mark")) {
   set arrow 2 from first real(mark), graph 0 to first real(mark), graph 1 nohead linestyle 13
-  set label 2 "{/:Italic h} = " . mark at first real(mark), graph 0.03 right offset -0.5,0 textcolor rgb soft_ink
+  set label 2 "{/:Italic h} = " . mark at first real(mark), graph 0.03 right offset -0.5,0 textcolor rgb soft_ink
 }
 if (exists("overflow_words")) {
   set label 3 "× " . overflow_words at graph 0.01, first 90 left textcolor rgb soft_ink
 }
 set key outside right center Left reverse samplen 3
-plot for [k = 1:count] data using "step":"error" every :::(k - 1)::(k - 1) with linespoints linestyle k \
-         linewidth (exists("linear_x") ? 1.4 : 2) pointsize 0.6 title name[k], \
-     for [k = 1:count] data using "step":(exists("overflow_words") ? column("overflow") : NaN) \
-         every :::(k - 1)::(k - 1) with points pointtype 2 pointsize 0.5 linecolor rgb colour(k) notitle
+width_of(k) = exists("linear_x") ? 1.4 : 2
+if (exists("crosses")) {
+  plot for [k = 1:count] data using "step":"error" every :::(k - 1)::(k - 1) with linespoints linestyle k \
+           linewidth width_of(k) pointsize 0.6 title name[k], \
+       for [w in crosses] data using "step":"overflow" every :::(int(w) - 1)::(int(w) - 1) with points pointtype 2 \
+           pointsize 0.6 linecolor rgb colour(int(w)) notitle
+} else {
+  plot for [k = 1:count] data using "step":"error" every :::(k - 1)::(k - 1) with linespoints linestyle k \
+           linewidth width_of(k) pointsize 0.6 title name[k]
+}

@@ -44,7 +44,8 @@ inline constexpr algebraic::Newton mtl_newton = {.tolerance = 1e-12, .noise = 1e
 /// With a fixed A symmetric in time, so that energies of oscillators do not drift; not symplectic. Not
 /// L-stable. Without an estimate a step too long for the problem may be solved by states that lie on no
 /// solution; error_tolerance turns that into a status.
-/// Dense output: y itself, as accurate as the states.
+/// Dense output: y itself, and exact on linear problems; within a block it is of the order p + 1, as its
+/// inner points are.
 struct Mtl {
   static constexpr std::string_view name = "mtl";  ///< on command lines and in tables
   double step = 0.1;                               ///< h, distance of the points, positive
@@ -95,7 +96,7 @@ class MtlStepper : public Stepper<S::dimension> {
         g_(columns(system), p_ + 1),
         phases_(weights_.flow().phase_count(), p_ + 1),
         phase_(phases_.rows()),
-        slopes_(static_cast<std::size_t>(p_), Eigen::MatrixXd(columns(system), system.size())),
+        slopes_(static_cast<std::size_t>(p_), Eigen::MatrixXd::Zero(columns(system), system.size())),
         missing_(columns(system)),
         x0_(State<n>::Zero(system.size())),
         node_(x0_),
@@ -136,9 +137,10 @@ class MtlStepper : public Stepper<S::dimension> {
   /// The linearised solution itself.
   void at(double t, State<n>& x) const override {
     const auto j = std::clamp(static_cast<Eigen::Index>(std::floor((t - t0_) / h_)), Eigen::Index{0}, p_ - 1);
-    x = point(j);
+    const bool at_next = t == time(j + 1);  // rounding may have put it before
+    x = point(at_next ? j + 1 : j);
     const double tau = t - time(j);
-    if (tau == 0 || weights_.prepare_between(a_, tau) != Outcome::success) return;
+    if (at_next || tau == 0 || weights_.prepare_between(a_, tau) != Outcome::success) return;
     f_ = x;
     weights_.between(j, g_, f_, phases_.col(j), x);
   }
