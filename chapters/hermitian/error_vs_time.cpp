@@ -64,7 +64,8 @@ Measured measure(const comparison::Example<2>& c, double scale, double change, b
 
 scene::Showing show(const Measured& m, const std::string& heading) {
   scene::Showing showing;
-  showing.figure = comparison::cost_figure(m.curves, heading, m.condition);
+  // The picture ends at 15 digits; a floor beyond is not drawn.
+  showing.figure = comparison::cost_figure(m.curves, heading, m.condition < 10 ? 0 : m.condition);
   showing.figure->variables["own_name"] = "Hermitian operators";
   showing.table = comparison::cost_table(m.curves);
   const comparison::Curve& laier = comparison::curve_of(m.curves, "laier");

@@ -138,7 +138,7 @@ scene::Showing show(const std::vector<Fate>& all) {
       std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
   double well = 0;
   for (const char* step : {"step 0.1", "step 0.01"})
-    well += error("fast Duffing, smooth start", "argyris", step) < 1e-3 ? 1 : 0;  // NaN: it failed
+    well += error("fast Duffing, smooth start", "argyris", step) < 1e-9 ? 1 : 0;  // NaN: it failed
   scene::Showing showing;
   showing.table = std::move(table);
   showing.quantities = {

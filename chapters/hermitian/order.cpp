@@ -71,7 +71,7 @@ scene::Showing show(const std::vector<Errors>& all) {
     }
   }
   scene::Showing showing;
-  showing.figure = {std::move(data), "hermitian-order", {{"heading", "Orders 4, 4 and 2"}}};
+  showing.figure = {std::move(data), "hermitian-order", {{"heading", "Orders 4, 4 and 2"}, {"width", "900"}}};
   showing.table = std::move(table);
   for (const std::string problem : {"duffing", "van-der-pol"}) {
     for (const std::string row : {"laier", "argyris", "newmark"}) {

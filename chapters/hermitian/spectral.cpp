@@ -88,8 +88,9 @@ scene::Showing show(const std::vector<Spectrum>& all) {
                period_error(step, 1)});
   }
   scene::Showing showing;
-  showing.figure = {
-      std::move(data), "hermitian-spectral", {{"heading", "Argyris' operators are stable only in part"}}};
+  showing.figure = {std::move(data),
+                    "hermitian-spectral",
+                    {{"heading", "Argyris' operators are stable only in part"}, {"width", "900"}}};
   showing.table = std::move(table);
   const auto coefficient = [](const ivp::HermitianPair& pair, int power) {
     const double z = 0.05;

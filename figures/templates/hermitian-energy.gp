@@ -13,7 +13,7 @@ set title heading
 set xlabel "time (s)"
 set ylabel "greatest |{/:Italic E}/{/:Italic E}_0 − 1| in 5 s"
 set logscale y
-set yrange [1e-6:1e-1]
+set yrange [1e-5:1]
 set ytics 10
 set format y power_of_ten
 set key inside top right

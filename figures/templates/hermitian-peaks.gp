@@ -20,7 +20,8 @@ set yrange [1e-10:1]
 set ytics 100
 set mytics 1
 set format y power_of_ten
-set key outside below maxrows 3
+set bmargin 7
+set key at screen 0.55, screen 0.02 center bottom horizontal maxrows 2 width 2
 array name[3] = ["Laier", "Argyris", "Newmark"]
 array colour_of[3] = [1, 5, 3]
 plot for [k = 1:3] data using "step":"printed" every ::(3*(k - 1))::(3*k - 1) with linespoints linestyle colour_of[k] \

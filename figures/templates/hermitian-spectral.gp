@@ -18,7 +18,8 @@ set format x "%g"
 set margins screen 0.10, screen 0.47, screen 0.15, screen 0.88
 set xrange [0.5:100]
 set xtics (0.5, 1, 2, 5, 10, 20, 50, 100)
-set yrange [0:6.5]
+set yrange [0:9]
+set ytics 1
 set ylabel "spectral radius of a step"
 set arrow from sqrt(60), graph 0 to sqrt(60), first 4.2 nohead linestyle 11
 set label "√60" at sqrt(60), first 4.4 center textcolor rgb soft_ink
@@ -41,7 +42,7 @@ set ytics 100
 set mytics 1
 set format y power_of_ten
 set ylabel "|period error|"
-set key at graph 0.97, graph 0.05 right bottom Left reverse
+unset key
 plot data using "z":"period_argyris" with lines linestyle 5 title "Argyris", \
      data using "z":"period_laier" with lines linestyle 1 title "Laier", \
      data using "z":"period_newmark" with lines linestyle 3 title "Newmark, Hoff, Bazzi"
