@@ -14,7 +14,7 @@ set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 
 set logscale xy
 set xrange [0.0025:0.5]
 set xtics (0.003, 0.01, 0.03, 0.1, 0.3)
-set yrange [1e-13:1]
+set yrange [1e-14:1]
 set ytics 100
 set mytics 1
 set format y power_of_ten
@@ -27,7 +27,7 @@ do for [g = 1:2] {
   left = g == 1 ? 0.11 : 0.58
   set margins screen left, screen left + 0.40, screen 0.15, screen 0.84
   set title problem[g] font sprintf("%s,%d", font_family, font_size) offset 0,-0.5
-  if (g == 1) { set ylabel "error at {/:Italic t} = 10" } else { unset ylabel }
+  if (g == 1) { set ylabel "error at t = 10" } else { unset ylabel }
   set key at graph 0.97, graph 0.04 right bottom Left reverse
   plot for [k = 1:5] data using "step":"error" every ::(40*(g - 1) + 8*(k - 1))::(40*(g - 1) + 8*k - 1) \
       with linespoints linestyle style_of[k] pointsize size_of[k] title name[k]

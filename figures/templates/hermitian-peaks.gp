@@ -20,7 +20,7 @@ set yrange [1e-10:1]
 set ytics 100
 set mytics 1
 set format y power_of_ten
-set bmargin 7
+set bmargin 8.5
 set key at screen 0.55, screen 0.02 center bottom horizontal maxrows 2 width 2
 array name[3] = ["Laier", "Argyris", "Newmark"]
 array colour_of[3] = [1, 5, 3]

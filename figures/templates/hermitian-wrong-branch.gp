@@ -18,4 +18,4 @@ set key at screen 0.55, screen 0.02 center bottom maxrows 2
 plot data using "t":(stringcolumn("run") eq "right" ? column("x") : NaN) with lines linestyle 1 linewidth 3 \
          title "Laier, steps chosen, tolerance 10^{-8}", \
      data using "t":(stringcolumn("run") eq "wrong" ? column("x") : NaN) with lines linestyle 5 dashtype 1 \
-         title "Laier, fixed step, not checked"
+         title "Laier, fixed step of 0.0625 s, not checked"
