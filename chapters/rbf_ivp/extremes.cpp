@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/cases.hpp"
+#include "chapters/rbf_ivp/contestants.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/reference_end.hpp"
@@ -131,7 +132,7 @@ Ends ends_of(const comparison::AnyMethod& method) {
 
 std::vector<Ends> all_ends() {
   std::vector<Ends> all;
-  for (const std::string& name : comparison::any_method_names()) {
+  for (const std::string& name : contestants()) {
     // It refuses problems that branch unannounced, as these do; its own chapter has its extreme cases.
     if (name == "series") continue;
     const comparison::AnyMethod method = comparison::any_method(name);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/rbf_ivp/contestants.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
 #include "nlmech/comparison/any_method.hpp"
@@ -104,7 +105,7 @@ Fate fate_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool 
 std::vector<Fate> all_fates(bool quick) {
   const std::vector<AnyStiff> problems = stiff_problems(quick);
   std::vector<Fate> fates;
-  for (const std::string& name : comparison::any_method_names()) {
+  for (const std::string& name : contestants()) {
     const comparison::AnyMethod method = comparison::any_method(name);
     if (method.peer && !peers::peer_available(name)) continue;
     for (const AnyStiff& problem : problems)

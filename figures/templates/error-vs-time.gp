@@ -5,7 +5,7 @@
 #       figures/style.gp figures/templates/error-vs-time.gp > out.svg
 #
 # Variables: data (required), legend (required: names of the methods, number 1 first, separated by |), kinds (required:
-# the kind of each, 1 to 8), heading (title; optional), floor_digits (what rounding leaves; optional), floor_right
+# the kind of each, 1 to 8), heading (title; optional), own_name (what kind 8 is; optional), floor_digits (what rounding leaves; optional), floor_right
 # (if it exists, the words at that line stand at its right end).
 #
 # Data: CSV with the header, in one line,
@@ -21,6 +21,7 @@ if (!exists("heading")) heading = "Digits against cost"
 array kind_name[8] = ["radial functions", "polynomials, Picard", "fixed step, others", \
                       "step control, explicit", "step control, implicit", "Taylor series", "closed form", \
                       "adaptive collocation"]
+if (exists("own_name")) kind_name[8] = own_name
 array kind_colour[8] = ["#D55E00", "#0072B2", "#7F7F7F", "#009E73", "#CC79A7", "#D55E00", "#000000", "#000000"]
 array kind_width[8] = [2.6, 2, 1, 1.4, 1.4, 2.6, 2.6, 2.8]
 array kind_point[8] = [5, 7, 2, 9, 11, 13, 15, 15]

@@ -9,6 +9,8 @@
 
 #include "nlmech/ivp/collocation.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/mtl.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/problems/blow_up.hpp"
@@ -46,9 +48,27 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
     EXPECT_FALSE(m.meaning.empty()) << m.name;
     EXPECT_FALSE(m.has_shape && !m.has_nodes) << m.name;
   }
-  EXPECT_EQ(names, (std::set<std::string>{"euler", "backward-euler", "explicit", "rk4", "rk6", "ode45",
-                                          "rkn1210", "series", "newmark", "hht", "generalized-alpha", "mcpi",
-                                          "rbf-coll", "lgl-coll", "radau-coll", "adaptive-collocation"}));
+  EXPECT_EQ(names, (std::set<std::string>{"euler",
+                                          "backward-euler",
+                                          "explicit",
+                                          "rk4",
+                                          "rk6",
+                                          "ode45",
+                                          "rkn1210",
+                                          "series",
+                                          "newmark",
+                                          "hht",
+                                          "generalized-alpha",
+                                          "mcpi",
+                                          "rbf-coll",
+                                          "lgl-coll",
+                                          "radau-coll",
+                                          "adaptive-collocation",
+                                          "mtl",
+                                          "laier",
+                                          "argyris",
+                                          "hoff",
+                                          "bazzi"}));
 }
 
 TEST(NamedMethods, UnknownNameListsTheKnownOnes) {
@@ -77,6 +97,10 @@ TEST(NamedMethods, StepIsPassedOn) {
        RbfCollocation{.step = 0.5, .nodes = 9, .shape = 0.8});
   same("rbf-coll", {.step = 0.5}, RbfCollocation{.step = 0.5});
   same("lgl-coll", {.step = 0.5, .nodes = 9}, PolynomialCollocation{.step = 0.5, .nodes = 9});
+  same("laier", {.step = 0.1}, Hermitian{.step = 0.1});
+  same("argyris", {.step = 0.1}, Hermitian{.operators = argyris, .step = 0.1});
+  same("mtl", {.step = 0.1}, Mtl{.step = 0.1});
+  same("mtl", {.step = 0.1, .points = 5}, Mtl{.step = 0.1, .points = 5});
   same("radau-coll", {.step = 0.5},
        PolynomialCollocation{.step = 0.5, .points = collocation::NodeFamily::left_end_and_radau});
 }
@@ -118,6 +142,8 @@ TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {
   says("rk4", {.tolerance = NAN}, "nan");
   says("rk4", {.nodes = 7}, "no nodes");
   says("lgl-coll", {.shape = 1.0}, "no shape");
+  says("rk4", {.points = 3}, "no points");
+  says("mtl", {.points = 9}, "between 1 and 8, not 9");
   says("rbf-coll", {.shape = -1.0}, "shape must be positive");
   says("rbf-coll", {.nodes = 1}, "from 2 to 200, not 1");
   says("mcpi", {.nodes = 201}, "from 2 to 200, not 201");

@@ -8,7 +8,9 @@
 #include "nlmech/ivp/dormand_prince.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/generalized_alpha.hpp"
+#include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/ivp/hht.hpp"
+#include "nlmech/ivp/mtl.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
@@ -48,6 +50,9 @@ TEST(NoAllocation, InSteps) {
   expect_no_allocation(Series{.order = 12, .step = 0.5});
   expect_no_allocation(Series{.largest_step = 0.5});
   expect_no_allocation(Mcpi{.step = 0.5, .order = 8});
+  expect_no_allocation(Hermitian{.step = 0.5});
+  expect_no_allocation(Mtl{.step = 0.125, .points = 4});
+  expect_no_allocation(Mtl{.step = 0.125, .points = 4, .linear = MtlLinear::jacobian, .error_tolerance = 10});
   expect_no_allocation(RbfCollocation{.step = 0.5, .nodes = 7, .shape = 0.4});
   expect_no_allocation(PolynomialCollocation{.step = 0.5, .nodes = 7});
 }

@@ -27,7 +27,8 @@ AnyMethod any_method(std::string_view name) {
           .fixed_step = info.fixed_step,
           .has_nodes = info.has_nodes,
           .has_shape = info.has_shape,
-          .has_order = info.has_order};
+          .has_order = info.has_order,
+          .has_points = info.has_points};
 }
 
 template <int n>
@@ -42,6 +43,7 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
   if (settings.nodes) refuse("it has no nodes to choose");
   if (settings.shape) refuse("it has no shape to choose");
   if (settings.order) refuse("it has no order to choose");
+  if (settings.points) refuse("it has no points to choose");
   const double tolerance = settings.tolerance.value_or(ivp::default_tolerance);
   return peers::peer_integrator<n>(method.name, tolerance, settings.absolute_tolerance.value_or(tolerance));
 }

@@ -18,6 +18,7 @@ struct AnyMethod {
   bool has_nodes = false;   ///< Settings::nodes counts
   bool has_shape = false;   ///< Settings::shape counts
   bool has_order = false;   ///< Settings::order counts
+  bool has_points = false;  ///< Settings::points counts
 };
 
 /// @throws std::invalid_argument listing all methods and peers, if there is none of that name

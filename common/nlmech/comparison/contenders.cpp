@@ -9,7 +9,10 @@
 
 namespace nlmech::comparison {
 
-std::string Contender::label() const { return nodes ? fmt::format("{}, N = {}", name, *nodes) : name; }
+std::string Contender::label() const {
+  if (points) return fmt::format("{}, p = {}", name, *points);
+  return nodes ? fmt::format("{}, N = {}", name, *nodes) : name;
+}
 
 Contender by_steps(const std::string& name, std::optional<int> nodes, Kind kind, double scale,
                    std::span<const double> factors, bool quick, double shape) {

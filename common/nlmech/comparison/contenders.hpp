@@ -31,12 +31,13 @@ struct Setting {
 
 /// One method with its sweep, or a peer that this build lacks: no settings.
 struct Contender {
-  std::string name;               ///< of the method or peer: "rbf-coll"
-  std::optional<int> nodes;       ///< of a collocation
-  Kind kind;                      ///< for its colour
-  std::vector<Setting> settings;  ///< cheapest first
+  std::string name;                          ///< of the method or peer: "rbf-coll"
+  std::optional<int> nodes;                  ///< of a collocation
+  Kind kind;                                 ///< for its colour
+  std::vector<Setting> settings;             ///< cheapest first
+  std::optional<int> points = std::nullopt;  ///< of mtl
 
-  /// "rbf-coll, N = 35"
+  /// "rbf-coll, N = 35", "mtl, p = 3"
   [[nodiscard]] std::string label() const;
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string problem, initial, until, from, method, step, tolerance, absolute, nodes, shape, order, every,
-      limit = "60";
+  std::string problem, initial, until, from, method, step, tolerance, absolute, nodes, shape, order, points,
+      every, limit = "60";
   std::vector<std::string> set;
 };
 
@@ -58,7 +58,8 @@ Request understand(const Words& words, OwnProblem& problem) {
                 .absolute_tolerance = positive("--absolute-tolerance", words.absolute),
                 .nodes = whole("--nodes", words.nodes, 2, 200),
                 .shape = positive("--shape", words.shape),
-                .order = whole("--order", words.order, 2, 100)};
+                .order = whole("--order", words.order, 2, 100),
+                .points = whole("--points", words.points, 1, 8)};
   r.every = positive("--every", words.every);
   if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
     throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
@@ -85,6 +86,7 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
     if (!method.has_nodes) all.back().settings.nodes.reset();
     if (!method.has_shape) all.back().settings.shape.reset();
     if (!method.has_order) all.back().settings.order.reset();
+    if (!method.has_points) all.back().settings.points.reset();
     begin = comma + 1;
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
@@ -97,6 +99,8 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
     throw InputError(fmt::format("--shape {}: none of the methods {} has a shape", *settings.shape, list));
   if (settings.order && !some([](const Choice& c) { return c.method.has_order; }))
     throw InputError(fmt::format("--order {}: none of the methods {} has an order", *settings.order, list));
+  if (settings.points && !some([](const Choice& c) { return c.method.has_points; }))
+    throw InputError(fmt::format("--points {}: none of the methods {} has points", *settings.points, list));
   return all;
 }
 
@@ -135,6 +139,11 @@ void add_order(CLI::App& command, Words& words) {
                      "N of series, 2 to 100; by the tolerance without it, 20 with a step");
 }
 
+/// What mtl has.
+void add_points(CLI::App& command, Words& words) {
+  command.add_option("--points", words.points, "p of mtl, steps solved at once, 1 to 8; 3 without it");
+}
+
 }  // namespace
 
 void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std::string& only_method) {
@@ -145,16 +154,38 @@ void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std
     command->add_option("--method", words->method, "one of the methods below")->required();
     add_method_settings(*command, *words);
     add_order(*command, *words);
+    add_points(*command, *words);
     command->footer(
         fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
   } else {
     words->method = only_method;
     if (any_method(only_method).has_order) add_order(*command, *words);
+    if (any_method(only_method).has_points) add_points(*command, *words);
     command->footer(describe_problems(problems));
   }
   command->add_option("--every", words->every,
                       "rows at this distance in time; without it the first and the last");
   command->callback([words, problems] { integrate(*words, problems); });
+}
+
+void add_integrate_command(CLI::App& app, const OwnProblems& problems, const MethodOption& choice) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
+  add_common(*command, *words);
+  words->method = choice.names.front();
+  command
+      ->add_option(choice.option, words->method,
+                   fmt::format("{}: {}", choice.help, fmt::join(choice.names, " ")))
+      ->capture_default_str();
+  command->add_option("--every", words->every,
+                      "rows at this distance in time; without it the first and the last");
+  command->footer(describe_problems(problems));
+  command->callback([words, problems, choice] {
+    if (std::find(choice.names.begin(), choice.names.end(), words->method) == choice.names.end())
+      throw InputError(fmt::format("{} {}: there is no such choice; there is {}", choice.option,
+                                   words->method, fmt::join(choice.names, ", ")));
+    integrate(*words, problems);
+  });
 }
 
 void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::string& program) {
@@ -166,6 +197,7 @@ void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::
       ->required();
   add_method_settings(*command, *words);
   add_order(*command, *words);
+  add_points(*command, *words);
   command->footer(
       fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
   command->callback([words, problems, program] { compare(*words, problems, program); });

@@ -18,6 +18,7 @@ std::string Choice::setting() const {
   if (settings.nodes) text += fmt::format(" nodes {}", *settings.nodes);
   if (settings.shape) text += fmt::format(" shape {:.6g}", *settings.shape);
   if (settings.order) text += fmt::format(" order {}", *settings.order);
+  if (settings.points) text += fmt::format(" points {}", *settings.points);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "nlmech/ivp/taylor.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/series/harmonic.hpp"
 #include "nlmech/series/tape.hpp"
 #include "nlmech/series/vector.hpp"
 
@@ -64,6 +66,18 @@ concept GivesDiscontinuities = requires(const Problem& problem, double t) {
   problem.discontinuities(t, t);
 };
 
+/// True if the problem says which part of it is linear with constant coefficients.
+template <class Problem>
+concept GivesLinearPart = requires(const Problem& problem, Jacobian<Problem::dimension>& a) {
+  problem.linear_part(a);
+};
+
+/// True if the problem says which of its terms are harmonic loads.
+template <class Problem>
+concept GivesLoad = requires(const Problem& problem) {
+  { problem.load() } -> std::convertible_to<std::vector<Harmonic>>;
+};
+
 /// Up to this dimension a problem's Taylor coefficients are unrolled; beyond, by a tape.
 inline constexpr int most_unrolled = 8;
 
@@ -80,7 +94,9 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///  - `acceleration(t, q, v, a)`, the same template on the scalar: a second-order problem, state q then v;
 ///  - `jacobian(t, x, j)` in double: used in place of dual numbers;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
-///    travel. Methods step onto them. At such a time f is the limit from the right.
+///    travel. Methods step onto them. At such a time f is the limit from the right;
+///  - `linear_part(a)` in double: the constant matrix of its linear terms;
+///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone.
 /// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic
 template <class Problem, int n = Problem::dimension>
 class Direct {
@@ -153,6 +169,62 @@ class Direct {
     }
   }
 
+  /// f and its derivative along the solution, g = f_t + f_x f: x' and x'' there. For a second-order problem
+  /// the lower half of f is the acceleration and that of g the jerk, 2 and 6 times a Taylor coefficient of
+  /// the position. By dual numbers, exact to rounding. False, and nothing is written, for a problem that is
+  /// written for double alone.
+  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const {
+    using D = Dual<double, 1>;
+    if constexpr (detail::TakesDual<Problem, D>) {
+      rhs(t, x, f);
+      Vector<D, m> argument(size()), value(size());
+      for (int i = 0; i < size(); ++i) {
+        argument[i] = D(x[i]);
+        argument[i].partial[0] = f[i];
+      }
+      problem_(D::variable(t, 0), argument, value);
+      for (int i = 0; i < size(); ++i) g[i] = value[i].partial[0];
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  /// The same with df/dx and dg/dx: by dual numbers of dual numbers, exact to rounding.
+  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
+                                       Jacobian<n>& gx) const {
+    constexpr int lanes = detail::lanes<m>;
+    using D = Dual<double, lanes>;
+    using Along = Dual<D, 1>;
+    if constexpr (detail::TakesDual<Problem, Along>) {
+      Vector<D, m> inner(size()), slope(size());
+      Vector<Along, m> argument(size()), value(size());
+      for (int first = 0; first < size(); first += lanes) {
+        for (int i = 0; i < size(); ++i) {
+          const int lane = i - first;
+          inner[i] = lane >= 0 && lane < lanes ? D::variable(x[i], lane) : D(x[i]);
+        }
+        problem_(D(t), inner, slope);
+        for (int i = 0; i < size(); ++i) {
+          argument[i] = Along(inner[i]);
+          argument[i].partial[0] = slope[i];
+        }
+        problem_(Along::variable(D(t), 0), argument, value);
+        for (int i = 0; i < size(); ++i) {
+          f[i] = slope[i].value;
+          g[i] = value[i].partial[0].value;
+          for (int lane = 0; lane < lanes && first + lane < size(); ++lane) {
+            fx(i, first + lane) = slope[i].partial[static_cast<std::size_t>(lane)];
+            gx(i, first + lane) = value[i].partial[0].partial[static_cast<std::size_t>(lane)];
+          }
+        }
+      }
+      return true;
+    } else {
+      return false;
+    }
+  }
+
   /// Second-order problems: a(t, q, v). @throws std::logic_error if the problem gives no acceleration
   void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const {
     if constexpr (!detail::GivesAcceleration<Problem>) {
@@ -170,6 +242,27 @@ class Direct {
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     if constexpr (detail::GivesDiscontinuities<Problem>) {
       return problem_.discontinuities(t0, t1);
+    } else {
+      return {};
+    }
+  }
+
+  /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
+  [[nodiscard]] bool linear_part(Jacobian<n>& a) const {
+    if constexpr (detail::GivesLinearPart<Problem>) {
+      Jacobian<m> own(size(), size());
+      problem_.linear_part(own);
+      a = own;
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
+  [[nodiscard]] std::vector<Harmonic> load() const {
+    if constexpr (detail::GivesLoad<Problem>) {
+      return problem_.load();
     } else {
       return {};
     }

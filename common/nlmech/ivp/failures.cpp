@@ -98,4 +98,12 @@ void require_second_order(std::string_view method, bool second_order) {
         fmt::format("{}: the problem gives no acceleration(t, q, v); this method needs one", method));
 }
 
+void require_derivatives(std::string_view method, bool given) {
+  if (!given)
+    throw std::invalid_argument(
+        fmt::format("{}: this problem is written for double alone; make its call operator a template on the "
+                    "scalar, so that it can be differentiated",
+                    method));
+}
+
 }  // namespace nlmech::ivp

@@ -19,7 +19,9 @@
 #include "nlmech/ivp/dormand_prince.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/generalized_alpha.hpp"
+#include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/ivp/hht.hpp"
+#include "nlmech/ivp/mtl.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
@@ -30,6 +32,13 @@ namespace nlmech::ivp {
 namespace {
 
 constexpr std::string_view lgl_name = "lgl-coll", radau_name = "radau-coll";
+
+/// A row of Hermitian operators: steps by an estimate of their error, or as given.
+constexpr MethodInfo hermitian_info(const HermitianPair& pair, int order, std::string_view meaning) {
+  MethodInfo info{pair.name, false, order, meaning, true, false, false};
+  info.takes_step = true;
+  return info;
+}
 
 // name, fixed step, order, meaning, for accelerations, nodes, shape
 constexpr std::array methods = {
@@ -55,6 +64,19 @@ constexpr std::array methods = {
     MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
     MethodInfo{GeneralizedAlpha::name, true, 2, "the generalised alpha method, rho = 0.8", true, false,
                false},
+    hermitian_info(laier, 4, "Laier's Hermitian operators, with jerks"),
+    hermitian_info(argyris, 4, "Argyris and Mlejnek's Hermitian operators, stable in part"),
+    hermitian_info(hoff, 2, "Hoff and Pahl's operators without dissipation: newmark"),
+    hermitian_info(bazzi, 2, "Bazzi and Anderheggen's operators without dissipation: newmark"),
+    MethodInfo{Mtl::name,
+               true,
+               {},
+               "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
+               false,
+               false,
+               false,
+               false,
+               true},
     MethodInfo{Mcpi::name, true, {}, "modified Chebyshev-Picard iteration, 9 nodes", false, true, false},
     MethodInfo{RbfCollocation::name,
                true,
@@ -100,13 +122,14 @@ void check(const MethodInfo& method, const Settings& settings) {
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
   check_positive(method.name, "shape", settings.shape);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
-  if (settings.step && !method.fixed_step && !method.has_order)
+  if (settings.step && !method.fixed_step && !method.has_order && !method.takes_step)
     refuse("it chooses its steps itself; give a tolerance, not a step");
   if (settings.absolute_tolerance && (method.fixed_step || settings.step))
     refuse("an absolute tolerance is for methods that choose their steps");
   if (settings.nodes && !method.has_nodes) refuse("it has no nodes to choose");
   if (settings.shape && !method.has_shape) refuse("it has no shape to choose");
   if (settings.order && !method.has_order) refuse("it has no order to choose");
+  if (settings.points && !method.has_points) refuse("it has no points to choose");
   if (settings.nodes && (*settings.nodes < 2 || *settings.nodes > collocation::max_nodes))
     refuse(fmt::format("the nodes must be from 2 to {}, not {}", collocation::max_nodes, *settings.nodes));
 }
@@ -196,6 +219,16 @@ NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
 }
 
+/// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
+template <int n>
+NamedIntegrator<n> by_operators(const HermitianPair& pair, const Settings& settings) {
+  if (!settings.step) return by_tolerance<n>(settings, Hermitian{.operators = pair});
+  const Hermitian method{.operators = pair, .step = *settings.step};
+  return
+      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
 template <int n>
 NamedIntegrator<n> nystroem(const Settings& settings) {
   const double tolerance = settings.tolerance.value_or(default_tolerance);
@@ -205,6 +238,14 @@ NamedIntegrator<n> nystroem(const Settings& settings) {
   return
       [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
                const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
+template <int n>
+NamedIntegrator<n> transversal(const MethodInfo& info, const Settings& settings) {
+  const int points = settings.points.value_or(Mtl{}.points);
+  const auto make = [points](double step) { return Mtl{.step = step, .points = points}; };
+  check_options(make(1));
+  return fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points), make);
 }
 
 /// Methods with nodes; nothing for another name.
@@ -248,6 +289,9 @@ NamedIntegrator<n> second_order_by_name(const MethodInfo& info, const Settings& 
     if (info.name == Hht::name) return with([](double step) { return Hht{.step = step}; });
     if (info.name == GeneralizedAlpha::name)
       return with([](double step) { return GeneralizedAlpha{.step = step}; });
+    for (const HermitianPair& pair : {laier, argyris, hoff, bazzi}) {
+      if (info.name == pair.name) return by_operators<n>(pair, settings);
+    }
   } else if (info.second_order_only) {
     throw std::invalid_argument(fmt::format(
         "{}: it needs positions and as many velocities; a state of {} components has none", info.name, n));
@@ -284,6 +328,7 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
     const int order = settings.order.value_or(settings.step ? published_order : 0);
     return by_tolerance<n, Series>(settings, {.order = order, .step = step});
   }
+  if (info.name == Mtl::name) return transversal<n>(info, settings);
   if (auto method = collocation_by_name<n>(info, settings)) return method;
   return second_order_by_name<n>(info, settings);
 }

@@ -22,8 +22,9 @@ struct Settings {
   std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; nothing: its default
   std::optional<double> shape =
       std::nullopt;  ///< c of rbf-coll in 1/time; positive; nothing: (N - 1) / (4 step)
-  std::optional<int> order = std::nullopt;  ///< N of series, from 2 to 100; nothing: by the tolerance, or
-                                            ///< published_order if there is a step
+  std::optional<int> order = std::nullopt;   ///< N of series, from 2 to 100; nothing: by the tolerance, or
+                                             ///< published_order if there is a step
+  std::optional<int> points = std::nullopt;  ///< p of mtl, from 1 to 8; nothing: 3
 };
 
 /// The tolerance of Settings without step and tolerance.
@@ -48,6 +49,8 @@ struct MethodInfo {
   bool has_nodes;            ///< Settings::nodes counts
   bool has_shape;            ///< Settings::shape counts
   bool has_order = false;    ///< Settings::order counts; takes a step as well as a tolerance
+  bool has_points = false;   ///< Settings::points counts
+  bool takes_step = false;   ///< chooses its steps, but takes one that is given
 };
 
 /// All methods, simple ones first.
@@ -58,11 +61,11 @@ struct MethodInfo {
 
 /// The method @p name for systems of n components: 1, 2, 3, 4, 6 or Eigen::Dynamic.
 ///
-/// A method of fixed step that is given a tolerance searches its step by search_step(); tolerances of inner
-/// iterations stay as they are. rbf-coll then ends with `not_converged` also where its basis is to blame: if
-/// the shape follows the step (no Settings::shape), it does not converge for a vanishing step, but goes
-/// through the right states in a time that is wrong by a fixed share. For mcpi the N nodes are those of the
-/// polynomial of degree N - 1.
+/// A method of fixed step that is given a tolerance searches its step by search_step() (laier, argyris, hoff
+/// and bazzi choose their steps by an estimate of their error); tolerances of inner iterations stay as they
+/// are. rbf-coll then ends with `not_converged` also where its basis is to blame: if the shape follows the
+/// step (no Settings::shape), it does not converge for a vanishing step, but goes through the right states in
+/// a time that is wrong by a fixed share. For mcpi the N nodes are those of the polynomial of degree N - 1.
 /// @throws std::invalid_argument listing the known names, if there is none of that name; for settings that
 /// the method does not have or that are out of range, naming them; for a method for accelerations if n is odd
 template <int n>

@@ -60,6 +60,16 @@ class System {
   [[nodiscard]] bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const {
     return face_->time_derivative(t, x, dfdt);
   }
+  /// f and g = f_t + f_x f, that is x' and x'' of the solution through (t, x), exact to rounding. False, and
+  /// nothing is written, for a problem that is written for double alone.
+  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const {
+    return face_->second_derivative(t, x, f, g);
+  }
+  /// The same with df/dx and dg/dx.
+  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
+                                       Jacobian<n>& gx) const {
+    return face_->second_derivative(t, x, f, g, fx, gx);
+  }
   /// Second-order problems only: a(t, q, v). @throws std::logic_error if the problem gives no acceleration
   void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const {
     face_->acceleration(t, q, v, a);
@@ -68,6 +78,10 @@ class System {
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     return face_->discontinuities(t0, t1);
   }
+  /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
+  [[nodiscard]] bool linear_part(Jacobian<n>& a) const { return face_->linear_part(a); }
+  /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
+  [[nodiscard]] std::vector<Harmonic> load() const { return face_->load(); }
   /// The right-hand side as a tape: called once, at (t, x). @throws std::invalid_argument as Direct::record()
   [[nodiscard]] Tape record(double t, const State<n>& x) const { return face_->record(t, x); }
   /// The Taylor coefficients of solutions, to the order @p order >= 1, through the tape: an object that
@@ -86,8 +100,13 @@ class System {
     virtual void rhs(std::span<const double>, const Nodes<n>&, Nodes<n>&) const = 0;
     virtual void jacobian(double, const State<n>&, Jacobian<n>&) const = 0;
     virtual bool time_derivative(double, const State<n>&, State<n>&) const = 0;
+    virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&) const = 0;
+    virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&, Jacobian<n>&,
+                                   Jacobian<n>&) const = 0;
     virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
     virtual std::vector<double> discontinuities(double, double) const = 0;
+    virtual bool linear_part(Jacobian<n>&) const = 0;
+    virtual std::vector<Harmonic> load() const = 0;
     virtual Tape record(double, const State<n>&) const = 0;
   };
   template <class D>
@@ -103,12 +122,21 @@ class System {
     bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const override {
       return direct.time_derivative(t, x, dfdt);
     }
+    bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const override {
+      return direct.second_derivative(t, x, f, g);
+    }
+    bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
+                           Jacobian<n>& gx) const override {
+      return direct.second_derivative(t, x, f, g, fx, gx);
+    }
     void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const override {
       direct.acceleration(t, q, v, a);
     }
     std::vector<double> discontinuities(double t0, double t1) const override {
       return direct.discontinuities(t0, t1);
     }
+    bool linear_part(Jacobian<n>& a) const override { return direct.linear_part(a); }
+    std::vector<Harmonic> load() const override { return direct.load(); }
     Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
     D direct;
   };

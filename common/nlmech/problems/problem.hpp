@@ -13,6 +13,8 @@
 /// - `discontinuities(t0, t1)`: times strictly between t0 and t1, in the direction of travel, at which the
 ///   right-hand side or one of its derivatives jumps. A right-hand side that branches on value_of(t) must
 ///   have it.
+/// - `linear_part(a)`: writes the constant matrix A of a semi-linear problem dx/dt = A x + ...
+/// - `load()`: the harmonics (series/harmonic.hpp) that stand in dx/dt beside what depends on the state.
 /// - `invariants(t, x)`: a vector of quantities that stay constant along every solution.
 /// - `state_names()`: names of the components of its state, for the heads of columns.
 /// - `initial_state()`, `initial_time`, `final_time`: the data of the publication.

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/hermitian/scenes.hpp"
+#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+constexpr double step = 0.2, end = 2000;
+constexpr int windows = 400;
+
+/// The energy of the free Duffing oscillator under one pair of operators.
+struct Energy {
+  std::string row;
+  std::vector<double> worst;  ///< greatest |E/E0 - 1| within each of `windows` equal stretches of time
+  double slope;               ///< of E/E0 - 1 per unit of time, by least squares
+  double determinant;         ///< of the derivative of one step, minus 1
+};
+
+// The derivative of one step by central differences, exact to some 1e-10.
+double determinant_less_one(const ivp::System<2>& system, const ivp::Hermitian& method) {
+  constexpr double d = 1e-5;
+  Eigen::Matrix2d map;
+  for (int i = 0; i < 2; ++i) {
+    ivp::State<2> ahead(1, 0.3), behind = ahead;
+    ahead[i] += d;
+    behind[i] -= d;
+    map.col(i) = (ivp::integrate(system, ahead, 0, step, method).x -
+                  ivp::integrate(system, behind, 0, step, method).x) /
+                 (2 * d);
+  }
+  return map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0) - 1;
+}
+
+Energy energy_of(const ivp::HermitianPair& pair) {
+  const problems::Duffing problem;
+  const ivp::System<2> system(problem);
+  const ivp::State<2> x0(1, 0.3);
+  const double at_first = problem.invariants(0.0, x0)[0];
+  const ivp::Hermitian method{.operators = pair, .step = step};
+  Energy e{std::string(pair.name), std::vector<double>(windows), 0, determinant_less_one(system, method)};
+  double st = 0, se = 0, stt = 0, ste = 0, count = 0;
+  const auto look = [&](const ivp::Step<2>& s) {
+    const double error = problem.invariants(0.0, s.x1)[0] / at_first - 1;
+    const auto window = static_cast<std::size_t>(std::min(windows - 1.0, s.t1 / end * windows));
+    e.worst[window] = std::max(e.worst[window], std::abs(error));
+    st += s.t1;
+    se += error;
+    stt += s.t1 * s.t1;
+    ste += s.t1 * error;
+    count += 1;
+    return true;
+  };
+  const auto run = ivp::integrate(system, x0, 0, end, method, look);
+  if (!run.status.ok()) throw Failure(run.status);
+  e.slope = (count * ste - st * se) / (count * stt - st * st);
+  return e;
+}
+
+std::vector<Energy> energies() {
+  return {energy_of(ivp::laier), energy_of(ivp::argyris), energy_of(ivp::newmark_pair)};
+}
+
+scene::Showing show(const std::vector<Energy>& all) {
+  scene::Table data({{"t"}, {"laier"}, {"argyris"}, {"newmark"}});
+  for (std::size_t i = 0; i < windows; ++i)
+    data.add(
+        {(static_cast<double>(i) + 0.5) * end / windows, all[0].worst[i], all[1].worst[i], all[2].worst[i]});
+  scene::Table table({{"operators"},
+                      {"greatest energy error", 3},
+                      {"slope per unit of time", 2},
+                      {"determinant of a step - 1", 2}});
+  const auto greatest = [](const Energy& e) { return *std::max_element(e.worst.begin(), e.worst.end()); };
+  for (const Energy& e : all) table.add({e.row, greatest(e), e.slope, e.determinant});
+  scene::Showing showing;
+  showing.figure = {std::move(data),
+                    "hermitian-energy",
+                    {{"heading", "Symmetric operators keep the energy error bounded"}}};
+  showing.table = std::move(table);
+  const auto half = [&](const Energy& e, bool second) {
+    const auto middle = e.worst.begin() + windows / 2;
+    return second ? *std::max_element(middle, e.worst.end()) : *std::max_element(e.worst.begin(), middle);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    showing.quantities.push_back(scene::near("energy error of " + all[i].row + ", second half over first",
+                                             "1", half(all[i], true) / half(all[i], false), 1, 0.02,
+                                             "a symmetric step on a reversible problem: no drift"));
+  }
+  showing.quantities.push_back({"determinant of a step of Laier, minus 1", "1", all[0].determinant, -1e-3,
+                                -1e-7, "not symplectic; the differences are good to 1e-9"});
+  return showing;
+}
+
+}  // namespace
+
+void add_energy(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<std::vector<Energy>>(
+      "energies", "x'' + x + x^3 = 0 from (1, 0.3), step 0.2, to t = 2000", {},
+      [](Workshop&) { return energies(); });
+  chapter.add({.name = "energy",
+               .title = "Energy of a free Duffing oscillator over 2000 units of time",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 0.2,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

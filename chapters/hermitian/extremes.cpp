@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/hermitian/scenes.hpp"
+#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using ivp::Hermitian;
+using scene::Workshop;
+
+/// One case.
+struct Fate {
+  std::string what, operators, setting, status;
+  std::optional<double> error;  ///< of the position at the end
+  std::int64_t steps, evaluations;
+};
+
+/// A problem, its start and end, and the position there.
+struct Subject {
+  std::string what;
+  ivp::System<2> system;
+  ivp::State<2> x0;
+  double end, truth;
+};
+
+Fate fate(const Subject& s, const Hermitian& method) {
+  const auto run = ivp::integrate(s.system, s.x0, 0, s.end, method, {}, {.steps = 5'000'000});
+  Fate f{s.what,
+         std::string(method.operators.name),
+         method.step > 0 ? fmt::format("step {:.4g}", method.step)
+                         : fmt::format("tolerance {:.0e}", method.relative_tolerance),
+         std::string(to_string(run.status.outcome())),
+         {},
+         run.statistics.steps,
+         run.statistics.right_hand_sides};
+  if (run.status.ok()) f.error = std::abs(run.x[0] - s.truth);
+  return f;
+}
+
+Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
+  return {.operators = pair, .relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+}
+
+// Ends by Taylor series in 113 bits.
+std::vector<Subject> relaxations() {
+  const auto make = [](double mu, double end, double truth) {
+    return Subject{fmt::format("van der Pol, mu = {}", mu),
+                   ivp::System<2>(problems::VanDerPol{.mu = mu}),
+                   {2, 0},
+                   end,
+                   truth};
+  };
+  return {make(10, 40, 1.872808279858089700), make(100, 200, 1.718587208019240655),
+          make(1000, 2000, 1.706167732170465008)};
+}
+
+// x'' + 10^6 x + m x^3 = cos t to t = 1: h omega is a thousand steps.
+Subject fast_duffing(const std::string& what, double hardening, double x0) {
+  const problems::DrivenDuffing problem{
+      .damping = 0, .stiffness = 1e6, .hardening = hardening, .force = 1, .frequency = 1};
+  const Vector<long double, 2> begin(x0, 0);
+  const problems::ReferenceTrajectory<long double, problems::DrivenDuffing> reference(problem, begin, 0, 1);
+  if (!reference.status().ok()) throw Failure(reference.status());
+  return {what, ivp::System<2>(problem), {x0, 0}, 1, static_cast<double>(reference(1)[0])};
+}
+
+std::vector<Fate> fates(bool quick) {
+  std::vector<Fate> all;
+  for (const Subject& s : relaxations()) {
+    for (const double step : {0.5, 0.125, 0.03125, 0.00390625}) all.push_back(fate(s, {.step = step}));
+    for (const double tolerance : {1e-4, 1e-8, 1e-12})
+      all.push_back(fate(s, controlled(ivp::laier, tolerance)));
+    all.push_back(fate(s, controlled(ivp::argyris, 1e-8)));
+    all.push_back(fate(s, controlled(ivp::newmark_pair, 1e-6)));
+  }
+  const Subject smooth = fast_duffing("fast Duffing, smooth start", 1, 1e-6);
+  const Subject swinging = fast_duffing("fast Duffing, oscillating start", 1, 1);
+  const Subject hard = fast_duffing("the same, 1000 x^3", 1000, 1);
+  for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris, ivp::newmark_pair}) {
+    for (const double step : {0.1, 0.01, 0.001})
+      all.push_back(fate(smooth, {.operators = pair, .step = step}));
+  }
+  for (const Subject& s : {swinging, hard}) {
+    for (const double step : {1e-3, 1e-4, 1e-5}) {
+      if (!quick || step > 5e-5) all.push_back(fate(s, {.step = step}));
+    }
+    all.push_back(fate(s, controlled(ivp::laier, 1e-10)));
+  }
+  for (const double z : {1e2, 1e4, 1e6}) {
+    const Subject linear{fmt::format("linear, h omega = {:.0e}", z),
+                         ivp::System<2>(problems::LinearOscillator{.natural_frequency = z}),
+                         {1, 0},
+                         100,
+                         std::cos(100 * z)};
+    for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris, ivp::newmark_pair})
+      all.push_back(fate(linear, {.operators = pair, .step = 1}));
+  }
+  return all;
+}
+
+const Fate& of(const std::vector<Fate>& all, const std::string& what, const std::string& operators,
+               const std::string& setting) {
+  for (const Fate& f : all) {
+    if (f.what == what && f.operators == operators && f.setting == setting) return f;
+  }
+  throw std::out_of_range("no case " + what + ", " + operators + ", " + setting);
+}
+
+scene::Showing show(const std::vector<Fate>& all) {
+  scene::Table table({{"case"},
+                      {"operators"},
+                      {"setting"},
+                      {"status"},
+                      {"error at the end", 2},
+                      {"steps"},
+                      {"evaluations"}});
+  double silent = 0;
+  for (const Fate& f : all) {
+    table.add({f.what, f.operators, f.setting, f.status, scene::to_cell(f.error), f.steps, f.evaluations});
+    if (f.what.starts_with("van der Pol") && f.error.value_or(0) > 0.1) ++silent;
+  }
+  const auto error = [&](const std::string& what, const std::string& operators, const std::string& setting) {
+    return of(all, what, operators, setting).error.value_or(NAN);
+  };
+  const auto caught =
+      std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
+  double well = 0;
+  for (const char* step : {"step 0.1", "step 0.01"})
+    well += error("fast Duffing, smooth start", "argyris", step) < 1e-9 ? 1 : 0;  // NaN: it failed
+  scene::Showing showing;
+  showing.table = std::move(table);
+  showing.quantities = {
+      scene::near("successes on van der Pol's oscillator that err by more than 0.1", "1", silent, 0, 0,
+                  "the estimate is there to catch them"),
+      {"steps that are refused as wrong branches", "1", static_cast<double>(caught), 6, 12,
+       "all that are longer than the leap of the three oscillators"},
+      scene::at_most("error for mu = 1000, steps chosen, tolerance 1e-8", "1",
+                     error("van der Pol, mu = 1000", "laier", "tolerance 1e-08"), 1e-6,
+                     "tolerance 1e-8; the motion forgets its errors between leaps"),
+      {"evaluations for mu = 1000, steps chosen, tolerance 1e-8", "1",
+       static_cast<double>(of(all, "van der Pol, mu = 1000", "laier", "tolerance 1e-08").evaluations), 0,
+       60000, "fixed steps: 8.2 million for an error of 5e-4 by an independent program"},
+      scene::at_most("fast Duffing, smooth start: greatest error of Laier", "1",
+                     std::max({error("fast Duffing, smooth start", "laier", "step 0.1"),
+                               error("fast Duffing, smooth start", "laier", "step 0.01"),
+                               error("fast Duffing, smooth start", "laier", "step 0.001")}),
+                     4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost"),
+      scene::near("the same, runs of Argyris with h omega = 10 or 100 that end well", "1", well, 0, 0,
+                  "both lie beyond sqrt(60); an independent program ends at 3e20"),
+      scene::at_most("fast Duffing, oscillating start: error with tolerance 1e-10", "1",
+                     error("fast Duffing, oscillating start", "laier", "tolerance 1e-10"), 1e-4,
+                     "an error of 1e-10 a step, of one sign, over all its steps"),
+      scene::at_most("linear, h omega = 1e6: error of Laier after 100 steps", "1",
+                     error("linear, h omega = 1e+06", "laier", "step 1"), 2.001,
+                     "|x| <= 1 for the exact and, with the spectral radius 1, for the computed motion")};
+  return showing;
+}
+
+}  // namespace
+
+void add_extremes(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<std::vector<Fate>>(
+      "extremes",
+      "van der Pol from (2, 0) to t = 40, 200, 2000; Duffing with omega = 1000 to t = 1; linear to t = 100",
+      {}, [](Workshop& w) { return fates(w.quick()); });
+  chapter.add({.name = "extremes",
+               .title = "Relaxation oscillations, fast oscillators, steps far too long",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 1,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,54 @@
+#include "chapters/hermitian/peaks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nlmech::chapters {
+
+problems::DrivenDuffing laier_duffing() {
+  return {.damping = 0.4, .stiffness = 1, .hardening = 0.5, .force = 0.5, .frequency = 0.5};
+}
+
+problems::VanDerPol laier_van_der_pol() { return {.mu = 1.5}; }
+
+Case duffing_case(double t0) {
+  return {.system = ivp::System<2>(laier_duffing()), .x0 = {0, 0}, .sign = 1, .t0 = t0};
+}
+
+Case van_der_pol_case() {
+  return {.system = ivp::System<2>(laier_van_der_pol()), .x0 = {0.01, 0}, .sign = -1};
+}
+
+Peak first_peak(const Case& what, const ivp::Hermitian& method, double end) {
+  Peak peak;
+  bool found = false;
+  const auto look = [&](const ivp::Step<2>& step) {
+    if (!(what.sign * step.x0[1] > 0 && what.sign * step.x1[1] <= 0)) return true;
+    double before = step.t0, after = step.t1;
+    ivp::State<2> x = step.x0;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = before + (after - before) / 2;
+      step.dense.at(middle, x);
+      (what.sign * x[1] > 0 ? before : after) = middle;
+    }
+    step.dense.at(after, x);
+    peak.t = after;
+    peak.x = x[0];
+    peak.on_grid = what.sign * std::max(what.sign * step.x0[0], what.sign * step.x1[0]);
+    found = true;
+    return false;
+  };
+  const auto solution = ivp::integrate(what.system, what.x0, what.t0, end, method, look);
+  if (found) return peak;
+  peak.status =
+      solution.status.ok()
+          ? Status::failure(Outcome::outside_validity,
+                            fmt::format("{}: the velocity does not change its sign before t = {:.6g}; "
+                                        "start from another state or parameters",
+                                        method.operators.name, end))
+          : solution.status;
+  return peak;
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,40 @@
+/// @file
+/// The first peak of the response, which is what the paper's tables 4 and 5 print.
+#pragma once
+
+#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+
+namespace nlmech::chapters {
+
+/// Duffing's equation (11) of the paper: x'' + 0.4 x' + x + 0.5 x^3 = 0.5 cos(0.5 t).
+[[nodiscard]] problems::DrivenDuffing laier_duffing();
+/// Van der Pol's equation of the paper: x'' - 1.5 (1 - x^2) x' + x = 0.
+[[nodiscard]] problems::VanDerPol laier_van_der_pol();
+
+/// What starts an oscillator of one degree of freedom, and which way it peaks.
+struct Case {
+  ivp::System<2> system;  ///< equation
+  ivp::State<2> x0;       ///< position and velocity at first
+  double sign;            ///< 1: a maximum; -1: a minimum
+  double t0 = 0;          ///< begin
+};
+
+/// Equation (11) from rest at @p t0; the paper names no start.
+[[nodiscard]] Case duffing_case(double t0 = 0);
+/// Van der Pol's oscillator from (0.01, 0); the paper names no start, its peak of -0.3193 does.
+[[nodiscard]] Case van_der_pol_case();
+
+/// Where the velocity first passes zero against the sign after the begin.
+struct Peak {
+  Status status;       ///< success, or why there is none
+  double t = 0;        ///< time, by the dense output of the step
+  double x = 0;        ///< position there
+  double on_grid = 0;  ///< position at the end of a step that is furthest out
+};
+
+/// The first peak before @p end. @param method operators and step
+[[nodiscard]] Peak first_peak(const Case& what, const ivp::Hermitian& method, double end);
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/hermitian/scenes.hpp"
+#include "nlmech/ivp/hermitian_operators.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using ivp::HermitianStep;
+using scene::Workshop;
+
+/// Spectral radius and period error of the five rows against z = h omega.
+struct Spectrum {
+  double z;
+  std::array<double, 5> radius, period;
+};
+
+HermitianStep step_of(std::size_t row) { return ivp::solved_for_end(ivp::hermitian_table.at(row)); }
+
+// T_numerical / T - 1.
+double period_error(const HermitianStep& step, double z) { return z / ivp::amplification(step, z).phase - 1; }
+
+std::vector<Spectrum> spectrum() {
+  std::vector<Spectrum> all;
+  constexpr int samples = 800;
+  for (int i = 0; i <= samples; ++i) {
+    Spectrum s{.z = std::pow(10, -1 + 3.0 * i / samples), .radius = {}, .period = {}};
+    for (std::size_t row = 0; row < 5; ++row) {
+      const auto a = ivp::amplification(step_of(row), s.z);
+      s.radius.at(row) = a.spectral_radius;
+      s.period.at(row) = std::abs(s.z / a.phase - 1);
+    }
+    all.push_back(s);
+  }
+  return all;
+}
+
+/// Where the spectral radius of Argyris' pair leaves or reaches 1 between two arguments: halving.
+double edge(double stable, double unstable) {
+  const HermitianStep argyris = ivp::solved_for_end(ivp::argyris);
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (stable + unstable) / 2;
+    (ivp::amplification(argyris, middle).spectral_radius > 1 + 1e-12 ? unstable : stable) = middle;
+  }
+  return stable;
+}
+
+/// Greatest distance of Laier's spectral radius from 1 for z from 0.01 to 10^4.
+double distance_from_one() {
+  const HermitianStep laier = ivp::solved_for_end(ivp::laier);
+  double worst = 0;
+  for (int i = 0; i <= 6000; ++i) {
+    const double z = std::pow(10, -2 + i / 1000.0);
+    worst = std::max(worst, std::abs(ivp::amplification(laier, z).spectral_radius - 1));
+  }
+  return worst;
+}
+
+scene::Showing show(const std::vector<Spectrum>& all) {
+  scene::Table data({{"z"},
+                     {"rho_laier"},
+                     {"rho_argyris"},
+                     {"rho_newmark"},
+                     {"period_laier"},
+                     {"period_argyris"},
+                     {"period_newmark"}});
+  const auto to_cell = [](double period) {
+    return std::isfinite(period) && period > 0 ? scene::Cell(period) : scene::Cell();
+  };
+  for (const Spectrum& s : all) {
+    const bool turns = s.radius[4] < 1 + 1e-12;  // else the phase is 0 or pi: no period
+    data.add({s.z, s.radius[0], s.radius[4], s.radius[1], to_cell(s.period[0]),
+              turns ? to_cell(s.period[4]) : scene::Cell(), to_cell(s.period[1])});
+  }
+  scene::Table table(
+      {{"operators"}, {"greatest spectral radius", 4}, {"period error at h omega = 0.1", 4}, {"at 1", 4}});
+  for (std::size_t row = 0; row < 5; ++row) {
+    const HermitianStep step = step_of(row);
+    double greatest = 0;
+    for (const Spectrum& s : all) greatest = std::max(greatest, s.radius.at(row));
+    table.add({std::string(ivp::hermitian_table.at(row).name), greatest, period_error(step, 0.1),
+               period_error(step, 1)});
+  }
+  scene::Showing showing;
+  showing.figure = {std::move(data),
+                    "hermitian-spectral",
+                    {{"heading", "Argyris' operators are stable only in part"}, {"width", "900"}}};
+  showing.table = std::move(table);
+  const auto coefficient = [](const ivp::HermitianPair& pair, int power) {
+    const double z = 0.05;
+    return period_error(ivp::solved_for_end(pair), z) / std::pow(z, power);
+  };
+  const char* series = "series of the phase angle; at z = 0.05 its next term is some 1e-3 of the first";
+  const auto far = ivp::amplification(ivp::solved_for_end(ivp::argyris), 1e6).spectral_radius;
+  double same = 0;
+  for (const Spectrum& s : all)
+    same = std::max({same, std::abs(s.radius[1] - s.radius[2]), std::abs(s.radius[1] - s.radius[3]),
+                     std::abs(s.period[1] - s.period[2]), std::abs(s.period[1] - s.period[3])});
+  showing.quantities = {
+      scene::at_most("distance of Laier's spectral radius from 1, z from 0.01 to 10000", "1",
+                     distance_from_one(), 4e-16, "the determinant is 1: rounding"),
+      scene::near("begin of the window of instability", "1", edge(3, 3.3), std::sqrt(10.0), 1e-9,
+                  "half trace -1: z^2 = 10"),
+      scene::near("end of the window of instability", "1", edge(3.6, 3.3), std::sqrt(12.0), 1e-9,
+                  "half trace -1: z^2 = 12"),
+      scene::near("last stable h omega of Argyris", "1", edge(7, 9), std::sqrt(60.0), 1e-9,
+                  "half trace 1: z^2 = 60"),
+      scene::near("spectral radius of Argyris for a very long step", "1", far, 3 + std::sqrt(8.0), 1e-9,
+                  "half trace 3"),
+      scene::near("period error of Laier over z^4", "1", coefficient(ivp::laier, 4), 1. / 720, 0.01, series),
+      scene::near("period error of Argyris over z^4", "1", coefficient(ivp::argyris, 4), 1. / 1440, 0.01,
+                  series),
+      scene::near("period error of Newmark over z^2", "1", coefficient(ivp::newmark_pair, 2), 1. / 12, 0.01,
+                  series),
+      scene::at_most("difference of Newmark, Hoff and Bazzi", "1", same, 0, "one method")};
+  return showing;
+}
+
+}  // namespace
+
+void add_spectral(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<std::vector<Spectrum>>("spectrum", "undamped linear oscillator, one step",
+                                                           {}, [](Workshop&) { return spectrum(); });
+  chapter.add({.name = "spectral",
+               .title = "Spectral radius and period error of the five pairs of operators",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 0.1,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

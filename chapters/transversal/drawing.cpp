@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "chapters/transversal/oscillators.hpp"
+#include "chapters/transversal/scenes.hpp"
+#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+constexpr int p = 4;
+constexpr double h = 0.4;
+
+/// One block of x'' + x + x^3 = cos t from (1, 0), p = 4, h = 0.4, at many times.
+struct Block {
+  std::vector<double> t, path, defect;  ///< linearised path, and what it fails the equation by
+  std::vector<Point> points;            ///< the p + 1 points
+};
+
+/// The cubic of the points' positions at t, by Lagrange: what stands for x^3 between the points.
+double interpolated_cube(const std::vector<Point>& points, double t) {
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    double term = std::pow(points[k].x[0], 3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i != k) term *= (t - points[i].t) / (points[k].t - points[i].t);
+    }
+    sum += term;
+  }
+  return sum;
+}
+
+Block block() {
+  const problems::DrivenDuffing problem;
+  const ivp::State<2> x0(1, 0);
+  Block b;
+  b.points.push_back({0, x0});
+  const auto observe = [&b](const ivp::Step<2>& step) {
+    for (std::size_t i = 0; i < step.times.size(); ++i)
+      b.points.push_back({step.times[i], step.states.col(static_cast<Eigen::Index>(i))});
+    for (int i = 0; i <= 200; ++i) {
+      ivp::State<2> x;
+      // Every fiftieth sample is a point.
+      const double t = i % 50 == 0 ? b.points[static_cast<std::size_t>(i / 50)].t : p * h * i / 200;
+      step.dense.at(t, x);
+      b.t.push_back(t);
+      b.path.push_back(x[0]);
+      // y'' + y + y^3 - cos t, where y'' + y = cos t - (interpolated cube).
+      b.defect.push_back(std::pow(x[0], 3) - interpolated_cube(b.points, t));
+    }
+    return true;
+  };
+  const ivp::Mtl method{.step = h, .points = p};
+  const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, p * h, method, observe);
+  if (!s.status.ok()) throw Failure(s.status);
+  return b;
+}
+
+/// The drawing: the true path is a smooth curve, and the linearised one differs from it by a multiple of
+/// product (t - t_k), as the interpolation does; both meet at the points.
+double drawn_path(double s) { return 1.1 + 0.35 * s - 0.55 * std::sin(0.9 * s + 0.2); }
+double drawn_gap(double s) {
+  double product = 0.07;
+  for (int k = 0; k <= p; ++k) product *= s - k;
+  return product;
+}
+
+scene::Showing show(const Block& b) {
+  scene::Table data({{"series", 3, true}, {"t"}, {"y"}});
+  int crossings = 0;
+  double before = drawn_gap(-0.2);
+  for (int i = -10; i <= 210; ++i) {
+    const double s = i / 50.;
+    data.add({std::int64_t{1}, s, drawn_path(s)});
+  }
+  for (int i = -10; i <= 210; ++i) {
+    const double s = i / 50., gap = drawn_gap(s);
+    data.add({std::int64_t{2}, s, drawn_path(s) + gap});
+    if (gap * before < 0) ++crossings;
+    if (gap != 0) before = gap;  // it vanishes at the points
+  }
+  for (int k = 0; k <= p; ++k) data.add({std::int64_t{3}, double(k), drawn_path(k)});
+  for (std::size_t i = 0; i < b.t.size(); ++i) data.add({std::int64_t{4}, b.t[i] / h, 1e3 * b.defect[i]});
+  double at_points = 0, between = 0;
+  for (std::size_t i = 0; i < b.t.size(); ++i) {
+    double& where = i % 50 == 0 ? at_points : between;
+    where = std::max(where, std::abs(b.defect[i]));
+  }
+  scene::Showing showing;
+  showing.figure = {
+      std::move(data),
+      "transversal-drawing",
+      {{"heading", "The linearised path crosses the true one at the points"}, {"height", "520"}}};
+  showing.quantities = {
+      {"crossings drawn", "1", static_cast<double>(crossings), p + 1, p + 1,
+       "one at each of the p + 1 points"},
+      scene::at_most(
+          "greatest defect at the points", "1", at_points, 1e-12,
+          "vector fields agree there (Eq. 3): roundings of a cube of size 1, and Newton's tolerance"),
+      {"greatest defect between the points", "1", between, 1e-4, 1e-1,
+       "the interpolation error of x^3 is about h^5 = 0.01 times a fifth derivative of some units, over 5! "
+       "and "
+       "times the greatest |s (s - 1)...(s - 4)|, 3.6"}};
+  return showing;
+}
+
+}  // namespace
+
+void add_transversal_drawing(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<Block>(
+      "block",
+      "the drawing is a sketch; the defect below it is that of x'' + x + x^3 = cos t, p = 4, h = 0.4", {},
+      [](Workshop&) { return block(); });
+  chapter.add({.name = "fig-1",
+               .title = "True and linearised paths cross at the grid points, p = 4",
+               .place = "Figure 1",
+               .needs = {&run},
+               .seconds = 1,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

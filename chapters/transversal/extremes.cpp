@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/transversal/oscillators.hpp"
+#include "chapters/transversal/scenes.hpp"
+#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using ivp::Mtl;
+using ivp::MtlLinear;
+using scene::Workshop;
+
+/// One case.
+struct Fate {
+  std::string what, how, status;
+  std::optional<double> error;  ///< of the position at the end
+  std::int64_t evaluations = 0;
+};
+
+/// "p = 3, h = 0.05, A zero, estimate 0.001"
+std::string words(const Mtl& m) {
+  std::string text = fmt::format("p = {}, h = {:.4g}, A {}", m.points, m.step, to_string(m.linear));
+  if (m.error_tolerance > 0) text += fmt::format(", estimate to {:.0e}", m.error_tolerance);
+  return text;
+}
+
+template <class Problem>
+Fate fate(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end, double truth,
+          const Mtl& method) {
+  const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, end, method);
+  Fate f{what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
+  if (s.status.ok()) f.error = std::abs(s.x[0] - truth);
+  return f;
+}
+
+void add_van_der_pol(std::vector<Fate>& all) {
+  const auto add = [&](double mu, double end, double truth, const Mtl& method) {
+    all.push_back(fate(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
+                       problems::VanDerPol{.mu = mu}, {2, 0}, end, truth, method));
+  };
+  constexpr double ten = 1.872808279858089700, hundred = 1.718587208019240655,
+                   thousand = 1.706167732170465008;
+  add(10, 40, ten, {.step = 0.05});
+  add(10, 40, ten, {.step = 0.01});
+  add(10, 40, ten, {.step = 0.01, .linear = MtlLinear::jacobian});
+  add(100, 200, hundred, {.step = 0.05});
+  add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero});
+  add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero, .error_tolerance = 1e-3});
+  add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::jacobian});
+  add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
+  add(100, 200, hundred, {.step = 0.002, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
+  add(100, 200, hundred, {.step = 0.0005, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
+  add(1000, 2000, thousand, {.step = 0.5, .linear = MtlLinear::zero});
+  add(1000, 2000, thousand, {.step = 0.5, .linear = MtlLinear::jacobian});
+  add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::zero});
+  add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::jacobian});
+  add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::zero, .error_tolerance = 1e-3});
+  add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
+}
+
+void add_fast(std::vector<Fate>& all) {
+  for (const double m : {1., 1e3}) {
+    const problems::DrivenDuffing problem{.stiffness = 1e6, .hardening = m};
+    for (const bool smooth : {true, false}) {
+      const double x0 = smooth ? 1e-6 : 1;
+      const Truth truth(problem, {x0, 0}, 0, 1);
+      for (const double h : {1. / 3, 0.01, 5e-4}) {
+        const std::string what = fmt::format("Duffing, w = 1000, m = {:g}, {} start, to t = 1", m,
+                                             smooth ? "smooth" : "oscillatory");
+        all.push_back(fate(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), {.step = h}));
+        if (smooth && all.back().error) *all.back().error /= x0;  // relative
+      }
+    }
+  }
+}
+
+void add_linear(std::vector<Fate>& all) {
+  for (const double z : {10., 1e3, 1e6}) {
+    const problems::LinearOscillator problem{.natural_frequency = 1e3};
+    const double h = z / 1e3, end = 3 * h;
+    all.push_back(fate(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
+                       std::cos(1e3 * end), {.step = h}));
+  }
+  // K = C = 0: the force alone, x = 1 + (1 - cos 2 t)/4.
+  const problems::DrivenDuffing bare{.stiffness = 0, .hardening = 0, .frequency = 2};
+  all.push_back(fate("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4, {.step = 1}));
+}
+
+// Points at equal distances and a high degree: a root far away from the solution.
+void add_far_root(std::vector<Fate>& all) {
+  for (const double allowed : {0., 1e-2}) {
+    const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
+    all.push_back(fate("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0}, 50,
+                       1.203734404401093362708, method));
+  }
+}
+
+std::vector<Fate> fates() {
+  std::vector<Fate> all;
+  add_van_der_pol(all);
+  add_far_root(all);
+  add_fast(all);
+  add_linear(all);
+  return all;
+}
+
+scene::Showing show(const std::vector<Fate>& all) {
+  scene::Table table({{"case"}, {"how"}, {"status"}, {"error of x at the end", 2}, {"right-hand sides"}});
+  for (const Fate& f : all) table.add({f.what, f.how, f.status, scene::to_cell(f.error), f.evaluations});
+  const auto error = [&](const std::string& what, const Mtl& method) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Fate& f) { return f.what == what && f.how == words(method); });
+    return found == all.end() ? NAN : found->error.value_or(NAN);
+  };
+  // A success far from the solution although an estimate was asked for.
+  const auto silent = std::count_if(all.begin(), all.end(), [](const Fate& f) {
+    return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
+  });
+  const auto caught =
+      std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
+  scene::Showing showing;
+  showing.table = std::move(table);
+  showing.quantities = {
+      scene::near("runs with an estimate that end far off and say success", "1", static_cast<double>(silent),
+                  0, 0, "the estimate stops them"),
+      {"runs that end with wrong_branch", "1", static_cast<double>(caught), 2, 10,
+       "at least both of mu = 1000 with steps that cannot resolve the leap"},
+      {"error of p = 8, h = 0.4, without an estimate", "1",
+       error("Duffing, x'' + x + x^3 = cos t, to t = 50", {.step = 0.4, .points = 8}), 10, 1e9,
+       "the solution stays below 2: a root of the equations of a block that is none of the problem"},
+      scene::at_most("error of van der Pol's oscillator, mu = 10, h = 0.01", "1",
+                     error("van der Pol, mu = 10, to t = 40", {.step = 0.01}), 1e-5,
+                     "an independent program: 1e-7 at the end of its choice; order 4 with mu h = 0.1"),
+      scene::at_most("relative error of the smooth start, h = 1/3", "1",
+                     error("Duffing, w = 1000, m = 1, smooth start, to t = 1", {.step = 1. / 3}), 1e-12,
+                     "linear to 18 digits: exact but for 333 roundings of the phase"),
+      {"error of the oscillatory start, h = 0.01", "1",
+       error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", {.step = 0.01}), 1e-5, 2e-3,
+       "the frequency's shift 3 m/(8 w) = 3.75e-4 is what sampling at w h = 10 can miss; an independent "
+       "program "
+       "finds 5.5e-4"},
+      scene::at_most("error of the oscillatory start, h = 0.0005", "1",
+                     error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", {.step = 5e-4}), 1e-6,
+                     "an independent program: 1e-6 to 1e-8 below w h = 0.6"),
+      scene::at_most("error of the linear oscillator, w h = 1e6", "1",
+                     error("linear oscillator, w h = 1e+06, one block", {.step = 1e3}), 1e-8,
+                     "3e6 roundings of the angle: 7e-10, and as much by squaring"),
+      scene::at_most("error without spring and damper", "1", error("K = C = 0 under a force", {.step = 1}),
+                     1e-13, "a hundred roundings")};
+  return showing;
+}
+
+}  // namespace
+
+void add_transversal_extremes(scene::Chapter& chapter) {
+  const auto& run =
+      chapter.add_run<std::vector<Fate>>("extremes",
+                                         "van der Pol from (2, 0), ends by an independent program in "
+                                         "float128; Duffing x'' + 1e6 x + m x^3 = cos t",
+                                         {}, [](Workshop&) { return fates(); });
+  chapter.add({.name = "extremes",
+               .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 3,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

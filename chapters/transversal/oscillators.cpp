@@ -1,0 +1,51 @@
+#include "chapters/transversal/oscillators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nlmech::chapters {
+
+problems::DrivenDuffing stand_in(double e2) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return {.damping = turn * 0.25,
+          .stiffness = turn * turn * e2,
+          .hardening = turn * turn * e2,
+          .force = turn * turn * 0.5,
+          .frequency = turn};
+}
+
+problems::DrivenDuffing ueda() { return {.damping = 0.05, .stiffness = 0, .hardening = 1, .force = 7.5}; }
+
+Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, double end,
+              const ivp::NamedIntegrator<2>& method, const Truth* truth) {
+  Course c;
+  c.points.push_back({0, x0});
+  const auto observe = [&c](const ivp::Step<2>& step) {
+    for (std::size_t i = 0; i < step.times.size(); ++i)
+      c.points.push_back({step.times[i], step.states.col(static_cast<Eigen::Index>(i))});
+    return true;
+  };
+  const auto solution = method(ivp::System<2>(problem), x0, 0, end, observe, {});
+  c.status = solution.status;
+  c.work = solution.statistics;
+  for (const Point& p : c.points) {
+    c.largest = std::max(c.largest, std::abs(p.x[0]));
+    // The last point may lie an ulp beyond the end.
+    if (truth != nullptr)
+      c.error = std::max(c.error, std::abs(p.x[0] - static_cast<double>((*truth)(std::min(p.t, end))[0])));
+  }
+  if (!c.status.ok()) c.error = std::numeric_limits<double>::infinity();
+  return c;
+}
+
+ivp::NamedIntegrator<2> transversal(double step, int points) {
+  return ivp::named_integrator<2>("mtl", {.step = step, .points = points});
+}
+
+ivp::NamedIntegrator<2> classical(std::string_view name, double step) {
+  return ivp::named_integrator<2>(name, {.step = step});
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,54 @@
+/// @file
+/// The driven Duffing oscillators of the chapter, their solutions, and how far a run strays from them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+
+namespace nlmech::chapters {
+
+/// x'' + 2 pi e1 x' + 4 pi^2 e2 (x + x^3) = 4 pi^2 e3 cos 2 pi t: the form of the oscillators in the author's
+/// other papers, with e1 = 0.25 and e3 = 0.5. The summary prints neither the equation nor its parameters.
+/// @param e2 stiffness
+[[nodiscard]] problems::DrivenDuffing stand_in(double e2);
+
+/// Ueda's oscillator x'' + 0.05 x' + x^3 = 7.5 cos t, chaotic (Y. Ueda, Randomly transitional phenomena in
+/// the system governed by Duffing's equation, J. Stat. Phys. 20 (1979) 181-196).
+[[nodiscard]] problems::DrivenDuffing ueda();
+
+/// A solution in long double.
+using Truth = problems::ReferenceTrajectory<long double, problems::DrivenDuffing>;
+
+/// A state at a time.
+struct Point {
+  double t;         ///< time
+  ivp::State<2> x;  ///< position and velocity
+};
+
+/// What became of a run.
+struct Course {
+  Status status;              ///< how it ended
+  std::vector<Point> points;  ///< all that it computed, the begin included
+  Statistics work;            ///< what it cost
+  double error = 0;           ///< greatest error of the position at its points; infinite if it failed
+  double largest = 0;         ///< greatest |x|
+
+  /// Did the numbers run out?
+  [[nodiscard]] bool overflows() const { return status.outcome() == Outcome::non_finite; }
+};
+
+/// Runs a method of fixed step from @p x0 at 0 to @p end.
+/// @param truth reaches @p end; null: no error
+[[nodiscard]] Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, double end,
+                            const ivp::NamedIntegrator<2>& method, const Truth* truth);
+
+/// `mtl` with p points and a step.
+[[nodiscard]] ivp::NamedIntegrator<2> transversal(double step, int points);
+/// A method by its name, with a step.
+[[nodiscard]] ivp::NamedIntegrator<2> classical(std::string_view name, double step);
+
+}  // namespace nlmech::chapters

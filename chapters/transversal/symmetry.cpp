@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/transversal/oscillators.hpp"
+#include "chapters/transversal/scenes.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using scene::Workshop;
+
+constexpr double end = 600, step = 0.1, window = 20;
+const ivp::State<2> begin(1, 0), inside(1, 0.3);
+
+/// The free oscillator x'' + x + x^3 = 0.
+problems::DrivenDuffing free_oscillator() { return {.force = 0}; }
+
+/// A method over a long time.
+struct Long {
+  std::string name;
+  std::vector<double> errors;  ///< greatest relative error of the energy in each window of time
+  double back = 0;             ///< distance from the begin after going there and back, to t = 60
+  double area = 0;             ///< determinant of one block's map, less 1
+
+  [[nodiscard]] double greatest() const { return *std::max_element(errors.begin(), errors.end()); }
+  /// Greatest in the last third over greatest in the first: 1 if nothing drifts, 3 if it drifts steadily.
+  [[nodiscard]] double growth() const {
+    const auto third = static_cast<std::ptrdiff_t>(errors.size() / 3);
+    return *std::max_element(errors.end() - third, errors.end()) /
+           *std::max_element(errors.begin(), errors.begin() + third);
+  }
+};
+
+ivp::State<2> after(const ivp::NamedIntegrator<2>& method, const ivp::State<2>& x, double t0, double t1) {
+  return method(ivp::System<2>(free_oscillator()), x, t0, t1, {}, {}).x;
+}
+
+Long long_run(const std::string& name, const ivp::NamedIntegrator<2>& method, int block) {
+  Long l{name, {}, 0, 0};
+  const Course c = course(free_oscillator(), begin, end, method, nullptr);
+  const double energy = free_oscillator().energy(begin);
+  l.errors.assign(static_cast<std::size_t>(end / window), 0);
+  // Ends of blocks: the points within one are of the order p + 1 alone.
+  for (std::size_t i = 0; i < c.points.size(); i += static_cast<std::size_t>(block)) {
+    const Point& p = c.points[i];
+    const auto bin = std::min(static_cast<std::size_t>(p.t / window), l.errors.size() - 1);
+    l.errors[bin] = std::max(l.errors[bin], std::abs(free_oscillator().energy(p.x) / energy - 1));
+  }
+  l.back = (after(method, after(method, begin, 0, 60), 60, 0) - begin).cwiseAbs().maxCoeff();
+  Eigen::Matrix2d map;
+  constexpr double change = 1e-5;  // central differences: 1e-10 of truncation and of rounding
+  for (int i = 0; i < 2; ++i) {
+    const ivp::State<2> d = change * ivp::State<2>::Unit(i);
+    map.col(i) = (after(method, inside + d, 0, block * step) - after(method, inside - d, 0, block * step)) /
+                 (2 * change);
+  }
+  l.area = map.determinant() - 1;
+  return l;
+}
+
+std::vector<Long> all_runs() {
+  std::vector<Long> all;
+  for (int p = 1; p <= 5; ++p) all.push_back(long_run(fmt::format("p = {}", p), transversal(step, p), p));
+  all.push_back(long_run("rk4", classical("rk4", step), 1));
+  all.push_back(long_run("rk6", classical("rk6", step), 1));
+  return all;
+}
+
+scene::Showing show(const std::vector<Long>& all) {
+  scene::Table data({{"series", 3, true}, {"step"}, {"error"}, {"overflow"}});
+  scene::Table table({{"method"},
+                      {"greatest relative error of the energy", 2},
+                      {"last third over first", 3},
+                      {"there and back", 1},
+                      {"determinant - 1", 2}});
+  std::string legend;
+  std::int64_t number = 0;
+  for (const Long& l : all) {
+    ++number;
+    legend += (legend.empty() ? "" : "|") + l.name;
+    for (std::size_t i = 0; i < l.errors.size(); ++i)
+      data.add({number, (static_cast<double>(i) + 0.5) * window, l.errors[i], {}});
+    table.add({l.name, l.greatest(), l.growth(), l.back, l.area});
+  }
+  scene::Showing showing;
+  showing.table = std::move(table);
+  showing.figure = {std::move(data),
+                    "transversal-steps",
+                    {{"heading", "Symmetric in time: the energy does not drift"},
+                     {"legend", legend},
+                     {"linear_x", "1"},
+                     {"xrange", "[0:600]"},
+                     {"yrange", "[1e-8:1e-1]"},
+                     {"xlabel", "time"},
+                     {"ylabel", "relative error of the energy"}}};
+  const double energies[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6}, areas[] = {-2.0e-4, -2.5e-6, -1.3e-6};
+  const char* independent = "an independent program, two digits";
+  for (std::size_t i = 0; i < 5; ++i) {
+    showing.quantities.push_back(scene::near("error of the energy, " + all[i].name, "1", all[i].greatest(),
+                                             energies[i], 0.04, independent));
+    showing.quantities.push_back({"growth of that error, " + all[i].name, "1", all[i].growth(), 0.95, 1.05,
+                                  "a symmetric method on a reversible oscillator: no drift"});
+    showing.quantities.push_back(
+        scene::at_most("there and back, " + all[i].name, "1", all[i].back, 1e-11,
+                       "roundings of 1200 steps, 2e-16 each, growing linearly with time"));
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    showing.quantities.push_back(scene::near("determinant of a block less 1, " + all[i].name, "1",
+                                             all[i].area, areas[i], 0.04, independent));
+  showing.quantities.push_back({"growth of the error of the energy, rk4", "1", all[5].growth(), 2.5, 3.5,
+                                "a drift, linear in time: three times the first third's"});
+  return showing;
+}
+
+}  // namespace
+
+void add_transversal_symmetry(scene::Chapter& chapter) {
+  const auto& run = chapter.add_run<std::vector<Long>>(
+      "long-runs", "x'' + x + x^3 = 0 from (1, 0), h = 0.1, to t = 600; K = 1; the determinant at (1, 0.3)",
+      {}, [](Workshop&) { return all_runs(); });
+  chapter.add({.name = "symmetry",
+               .title = "Energy over a long time; area; there and back",
+               .place = "our own",
+               .needs = {&run},
+               .seconds = 1,
+               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,249 @@
+/// @file
+/// Integration by Hermitian operators: single steps with accelerations and jerks.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/fixed_steps.hpp"
+#include "nlmech/ivp/hermitian_trial.hpp"
+#include "nlmech/ivp/integrate.hpp"
+
+namespace nlmech::ivp {
+
+/// Hermite-Obreshkov steps for q'' = a(t, q, v) by two operators of Table 1 of J. E. Laier, High-order
+/// algorithm for non-linear dynamics. Implicit; the 2m equations for positions and velocities are solved by
+/// Newton's iteration, acceleration, jerk and their exact derivatives taken from the problem by dual numbers.
+///
+/// Order: order_of(solved_for_end(operators)), 4 for Laier and Argyris, 2 for the others, which are one
+/// method and the one that Newmark{} is. On linear problems all but Argyris are stable for every step and
+/// keep the spectral radius 1 where nothing damps: fast parts that a step does not resolve neither grow nor
+/// decay.
+///
+/// A converged Newton iteration does not tell that its root continues the solution. Each step is therefore
+/// held to two operators of order 6, one of which asks the problem in the middle of the step; what they leave
+/// is the estimate of the error.
+///  - With a `step`, a step whose estimate, as a displacement, exceeds `branch_tolerance` of the
+///  displacements
+///    ends the integration with `wrong_branch`, if stiffness times h^2 or damping times h change by more than
+///    3 over the step. On linear problems, where a step has one root only, it never does.
+///  - Without, steps are chosen: accepted if max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1; the next
+///  one is
+///    longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that is not solved
+///    is quartered.
+///
+/// Steps end on announced discontinuities. Dense output: the quintic of both ends with accelerations, of the
+/// method's order. Statistics::right_hand_sides counts a and j apart: two a Newton iteration, three a step
+/// more.
+struct Hermitian {
+  static constexpr std::string_view name = "hermitian";  ///< the family; a run's messages name the operators
+  HermitianPair operators = laier;                       ///< a row of hermitian_table, or another pair
+  double step = 0;                                       ///< length of a step; 0: chosen
+  double relative_tolerance = 1e-9;                      ///< rtol where steps are chosen, from 1e-14 to 0.1
+  double absolute_tolerance = 1e-9;                      ///< atol, positive
+  double branch_tolerance = 0.1;                         ///< see above; positive; infinity: never
+  algebraic::Newton newton = {};                         ///< solves each step's equations
+};
+
+/// @throws std::invalid_argument naming an option out of range and its value
+void check_options(const Hermitian& method);
+
+namespace hermitian {
+
+/// The estimate of a converged step is of the size of the step: wrong_branch.
+[[nodiscard]] Status wrong_branch(std::string_view method, double t, double step, double estimate);
+
+/// Steps of fixed length.
+template <SystemLike S>
+class FixedStepper : public Stepper<S::dimension> {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// @param task outlives the stepper
+  FixedStepper(const Task<S>& task, const Hermitian& method)
+      : Stepper<n>(task.system.size()),
+        method_(method),
+        trial_(task.system, method.operators, method.newton) {}
+
+  /// Of the operators.
+  [[nodiscard]] std::string_view name() const { return method_.operators.name; }
+  /// See Stepper.
+  void begin_segment(double begin, double end) {
+    begin_ = begin;
+    end_ = end;
+    is_new_ = true;
+  }
+  /// From t to t + h.
+  Status step(double t, double h, const State<n>& x0, State<n>& x1, Statistics& statistics) {
+    if (std::exchange(is_new_, false)) {
+      if (!trial_.begin_segment(begin_, end_, x0, statistics)) return non_finite_rhs(name(), t);
+    } else {
+      trial_.accept();
+    }
+    const std::int64_t before = statistics.newton_iterations;
+    const Outcome outcome = trial_.attempt(t, h, statistics);
+    if (outcome != Outcome::success)
+      return step_not_solved(name(), outcome, t, h, static_cast<int>(statistics.newton_iterations - before));
+    const double estimate = trial_.relative_displacement();
+    if (estimate > method_.branch_tolerance && trial_.nonlinearity(statistics) > 3)
+      return wrong_branch(name(), t, h, estimate);
+    x1 = trial_.end_state();
+    return {};
+  }
+  void at(double t, State<n>& x) const override { trial_.at(t, x); }
+
+ private:
+  const Hermitian& method_;
+  HermitianTrial<S> trial_;
+  double begin_ = 0, end_ = 0;
+  bool is_new_ = true;
+};
+
+/// Steps of chosen length: one integration from begin to end.
+template <SystemLike S>
+class Run {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// @param task outlives the run
+  Run(const Task<S>& task, const Hermitian& method)
+      : task_(task),
+        method_(method),
+        exponent_(-1.0 / (order_of(solved_for_end(method.operators)) + 1)),
+        trial_(task.system, method.operators, method.newton),
+        now_{task.t0, task.x0, {}, {}},
+        states_(task.system.size(), 1) {}
+
+  /// The answer; call once.
+  Solution<n> run() {
+    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
+    ends.push_back(task_.t1);
+    for (const double end : ends) {
+      now_.status = cross(end);
+      if (!now_.status.ok()) break;
+    }
+    return std::move(now_);
+  }
+
+ private:
+  [[nodiscard]] std::string_view name() const { return method_.operators.name; }
+
+  // A stretch on which f is smooth.
+  Status cross(double end) {
+    if (!trial_.begin_segment(now_.t, end, now_.x, now_.statistics)) return non_finite_rhs(name(), now_.t);
+    length_ = first_length(std::abs(end - now_.t));
+    Status status;
+    while (now_.t != end && status.ok()) status = step(end);
+    return status;
+  }
+
+  // The time in which the state would change by a tenth of its size, shortened with the tolerance.
+  [[nodiscard]] double first_length(double interval) const {
+    const State<n>& f = trial_.begin_derivative();
+    double rate = 0;
+    for (int i = 0; i < task_.system.size(); ++i)
+      rate = std::max(rate, std::abs(f[i]) / (method_.absolute_tolerance / method_.relative_tolerance +
+                                              std::abs(now_.x[i])));
+    const double share = std::pow(method_.relative_tolerance, -exponent_);
+    return rate * interval > share ? share / rate : interval;
+  }
+
+  // One accepted step, if there is one.
+  Status step(double end) {
+    for (int rejected = 0;; ++rejected) {
+      if (Status status = check_limits(); !status.ok()) return status;
+      const double left = std::abs(end - now_.t);
+      const bool last = length_ >= left;
+      // Two equal steps to the end rather than a long and a very short one.
+      const double length = last ? left : left < 2 * length_ ? left / 2 : length_;
+      const double t1 = last ? end : now_.t + std::copysign(length, end - now_.t);
+      if (t1 == now_.t) return step_underflow(name(), now_.t, length_);
+      const Outcome outcome = trial_.attempt(now_.t, t1 - now_.t, now_.statistics);
+      const double error = outcome == Outcome::success
+                               ? trial_.error_of(method_.absolute_tolerance, method_.relative_tolerance)
+                               : HUGE_VAL;
+      // An error of zero allows any step; the next but five times as long.
+      const double factor =
+          outcome == Outcome::success ? std::clamp(0.9 * std::pow(error, exponent_), 0.2, 5.0) : 0.25;
+      const double used = std::abs(t1 - now_.t);
+      if (error <= 1) {
+        length_ = used * (rejected == 0 ? factor : std::min(factor, 1.0));
+        return accept(t1);
+      }
+      ++now_.statistics.rejected;
+      length_ = used * std::min(factor, 0.9);
+      if (now_.t + std::copysign(length_, end - now_.t) == now_.t) {
+        return outcome == Outcome::success
+                   ? tolerance_missed(name(), now_.t, t1 - now_.t)
+                   : step_not_solved(name(), outcome, now_.t, t1 - now_.t, method_.newton.iterations);
+      }
+    }
+  }
+
+  Status accept(double t1) {
+    ++now_.statistics.steps;
+    Status status;
+    if (task_.observer && !observe(t1)) status = interrupted(name(), t1);
+    now_.x = trial_.end_state();
+    now_.t = t1;
+    trial_.accept();
+    return status;
+  }
+
+  [[nodiscard]] bool observe(double t1) {
+    states_.col(0) = trial_.end_state();
+    return task_.observer({now_.statistics.steps, now_.t, t1, trial_.begin_state(), trial_.end_state(),
+                           std::span(&t1, 1), states_, trial_});
+  }
+
+  [[nodiscard]] Status check_limits() const {
+    if (now_.statistics.steps + now_.statistics.rejected >= task_.limits.steps)
+      return step_limit(name(), now_.t, task_.limits.steps);
+    if (std::isfinite(task_.limits.seconds) && watch_.seconds() > task_.limits.seconds)
+      return time_limit(name(), now_.t, task_.limits.seconds);
+    return {};
+  }
+
+  const Task<S>& task_;
+  const Hermitian& method_;
+  double exponent_, length_ = 0;
+  HermitianTrial<S> trial_;
+  Solution<n> now_;
+  Nodes<n> states_;
+  Stopwatch watch_;
+};
+
+}  // namespace hermitian
+
+/// Runs the operators.
+template <SystemLike S>
+struct Integrator<S, Hermitian> {
+  /// See integrate(). @throws std::invalid_argument also for a problem without accelerations or written for
+  /// double alone
+  static Solution<S::dimension> run(const Task<S>& task, const Hermitian& method);
+};
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Hermitian>::run(const Task<S>& task, const Hermitian& method) {
+  check_options(method);
+  require_accelerations(method.operators.name, task.system);
+  if (method.step > 0) {
+    hermitian::FixedStepper<S> stepper(task, method);
+    return walk(task, method.step, stepper);
+  }
+  return hermitian::Run<S>(task, method).run();
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<2>, Hermitian>;
+extern template struct Integrator<System<4>, Hermitian>;
+extern template struct Integrator<System<6>, Hermitian>;
+extern template struct Integrator<System<Eigen::Dynamic>, Hermitian>;
+/// @endcond
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,137 @@
+/// Each misprint of the summary: the printed form fails where the corrected one holds.
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "chapters/transversal/oscillators.hpp"
+#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/problems/two_dof.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Lagrange's polynomial L_k through 0, 1, ..., p.
+double lagrange(int p, int k, double s) {
+  double product = 1;
+  for (int i = 0; i <= p; ++i) {
+    if (i != k) product *= (s - i) / (k - i);
+  }
+  return product;
+}
+
+double integral(const std::function<double(double)>& f, double from, double to) {
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, 5, 1e-14);
+}
+
+// Printed: each phi_k has the integral 1 over p h. Then a constant force 1 gives a mass the velocity p + 1
+// after any time. Corrected: the phi_k sum to one, and the velocity is p h.
+TEST(Errata, BasisNeedsASumOfOneAndNoIntegralOfOne) {
+  for (int p = 1; p <= 4; ++p) {
+    const double h = 0.2;
+    double sum = 0, printed = 0;
+    for (int k = 0; k <= p; ++k) {
+      const double own = integral([&](double s) { return lagrange(p, k, s); }, 0, p) * h;
+      EXPECT_GT(std::abs(own - 1), 0.3) << "phi_" << k << " of p = " << p;
+      sum += own;
+      printed += 1;  // after scaling phi_k so that its integral is one
+    }
+    EXPECT_NEAR(sum, p * h, 20 * eps);
+    EXPECT_GT(std::abs(printed - p * h), 1);
+    ivp::MtlWeights weights(2, 1, ivp::MtlBasis::lagrange, p, {});
+    ASSERT_EQ(weights.compute((Eigen::Matrix2d() << 0, 1, 0, 0).finished(), h), Outcome::success);
+    double velocity = 0;
+    for (int k = 0; k <= p; ++k) velocity += weights.weight(p, k)(1, 0);
+    EXPECT_NEAR(velocity, p * h, 40 * eps);
+  }
+}
+
+// (3) as printed keeps the time free in Q(X_k, X'_k, t). For Q = x cos 9 t the integral over phi_k then is
+// not the closed form's; with t_k in place of t it is.
+TEST(Errata, NonlinearTermsAreTakenAtTheirPoints) {
+  constexpr int p = 3;
+  constexpr double h = 0.2, w = 1.5;
+  const double x[] = {1, 0.8, 0.3, -0.2};
+  ivp::MtlWeights weights(2, 1, ivp::MtlBasis::lagrange, p, {});
+  ASSERT_EQ(weights.compute((Eigen::Matrix2d() << 0, 1, -w * w, 0).finished(), h), Outcome::success);
+  double closed = 0, printed = 0, corrected = 0;
+  const double end = p * h;
+  for (int k = 0; k <= p; ++k) {
+    const auto response = [&](double t) { return std::sin(w * (end - t)) / w * lagrange(p, k, t / h); };
+    closed += weights.weight(p, k)(0, 0) * x[k] * std::cos(9 * k * h);
+    corrected += integral([&](double t) { return response(t) * x[k] * std::cos(9 * k * h); }, 0, end);
+    printed += integral([&](double t) { return response(t) * x[k] * std::cos(9 * t); }, 0, end);
+  }
+  EXPECT_NEAR(closed, corrected, 50 * eps);
+  EXPECT_GT(std::abs(closed - printed), 1e-2);
+}
+
+/// Two masses with Q^(j) for one j in both equations, as (4) literally reads; j = 1.
+struct OneComponentForAll : problems::TwoDof {
+  template <class T>
+  void acceleration(const T& t, const Vector<T, 2>& q, const Vector<T, 2>& v, Vector<T, 2>& a) const {
+    problems::TwoDof::acceleration(t, q, v, a);
+    a[1] += hardening * (q[1] * q[1] * q[1]) - hardening * (q[0] * q[0] * q[0]);
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 4>& x, Vector<T, 4>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+// (4) has the component Q_M^(j) where the vector Q_M belongs. Masses that start against each other stay so;
+// with one component for both they do not.
+TEST(Errata, NonlinearTermsAreAVector) {
+  const problems::TwoDof problem{.damping = 0, .force = 0};
+  OneComponentForAll literal;
+  literal.damping = literal.force = 0;
+  const ivp::State<4> x0(1, -1, 0, 0);
+  const auto corrected = ivp::integrate(ivp::System(problem), x0, 0, 5, ivp::Mtl{.step = 0.05});
+  const auto printed = ivp::integrate(ivp::System(literal), x0, 0, 5, ivp::Mtl{.step = 0.05});
+  ASSERT_TRUE(corrected.status.ok() && printed.status.ok());
+  EXPECT_NEAR(corrected.x[0] + corrected.x[1], 0, 1e4 * eps);
+  EXPECT_GT(std::abs(printed.x[0] + printed.x[1]), 1e-2);
+}
+
+// (5) is called 2 p equations: true of one degree of freedom; of n there are 2 p n, as many as the weights
+// have rows.
+TEST(Errata, EquationsAreTwoForEachPointAndDegreeOfFreedom) {
+  for (const int dof : {1, 2, 3}) {
+    constexpr int p = 3;
+    ivp::MtlWeights weights(2 * dof, dof, ivp::MtlBasis::lagrange, p, {});
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * dof, 2 * dof);
+    a.topRightCorner(dof, dof).setIdentity();
+    ASSERT_EQ(weights.compute(a, 0.1), Outcome::success);
+    Eigen::Index rows = 0;
+    for (int l = 1; l <= p; ++l) rows += weights.weight(l, 0).rows();
+    EXPECT_EQ(rows, 2 * p * dof);
+    EXPECT_EQ(rows == 2 * p, dof == 1);
+  }
+}
+
+// "A Hamiltonian system remains Hamiltonian": then the map of a block would keep areas. For x'' + x it does,
+// to roundings; for x'' + x + x^3 it does not, by an amount that p = 3 leaves at 1e-6.
+TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
+  const auto determinant = [](double hardening) {
+    const problems::DrivenDuffing problem{.hardening = hardening, .force = 0};
+    constexpr double change = 1e-4;
+    Eigen::Matrix2d map;
+    for (int i = 0; i < 2; ++i) {
+      const ivp::State<2> d = change * ivp::State<2>::Unit(i), x(1, 0.3);
+      const auto end = [&](const ivp::State<2>& from) {
+        return ivp::integrate(ivp::System(problem), from, 0, 0.3, ivp::Mtl{.step = 0.1}).x;
+      };
+      map.col(i) = (end(x + d) - end(x - d)) / (2 * change);
+    }
+    return map.determinant() - 1;
+  };
+  EXPECT_NEAR(determinant(0), 0, 100 * eps / 1e-4);
+  EXPECT_GT(std::abs(determinant(1)), 1e-6);
+}
+
+}  // namespace
+}  // namespace nlmech::chapters
