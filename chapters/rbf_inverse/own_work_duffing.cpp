@@ -87,7 +87,7 @@ std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
     throw Failure(Status::failure(
         Outcome::not_converged,
         fmt::format("duffing: none of {} starts led to an extremal that an integrator confirms ({} spurious "
-                    "roots); try a shorter final time or a smaller beta",
+                    "roots); try another final time or a smaller beta",
                     all.good + all.spurious + all.failed, all.spurious)));
   std::vector<bvp::Extremal> extremals;
   for (const bvp::Found& f : all.found) extremals.push_back(f.extremal);
