@@ -23,7 +23,7 @@ void require_finite(const Gains& g) {
 
 bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
 
-/// Without appendages P = s^2 kappa/2 I_hub' + ...: frequencies near which the closed loop's bands are cut.
+/// Zeros of I_hub + kappa B, the closed loop's frequencies without k1 and k3: between them its bands are cut.
 /// They are the poles of a spacecraft whose hub weighs 2/kappa of the real one.
 Frequencies undamped(const Parameters& parameters, double kappa, int count) {
   Parameters p = parameters;
