@@ -264,7 +264,8 @@ Settling settling_time(const ExponentialSum& f, double final_value, double band,
   const double step = 0.25 / std::max(fastest(main), 1 / end);
   if (end / step > 2e7) return late(end);
   constexpr std::size_t block = 4096;
-  for (double right = end; right > 0;) {
+  double right = end;
+  while (right > 0) {
     const double left = std::max(0., right - static_cast<double>(block) * step);
     const std::size_t count = static_cast<std::size_t>(std::ceil((right - left) / step)) + 1;
     const double actual = (right - left) / static_cast<double>(count - 1);
