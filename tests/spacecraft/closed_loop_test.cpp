@@ -80,8 +80,8 @@ RC_GTEST_PROP(ClosedLoopPoles, AreZerosOfTheExactCharacteristic, ()) {
   RC_ASSERT(poles.status.ok());
   for (const Complex s : poles.s) RC_ASSERT(s.real() < 0);
   // Next to a double pole P' is small, and so is the number of digits.
-  for (const std::size_t i : {std::size_t{0}, *rc::gen::inRange<std::size_t>(1, 6)})
-    RC_ASSERT(distance(p, g, poles.s[i]) < 2e-12);
+  const std::size_t i = *rc::gen::inRange<std::size_t>(0, 6);
+  RC_ASSERT(distance(p, g, poles.s[i]) < 2e-12);
 }
 
 // Between two successive hub-locked resonances beyond k3/I_hub and the like lies one pole of positive

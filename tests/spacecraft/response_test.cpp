@@ -70,7 +70,8 @@ TEST(StepResponse, ExtremesAreThoseOfTheNumericalInverse) {
   const std::array<double, 3> near_top = {top.time - 0.01, top.time, top.time + 0.01};
   const std::vector<Inverted> theta =
       bromwich([&](Complex s) { return loop.response(s).theta / s; }, near_top, {.frequency = 2000});
-  EXPECT_NEAR(theta[1].value, top.value, 1e-10);
+  // Beyond W = 2000 the sum leaves out k1/(I_hub W^3), 2e-10, at most.
+  EXPECT_NEAR(theta[1].value, top.value, 1e-9);
   EXPECT_LT(theta[0].value, theta[1].value);
   EXPECT_LT(theta[2].value, theta[1].value);
   const std::array<double, 3> near_low = {low.time - 0.01, low.time, low.time + 0.01};
@@ -164,8 +165,10 @@ TEST(StepResponse, BeginsAtRestAndArrives) {
     const double t = 1e-4, early = 0.5 * g.k1 * t * t / (2 * table_3_1().hub_inertia);
     // The appendages take part as B(1/t)/I_hub: 2 % of the hub.
     EXPECT_NEAR(r.theta.value(t), early, 0.03 * early);
-    EXPECT_NEAR(r.theta.value(1e4), 0.5, 1e-13);
-    EXPECT_NEAR(r.deflection[1].value(1e6), 0, 1e-13);
+    // High modes are hardly damped: what is left is within their moduli.
+    EXPECT_LT(std::abs(r.theta.value(1e4) - 0.5), r.theta.envelope(1e4) + 1e-15);
+    EXPECT_LT(r.theta.envelope(1e4), 1e-8);
+    EXPECT_LT(std::abs(r.deflection[1].value(1e6)), 1e-8);
     EXPECT_EQ(r.theta.value(1e12), 0.5);
   }
 }

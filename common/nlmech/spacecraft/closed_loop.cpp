@@ -23,7 +23,7 @@ void require_finite(const Gains& g) {
 
 bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
 
-/// Without appendages P = s^2 kappa/2 I_hub' + ...: frequencies near which the closed loop's bands are cut.
+/// Zeros of I_hub + kappa B, the closed loop's frequencies without k1 and k3: between them its bands are cut.
 /// They are the poles of a spacecraft whose hub weighs 2/kappa of the real one.
 Frequencies undamped(const Parameters& parameters, double kappa, int count) {
   Parameters p = parameters;
@@ -108,10 +108,12 @@ double ClosedLoop::least_real_part(double top) const {
   const double scale = 1 / std::sqrt(plant_.appendage().beta_unit());
   const double largest = hub > 0 ? std::min(gains_.k3 / hub, 1e9 * scale) : 1e9 * scale;
   double reach = 0;
-  for (double a = 1e-6 * scale; a < 1.5 * largest; a *= 1.5) {
+  double a = 1e-6 * scale;
+  while (a < 1.5 * largest) {
     const double inertia = plant_.appendage().inertia(Complex(std::hypot(a, top))).real();
     // Between two points of the grid the left side changes by a factor of 1.5 at most.
     if (a * (hub + kappa() * inertia) <= 1.5 * gains_.k3) reach = a;
+    a *= 1.5;
   }
   return -std::min(1.5 * reach, 1.01 * largest);
 }

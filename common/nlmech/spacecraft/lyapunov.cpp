@@ -28,7 +28,7 @@ MatrixXd exponential(const MatrixXd& a, double time) {
   const double norm = (a * time).cwiseAbs().rowwise().sum().maxCoeff();
   int squarings = 0;
   double scale = time;
-  for (double n = norm; n > 0.5; n /= 2) {
+  while (norm * scale / time > 0.5) {
     ++squarings;
     scale /= 2;
   }

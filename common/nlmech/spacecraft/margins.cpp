@@ -63,7 +63,11 @@ std::vector<double> graded(double a, double b) {
   std::vector<double> points;
   const double half = (b - a) / 2;
   std::vector<double> distances;
-  for (double d = half; d > 1e-13 * b; d /= 1.35) distances.push_back(d);
+  double distance = half;
+  while (distance > 1e-13 * b) {
+    distances.push_back(distance);
+    distance /= 1.35;
+  }
   points.push_back(a);
   for (std::size_t i = distances.size(); i-- > 0;) points.push_back(a + distances[i]);
   for (const double d : distances) points.push_back(b - d);

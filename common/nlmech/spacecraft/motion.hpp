@@ -55,6 +55,7 @@ template <class T>
 template <class T>
 [[nodiscard]] T relative_deflection(const Motion<T>& motion, const Ratios& ratios, double xi, int order = 0);
 
+/// @cond instances compiled in the library
 extern template Motion<double> motion_by_series(const Ratios&, const double&);
 extern template Motion<Complex> motion_by_series(const Ratios&, const Complex&);
 extern template Motion<Jet> motion_by_series(const Ratios&, const Jet&);
@@ -64,8 +65,9 @@ extern template double relative_deflection(const Motion<double>&, const Ratios&,
 extern template Complex relative_deflection(const Motion<Complex>&, const Ratios&, double, int);
 extern template Jet relative_deflection(const Motion<Jet>&, const Ratios&, double, int);
 
-/// In real arithmetic, by sines and cosines.
+// In real arithmetic, by sines and cosines.
 template <>
 [[nodiscard]] Motion<double> motion_by_waves(const Ratios& ratios, const double& b);
+/// @endcond
 
 }  // namespace nlmech::spacecraft

@@ -38,15 +38,14 @@ double halve(const ExponentialSum& f, int order, double offset, double a, double
   return a;
 }
 
-/// The largest value of sign * f in [a, b], a few periods of the fast terms at most.
+/// The largest value of sign * f in [a, b], whose shape a few points show.
 Extreme local_maximum(const ExponentialSum& f, double sign, double a, double b) {
-  constexpr int parts = 12;
-  Extreme best{a, -std::numeric_limits<double>::infinity()};
+  constexpr int parts = 4;
+  Extreme best{a, f.value(a)};
   const auto consider = [&](double t) {
-    if (const double value = sign * f.value(t); value > best.value) best = {t, value};
+    if (const double value = f.value(t); sign * value > sign * best.value) best = {t, value};
   };
   double before = sign * f.value(a, 1);
-  consider(a);
   for (int i = 1; i <= parts; ++i) {
     const double left = a + (b - a) * (i - 1) / parts, right = a + (b - a) * i / parts;
     const double slope = sign * f.value(right, 1);
@@ -54,34 +53,66 @@ Extreme local_maximum(const ExponentialSum& f, double sign, double a, double b) 
     if (before > 0 && slope <= 0) consider(halve(f, 1, 0, left, right));
     before = slope;
   }
-  best.value *= sign;
   return best;
 }
 
-/// The largest value of sign * f in an interval.
-Extreme maximum(const ExponentialSum& f, double sign, double from, double until) {
-  const double remainder = 2e-4 * f.envelope(0);
+/// Samples of a sum without its smallest terms, a quarter of a radian of its fastest term apart.
+struct Sampled {
+  double from, step;
+  std::vector<double> values;
+  double slack;  ///< by how much f can exceed a sample next to it
+};
+
+Sampled sampled(const ExponentialSum& f, double remainder, double from, double until, double most) {
   const ExponentialSum main = f.without_small(remainder);
   const double rate = std::max(fastest(main), 1 / (until - from));
-  const auto count = static_cast<std::size_t>(std::min(std::ceil((until - from) * rate * 4), 4e6)) + 8;
+  const auto count = static_cast<std::size_t>(std::min(std::ceil((until - from) * rate * 4), most)) + 8;
   const double step = (until - from) / static_cast<double>(count);
-  const std::vector<double> samples = main.samples(from, step, count + 1);
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const double s : samples) largest = std::max(largest, sign * s);
-  // The maximum lies within half a step of a sample that is less than the largest by no more than what is
-  // left out, and what the curvature allows between samples.
   const double curvature = main.derivative().derivative().envelope(from);
-  const double enough = largest - 2 * remainder - 2 * curvature * step * step / 8;
-  Extreme best{from, f.value(from)};
-  if (sign * f.value(until) > sign * best.value) best = {until, f.value(until)};
-  int looked_at = 0;
-  for (std::size_t i = 0; i <= count && looked_at < 20000; ++i) {
-    if (sign * samples[i] < enough) continue;
-    const double time = from + static_cast<double>(i) * step;
+  return {from, step, main.samples(from, step, count + 1), remainder + curvature * step * step / 8};
+}
+
+double largest_of(const std::vector<double>& values, double sign) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double v : values) largest = std::max(largest, sign * v);
+  return largest;
+}
+
+/// The largest value of sign * f in an interval: the terms that matter say near which samples it lies, terms
+/// down to 1e-7 which of those, and the whole sum where.
+Extreme maximum(const ExponentialSum& f, double sign, double from, double until) {
+  const double size = f.envelope(from);
+  const Sampled coarse = sampled(f, 2e-4 * size, from, until, 4e6);
+  const double enough = largest_of(coarse.values, sign) - 2 * coarse.slack;
+  std::vector<Extreme> candidates = {{from, f.value(from)}, {until, f.value(until)}};
+  double largest = std::max(sign * candidates[0].value, sign * candidates[1].value), slack = 0, width = 0;
+  std::size_t samples = 0;
+  const std::size_t count = coarse.values.size();
+  for (std::size_t i = 0; i < count && samples < 2'000'000; ++i) {
+    if (sign * coarse.values[i] < enough) continue;
+    // Neighbours that qualify are looked at together.
+    std::size_t last = i;
+    while (last + 1 < count && sign * coarse.values[last + 1] >= enough) ++last;
+    const double a = std::max(from, from + (static_cast<double>(i) - 0.5) * coarse.step);
+    const double b = std::min(until, from + (static_cast<double>(last) + 0.5) * coarse.step);
+    const Sampled fine = sampled(f, 1e-7 * size, a, b, 2e4);
+    samples += fine.values.size();
+    for (std::size_t k = 0; k < fine.values.size(); ++k)
+      candidates.push_back({a + static_cast<double>(k) * fine.step, fine.values[k]});
+    largest = std::max(largest, largest_of(fine.values, sign));
+    slack = std::max(slack, fine.slack);
+    width = std::max(width, fine.step);
+    i = last;
+  }
+  // With terms of the order 1e-7 the bound by the curvature is a wild overestimate.
+  slack = std::min(slack, 1e-5 * size);
+  Extreme best = sign * candidates[0].value >= sign * candidates[1].value ? candidates[0] : candidates[1];
+  int refined = 0;
+  for (const Extreme& c : candidates) {
+    if (sign * c.value < largest - 2 * slack || ++refined > 5000) continue;
     const Extreme near =
-        local_maximum(f, sign, std::max(from, time - step / 2), std::min(until, time + step / 2));
+        local_maximum(f, sign, std::max(from, c.time - width / 2), std::min(until, c.time + width / 2));
     if (sign * near.value > sign * best.value) best = near;
-    ++looked_at;
   }
   return best;
 }
@@ -233,7 +264,8 @@ Settling settling_time(const ExponentialSum& f, double final_value, double band,
   const double step = 0.25 / std::max(fastest(main), 1 / end);
   if (end / step > 2e7) return late(end);
   constexpr std::size_t block = 4096;
-  for (double right = end; right > 0;) {
+  double right = end;
+  while (right > 0) {
     const double left = std::max(0., right - static_cast<double>(block) * step);
     const std::size_t count = static_cast<std::size_t>(std::ceil((right - left) / step)) + 1;
     const double actual = (right - left) / static_cast<double>(count - 1);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -119,27 +120,52 @@ Weights at_pole(const ClosedLoop& loop, Complex p, std::span<const double> place
   return w;
 }
 
-/// Poles nearer to each other than this part of their modulus are taken together.
-constexpr double close = 1e-3;
+/// How a pole lies among all poles of the step response, conjugates and s = 0 included.
+struct Neighbours {
+  Complex nearest;
+  double first = std::numeric_limits<double>::infinity();   ///< distance of the nearest
+  double second = std::numeric_limits<double>::infinity();  ///< of the next one
+  std::size_t index = 0;  ///< of the nearest, itself if it is its own conjugate
+  /// Two poles that nearly coincide: simple residues would cancel.
+  [[nodiscard]] bool pair() const { return first < 0.02 * second; }
+};
 
-/// Several poles by the trapezoidal rule on a circle round all of them, which converges geometrically.
-void add_cluster(const ClosedLoop& loop, const std::vector<Complex>& all, Complex centre, double scale,
-                 std::span<const double> places, Terms& terms) {
-  constexpr int points = 48;
-  double nearest = std::abs(centre);
-  for (const Complex s : all) {
-    for (const Complex other : {s, std::conj(s)}) {
-      if (const double d = std::abs(other - centre); d > 4 * close * std::abs(centre))
-        nearest = std::min(nearest, d);
+Neighbours neighbours(const std::vector<Complex>& poles, std::size_t k) {
+  Neighbours n;
+  const auto consider = [&](Complex other, std::size_t index) {
+    const double distance = std::abs(other - poles[k]);
+    if (distance < n.first) {
+      n.second = n.first;
+      n.first = distance;
+      n.nearest = other;
+      n.index = index;
+    } else {
+      n.second = std::min(n.second, distance);
     }
+  };
+  consider(0, k);
+  // By modulus: others that could be near are near in the list.
+  const std::size_t begin = k > 40 ? k - 40 : 0, end = std::min(poles.size(), k + 40);
+  for (std::size_t j = begin; j < end; ++j) {
+    if (j != k) consider(poles[j], j);
+    if (poles[j].imag() != 0) consider(std::conj(poles[j]), j);
   }
-  const double radius =
-      std::min(0.4 * nearest, 0.8 * std::max(std::abs(centre.real()), 16 * close * std::abs(centre)));
+  return n;
+}
+
+/// A pair by the trapezoidal rule on a circle round it, which converges geometrically.
+void add_pair(const ClosedLoop& loop, Complex pole, const Neighbours& n, double scale,
+              std::span<const double> places, Terms& terms) {
+  constexpr int points = 48;
+  Complex centre = (pole + n.nearest) / 2.;
+  // On the real axis, or of two conjugates, it is its own conjugate.
+  const bool own = std::abs(centre.imag()) <= n.first / 2;
+  if (own) centre = centre.real();
+  const double half = own ? 0.5 : 1;
+  const double radius = std::min(0.4 * n.second, std::max(0.8 * std::abs(centre.real()), 3 * n.first));
   for (int k = 0; k < points; ++k) {
     const Complex from_centre = std::polar(radius, std::numbers::pi * (2 * k + 1) / points);
     const Complex s = centre + from_centre;
-    // A real cluster is its own conjugate.
-    const double half = centre.imag() == 0 ? 0.5 : 1;
     const LoopTerms t = loop.terms(s, places);
     const Complex factor =
         half * scale * loop.gains().k1 * from_centre / (static_cast<double>(points) * t.characteristic.value);
@@ -159,22 +185,9 @@ Terms loop_terms(const ClosedLoop& loop, int pairs, double scale, std::span<cons
   for (std::size_t k = 0; k < poles.s.size(); ++k) {
     if (done[k]) continue;
     const Complex p = poles.s[k];
-    // A pair next to the real axis is close to itself.
-    bool alone = p.imag() == 0 || p.imag() > close / 2 * std::abs(p);
-    Complex sum = p;
-    double members = 1;
-    bool on_axis = p.imag() == 0 || !alone;
-    for (std::size_t j = k + 1; j < poles.s.size(); ++j) {
-      if (done[j] || std::abs(poles.s[j] - p) > close * std::abs(p)) continue;
-      done[j] = true;
-      alone = false;
-      on_axis = on_axis || poles.s[j].imag() == 0;
-      sum += poles.s[j];
-      ++members;
-    }
-    if (!alone) {
-      const Complex centre = sum / members;
-      add_cluster(loop, poles.s, on_axis ? Complex(centre.real()) : centre, scale, places, terms);
+    if (const Neighbours n = neighbours(poles.s, k); n.pair()) {
+      done[n.index] = true;
+      add_pair(loop, p, n, scale, places, terms);
       continue;
     }
     Weights w = at_pole(loop, p, places, p.imag() == 0 ? scale / 2 : scale);

@@ -98,7 +98,8 @@ Complex Tracking::convolution(Complex p, double time, int order) const {
       power *= p;
     }
   } else {
-    // Gauss's rule with 10 points on 8 pieces, |p h| <= 2.5: the remainder is below rounding.
+    // Gauss's rule with 10 points on 8 pieces, |p h| <= 2.5: the remainder is below rounding. Of r', which
+    // has one sign: higher derivatives would cancel for a short turn. Their integrals follow by parts.
     constexpr double points[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
                                  0.8650633666889845, 0.9739065285171717};
     constexpr double weights[] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
@@ -109,10 +110,11 @@ Complex Tracking::convolution(Complex p, double time, int order) const {
       for (std::size_t k = 0; k < 5; ++k) {
         for (const double side : {-points[k], points[k]}) {
           const double tau = (2 * i + 1 + side) * half;
-          sum += weights[k] * half * std::exp(p * (end - tau)) * turn_.polynomial(tau, order);
+          sum += weights[k] * half * std::exp(p * (end - tau)) * turn_.polynomial(tau, 1);
         }
       }
     }
+    for (int i = 1; i < order; ++i) sum = turn_.value(end, i) + p * sum;
   }
   return time > end ? sum * std::exp(p * (time - end)) : sum;
 }
