@@ -30,6 +30,6 @@ do for [i = 1:3] {
   if (i == 1) { set key at screen 0.98, screen 0.945 right maxrows 1 samplen 3 } else { unset key }
   plot data using "t":"x" every :::(3*i - 3)::(3*i - 3) with lines linecolor rgb soft_ink linewidth 4 title "solution", \
        data using "t":"x" every :::(3*i - 2)::(3*i - 2) with linespoints linestyle 5 linewidth 1.3 pointsize 0.5 title "RK6", \
-       data using "t":"x" every :::(3*i - 1)::(3*i - 1) with linespoints linestyle 1 linewidth 1.5 pointsize 0.45 title "MTL, {/:Italic p} = 3"
+       data using "t":"x" every :::(3*i - 1)::(3*i - 1) with linespoints linestyle 1 linewidth 1.5 pointsize 0.45 title "MTL, ​{/:Italic p}​ = 3"
 }
 unset multiplot
