@@ -25,7 +25,7 @@ set ylabel "{/:Italic x}"
 do for [i = 1:3] {
   top = 0.90 - (i - 1)*0.27
   set margins screen 0.09, screen 0.98, screen top - 0.235, screen top
-  set label 1 "{/:Italic h}" . name[i][2:*] at graph 0.01, graph 0.08 left textcolor rgb ink
+  set label 1 "{/:Italic h}​" . name[i][2:*] at graph 0.01, graph 0.08 left textcolor rgb ink
   if (i == 3) { set xlabel "time (periods of the force)"; set format x "%g" } else { unset xlabel; set format x "" }
   if (i == 1) { set key at screen 0.98, screen 0.945 right maxrows 1 samplen 3 } else { unset key }
   plot data using "t":"x" every :::(3*i - 3)::(3*i - 3) with lines linecolor rgb soft_ink linewidth 4 title "solution", \
