@@ -28,7 +28,7 @@ State<2> truth_of(double mu, double end) {
   return reference(end).cast<double>();
 }
 
-// ------------------------------------------------------------------------------------- van der Pol's
+// ------------------------------------------------------------ van der Pol's
 // oscillator
 
 // mu = 10 to t = 40; x there from an independent program in float128.
@@ -99,7 +99,7 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
   }
 }
 
-// ------------------------------------------------------------------------------- Duffing's oscillator, w =
+// ------------------------------------------------------------ Duffing's oscillator, w =
 // 1e3
 
 /// x'' + 1e6 x + m x^3 = cos t.
@@ -146,8 +146,7 @@ TEST(MtlStiff, BoundedForEveryStep) {
   }
 }
 
-// ------------------------------------------------------------------------------------------------------
-// energy
+// ------------------------------------------------------------ energy
 
 // x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is that of an
 // independent program, and it is there in the first tenth as in the last: no drift.
