@@ -90,9 +90,9 @@ scene::Showing show(const std::vector<Energy>& all) {
     const auto middle = e.worst.begin() + windows / 2;
     return second ? *std::max_element(middle, e.worst.end()) : *std::max_element(e.worst.begin(), middle);
   };
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    showing.quantities.push_back(scene::near("energy error of " + all[i].row + ", second half over first",
-                                             "1", half(all[i], true) / half(all[i], false), 1, 0.02,
+  for (const Energy& e : all) {
+    showing.quantities.push_back(scene::near("energy error of " + e.row + ", second half over first", "1",
+                                             half(e, true) / half(e, false), 1, 0.02,
                                              "a symmetric step on a reversible problem: no drift"));
   }
   showing.quantities.push_back({"determinant of a step of Laier, minus 1", "1", all[0].determinant, -1e-3,

@@ -10,6 +10,7 @@
 #include "chapters/transversal/scenes.hpp"
 #include "nlmech/ivp/mtl.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::chapters {
@@ -52,6 +53,12 @@ void add_van_der_pol(std::vector<Fate>& all) {
   add(10, 40, ten, {.step = 0.05});
   add(10, 40, ten, {.step = 0.01});
   add(10, 40, ten, {.step = 0.01, .linear = MtlLinear::jacobian});
+  // Up to t = 20 the solution creeps.
+  const problems::VanDerPol slow{.mu = 100};
+  const problems::ReferenceTrajectory<long double, problems::VanDerPol> creeping(slow, {2, 0}, 0, 20);
+  const auto before_the_leap = static_cast<double>(creeping(20)[0]);
+  for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian})
+    add(100, 20, before_the_leap, {.step = 0.05, .linear = linear});
   add(100, 200, hundred, {.step = 0.05});
   add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero});
   add(100, 200, hundred, {.step = 0.05, .linear = MtlLinear::zero, .error_tolerance = 1e-3});
@@ -140,6 +147,9 @@ scene::Showing show(const std::vector<Fate>& all) {
       scene::at_most("error of van der Pol's oscillator, mu = 10, h = 0.01", "1",
                      error("van der Pol, mu = 10, to t = 40", {.step = 0.01}), 1e-5,
                      "an independent program: 1e-7 at the end of its choice; order 4 with mu h = 0.1"),
+      scene::at_most("error of the creeping phase with the Jacobian, mu = 100, h = 0.05", "1",
+                     error("van der Pol, mu = 100, to t = 20", {.step = 0.05, .linear = MtlLinear::jacobian}),
+                     1e-6, "an independent program: 4e-9 with a stabilised linear part"),
       scene::at_most("relative error of the smooth start, h = 1/3", "1",
                      error("Duffing, w = 1000, m = 1, smooth start, to t = 1", {.step = 1. / 3}), 1e-12,
                      "linear to 18 digits: exact but for 333 roundings of the phase"),

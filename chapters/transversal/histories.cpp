@@ -68,7 +68,7 @@ scene::Showing show(const Histories& all) {
   showing.figure = {
       std::move(data),
       "transversal-histories",
-      {{"heading", "RK6 overflows at\u00a0{/:Italic h}\u00a0= 0.21; MTL stays bounded, and wrong"},
+      {{"heading", "RK6 overflows at \u200b{/:Italic h}\u200b = 0.21; MTL stays bounded, and wrong"},
        {"panels", "h = 0.05|h = 0.1|h = 0.21"},
        {"height", "620"}}};
   const Pair &fine = all.pairs[0], &coarse = all.pairs[2];

@@ -81,8 +81,8 @@ scene::Showing show(const std::vector<Fall>& all) {
                      {"legend", legend},
                      {"xrange", "[2e-3:0.3]"},
                      {"yrange", "[1e-13:1]"},
-                     {"xlabel", "step\u00a0{/:Italic h}"},
-                     {"ylabel", "largest error at\u00a0{/:Italic t}\u00a0= 12"}}};
+                     {"xlabel", "step \u200b{/:Italic h}"},
+                     {"ylabel", "largest error at \u200b{/:Italic t}\u200b = 12"}}};
   return showing;
 }
 

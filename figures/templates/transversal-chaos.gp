@@ -26,7 +26,7 @@ set yrange [-6:8]
 set ytics 2
 plot data using "x":"v" every :::1::1 with points pointtype 7 pointsize 0.14 linecolor rgb colour(5)
 set margins screen 0.735, screen 0.985, screen 0.19, screen 0.82
-set title "errors, {/:Italic p} = 3, {/:Italic h} = 0.02"
+set title "errors, ​{/:Italic p}​ = 3, ​{/:Italic h}​ = 0.02"
 set xlabel "time"
 set ylabel "greatest error in a unit of time" offset 1,0
 set logscale y

@@ -25,11 +25,11 @@ set ylabel "{/:Italic x}"
 do for [i = 1:3] {
   top = 0.90 - (i - 1)*0.27
   set margins screen 0.09, screen 0.98, screen top - 0.235, screen top
-  set label 1 "{/:Italic h}" . name[i][2:*] at graph 0.01, graph 0.08 left textcolor rgb ink
+  set label 1 "{/:Italic h}​" . name[i][2:*] at graph 0.01, graph 0.08 left textcolor rgb ink
   if (i == 3) { set xlabel "time (periods of the force)"; set format x "%g" } else { unset xlabel; set format x "" }
   if (i == 1) { set key at screen 0.98, screen 0.945 right maxrows 1 samplen 3 } else { unset key }
   plot data using "t":"x" every :::(3*i - 3)::(3*i - 3) with lines linecolor rgb soft_ink linewidth 4 title "solution", \
        data using "t":"x" every :::(3*i - 2)::(3*i - 2) with linespoints linestyle 5 linewidth 1.3 pointsize 0.5 title "RK6", \
-       data using "t":"x" every :::(3*i - 1)::(3*i - 1) with linespoints linestyle 1 linewidth 1.5 pointsize 0.45 title "MTL, {/:Italic p} = 3"
+       data using "t":"x" every :::(3*i - 1)::(3*i - 1) with linespoints linestyle 1 linewidth 1.5 pointsize 0.45 title "MTL, ​{/:Italic p}​ = 3"
 }
 unset multiplot

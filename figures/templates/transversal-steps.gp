@@ -42,7 +42,7 @@ if (exists("level")) {
 }
 if (exists("mark")) {
   set arrow 2 from first real(mark), graph 0 to first real(mark), graph 1 nohead linestyle 13
-  set label 2 "{/:Italic h} = " . mark at first real(mark), graph 0.03 right offset -0.5,0 textcolor rgb soft_ink
+  set label 2 "{/:Italic h}​ = " . mark at first real(mark), graph 0.03 right offset -0.5,0 textcolor rgb soft_ink
 }
 if (exists("overflow_words")) {
   set label 3 "× " . overflow_words at graph 0.01, first 90 left textcolor rgb soft_ink

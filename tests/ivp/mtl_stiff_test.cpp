@@ -28,8 +28,7 @@ State<2> truth_of(double mu, double end) {
   return reference(end).cast<double>();
 }
 
-// ------------------------------------------------------------------------------------- van der Pol's
-// oscillator
+// ------------------------------------------------------------ van der Pol
 
 // mu = 10 to t = 40; x there from an independent program in float128.
 TEST(MtlStiff, VanDerPolMu10) {
@@ -99,8 +98,7 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
   }
 }
 
-// ------------------------------------------------------------------------------- Duffing's oscillator, w =
-// 1e3
+// ------------------------------------------------------------ fast Duffing
 
 /// x'' + 1e6 x + m x^3 = cos t.
 DrivenDuffing fast(double m) { return {.stiffness = 1e6, .hardening = m}; }
@@ -146,8 +144,7 @@ TEST(MtlStiff, BoundedForEveryStep) {
   }
 }
 
-// ------------------------------------------------------------------------------------------------------
-// energy
+// ------------------------------------------------------------ energy
 
 // x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is that of an
 // independent program, and it is there in the first tenth as in the last: no drift.

@@ -49,7 +49,7 @@ Solution<2> run(const DrivenDuffing& p, const State<2>& x0, double t0, double t1
   return integrate(System(p), x0, t0, t1, method);
 }
 
-// ------------------------------------------------------------------------------------------- linear problems
+// ------------------------------------------------------------ linear problems
 
 // "Exact" for every step: what is left are roundings. A block of p steps makes some 10 (1 + w h) eps of its
 // own, relative to the scale (1, w) of the state, and undamped they add up over the blocks.
@@ -128,7 +128,7 @@ RC_GTEST_PROP(Mtl, LinearProblemsAreExactForAnyStep, ()) {
   RC_ASSERT(std::abs(s.x[1] - truth[1]) <= bound * (1 + w + problem.frequency));
 }
 
-// -------------------------------------------------------------------------------------------------- orders
+// ------------------------------------------------------------ orders
 
 double error_of(const DrivenDuffing& problem, const State<2>& truth, double end, const Mtl& method) {
   const auto s = run(problem, {1, 0}, 0, end, method);
@@ -206,7 +206,7 @@ TEST(Mtl, ErrorGoesWithTheNonlinearity) {
   EXPECT_NEAR(error(1e-3) / error(1e-4), 10, 0.2);
 }
 
-// ------------------------------------------------------------------------------- more degrees of freedom
+// ------------------------------------------------------------ more degrees of freedom
 
 // Two masses that move as one, or against each other, are Duffing oscillators with the stiffness 1 or 1 + 2
 // s.
@@ -238,7 +238,7 @@ TEST(Mtl, DynamicSizeAndInlinedProblem) {
   EXPECT_NEAR(oracle::distance(fixed.x, inlined.x), 0, 200 * eps);
 }
 
-// ---------------------------------------------------------------------------------------- what is conserved
+// ------------------------------------------------------------ what is conserved
 
 // There and back: time-symmetric with a fixed linear part, and not with one taken at the begin of a block.
 TEST(Mtl, SymmetricInTime) {
@@ -279,7 +279,7 @@ TEST(Mtl, BlocksAreNotSymplectic) {
   EXPECT_NEAR(determinant(3), -1.3e-6, 0.05e-6);
 }
 
-// ------------------------------------------------------------------------------------------- dense output
+// ------------------------------------------------------------ dense output
 
 // It meets the states at the points. Within a block, and at its inner points, it is of the order p + 1.
 TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
