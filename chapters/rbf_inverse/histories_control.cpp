@@ -155,8 +155,8 @@ scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool cost
   figure.add(0, 1e-7);
   figure.add(final_times[nominal], 1e-7);
   figure.with("logy", "1").with("yrange", "[1e-17:1]");
-  figure.with("key", "at screen 0.54, screen 0.01 center bottom maxrows 2 samplen 3")
-      .overall("bottom", "0.28");
+  figure.with("key", "at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3")
+      .overall("bottom", "0.33");
   const KnownErrors known = known_errors(subject.which);
   const double reference = costates ? known.costates : known.states;
   std::vector<scene::Quantity> quantities = {

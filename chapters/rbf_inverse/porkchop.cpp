@@ -132,9 +132,9 @@ scene::Showing show_earth_to_mars(const scene::Run<Porkchop>& run, Workshop& w) 
             cheapest(grid, [](const auto& c) { return c.v_departure; }).value, 2968.19185617, 2e-3, program),
       least("least excess speed at the arrival",
             cheapest(grid, [](const auto& c) { return c.v_arrival; }).value, 2697.71255038, 2e-3, program),
-      {"departure of the least sum", "day", grid.departures[best.i] / day, 1253.4 - 5, 1253.4 + 5,
+      {"departure of the least sum", "days", grid.departures[best.i] / day, 1253.4 - 5, 1253.4 + 5,
        "the same program: 1253.4; flat, so that two steps of the grid are allowed"},
-      {"arrival of the least sum", "day", grid.arrivals[best.j] / day, 1457.1 - 8, 1457.1 + 8,
+      {"arrival of the least sum", "days", grid.arrivals[best.j] / day, 1457.1 - 8, 1457.1 + 8,
        "the same program: 1457.1; two steps"}};
   return showing;
 }
