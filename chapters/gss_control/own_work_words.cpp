@@ -46,7 +46,7 @@ int typed_count(const char* option, const std::string& text, int most) {
 }
 
 std::vector<std::string> typed_words(const char* option, const std::string& text) {
-  const std::vector<std::string> all = split(text, ',');
+  std::vector<std::string> all = split(text, ',');
   for (const std::string& word : all) {
     double value = 0;
     if (!scene::parse_number(word, value))

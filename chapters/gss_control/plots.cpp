@@ -109,8 +109,8 @@ std::vector<double> logarithmic(double low, double high, int n) {
   if (!(low > 0 && high > low) || n < 2)
     throw std::invalid_argument(fmt::format("logarithmic: {} points from {:.6g} to {:.6g}", n, low, high));
   std::vector<double> all;
-  const double first = std::log(low), length = std::log(high) - first;
-  for (int i = 0; i < n; ++i) all.push_back(std::exp(first + length * i / (n - 1)));
+  const double first = std::log10(low), length = std::log10(high) - first;  // powers of ten stay themselves
+  for (int i = 0; i < n; ++i) all.push_back(std::pow(10, first + length * i / (n - 1)));
   all.front() = low;  // as typed, not as rounded
   all.back() = high;
   return all;

@@ -3,7 +3,9 @@
 /// those made once in motion.cpp.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 
 #include "nlmech/spacecraft/motion.hpp"
@@ -16,16 +18,33 @@ template <class T>
 inline constexpr int series_terms =
     std::is_same_v<T, double> || std::is_same_v<T, Complex> || std::is_same_v<T, Jet> ? 8 : 40;
 
+/// (4k + n - 4)!/(4k + n)! for n = 0 to 5: a term by the one before.
+inline constexpr auto term_ratios = [] {
+  std::array<std::array<double, 8>, 6> all{};
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    for (std::size_t k = 1; k < all[n].size(); ++k) {
+      const double m = static_cast<double>(4 * k + n);
+      all[n][k] = 1 / (m * (m - 1) * (m - 2) * (m - 3));
+    }
+  }
+  return all;
+}();
+
 /// sum over k of t^k/(4k + n)!.
 template <class T>
 [[nodiscard]] T krylov(const T& t, int n) {
+  static constexpr std::array<double, 6> factorials = {1, 1, 2, 6, 24, 120};
+  const auto row = static_cast<std::size_t>(n);
   T sum(1.);
-  for (int k = series_terms<T> - 1; k > 0; --k) {
-    const double m = 4. * k + n;
-    sum = 1. + sum * t / (m * (m - 1) * (m - 2) * (m - 3));
+  if constexpr (series_terms<T> == 8) {
+    for (std::size_t k = 7; k > 0; --k) sum = 1. + sum * (t * term_ratios[row][k]);
+  } else {
+    for (int k = series_terms<T> - 1; k > 0; --k) {
+      const double m = 4. * k + n;
+      sum = 1. + sum * t / (m * (m - 1) * (m - 2) * (m - 3));
+    }
   }
-  static constexpr double factorials[] = {1, 1, 2, 6, 24, 120};
-  return T(sum / factorials[n]);
+  return T(sum / factorials[row]);
 }
 
 /// xi^n sum over k of (-b xi^4)^k/(4k + n)!, and what it is the derivative of for n = -1.
@@ -34,7 +53,9 @@ template <class T>
   const double square = xi * xi;
   const T t = -(b * (square * square));
   if (n < 0) return T(-(b * (square * xi)) * krylov(t, 3));
-  return T(std::pow(xi, n) * krylov(t, n));
+  double power = 1;
+  for (int i = 0; i < n; ++i) power *= xi;
+  return T(power * krylov(t, n));
 }
 
 template <class T>

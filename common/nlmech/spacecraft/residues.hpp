@@ -57,7 +57,7 @@ class ExponentialSum {
   [[nodiscard]] ExponentialSum scaled(double factor) const;
   /// 2 sum_k |w_k| e^(Re p_k t): a bound of the oscillating part from then on if all real parts are negative.
   [[nodiscard]] double envelope(double time) const;
-  /// The number of terms of a sum that is shorter by those whose moduli add up to at most @p remainder.
+  /// The same without its smallest terms, as many as add up to at most @p remainder, counting 2 |w_k| each.
   [[nodiscard]] ExponentialSum without_small(double remainder) const;
 
   /// c0, c1, c2.
