@@ -28,14 +28,12 @@ namespace nlmech::ivp {
 /// A converged Newton iteration does not tell that its root continues the solution. Each step is therefore
 /// held to two operators of order 6, one of which asks the problem in the middle of the step; what they leave
 /// is the estimate of the error.
-///  - With a `step`, a step whose estimate, as a displacement, exceeds `branch_tolerance` of the
-///  displacements
-///    ends the integration with `wrong_branch`, if stiffness times h^2 or damping times h change by more than
-///    3 over the step. On linear problems, where a step has one root only, it never does.
-///  - Without, steps are chosen: accepted if max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1; the next
-///  one is
-///    longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that is not solved
-///    is quartered.
+///  - With a `step`, a step whose estimate, as a displacement, is more than `branch_tolerance` of the
+///    displacements ends the integration with `wrong_branch`, if stiffness times h^2 or damping times h
+///    change by more than 3 over it. On linear problems, where a step has one root only, it never does.
+///  - Without, steps are chosen: accepted if max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1. The
+///    next one is longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that
+///    is not solved is quartered.
 ///
 /// Steps end on announced discontinuities. Dense output: the quintic of both ends with accelerations, of the
 /// method's order. Statistics::right_hand_sides counts a and j apart: two a Newton iteration, three a step
