@@ -32,7 +32,8 @@ struct Constraints {
 struct HamiltonianExpansion {
   double value = 0;          ///< H
   Eigen::VectorXd g;         ///< dx/dt
-  Eigen::MatrixXd g_x, g_u;  ///< its derivatives
+  Eigen::MatrixXd g_x;       ///< its derivatives by x
+  Eigen::MatrixXd g_u;       ///< and by u
   Eigen::VectorXd gradient;  ///< by x, then u
   Eigen::MatrixXd hessian;   ///< by x, then u
 };

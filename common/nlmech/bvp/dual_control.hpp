@@ -14,12 +14,11 @@ namespace nlmech::bvp {
 
 /// Makes a ControlModel of an aggregate with
 ///  - `static constexpr int states` n and `static constexpr int controls` q;
-///  - `template <class T> void dynamics(const T& t, const Vector<T, n>& x, const Vector<T, q>& u, const T&
-///  mu,
-///    Vector<T, n>& g) const`;
-///  - `template <class T> T running_cost(const T& t, const Vector<T, n>& x, const Vector<T, q>& u, const T&
-///    mu) const`;
-///  - `template <class T> T end_cost(const Vector<T, n>& x0, const Vector<T, n>& xF, const T& tF) const`.
+///  - `dynamics(t, x, u, mu, g)`, which sets g = dx/dt;
+///  - `running_cost(t, x, u, mu)`;
+///  - `end_cost(x0, xF, tF)`,
+///
+/// three const templates on the type of their numbers, in which x and g have n, u has q components.
 /// H must be strictly convex in u. The control is eliminated pointwise by Newton's iteration, at once where H
 /// is quadratic in u; its derivatives follow by one more step in dual numbers. Exact to rounding.
 template <class P>

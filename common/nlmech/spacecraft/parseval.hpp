@@ -38,8 +38,8 @@ struct QuadratureCosts {
 /// modes the tail is extrapolated from the integrals up to a quarter, a half and all of them, as a power
 /// series in 1/sqrt(omega).
 ///
-/// Accuracy with 128 modes (tests/spacecraft, against the closed forms): error 1e-10, deflection 1e-11, torque
-/// 1e-7 of themselves for the gains of the source and the optimal ones.
+/// Accuracy with 128 modes (tests/spacecraft, against the closed forms): error 1e-10, deflection 1e-11,
+/// torque 1e-7 of themselves for the gains of the source and the optimal ones.
 /// @param x place of the deflection
 /// @param modes 16 to 2000
 /// @throws std::invalid_argument naming what is out of range
