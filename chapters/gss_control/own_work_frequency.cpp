@@ -10,6 +10,7 @@
 #include "chapters/gss_control/own_work_words.hpp"
 #include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -38,7 +39,7 @@ std::vector<Complex> on_axis(const spacecraft::Frequencies& f) {
 }
 
 void poles(const Words& words) {
-  const int count = typed_count("--count", words.count, 1000);
+  const int count = scene::typed_whole("--count", words.count, 1, 1000);
   const spacecraft::Parameters craft = read_spacecraft(words.craft);
   if (words.gains.empty()) {
     scene::print_result(
@@ -77,7 +78,7 @@ std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, 
 }
 
 void zeros(const Words& words) {
-  const int count = typed_count("--count", words.count, 1000);
+  const int count = scene::typed_whole("--count", words.count, 1, 1000);
   const spacecraft::Parameters craft = read_spacecraft(words.craft);
   // Feedback from the hub moves no zero, but a loop that cannot be is refused all the same.
   if (!words.gains.empty()) static_cast<void>(typed_loop(craft, words.gains));

@@ -6,6 +6,7 @@
 #include "chapters/gss_control/own_work_words.hpp"
 #include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/optimal_gains.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -20,8 +21,8 @@ struct Words {
 
 void optimise(const Words& words) {
   const spacecraft::Parameters craft = read_spacecraft(words.craft);
-  const spacecraft::CostWeights weights{typed_number("--deflection-weight", words.deflection),
-                                        typed_positive("--torque-weight", words.torque)};
+  const spacecraft::CostWeights weights{scene::typed_number("--deflection-weight", words.deflection),
+                                        scene::typed_positive("--torque-weight", words.torque)};
   if (weights.deflection < 0)
     throw InputError(fmt::format("--deflection-weight {}: must not be negative", words.deflection));
   try {

@@ -7,6 +7,7 @@
 #include "chapters/gss_control/own_work_words.hpp"
 #include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -25,7 +26,7 @@ spacecraft::TimeResponse respond(const Words& words, const spacecraft::Parameter
       throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", words.angle));
     return torque_response(spacecraft::Plant(craft), 1, places);
   }
-  const double angle = words.angle.empty() ? 1 : typed_number("--final-angle", words.angle);
+  const double angle = words.angle.empty() ? 1 : scene::typed_number("--final-angle", words.angle);
   return step_response(typed_loop(craft, words.gains), angle, places);
 }
 

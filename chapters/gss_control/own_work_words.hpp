@@ -10,18 +10,6 @@
 
 namespace nlmech::chapters {
 
-/// A finite number. @throws InputError naming the option and the text
-[[nodiscard]] double typed_number(const char* option, const std::string& text);
-
-/// A positive one. @throws InputError
-[[nodiscard]] double typed_positive(const char* option, const std::string& text);
-
-/// A whole number from 1 to @p most. @throws InputError
-[[nodiscard]] int typed_count(const char* option, const std::string& text, int most);
-
-/// Words between commas. @throws InputError at an empty one
-[[nodiscard]] std::vector<std::string> typed_words(const char* option, const std::string& text);
-
 /// Frequencies: "w1,w2,..." or "LO:HI:N", N of them from LO to HI, spaced logarithmically.
 /// @throws InputError
 [[nodiscard]] std::vector<double> typed_frequencies(const char* option, const std::string& text);

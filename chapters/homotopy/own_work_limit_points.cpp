@@ -10,7 +10,7 @@
 #include "nlmech/algebraic/path.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -20,13 +20,6 @@ namespace {
 struct Words {
   std::string height, model = "element", elements = "1";
 };
-
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
 
 /// The toggle under a growing load: half of it, or Williams' equation.
 struct GrowingLoad {
@@ -39,9 +32,7 @@ struct GrowingLoad {
 };
 
 void fill(GrowingLoad& all, const Words& words, double height) {
-  const double elements = number("--elements", words.elements);
-  if (!(elements >= 1 && elements <= 10'000) || elements != std::floor(elements))
-    throw InputError(fmt::format("--elements {}: must be a whole number from 1 to 10 000", words.elements));
+  const int elements = scene::typed_whole("--elements", words.elements, 1, 10'000);
   if (words.model == "williams") {
     if (elements != 1)
       throw InputError(
@@ -93,7 +84,7 @@ std::vector<algebraic::PathPoint> limit_points_of(GrowingLoad& all, double heigh
 //! [trace of the toggle]
 
 void limit_points(const Words& words) {
-  const double height = number("--height", words.height);
+  const double height = scene::typed_number("--height", words.height);
   GrowingLoad all;
   try {
     fill(all, words, height);

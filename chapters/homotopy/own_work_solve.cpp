@@ -11,7 +11,7 @@
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -23,20 +23,6 @@ struct Words {
   std::string tolerance = "1e-10";
 };
 
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
-
-int elements_of(const Words& words) {
-  const double value = number("--elements", words.elements);
-  if (!(value >= 1 && value <= 10'000) || value != std::floor(value))
-    throw InputError(fmt::format("--elements {}: must be a whole number from 1 to 10 000", words.elements));
-  return static_cast<int>(value);
-}
-
 /// The equations of the toggle that was asked for, half of it.
 struct Loaded {
   std::unique_ptr<frames::ToggleFrame> toggle;
@@ -46,7 +32,7 @@ struct Loaded {
 };
 
 Loaded loaded_toggle(const Words& words, double height, double load) {
-  const int elements = elements_of(words);
+  const int elements = scene::typed_whole("--elements", words.elements, 1, 10'000);
   Loaded all;
   try {
     if (words.model == "williams") {
@@ -84,8 +70,9 @@ algebraic::Report run(const Words& words, double tolerance, double scale, algebr
 }
 
 void solve(const Words& words) {
-  const double height = number("--height", words.height), load = number("--load", words.load);
-  const double tolerance = number("--tolerance", words.tolerance);
+  const double height = scene::typed_number("--height", words.height),
+               load = scene::typed_number("--load", words.load);
+  const double tolerance = scene::typed_number("--tolerance", words.tolerance);
   if (!(tolerance > 0 && tolerance < 1))
     throw InputError(fmt::format("--tolerance {}: must be above 0 and below 1", words.tolerance));
   const Loaded toggle = loaded_toggle(words, height, load);

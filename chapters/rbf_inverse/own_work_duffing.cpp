@@ -10,6 +10,7 @@
 #include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/bvp/continuation.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -19,13 +20,6 @@ namespace {
 struct Words {
   std::string which, final_time, beta = "0.9", target, weights = "1,1", bound;
 };
-
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
 
 Eigen::Vector2d pair(const char* option, const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -53,10 +47,10 @@ struct Request {
 Request understand(const Words& words) {
   Request r;
   r.settings.which = case_of(words.which);
-  r.settings.final_time = number("--final-time", words.final_time);
+  r.settings.final_time = scene::typed_number("--final-time", words.final_time);
   if (!(r.settings.final_time >= 1e-6 && r.settings.final_time <= 1000))
     throw InputError(fmt::format("--final-time {}: must be from 1e-6 to 1000", words.final_time));
-  r.settings.beta = number("--beta", words.beta);
+  r.settings.beta = scene::typed_number("--beta", words.beta);
   if (!(r.settings.beta >= 0 && r.settings.beta <= 1e6))
     throw InputError(fmt::format("--beta {}: must be from 0 to 1e6", words.beta));
   if (!words.target.empty()) {
@@ -71,8 +65,7 @@ Request understand(const Words& words) {
   if (r.settings.weights.minCoeff() < 0)
     throw InputError(fmt::format("--weights {}: must not be negative", words.weights));
   if (!words.bound.empty()) {
-    r.bound = number("--bound", words.bound);
-    if (!(*r.bound > 0)) throw InputError(fmt::format("--bound {}: must be positive", words.bound));
+    r.bound = scene::typed_positive("--bound", words.bound);
   }
   return r;
 }

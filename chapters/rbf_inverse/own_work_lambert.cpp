@@ -17,6 +17,7 @@
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/gnuplot.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -32,26 +33,6 @@ struct Words {
   std::vector<std::string> parts;
 };
 
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
-
-double positive(const char* option, const std::string& text) {
-  const double value = number(option, text);
-  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
-  return value;
-}
-
-int whole(const char* option, const std::string& text, int least, int most) {
-  const double value = number(option, text);
-  if (!(value >= least && value <= most && value == std::floor(value)))
-    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
-  return static_cast<int>(value);
-}
-
 /// Two texts with a mark between.
 std::pair<std::string, std::string> halves(const char* option, const std::string& text, char mark) {
   const std::size_t place = text.find(mark);
@@ -61,16 +42,7 @@ std::pair<std::string, std::string> halves(const char* option, const std::string
 }
 
 orbit::Vector3<double> vector(const char* option, const std::string& text) {
-  std::vector<double> all;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    double value = 0;
-    if (!scene::parse_number(text.substr(begin, comma - begin), value))
-      throw InputError(
-          fmt::format("{} {}: '{}' is not a finite number", option, text, text.substr(begin, comma - begin)));
-    all.push_back(value);
-    begin = comma + 1;
-  }
+  const std::vector<double> all = scene::typed_numbers(option, text);
   if (all.size() != 3)
     throw InputError(fmt::format("{} {}: {} numbers where x,y,z are needed", option, text, all.size()));
   return {all[0], all[1], all[2]};
@@ -79,8 +51,8 @@ orbit::Vector3<double> vector(const char* option, const std::string& text) {
 orbit::TransferProblem problem_of(const Words& words) {
   orbit::TransferProblem p{vector("--from", words.from),
                            vector("--to", words.to),
-                           positive("--time", words.time),
-                           {.mu = positive("--mu", words.mu)}};
+                           scene::typed_positive("--time", words.time),
+                           {.mu = scene::typed_positive("--mu", words.mu)}};
   for (const auto& [option, r] : {std::pair("--from " + words.from, p.from), {"--to " + words.to, p.to}}) {
     if (r.isZero(0)) throw InputError(option + ": is the centre, from where no orbit leads on");
   }
@@ -93,14 +65,14 @@ orbit::TransferProblem problem_of(const Words& words) {
                          ? fmt::format("--radius {}: means nothing without --zonal J2", words.radius)
                          : fmt::format("--zonal {}: needs --radius R", words.zonal));
   if (!words.zonal.empty()) {
-    p.gravity.zonal[0] = number("--zonal", words.zonal);
-    p.gravity.radius = positive("--radius", words.radius);
+    p.gravity.zonal[0] = scene::typed_number("--zonal", words.zonal);
+    p.gravity.radius = scene::typed_positive("--radius", words.radius);
   }
   return p;
 }
 
 orbit::LambertArc arc_of(const Words& words) {
-  orbit::LambertArc arc{words.long_way, whole("--revolutions", words.revolutions, 0, 1'000'000),
+  orbit::LambertArc arc{words.long_way, scene::typed_whole("--revolutions", words.revolutions, 0, 1'000'000),
                         orbit::LambertBranch::low};
   if (arc.revolutions > 0 && words.branch.empty())
     throw InputError(fmt::format("--revolutions {}: needs --branch low or high", words.revolutions));
@@ -204,13 +176,13 @@ void plot(const Words& words, const orbit::Porkchop& grid) {
 std::string porkchop(const Words& words) {
   orbit::PorkchopProblem p = read_porkchop(scene::read_whole(words.file), words.file);
   const auto [rows, columns] = halves("--grid", words.grid, 'x');
-  p.departures.count = whole("--grid", rows, 1, 1'000'000);
-  p.arrivals.count = whole("--grid", columns, 1, 1'000'000);
-  orbit::PorkchopWork work{.threads = whole("--threads", words.threads, 0, 1024)};
+  p.departures.count = scene::typed_whole("--grid", rows, 1, 1'000'000);
+  p.arrivals.count = scene::typed_whole("--grid", columns, 1, 1'000'000);
+  orbit::PorkchopWork work{.threads = scene::typed_whole("--threads", words.threads, 0, 1024)};
   if (!words.shard.empty()) {
     const auto [shard, shards] = halves("--shard", words.shard, '/');
-    work.shards = whole("--shard", shards, 1, 1'000'000);
-    work.shard = whole("--shard", shard, 1, work.shards);
+    work.shards = scene::typed_whole("--shard", shards, 1, 1'000'000);
+    work.shard = scene::typed_whole("--shard", shard, 1, work.shards);
     if (words.plot)
       throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", words.shard));
   }

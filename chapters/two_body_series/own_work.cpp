@@ -14,6 +14,7 @@
 #include "chapters/two_body_series/trajectory.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -27,38 +28,12 @@ struct Words {
   std::string a, p, e, i = "0", raan = "0", argp = "0", nu = "0";
 };
 
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
-
-double positive(const char* option, const std::string& text) {
-  const double value = number(option, text);
-  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
-  return value;
-}
-
-double mu_of(const Words& words) { return words.mu.empty() ? earth_mu : positive("--mu", words.mu); }
-
-/// Numbers with commas between.
-std::vector<double> list(const char* option, const std::string& text) {
-  std::vector<double> all;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    double value = 0;
-    if (!scene::parse_number(text.substr(begin, comma - begin), value))
-      throw InputError(
-          fmt::format("{} {}: '{}' is not a finite number", option, text, text.substr(begin, comma - begin)));
-    all.push_back(value);
-    begin = comma + 1;
-  }
-  return all;
+double mu_of(const Words& words) {
+  return words.mu.empty() ? earth_mu : scene::typed_positive("--mu", words.mu);
 }
 
 orbit::Vector3<double> vector(const char* option, const std::string& text) {
-  const std::vector<double> all = list(option, text);
+  const std::vector<double> all = scene::typed_numbers(option, text);
   if (all.size() != 3)
     throw InputError(fmt::format("{} {}: {} numbers where x,y,z are needed", option, text, all.size()));
   return {all[0], all[1], all[2]};
@@ -79,30 +54,30 @@ orbit::Gravity gravity_of(const Words& words) {
                          ? fmt::format("--radius {}: means nothing without --zonal J2[,J3,...]", words.radius)
                          : fmt::format("--zonal {}: needs --radius R", words.zonal));
   if (words.zonal.empty()) return gravity;
-  const std::vector<double> all = list("--zonal", words.zonal);
+  const std::vector<double> all = scene::typed_numbers("--zonal", words.zonal);
   if (all.size() > gravity.zonal.size())
     throw InputError(fmt::format("--zonal {}: {} numbers; J2 to J6 at most", words.zonal, all.size()));
   std::copy(all.begin(), all.end(), gravity.zonal.begin());
-  gravity.radius = positive("--radius", words.radius);
+  gravity.radius = scene::typed_positive("--radius", words.radius);
   return gravity;
 }
 
 OrbitRequest understand(const Words& words) {
   OrbitRequest r;
   r.start = state_of(words);
-  r.time = number("--time", words.time);
+  r.time = scene::typed_number("--time", words.time);
   r.gravity = gravity_of(words);
   if (!words.every.empty()) {
-    r.every = positive("--every", words.every);
+    r.every = scene::typed_positive("--every", words.every);
     if (std::abs(r.time) / *r.every > 1e7)
       throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
   }
   if (!words.tolerance.empty()) {
-    r.tolerance = number("--tolerance", words.tolerance);
+    r.tolerance = scene::typed_number("--tolerance", words.tolerance);
     if (!(r.tolerance >= 1e-18 && r.tolerance <= 0.1))
       throw InputError(fmt::format("--tolerance {}: must be from 1e-18 to 0.1", words.tolerance));
   }
-  r.seconds = positive("--limit", words.limit);
+  r.seconds = scene::typed_positive("--limit", words.limit);
   return r;
 }
 
@@ -142,21 +117,21 @@ std::string elements(const Words& words) {
 }
 
 std::string state(const Words& words) {
-  const double mu = mu_of(words), e = number("--e", words.e);
+  const double mu = mu_of(words), e = scene::typed_number("--e", words.e);
   if (words.a.empty() == words.p.empty())
     throw InputError(words.a.empty() ? "--a A or --p P is needed"
                                      : fmt::format("--a {} --p {}: give one of them", words.a, words.p));
   if (e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", words.e));
-  const double i = number("--i", words.i);
+  const double i = scene::typed_number("--i", words.i);
   if (i < 0 || i > 180) throw InputError(fmt::format("--i {}: must be from 0 to 180 degrees", words.i));
-  const double raan = number("--raan", words.raan), argp = number("--argp", words.argp),
-               nu = number("--nu", words.nu);
+  const double raan = scene::typed_number("--raan", words.raan),
+               argp = scene::typed_number("--argp", words.argp), nu = scene::typed_number("--nu", words.nu);
   const std::string shape = words.a.empty() ? fmt::format("--p {} --e {}", words.p, words.e)
                                             : fmt::format("--a {} --e {}", words.a, words.e);
   const auto conic = about(shape, [&] {
     if (words.a.empty())
-      return orbit::Elements{.semi_latus_rectum = positive("--p", words.p), .eccentricity = e};
-    return orbit::from_axis(number("--a", words.a), e);
+      return orbit::Elements{.semi_latus_rectum = scene::typed_positive("--p", words.p), .eccentricity = e};
+    return orbit::from_axis(scene::typed_number("--a", words.a), e);
   });
   orbit::Elements all = conic;
   all.inclination = i * degree;

@@ -10,6 +10,7 @@
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/scene/command_line.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
@@ -22,34 +23,22 @@ struct Words {
   std::vector<std::string> set;
 };
 
-double number(const char* option, const std::string& text) {
-  double value = 0;
-  if (!scene::parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, text));
-  return value;
-}
-
 std::optional<double> positive(const char* option, const std::string& text) {
   if (text.empty()) return {};
-  const double value = number(option, text);
-  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
-  return value;
+  return scene::typed_positive(option, text);
 }
 
 std::optional<int> whole(const char* option, const std::string& text, int least, int most) {
   if (text.empty()) return {};
-  const double value = number(option, text);
-  if (value != std::floor(value) || value < least || value > most)
-    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
-  return static_cast<int>(value);
+  return scene::typed_whole(option, text, least, most);
 }
 
 Request understand(const Words& words, OwnProblem& problem) {
   for (const std::string& assignment : words.set) apply_setting(problem, assignment);
   Request r;
   r.x0 = initial_state(problem, words.initial);
-  r.t0 = words.from.empty() ? problem.initial_time() : number("--from", words.from);
-  r.t1 = number("--until", words.until);
+  r.t0 = words.from.empty() ? problem.initial_time() : scene::typed_number("--from", words.from);
+  r.t1 = scene::typed_number("--until", words.until);
   if (!words.step.empty() && !words.tolerance.empty())
     throw InputError(fmt::format("--step {} --tolerance {}: give a step or a tolerance, not both", words.step,
                                  words.tolerance));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
@@ -51,16 +52,7 @@ void apply_setting(OwnProblem& problem, const std::string& assignment) {
 std::vector<double> initial_state(const OwnProblem& problem, const std::string& text) {
   if (text.empty()) return problem.initial_state();
   const std::vector<std::string> names = problem.state_names();
-  std::vector<double> x;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', begin), text.size());
-    const std::string piece = text.substr(begin, comma - begin);
-    double value = 0;
-    if (!scene::parse_number(piece, value))
-      throw InputError(fmt::format("--initial {}: '{}' is not a finite number", text, piece));
-    x.push_back(value);
-    begin = comma + 1;
-  }
+  std::vector<double> x = scene::typed_numbers("--initial", text);
   if (x.size() != names.size())
     throw InputError(fmt::format("--initial {}: {} numbers for the {} components {} of {}", text, x.size(),
                                  names.size(), fmt::join(names, ","), problem.name()));
