@@ -41,7 +41,9 @@ class TimoshenkoPlant {
   /// The rest of what it was made of.
   [[nodiscard]] const ShearBeam& beam() const { return beam_; }
 
-  /// theta/u and y(x)/u with y = w - (r + x) theta.
+  /// theta/u and y(x)/u with y = w - (r + x) theta. Unlike Plant it divides by the determinant at once:
+  /// digits are lost very near a frequency of the locked hub, and where both wave numbers coincide (a real s
+  /// above the cut-off).
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] Response response(Complex s, double x) const;
   /// B(s) of one appendage, slug ft^2.
