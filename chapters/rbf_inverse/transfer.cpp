@@ -158,6 +158,9 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
   showing.quantities = {
       scene::near("eccentricity of the transfer", "1", e.norm(), 0.96281, 1e-5,
                   "an independent program in 50 digits"),
+      scene::near("periapsis of the transfer", "km",
+                  (1 - e.norm()) / orbit::reciprocal_axis(orbit::State{p.from, izzo.v1}, p.gravity.mu) / 1000,
+                  252, 1, "the same program, to the kilometre it gives"),
       scene::at_most("miss of the orbit drawn", "m", izzo.miss, 1e-6, "rounding, some kappa eps |r_F|")};
   return showing;
 }
