@@ -24,15 +24,16 @@ others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
 
 if (exists("logx")) set logscale x
 if (exists("xrange")) eval "set xrange " . xrange
-foot = exists("below") ? 0.31 : 0.125
+top = 1 - 50.0 / height
+foot = exists("below") ? 0.31 : 72.0 / height
 set multiplot
 set lmargin at screen 0.135
 set rmargin at screen 0.965
 
 do for [p = 1:int(panels)] {
   last = p == int(panels)
-  set tmargin at screen (p == 1 ? 0.915 : (0.915 + foot) / 2 - 0.02)
-  set bmargin at screen (last ? foot : (0.915 + foot) / 2 + 0.02)
+  set tmargin at screen (p == 1 ? top : (top + foot) / 2 - 0.02)
+  set bmargin at screen (last ? foot : (top + foot) / 2 + 0.02)
   if (p == 1) {set title heading} else {unset title}
   if (last) {set xlabel xlabel; set format x "%g"} else {unset xlabel; set format x ""}
   if (exists("xtics")) {eval "set xtics " . (last ? xtics : xtics_blank)}
