@@ -103,23 +103,24 @@ scene::Showing show_history(const TransferRuns& runs, Workshop& w, bool velocity
   ControlCurves curves(velocity ? "Collocation finds the velocity of the orbit, too"
                                 : "Collocation at 47 nodes lies on the transfer orbit",
                        "time_of_flight_s");
-  curves.panel("time (s)", velocity ? "velocity (km/s)" : "position (km)");
+  curves.panel("time (s)", velocity ? "velocity (km/s)" : "position (1000 km)");
   const char* const names[] = {"x", "y", "z"};
+  const double unit = velocity ? 1e3 : 1e6;
   for (int k = 0; k < 3; ++k) {
     curves.begin(fmt::format("{}, F and G", names[k]), fmt::format("l{}", k + 1));
     for (int i = 0; i <= 200; ++i) {
       const double t = 4320.0 * i / 200;
       const orbit::State s = on_orbit(izzo, t);
-      curves.add(t, (velocity ? s.velocity[k] : s.position[k]) / 1e3);
+      curves.add(t, (velocity ? s.velocity[k] : s.position[k]) / unit);
     }
   }
   for (int k = 0; k < 3; ++k) {
     curves.begin(k == 0 ? "collocation" : "", fmt::format("p{}", k + 1));
     for (Eigen::Index j = 0; j < nodes.times.size(); ++j)
-      curves.add(nodes.times[j], (velocity ? nodes.velocities : nodes.positions)(k, j) / 1e3);
+      curves.add(nodes.times[j], (velocity ? nodes.velocities : nodes.positions)(k, j) / unit);
   }
   curves.with("key", velocity ? "top right" : "top left");
-  if (!velocity) curves.with("yrange", "[-2000:18000]");
+  if (!velocity) curves.with("yrange", "[-2:18]");
   scene::Showing showing;
   showing.figure = curves.take();
   showing.quantities = {
