@@ -95,7 +95,7 @@ scene::Showing show(const Samples& all) {
     const char* model = tip ? "with tips" : "no tips";
     const std::vector<Sample>& samples = all.at(tip ? 1 : 0);
     const std::array names = {"theta/u", "y(2 ft)/u", "y(4 ft)/u"};
-    for (std::size_t n = 0; n < samples.size(); n += samples.size() / 16) {
+    for (std::size_t n = 0; n < samples.size(); n += samples.size() / 8) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Sample& s = samples[n];
         const auto cell = [&](Form f) {
