@@ -72,7 +72,7 @@ scene::Figure draw(const Lines& lines) {
       figure.begin(is_free ? "free final state" : "final state given", is_free ? "l1" : "l5");
       for (const Spot& p : line.points) figure.add(p.parameter, p.cost);
       if (line.folds.empty()) continue;
-      figure.begin(is_free ? "its folds" : "its folds", is_free ? "o1" : "o5");
+      figure.begin("its folds", is_free ? "o1" : "o5");
       for (const Spot& p : line.folds) figure.add(p.parameter, p.cost);
     }
     figure.with("logy", "1").with("yrange", "[1:1e6]").with("key", in_beta ? "off" : "top right");
