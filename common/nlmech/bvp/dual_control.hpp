@@ -100,7 +100,9 @@ class DualControl final : public ControlModel {
     for (int i = 0; i < n; ++i) {
       e.g[i] = g[i].value.value;
       for (int k = 0; k < n; ++k) e.g_x(i, k) = g[i].value.partial[static_cast<std::size_t>(k)];
-      for (int k = 0; k < q; ++k) e.g_u(i, k) = g[i].value.partial[static_cast<std::size_t>(n + k)];
+      for (int k = 0; k < q; ++k) {
+        e.g_u(i, k) = g[i].value.partial[std::size_t{n} + static_cast<std::size_t>(k)];
+      }
     }
     for (std::size_t i = 0; i < n + q; ++i) {
       e.gradient[static_cast<int>(i)] = h.value.partial[i];

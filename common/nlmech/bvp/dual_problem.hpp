@@ -55,7 +55,9 @@ class DualProblem final : public Problem {
     equations_.rhs(D(t), at, q, f);
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) by_state(i, j) = f[i].partial[static_cast<std::size_t>(j)];
-      for (int j = 0; j < m; ++j) by_parameter(i, j) = f[i].partial[static_cast<std::size_t>(n + j)];
+      for (int j = 0; j < m; ++j) {
+        by_parameter(i, j) = f[i].partial[std::size_t{n} + static_cast<std::size_t>(j)];
+      }
     }
   }
 

@@ -137,7 +137,8 @@ std::vector<std::function<double(double)>> forces_in_time(const DuffingSettings&
   forces.push_back([scale](double) { return scale; });
   forces.push_back([scale](double) { return -scale; });
   for (int k = 0; static_cast<int>(forces.size()) < count; ++k) {
-    const double half_waves = 1 + k / 2, T = s.final_time, sign = k % 2 == 0 ? 2 : -2;
+    const int half_waves = 1 + k / 2;
+    const double T = s.final_time, sign = k % 2 == 0 ? 2 : -2;
     forces.push_back(
         [=](double t) { return sign * scale * std::cos(std::numbers::pi * half_waves * t / T); });
   }
@@ -155,7 +156,8 @@ std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
   std::vector<Vector2d> result;
   for (int k = 0; k < count; ++k) {
     // From -1.6 to 1.6 times the target's speed, the middle ones first.
-    const double place = (k % 2 == 0 ? 1 : -1) * 1.6 * (k / 2 + 1) / ((count + 1) / 2);
+    const int step = k / 2 + 1, steps = (count + 1) / 2;
+    const double place = (k % 2 == 0 ? 1 : -1) * 1.6 * step / steps;
     Vector2d x = known;
     if (free1) x[0] = place * speed / w;
     if (free2) x[1] = free1 ? 0.5 * speed * std::cos(3.0 * k) : place * speed;

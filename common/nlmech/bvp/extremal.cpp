@@ -118,7 +118,7 @@ void ExtremalProblem::jacobian(double t, const VectorXd& z, const VectorXd& p, M
   MatrixXd j(2 * n_, 2 * n_ + 2);
   model_->extremal_jacobian(true_time(t, p), z, mu(p), task_.constraints, j);
   by_state = j.leftCols(2 * n_);
-  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) = j.col(2 * n_);
+  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) = j.col(2L * n_);
   if (!time_is_unknown()) return;
   // dz/ds = c f(t_0 + c (s - t_0), z) with c = (t_F - t_0)/(length of s)
   const double length = task_.final_time - task_.begin_time, c = (p[0] - task_.begin_time) / length;
@@ -138,7 +138,7 @@ void ExtremalProblem::conditions(const MatrixXd& ends, const VectorXd& p, Vector
     r[i] = from ? ends(i, 0) - *from : ends(n_ + i, 0) + phi.gradient[i];
     r[n_ + i] = to ? ends(i, last) - *to : ends(n_ + i, last) - phi.gradient[n_ + i];
   }
-  Index row = 2 * n_;
+  Index row = 2L * n_;
   for (std::size_t point = 1; point + 1 < points_.size(); ++point) {
     const auto before = static_cast<Index>(2 * point - 1), after = before + 1;
     for (int i = 0; i < n_; ++i, row += 2) {
@@ -149,21 +149,21 @@ void ExtremalProblem::conditions(const MatrixXd& ends, const VectorXd& p, Vector
   }
   if (task_.free_final_time) {
     VectorXd gradient;
-    r[row] = phi.gradient[2 * n_] +
+    r[row] = phi.gradient[2L * n_] +
              model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
   }
 }
 
 void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, MatrixXd& by_ends,
                                          MatrixXd& by_parameter) const {
-  const Index last = ends.cols() - 1, end_column = 2 * n_ * last;
+  const Index last = ends.cols() - 1, end_column = 2L * n_ * last;
   const EndCost phi = model_->end_cost(ends.col(0).head(n_), ends.col(last).head(n_), final_time(p));
   by_ends.setZero();
   by_parameter.setZero();
   const auto second_derivatives = [&](Index row, int k, double sign) {
     by_ends.block(row, 0, 1, n_) += sign * phi.hessian.block(k, 0, 1, n_);
     by_ends.block(row, end_column, 1, n_) += sign * phi.hessian.block(k, n_, 1, n_);
-    if (time_is_unknown()) by_parameter(row, 0) += sign * phi.hessian(k, 2 * n_);
+    if (time_is_unknown()) by_parameter(row, 0) += sign * phi.hessian(k, 2L * n_);
   };
   for (int i = 0; i < n_; ++i) {
     if (task_.begin[static_cast<std::size_t>(i)]) {
@@ -179,9 +179,9 @@ void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p
       second_derivatives(n_ + i, n_ + i, -1);
     }
   }
-  Index row = 2 * n_;
+  Index row = 2L * n_;
   for (std::size_t point = 1; point + 1 < points_.size(); ++point) {
-    const Index before = 2 * n_ * static_cast<Index>(2 * point - 1), after = before + 2 * n_;
+    const Index before = 2L * n_ * static_cast<Index>(2 * point - 1), after = before + 2L * n_;
     for (int i = 0; i < n_; ++i, row += 2) {
       if (waypoint(point, i)) {
         by_ends(row, before + i) = by_ends(row + 1, after + i) = 1;
@@ -195,7 +195,7 @@ void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p
   VectorXd gradient;
   (void)model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
   by_ends.block(row, end_column, 1, 2 * n_) = gradient.head(2 * n_).transpose();
-  if (task_.continued == Continued::parameter) by_parameter(row, by_parameter.cols() - 1) = gradient[2 * n_];
+  if (task_.continued == Continued::parameter) by_parameter(row, by_parameter.cols() - 1) = gradient[2L * n_];
   by_parameter(row, 0) += gradient[2 * n_ + 1];
   second_derivatives(row, 2 * n_, 1);
 }

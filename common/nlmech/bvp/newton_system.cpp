@@ -13,7 +13,7 @@ MatrixXd Unknowns::ends(int phases) const {
   MatrixXd result(intervals.front().values.rows(), 2 * phases);
   for (const Interval& interval : intervals) {
     // The first interval of a phase comes first, the last one last.
-    const Index begin = 2 * interval.phase;
+    const Index begin = 2L * interval.phase;
     const bool first = &interval == &intervals.front() || (&interval)[-1].phase != interval.phase;
     if (first) result.col(begin) = interval.values.col(0);
     result.col(begin + 1) = interval.values.rightCols(1);
@@ -70,7 +70,7 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
       const double by_slope = -interval.h * scheme_.slope(i, j);
       if (by_slope != 0) {
         block.middleRows(i * n_, n_) = by_slope * by_state;
-        if (m_ > 0) edges.block(i * n_, 2 * n_, n_, m_) += by_slope * by_parameter;
+        if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
       }
       block.middleRows(i * n_, n_).diagonal().array() += scheme_.value(i, j);
     }
@@ -95,7 +95,7 @@ void NewtonSystem::chain() {
       continue;
     }
     // Rows of the phase up to here: begin, here, parameters; rows of the interval: here, its end, parameters.
-    MatrixXd here(2 * n_, n_), others = MatrixXd::Zero(2 * n_, 2 * n_ + m_);
+    MatrixXd here(2 * n_, n_), others = MatrixXd::Zero(2L * n_, 2L * n_ + m_);
     here.topRows(n_) = so_far.middleCols(n_, n_);
     here.bottomRows(n_) = c.bottom.leftCols(n_);
     others.topLeftCorner(n_, n_) = so_far.leftCols(n_);
@@ -110,7 +110,7 @@ void NewtonSystem::chain() {
 }
 
 void NewtonSystem::border(const Unknowns& y) {
-  const Index count = conditions_.size(), ends = 2 * n_ * phases_, size = ends + m_;
+  const Index count = conditions_.size(), ends = 2L * n_ * phases_, size = ends + m_;
   MatrixXd by_ends = MatrixXd::Zero(count, ends), by_parameter = MatrixXd::Zero(count, m_);
   problem_.condition_jacobian(y.ends(phases_), y.parameters, by_ends, by_parameter);
   MatrixXd a = MatrixXd::Zero(size, size);
@@ -185,7 +185,7 @@ void NewtonSystem::right_hand_sides() {
     } else {
       so_far = c.r_bottom;
     }
-    rest_r_.segment(phase_of_[k] * n_, n_) = so_far;
+    rest_r_.segment(Index{phase_of_[k]} * n_, n_) = so_far;
   }
   rest_r_.tail(conditions_.size()) = -conditions_;
 }
@@ -196,7 +196,7 @@ void NewtonSystem::back_substitute(Unknowns& step) {
   VectorXd right(n_);
   for (std::size_t k = parts_.size(); k-- > 0;) {
     const Condensed& c = parts_[k];
-    const VectorXd begin = rest_x_.segment(2 * n_ * phase_of_[k], n_);
+    const VectorXd begin = rest_x_.segment(2L * n_ * phase_of_[k], n_);
     if (k + 1 == parts_.size() || phase_of_[k + 1] != phase_of_[k]) {
       right = rest_x_.segment(2 * n_ * phase_of_[k] + n_, n_);
     }

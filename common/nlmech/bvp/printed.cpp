@@ -66,7 +66,7 @@ GlobalCollocation::GlobalCollocation(const Problem& problem, GlobalMethod method
       refuse(fmt::format("no row for condition {} and component {}", row.condition, row.component));
     }
     seen[static_cast<std::size_t>(row.condition)] = true;
-    const auto place = static_cast<std::size_t>(2 * row.component + (row.at_end ? 1 : 0));
+    const auto place = 2 * static_cast<std::size_t>(row.component) + (row.at_end ? 1 : 0);
     if (taken[place]) refuse(fmt::format("two conditions in the row of component {}", row.component));
     taken[place] = true;
   }

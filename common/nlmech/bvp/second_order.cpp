@@ -31,7 +31,7 @@ class Variation {
     for (int i = 0; i < n_; ++i) {
       if (!problem.task().begin[static_cast<std::size_t>(i)]) free_.push_back(i);
     }
-    size_ = static_cast<Index>(free_.size()) + pieces * q_;
+    size_ = static_cast<Index>(free_.size()) + Index{pieces} * q_;
     hessian_ = MatrixXd::Zero(size_, size_);
     state_ = MatrixXd::Zero(n_, size_);
     for (std::size_t k = 0; k < free_.size(); ++k) state_(free_[k], static_cast<Index>(k)) = 1;
@@ -74,7 +74,7 @@ class Variation {
     MatrixXd du = MatrixXd::Zero(q_, size_);
     for (int i = 0; i < q_; ++i) {
       const bool clipped = std::abs(u[i]) > 0.999 * c.control_limit;
-      if (!clipped) du(i, static_cast<Index>(free_.size()) + piece * q_ + i) = 1 / std::sqrt(length);
+      if (!clipped) du(i, static_cast<Index>(free_.size()) + Index{piece} * q_ + i) = 1 / std::sqrt(length);
     }
     const MatrixXd one = MatrixXd::Identity(n_, n_);
     const Eigen::PartialPivLU<MatrixXd> left(one - h / 2 * e.g_x);

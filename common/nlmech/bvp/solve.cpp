@@ -163,8 +163,7 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
   const std::vector<double> points = problem.points();
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
-    const Status status =
-        iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
+    Status status = iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
     const std::vector<double> residual = residuals(problem, solution);

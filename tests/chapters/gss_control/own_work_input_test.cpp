@@ -78,7 +78,7 @@ TEST(NumericalFailure, OnAPole) {
   const scene::Finished f = tests::run_words(
       "gss_control", "response --omega " + [&] {
         char text[40];
-        std::snprintf(text, sizeof text, "%.17g", poles.row.at(0).at(2));
+        static_cast<void>(std::snprintf(text, sizeof text, "%.17g", poles.row.at(0).at(2)));
         return std::string(text);
       }());
   EXPECT_EQ(f.exit_code, 1) << f.output;

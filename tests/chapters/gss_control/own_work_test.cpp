@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "nlmech/scene/files.hpp"
@@ -154,11 +157,12 @@ TEST(SpacecraftOption, ReadsAFile) {
 TEST(Example, Runs) {
   const scene::Finished f = tests::run_words("gss_control_example", "");
   EXPECT_EQ(f.exit_code, 0) << f.errors;
-  double k1 = 0, k3 = 0, cost = 0, theta = 0, tip = 0;
-  ASSERT_EQ(std::sscanf(f.output.c_str(), "k1 %lf, k3 %lf, cost %lf after 10 s: theta %lf rad, tip %lf ft",
-                        &k1, &k3, &cost, &theta, &tip),
-            5)
-      << f.output;
+  const auto after = [&](const std::string& word) {
+    const std::size_t place = f.output.find(word);
+    return place == std::string::npos ? NAN : std::strtod(f.output.c_str() + place + word.size(), nullptr);
+  };
+  const double k1 = after("k1 "), k3 = after("k3 "), cost = after("cost "), theta = after("theta "),
+               tip = after("tip ");
   EXPECT_NEAR(k3, k1 * cost, 1e-5);  // six decimals are printed
   EXPECT_NEAR(theta, 0.5, 0.03);
   EXPECT_LT(std::abs(tip), 0.01);
