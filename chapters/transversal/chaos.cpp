@@ -52,7 +52,8 @@ Regimes regimes(bool quick) {
   const int count = quick ? 300 : 3000;
   // 150 steps a period: every 150th point is a section.
   const Course chaotic = course(ueda(), {3, 4}, count * period, transversal(period / 150, 3), nullptr);
-  for (std::size_t i = 150 * 20; i < chaotic.points.size(); i += 150) r.sections.push_back(chaotic.points[i]);
+  for (std::size_t i = std::size_t{150} * 20; i < chaotic.points.size(); i += 150)
+    r.sections.push_back(chaotic.points[i]);
   r.periodic_error = error_curve(periodic, {0, 0});
   r.chaotic_error = error_curve(ueda(), {3, 4});
   r.at_50 = course(ueda(), {3, 4}, 50, transversal(0.002, 5), nullptr).points.back().x[0];
