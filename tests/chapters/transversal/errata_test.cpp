@@ -103,12 +103,12 @@ TEST(Errata, EquationsAreTwoForEachPointAndDegreeOfFreedom) {
   for (const int dof : {1, 2, 3}) {
     constexpr int p = 3;
     ivp::MtlWeights weights(2 * dof, dof, ivp::MtlBasis::lagrange, p, {});
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * dof, 2 * dof);
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2L * dof, 2L * dof);
     a.topRightCorner(dof, dof).setIdentity();
     ASSERT_EQ(weights.compute(a, 0.1), Outcome::success);
     Eigen::Index rows = 0;
     for (int l = 1; l <= p; ++l) rows += weights.weight(l, 0).rows();
-    EXPECT_EQ(rows, 2 * p * dof);
+    EXPECT_EQ(rows, 2L * p * dof);
     EXPECT_EQ(rows == 2 * p, dof == 1);
   }
 }
