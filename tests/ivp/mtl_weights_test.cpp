@@ -38,7 +38,7 @@ std::vector<Matrix2> phi_functions(const Matrix2& z, int q) {
     Matrix2 sum = Matrix2::Zero();
     for (int m = 60; m >= 0; --m) {
       sum = (small * sum).eval();
-      sum.diagonal().array() += 1 / factorial[static_cast<std::size_t>(k + m)];
+      sum.diagonal().array() += 1 / factorial[static_cast<std::size_t>(k) + static_cast<std::size_t>(m)];
     }
     phi.push_back(sum);
   }
@@ -84,7 +84,7 @@ Eigen::Matrix<Real, 2, 1> closed_form(const Eigen::Matrix<Real, Eigen::Dynamic, 
   for (int m = 0; m < c.cols(); ++m) {
     factor *= l;
     if (m > 0) factor *= m;
-    sum += phi[static_cast<std::size_t>(m + 1)].col(1) * Real(c(k, m) * factor);
+    sum += phi[static_cast<std::size_t>(m) + 1].col(1) * Real(c(k, m) * factor);
   }
   return sum;
 }

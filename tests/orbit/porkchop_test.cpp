@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <stdexcept>
 
 #include "nlmech/orbit/elements.hpp"
@@ -28,8 +29,8 @@ PorkchopProblem two_orbits() {
 }
 
 void expect_same_bits(const PorkchopCell& a, const PorkchopCell& b) {
-  EXPECT_EQ(std::memcmp(&a.v_departure, &b.v_departure, sizeof(double)), 0);
-  EXPECT_EQ(std::memcmp(&a.v_arrival, &b.v_arrival, sizeof(double)), 0);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a.v_departure), std::bit_cast<std::uint64_t>(b.v_departure));
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a.v_arrival), std::bit_cast<std::uint64_t>(b.v_arrival));
   EXPECT_EQ(a.revolutions, b.revolutions);
   EXPECT_EQ(a.long_way, b.long_way);
   EXPECT_EQ(a.branch, b.branch);
