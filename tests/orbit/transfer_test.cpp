@@ -169,7 +169,7 @@ TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
 }
 
 TEST(Transfer, WhatCannotBeMeantIsRefused) {
-  const auto refused = [](auto change, TransferCollocation method = {}) {
+  const auto refused = [](auto change, const TransferCollocation& method = {}) {
     TransferProblem p = printed_transfer(2);
     change(p);
     EXPECT_THROW((void)collocate(p, method), std::invalid_argument);
