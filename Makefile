@@ -66,6 +66,8 @@ test: build
 check: programs
 	@missed=0; $(MAKE) --no-print-directory -k check-chapters || missed=1; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
+	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || missed=1; \
+	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || missed=1; \
 	exit $$missed
 
 .PHONY: check-chapters
@@ -87,4 +89,4 @@ book: programs
 
 clean:
 	@rm -rf $(BUILD) results book
-	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published ! -name reference -exec rm -rf {} +
+	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published ! -name errata ! -name reference -exec rm -rf {} +

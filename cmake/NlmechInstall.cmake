@@ -12,8 +12,8 @@ else()
 endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/nlmechConfig.cmake.in ${PROJECT_BINARY_DIR}/nlmechConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
-# Below 1.0 a new minor version may change interfaces.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+# From 1.0 on only a new major version may break interfaces.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/nlmechConfig.cmake ${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake
         DESTINATION ${package_dir})
 
@@ -22,5 +22,6 @@ if(NLMECH_CHAPTERS_SELECTED)
   install(FILES ${PROJECT_SOURCE_DIR}/figures/style.gp DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/figures/templates DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/published DESTINATION ${data_dir}/tables)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/errata DESTINATION ${data_dir}/tables)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/places.csv DESTINATION ${data_dir}/tables)
 endif()

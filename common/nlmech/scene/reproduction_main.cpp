@@ -5,15 +5,24 @@
 ///
 /// `verdict NAME --chapters FILE [--out DIR]`: one value; exit code 77 if its chapter is not built.
 ///
+/// `completeness --chapters FILE [--out DIR] [--page FILE]`: figures and tables of the sources; exit code 1
+/// if one is not drawn or not checked.
+///
+/// `errata [--out DIR] [--page FILE]`: misprints, a table a chapter and all on one page.
+///
 /// `tests`: names of all values, one a line.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "nlmech/scene/check.hpp"
 #include "nlmech/scene/command_line.hpp"
+#include "nlmech/scene/completeness.hpp"
+#include "nlmech/scene/errata.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -69,6 +78,35 @@ int verdict(const Options& options) {
   return is_miss(*c) ? missed : kept;
 }
 
+int completeness(const Options& options) {
+  const std::vector<Shown> shown = collect_shown(read_built(options), data_folder(), options.out);
+  if (!options.page.empty()) write_whole(options.page, completeness_page(shown));
+  std::size_t incomplete = 0;
+  for (const Shown& s : shown) {
+    if (s.complete()) continue;
+    ++incomplete;
+    fmt::print(stderr, "INCOMPLETE {} {}: {}\n", s.place.source, s.place.name,
+               !s.drawn         ? "nothing is drawn"
+               : s.checked == 0 ? "nothing is checked"
+                                : "a quantity is missed");
+  }
+  print_result(fmt::format("{} figures and tables, {} incomplete\n", shown.size(), incomplete));
+  return incomplete == 0 ? kept : missed;
+}
+
+/// A table for each chapter's page, and all of them on one.
+void errata(const Options& options) {
+  const std::vector<Erratum> all = read_errata(data_folder());
+  std::set<std::string> chapters;
+  for (const Erratum& e : all) chapters.insert(e.chapter);
+  for (const std::string& chapter : chapters) {
+    write_whole(std::filesystem::path(options.out) / "tables" / chapter / "errata.md",
+                errata_table(all, chapter));
+  }
+  if (!options.page.empty()) write_whole(options.page, errata_page(all));
+  print_result(fmt::format("{} errata\n", all.size()));
+}
+
 void list_names() {
   std::string names;
   for (const PublishedValue& value : read_published(data_folder())) names += value.name() + '\n';
@@ -85,10 +123,18 @@ int main(int argc, char** argv) {
   CLI::App* reporter = app.add_subcommand("report", "all values; exit code 1 if one missed its verdict");
   reporter->add_option("--page", options.page, "write the Markdown page to this file too");
   reporter->callback([&] { code = report(options); });
+  CLI::App* overview =
+      app.add_subcommand("completeness", "figures and tables; exit code 1 if one is lacking");
+  overview->callback([&] { code = completeness(options); });
+  CLI::App* misprints = app.add_subcommand("errata", "misprints: a table a chapter, and all on one page");
+  misprints->callback([&] { errata(options); });
+  for (CLI::App* sub : {overview, misprints})
+    sub->add_option("--page", options.page, "write the Markdown page to this file too");
+  misprints->add_option("--out", options.out, "folder that gets tables/<chapter>/errata.md");
   CLI::App* judge = app.add_subcommand("verdict", "one value; exit code 77 if its chapter is not built");
   judge->add_option("name", options.name, "source/place/row/quantity")->required();
   judge->callback([&] { code = verdict(options); });
-  for (CLI::App* sub : {reporter, judge}) {
+  for (CLI::App* sub : {reporter, overview, judge}) {
     sub->add_option("--chapters", options.chapters, "file with the names of the chapters built")->required();
     sub->add_option("--out", options.out, "folder in which the chapters' checks left results/");
   }

@@ -1,0 +1,137 @@
+#include "nlmech/scene/errata.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/table.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> header = {"id",     "source", "place", "kind",   "printed", "correct",
+                                         "effect", "scan",   "test",  "misses", "within"};
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> found;
+  for (std::string word; in >> word;) found.push_back(word);
+  return found;
+}
+
+void refuse(bool wrong, const std::string& where, const std::string& what) {
+  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+}
+
+bool is_test(const std::string& name) {
+  const auto colon = name.find(':');
+  return colon != std::string::npos && name.find('.', colon) != std::string::npos;
+}
+
+Erratum to_erratum(const CsvRecord& record, const std::string& chapter, const std::string& file) {
+  const std::string where = fmt::format("{}: line {}", file, record.line);
+  const auto& c = record.cells;
+  refuse(c.size() != header.size(), where, fmt::format("{} of {} cells", c.size(), header.size()));
+  Erratum e{chapter, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], words(c[8]), c[9], c[10]};
+  refuse(!e.id.starts_with(chapter + "-"), where,
+         fmt::format("'{}' does not begin with '{}-'", e.id, chapter));
+  const bool computed = e.kind == "formula" || e.kind == "number" || e.kind == "claim";
+  refuse(!computed && e.kind != "wording", where, fmt::format("'{}' is no kind of misprint", e.kind));
+  refuse(e.scan != "no" && e.scan != "perhaps", where, fmt::format("'{}' is neither no nor perhaps", e.scan));
+  refuse(computed != !e.tests.empty(), where, fmt::format("{}: a test for all but wording", e.id));
+  refuse(!std::all_of(e.tests.begin(), e.tests.end(), is_test), where,
+         fmt::format("'{}' is not of the form program:Suite.Name", c[8]));
+  refuse(computed == (e.misses.empty() || e.within.empty()), where,
+         fmt::format("{}: misses and within for all but wording", e.id));
+  return e;
+}
+
+/// A test's place as a reader looks for it: program and name.
+std::string test_names(const Erratum& e) {
+  std::string text;
+  for (const std::string& test : e.tests) text += (text.empty() ? "`" : " `") + test + "`";
+  return text;
+}
+
+/// "no" is not worth a word.
+std::string effect(const Erratum& e) {
+  const std::string scan = e.scan == "perhaps" ? "perhaps an error of the scan" : "";
+  return e.effect + (e.effect.empty() || scan.empty() ? "" : "; ") + scan;
+}
+
+Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
+  std::vector<Column> columns = {{"place"},  {"printed"},           {"correct"},
+                                 {"effect"}, {"printed misses by"}, {"corrected within"}};
+  if (with_tests) columns.push_back({"test"});
+  Table table(columns);
+  for (const Erratum* e : entries) {
+    std::vector<Cell> row = {e->place, e->printed, e->correct, effect(*e), e->misses, e->within};
+    if (with_tests) row.emplace_back(test_names(*e));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Erratum> read_errata(const fs::path& data_folder) {
+  const fs::path folder = data_folder / "tables" / "errata";
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".csv") files.push_back(entry.path());
+  }
+  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+  std::sort(files.begin(), files.end());
+
+  std::vector<Erratum> errata;
+  std::set<std::string> ids;
+  for (const fs::path& file : files) {
+    const auto records = parse_csv(read_whole(file), file.string());
+    refuse(records.empty() || records[0].cells != header, file.string(), "the header is another one");
+    for (std::size_t i = 1; i < records.size(); ++i) {
+      errata.push_back(to_erratum(records[i], file.stem().string(), file.string()));
+      refuse(!ids.insert(errata.back().id).second, fmt::format("{}: line {}", file.string(), records[i].line),
+             fmt::format("'{}' is there twice", errata.back().id));
+    }
+  }
+  return errata;
+}
+
+std::string errata_page(const std::vector<Erratum>& errata) {
+  std::map<std::string, std::vector<const Erratum*>> by_source;
+  for (const Erratum& e : errata) by_source[e.source].push_back(&e);
+  const auto wording =
+      std::count_if(errata.begin(), errata.end(), [](const Erratum& e) { return e.tests.empty(); });
+  std::string page = fmt::format(
+      "# Errata of the sources {{#errata}}\n\n"
+      "{} entries. A test evaluates each printed form and its correction beside an oracle that uses neither, "
+      "such as a closed form or another program in more digits; it fails if the printed form comes closer "
+      "than ten times the tolerance, or the correction does not come within it. Both distances stand here, "
+      "relative to the oracle or to the scale that the test names. The {} without numbers are slips of "
+      "wording "
+      "with nothing to compute. The sources at hand are scanned text: where scanning may have made the "
+      "misprint, the entry says so. Written by `make check` from `tables/errata`.\n",
+      errata.size(), wording);
+  for (const auto& [source, entries] : by_source)
+    page += fmt::format("\n## {}\n\n{}", source, table_of(entries, true).markdown());
+  return page;
+}
+
+std::string errata_table(const std::vector<Erratum>& errata, const std::string& chapter) {
+  std::vector<const Erratum*> entries;
+  for (const Erratum& e : errata) {
+    if (e.chapter == chapter) entries.push_back(&e);
+  }
+  return table_of(entries, false).markdown();
+}
+
+}  // namespace nlmech::scene

@@ -1,0 +1,37 @@
+/// @file
+/// Misprints of the sources: one list a chapter, each entry with the test that proves it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nlmech::scene {
+
+/// A misprint. The columns of `tables/errata/<chapter>.csv`, which its README explains.
+struct Erratum {
+  std::string chapter;             ///< name of the file
+  std::string id;                  ///< "geodesy-2.45"; unique over all chapters
+  std::string source;              ///< "elgohary"
+  std::string place;               ///< "(2.45)"
+  std::string kind;                ///< "formula", "number", "claim", or "wording": nothing to compute
+  std::string printed;             ///< as printed, in the syntax of the pages
+  std::string correct;             ///< as it should be
+  std::string effect;              ///< what the printed form does; may be empty
+  std::string scan;                ///< may the scanning have done it? "no" or "perhaps"
+  std::vector<std::string> tests;  ///< "unit_frames:Errata.BeamColumn"; none for wording
+  std::string misses;              ///< how far the printed form is from the oracle, as the test says
+  std::string within;              ///< how close to it the test holds the corrected form
+};
+
+/// All entries of `<data>/tables/errata/*.csv`, files in alphabetical order.
+/// @throws InputError naming file, line and cell: an unknown kind, an id twice, an entry without its test
+[[nodiscard]] std::vector<Erratum> read_errata(const std::filesystem::path& data_folder);
+
+/// The page `ERRATA.md`: a section a source, chapters in the order of the list.
+[[nodiscard]] std::string errata_page(const std::vector<Erratum>& errata);
+
+/// The entries of one chapter as a table in Markdown, for its page.
+[[nodiscard]] std::string errata_table(const std::vector<Erratum>& errata, const std::string& chapter);
+
+}  // namespace nlmech::scene

@@ -1,0 +1,83 @@
+#include "nlmech/scene/completeness.hpp"
+
+#include <gtest/gtest.h>
+
+#include "nlmech/support/errors.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+using tests::put;
+using tests::TemporaryFolder;
+
+const std::string curve = "<svg><g id=\"gnuplot_plot_1\" ><path d='M0,0 L1,1'/></g></svg>";
+const std::string kept = R"({"quantities": [{"name": "a", "kept": true}]})";
+
+/// One figure and one table of a chapter that is built, one figure of a chapter that is not; all complete.
+class Completeness : public ::testing::Test {
+ protected:
+  Completeness() {
+    put(folder_ / "tables/places.csv",
+        "source,place,chapter,kind,subject\n"
+        "roy,fig-1,moon,figure,craters\n"
+        "roy,table-1,moon,table,tides\n"
+        "roy,claim-1,moon,claim,none of these\n"
+        "laier,fig-9,sun,figure,spots\n");
+    put(folder_ / "tables/published/roy.csv",
+        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n"
+        "table-1,r,q,1,1,value,,,context,,\n");
+    put(folder_ / "results/moon/fig-1.csv", "x,y\n0,0\n1,1\n");
+    put(folder_ / "results/moon/fig-1.json", kept);
+    put(folder_ / "figures/moon/fig-1.svg", curve);
+    put(folder_ / "tables/moon/table-1.csv", "x\n1\n");
+    put(folder_ / "results/moon/table-1.json", kept);
+  }
+  std::vector<Shown> shown() const { return collect_shown({"moon"}, folder_.path(), folder_.path()); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Completeness, CountsWhatIsThere) {
+  const auto all = shown();
+  ASSERT_EQ(all.size(), 3U) << "a claim is neither figure nor table";
+  EXPECT_EQ(all[0].numbers, 2U);
+  EXPECT_EQ(all[0].checked, 1U);
+  EXPECT_EQ(all[0].kept, 1U);
+  EXPECT_EQ(all[1].published, 1U);
+  EXPECT_FALSE(all[2].built);
+  for (const Shown& s : all) EXPECT_TRUE(s.complete()) << s.place.name;
+  const std::string page = completeness_page(all);
+  EXPECT_NE(page.find("| roy | 1 | 1 | 2 | 0 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| [fig-1](../figures/moon/fig-1.svg) | moon | craters | 2 | 1 | 0 | complete |"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("| [table-1](moon/table-1.md) |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| fig-9 | sun | spots | 0 | 0 | 0 | not built |"), std::string::npos) << page;
+}
+
+TEST_F(Completeness, SeesWhatIsMissing) {
+  const auto first_is_incomplete = [&] { return !shown()[0].complete(); };
+  put(folder_ / "figures/moon/fig-1.svg", "<svg><g id=\"gnuplot_plot_1\" ></g></svg>");
+  EXPECT_TRUE(first_is_incomplete()) << "axes without a curve";
+  put(folder_ / "figures/moon/fig-1.svg", "<svg></svg>");
+  EXPECT_TRUE(first_is_incomplete()) << "no plot at all";
+  put(folder_ / "figures/moon/fig-1.svg", curve);
+  EXPECT_FALSE(first_is_incomplete());
+  put(folder_ / "results/moon/fig-1.json", R"({"quantities": [{"kept": true}, {"kept": false}]})");
+  EXPECT_TRUE(first_is_incomplete()) << "a missed quantity";
+  put(folder_ / "results/moon/fig-1.json", R"({"quantities": []})");
+  EXPECT_TRUE(first_is_incomplete()) << "nothing checked";
+  put(folder_ / "results/moon/fig-1.json", kept);
+  put(folder_ / "results/moon/fig-1.csv", "x,y\n");
+  EXPECT_TRUE(first_is_incomplete()) << "no data";
+  EXPECT_NE(completeness_page(shown()).find("| INCOMPLETE |"), std::string::npos);
+}
+
+TEST_F(Completeness, RefusesABrokenRecord) {
+  put(folder_ / "results/moon/fig-1.json", "{");
+  EXPECT_THROW(static_cast<void>(shown()), InputError);
+}
+
+}  // namespace
+}  // namespace nlmech::scene
