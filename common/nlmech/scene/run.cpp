@@ -7,6 +7,11 @@
 
 namespace nlmech::scene {
 
+bool measure_times(const std::vector<const AnyRun*>& runs) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [](const AnyRun* run) { return run->timed() || measure_times(run->needs()); });
+}
+
 void Workshop::open(const std::string& scene, const std::vector<const AnyRun*>& needs) {
   desks_.assign(1, Desk{scene, needs});
   used_.clear();
