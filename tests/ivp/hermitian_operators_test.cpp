@@ -8,11 +8,33 @@
 #include <string>
 
 #include "nlmech/ivp/hermitian_operators.hpp"
+#include "tests/errata/erratum.hpp"
 
 namespace nlmech::ivp {
 namespace {
 
+using tests::expect_erratum;
+
 constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Motion at both ends of a step.
+struct Ends {
+  double q0, q1, v0, v1, a0, a1;
+};
+
+/// The motion t^2 from 1 to 1 + h.
+Ends parabola(double h) { return {1, (1 + h) * (1 + h), 2, 2 * (1 + h), 2, 2}; }
+
+/// The position at the end that an operator without jerks gives. Jerks of a parabola are 0 in any.
+double position_at_end(const HermitianOperator& op, const Ends& m, double h) {
+  return -(op.A * m.q0 + h * (op.C * m.v0 + op.D * m.v1) + h * h * (op.E * m.a0 + op.F * m.a1)) / op.B;
+}
+
+/// The velocity at the end. @param rate the factor of C and D: h
+double velocity_at_end(const HermitianOperator& op, const Ends& m, double h, double rate) {
+  return -(op.A * m.q0 + op.B * m.q1 + rate * op.C * m.v0 + h * h * (op.E * m.a0 + op.F * m.a1)) /
+         (rate * op.D);
+}
 
 // Laier and Argyris carry q of degree 4, respectively 5 in the first operator, and v of degree 4; the
 // others 2.
@@ -56,6 +78,16 @@ TEST(HermitianOperators, PrintedRowsOfNewmarkAndHoffAreInconsistent) {
   const HermitianOperator hoff_first = {0, 0, 1, -1, 1. / 2, -1. / 2, 0, 0};
   EXPECT_EQ(residual_on_power(hoff_first, 2), -2);  // y'' = 2
   EXPECT_EQ(residual_on_power(hoff.first, 2), 0);
+  // A step of 1 of uniform motion from 1 ends at 2, and one of t^2 at a velocity of 4.
+  const Ends uniform = {1, 2, 1, 1, 0, 0};
+  expect_erratum("hermitian-table-1-newmark", {.printed = position_at_end(newmark, uniform, 1),
+                                               .corrected = position_at_end(newmark_pair.second, uniform, 1),
+                                               .oracle = 2,
+                                               .tolerance = 4 * eps});
+  expect_erratum("hermitian-table-1-hoff", {.printed = velocity_at_end(hoff_first, parabola(1), 1, 1),
+                                            .corrected = velocity_at_end(hoff.first, parabola(1), 1, 1),
+                                            .oracle = 4,
+                                            .tolerance = 4 * eps});
   const auto refusal = [](const HermitianPair& pair) -> std::string {
     try {
       static_cast<void>(solved_for_end(pair));
@@ -88,6 +120,24 @@ TEST(HermitianOperators, SignsOfEquationOneAsPrinted) {
   EXPECT_EQ(degree(laier.first), 4);
   EXPECT_EQ(degree(argyris.first), 5);
   EXPECT_EQ(degree(bazzi.first), 2);
+  for (const HermitianOperator& op : {laier.first, argyris.first, bazzi.first}) {
+    expect_erratum("hermitian-1-signs", {.printed = position_at_end(literal(op), parabola(1), 1),
+                                         .corrected = position_at_end(op, parabola(1), 1),
+                                         .oracle = 4,
+                                         .tolerance = 4 * eps});
+  }
+}
+
+// Equation (1), second line: without h at C1 and D1 the velocity at the end depends on the unit of time.
+TEST(HermitianOperators, RatesOfTheSecondLineNeedTheStep) {
+  for (const double h : {0.1, 100.}) {
+    for (const HermitianOperator& op : {laier.second, argyris.second}) {
+      expect_erratum("hermitian-1-step", {.printed = velocity_at_end(op, parabola(h), h, 1),
+                                          .corrected = velocity_at_end(op, parabola(h), h, h),
+                                          .oracle = 2 * (1 + h),
+                                          .tolerance = 4 * eps});
+    }
+  }
 }
 
 TEST(HermitianOperators, AreFoundByName) {
