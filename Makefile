@@ -8,7 +8,10 @@ BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
 SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_WARNINGS_ARE_ERRORS,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
+INPUTS = $(CHAPTERS:%=$(BUILD)/inputs/%)
 DRAWN = $(CHAPTERS:%=figures/%/.complete)
+# All chapters at once: what measures times waits until it has the machine for itself.
+AT_ONCE = $(MAKE) --no-print-directory -j
 
 .PHONY: help deps configure build programs figures tables test check bench book clean
 help:
@@ -39,19 +42,32 @@ programs: configure
 	@cmake --build $(BUILD) --target programs
 
 figures: programs
-	@$(MAKE) --no-print-directory draw
+	@$(AT_ONCE) draw
 
 # The second call of make knows the chapters that the configuration selected.
 .PHONY: draw
 draw: $(DRAWN)
 	@echo "figures/<chapter>/*.svg, tables/<chapter>/*.md, results/<chapter>/*.csv are up to date"
 
-figures/%/.complete: $(BUILD)/bin/% figures/style.gp $(wildcard figures/templates/*.gp)
-	@$< run --all --out $(OUT)
+# What a chapter's figures and verdicts come from, as a digest that is written only if it changes: a program that was
+# linked anew to the same bytes is not run again.
+.SECONDEXPANSION:
+$(INPUTS): $(BUILD)/inputs/%: $(BUILD)/bin/% figures/style.gp figures/templates/error-vs-time.gp \
+                              $$(wildcard figures/templates/$$*-*.gp tables/published/*.csv)
+	@mkdir -p $(@D)
+	@cat $^ | sha256sum | cmp -s - $@ || cat $^ | sha256sum > $@
+
+figures/%/.complete: $(BUILD)/inputs/%
+	@$(BUILD)/bin/$* run --all --out $(OUT)
 	@touch $@
 
 tables: programs
-	@for c in $$(cat $(BUILD)/chapters.txt); do $(BUILD)/bin/$$c run --all --no-plots --out $(OUT) || exit 1; done
+	@$(AT_ONCE) all-numbers
+
+.PHONY: all-numbers
+all-numbers: $(CHAPTERS:%=numbers-%)
+numbers-%:
+	@$(BUILD)/bin/$* run --all --no-plots --out $(OUT)
 
 chapter-%: programs
 	@$(BUILD)/bin/$* check --draw --out $(OUT)
@@ -64,7 +80,7 @@ test: build
 # checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
 # nothing to do.
 check: programs
-	@missed=0; $(MAKE) --no-print-directory -k check-chapters || missed=1; \
+	@missed=0; $(AT_ONCE) -k check-chapters || missed=1; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
 	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || missed=1; \
 	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || missed=1; \
@@ -72,8 +88,8 @@ check: programs
 
 .PHONY: check-chapters
 check-chapters: $(CHAPTERS:%=results/%/.kept)
-results/%/.kept: $(BUILD)/bin/% $(wildcard tables/published/*.csv)
-	@$< check --draw --out $(OUT) > /dev/null
+results/%/.kept: $(BUILD)/inputs/%
+	@$(BUILD)/bin/$* check --draw --out $(OUT) > /dev/null
 	@touch figures/$*/.complete
 	@mkdir -p $(@D) && touch $@
 

@@ -59,7 +59,7 @@ scene::Showing show(const Measured& m, const std::string& heading) {
 
 template <int n>
 void add_scene(scene::Chapter& chapter, const comparison::Example<n>& (*example)(), const Subject& subject) {
-  const auto& run = chapter.add_run<Measured>(
+  const auto& run = chapter.add_timed_run<Measured>(
       "times-" + subject.problem,
       "default settings over one sweep of tolerances; error: median over 16 ends of steps in the last tenth; "
       "one thread, median of repeats",

@@ -89,14 +89,14 @@ struct Subject {
 
 template <class Problem>
 void add_scene(scene::Chapter& chapter, const Problem& problem, double end, const Subject& subject) {
-  const auto& run = chapter.add_run<Measured>("times-" + subject.name,
-                                              "default settings over one sweep of tolerances, fixed steps "
-                                              "over one of steps; error: median over 16 ends of "
-                                              "steps in the last tenth; one thread, median of repeats",
-                                              {}, [problem, end, subject](Workshop& w) {
-                                                return measure(example(problem, end), subject.scale,
-                                                               subject.change, w.quick());
-                                              });
+  const auto& run = chapter.add_timed_run<Measured>(
+      "times-" + subject.name,
+      "default settings over one sweep of tolerances, fixed steps "
+      "over one of steps; error: median over 16 ends of "
+      "steps in the last tenth; one thread, median of repeats",
+      {}, [problem, end, subject](Workshop& w) {
+        return measure(example(problem, end), subject.scale, subject.change, w.quick());
+      });
   chapter.add({.name = "error-vs-time-" + subject.name,
                .title = subject.heading,
                .place = "our own",

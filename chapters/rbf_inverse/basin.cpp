@@ -8,7 +8,6 @@
 #include "chapters/rbf_inverse/curves.hpp"
 #include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/collocation/nodes.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters {
 namespace {
@@ -81,7 +80,6 @@ struct Shares {
   int cheapest = 0;  ///< of the good ones, how many to the cheapest extremal that any method found
   int distinct = 0;
   double lowest = HUGE_VAL;
-  double seconds = 0;
   std::vector<std::pair<double, int>> costs;  ///< with hits
 };
 
@@ -92,7 +90,6 @@ Shares count(Solver solver, const bvp::DuffingSettings& settings, int guesses) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   std::vector<bvp::Start> starts;
   for (int k = 0; k < guesses; ++k) starts.push_back(guess(k, settings.final_time));
-  const Stopwatch watch;
   const bvp::Multistart all =
       multistart(problem, starts, [&](const bvp::Start& start) { return solve_one(solver, problem, start); },
                  {.distinct = 1e-2});
@@ -101,7 +98,6 @@ Shares count(Solver solver, const bvp::DuffingSettings& settings, int guesses) {
   shares.good = all.good;
   shares.spurious = all.spurious;
   shares.failed = all.failed;
-  shares.seconds = watch.seconds();
   shares.distinct = static_cast<int>(all.found.size());
   for (const bvp::Found& f : all.found) {
     shares.lowest = std::min(shares.lowest, f.extremal.cost);

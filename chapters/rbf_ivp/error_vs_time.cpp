@@ -54,7 +54,7 @@ scene::Showing show(const Measured& measured, const Subject& subject) {
 template <int n>
 void add_scene(scene::Chapter& chapter, const Subject& subject, const Case<n>& (*problem)(),
                const StepScales& scales) {
-  const auto& run = chapter.add_run<Measured>(
+  const auto& run = chapter.add_timed_run<Measured>(
       "times-" + subject.problem,
       "default settings over one sweep of tolerances; steps of fixed-step methods by hand, beginning with "
       "the "

@@ -41,7 +41,7 @@ scene::Showing show(const HeldBack& held) {
 }  // namespace
 
 void add_held_back(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<HeldBack>(
+  const auto& run = chapter.add_timed_run<HeldBack>(
       "times-held-back",
       "free Duffing oscillator with eta = 10 from x = 2 to t = 100; one sweep of tolerances for all; error: "
       "median over 16 ends of steps in the last tenth; one thread, median of repeats",

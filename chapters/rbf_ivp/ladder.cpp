@@ -143,7 +143,7 @@ scene::Showing show(const Ladders& ladders) {
 }  // namespace
 
 void add_ladder(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Ladders>(
+  const auto& run = chapter.add_timed_run<Ladders>(
       "times-ladder",
       "the cheapest of a few steps or of the tolerances 1e-4 to 1e-13 with nine digits, the most accurate "
       "one "

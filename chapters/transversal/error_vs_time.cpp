@@ -89,7 +89,7 @@ scene::Showing show(const Measured& m) {
 }  // namespace
 
 void add_transversal_error_vs_time(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Measured>(
+  const auto& run = chapter.add_timed_run<Measured>(
       "times",
       "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, default settings over one sweep of "
       "tolerances; "

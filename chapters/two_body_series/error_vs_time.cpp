@@ -165,7 +165,7 @@ scene::Showing show(const Measured& m, const Subject& subject) {
 }
 
 void add_scene(scene::Chapter& chapter, const Subject& subject) {
-  const auto& run = chapter.add_run<Measured>(
+  const auto& run = chapter.add_timed_run<Measured>(
       "times-" + subject.name,
       "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default settings, fixed "
       "steps by hand; error: |dr|/a, median over 16 ends of steps in the last tenth, against Kepler's "

@@ -112,6 +112,20 @@ TEST_F(ScenesOnDisk, KeepNoOldPictureBesideNewData) {
   EXPECT_FALSE(written().contains("figures/fixture/fig-1.svg"));
 }
 
+TEST_F(ScenesOnDisk, AreNotDrawnAgainFromTheSame) {
+  const TemporaryFolder data;
+  fs::copy(data_, data.path(), fs::copy_options::recursive);
+  data_ = data.path();
+  const std::vector<std::string> without_gnuplot = {"PATH=" + folder_.string()};
+  const auto drawn_again = [&] { return fixture({"run", "fig-1"}, without_gnuplot).exit_code != 0; };
+  for (const std::string changed : {"figures/style.gp", "figures/templates/fixture-line.gp"}) {
+    EXPECT_EQ(fixture({"run", "fig-1"}).exit_code, 0);
+    EXPECT_FALSE(drawn_again());
+    put(data / changed, bytes_of(data / changed) + "# a remark\n");
+    EXPECT_TRUE(drawn_again()) << changed;
+  }
+}
+
 TEST_F(ScenesOnDisk, KeepTheSvgWhenThePngFails) {
   const TemporaryFolder data;
   fs::copy(data_, data.path(), fs::copy_options::recursive);

@@ -114,33 +114,52 @@ bool ChapterCheck::kept() const {
 namespace {
 
 /// A scene that fails, or cannot be drawn, leaves one quantity that no number keeps.
-void check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop, bool quick,
-                 const std::optional<Publishing>& how, std::vector<CheckedQuantity>& quantities) {
+std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop,
+                                         const std::optional<Publishing>& how) {
+  std::vector<CheckedQuantity> quantities;
   try {
     const Performance performance = perform(scene, workshop);
     for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});
-    if (how) publish(chapter, scene, performance, quick, *how);
+    if (how) publish(chapter, scene, performance, workshop.quick(), *how);
   } catch (const Failure& failure) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     quantities.push_back({scene.name, {"the scene itself", "1", none, none, none, failure.what()}});
   }
+  return quantities;
+}
+
+bool measures_times(const PublishedValue& value, const Chapter& chapter) {
+  const Measurement* m = find(chapter, value.name());
+  return m != nullptr && measure_times(m->needs);
 }
 
 }  // namespace
 
+// What wants the machine for itself comes last: until then it is shared with the checks of other chapters.
 ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick,
                    const std::optional<Publishing>& how) {
   const std::vector<Place> places = read_places(data_folder);
+  std::vector<PublishedValue> values = read_published(data_folder);
+  std::erase_if(values, [&](const PublishedValue& v) { return owner(v, places) != chapter.name(); });
+  const std::vector<Scene>& scenes = chapter.scenes();
+
   Workshop workshop(quick);
   ChapterCheck result;
-  for (const PublishedValue& value : read_published(data_folder)) {
-    if (owner(value, places) == chapter.name())
-      result.values.push_back(check_value(value, chapter, workshop));
+  result.values.resize(values.size());
+  std::vector<std::vector<CheckedQuantity>> quantities(scenes.size());
+  for (const bool timed : {false, true}) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (measures_times(values[i], chapter) == timed)
+        result.values[i] = check_value(values[i], chapter, workshop);
+    }
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (measure_times(scenes[i].needs) == timed)
+        quantities[i] = check_scene(chapter, scenes[i], workshop, how);
+    }
   }
   refuse_orphans(chapter, result.values);
-  for (const Scene& scene : chapter.scenes()) {
-    check_scene(chapter, scene, workshop, quick, how, result.quantities);
-  }
+  for (const auto& of_scene : quantities)
+    result.quantities.insert(result.quantities.end(), of_scene.begin(), of_scene.end());
   return result;
 }
 

@@ -51,6 +51,9 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options)
     const Scene& scene = chapter.scene(name);
     if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
   }
+  // Those that want the machine for themselves come last: until then it is shared with other chapters.
+  std::stable_partition(scenes.begin(), scenes.end(),
+                        [](const Scene* s) { return !measure_times(s->needs); });
   return scenes;
 }
 

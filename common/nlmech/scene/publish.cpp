@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string_view>
+
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/provenance.hpp"
@@ -12,15 +15,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What a picture was drawn from, as a last line of the SVG: style, template, variables and data in one
+/// number (Fowler, Noll and Vo's hash, FNV-1a, of 64 bits).
+std::string drawn_from(const fs::path& templates, const Figure& figure) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&hash](std::string_view text) {
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    hash = (hash ^ 0xff) * 0x100000001b3;  // no byte of UTF-8: the texts do not run into each other
+  };
+  add(read_whole(templates / "style.gp"));
+  const fs::path drawing = templates / "templates" / (figure.template_name + ".gp");
+  if (fs::exists(drawing)) add(read_whole(drawing));  // if not, draw() says so
+  for (const auto& [name, value] : figure.variables) {
+    add(name);
+    add(value);
+  }
+  add(figure.data.csv());
+  return fmt::format("<!-- drawn from {:016x} -->\n", hash);
+}
+
+bool ends_with(const fs::path& file, const std::string& text) {
+  return fs::is_regular_file(file) && read_whole(file).ends_with(text);
+}
+
+/// An SVG that was drawn from the same is left as it is.
 void draw_figure(const std::string& chapter, const std::string& scene, const Figure& figure,
                  const Publishing& how) {
   const std::string data = fmt::format("results/{}/{}.csv", chapter, scene);
+  const fs::path templates = data_folder() / "figures";
+  const std::string origin = drawn_from(templates, figure);
   const auto draw_as = [&](PictureFormat format) {
-    const std::string name = scene + (format == PictureFormat::svg ? ".svg" : ".png");
+    const bool svg = format == PictureFormat::svg;
+    const std::string name = scene + (svg ? ".svg" : ".png");
     const fs::path picture = how.out / "figures" / chapter / name;
+    if (svg && ends_with(picture, origin)) return;
     try {
-      write_whole(picture, draw(data_folder() / "figures", figure.template_name, how.out, data,
-                                figure.variables, format));
+      write_whole(picture, draw(templates, figure.template_name, how.out, data, figure.variables, format) +
+                               (svg ? origin : ""));
     } catch (const Failure& failure) {
       std::error_code ignored;
       fs::remove(picture, ignored);  // a drawing of older data beside new data would mislead
