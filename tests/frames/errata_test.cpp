@@ -2,12 +2,14 @@
 /// Pi(d, N) by dual numbers, and against the textbook's stability functions.
 #include <gtest/gtest.h>
 
+#include "tests/errata/erratum.hpp"
 #include "tests/frames/oracle.hpp"
 
 namespace nlmech::frames {
 namespace {
 
 using namespace oracle;
+using tests::expect_erratum;
 using D = Dual<double, 7>;
 using DD = Dual<D, 7>;
 
@@ -61,8 +63,13 @@ TEST(Errata, MomentsAreMadeDimensionlessByTheLength) {  // 2.26
   d[2] = d[5] = 1e-6;
   const Vector<double, 6> f = member_force(member_state<double>(member, d));
   const double moments = f[2] + f[5];
-  EXPECT_NEAR(moments * length / ei / 1e-6, 12, 1e-9);
-  EXPECT_GT(std::abs(moments / ei / 1e-6 - 12), 1);  // without l
+  const double inertia = 1;  // I; E is then 2
+  const Textbook<double> t = {4, 2};
+  // The second order of the angle is 1e-12, over it 1e-6 of the stretch's eps: 1e-10.
+  expect_erratum("homotopy-2.26", {.printed = moments * inertia / ei / 1e-6,
+                                   .corrected = moments * length / ei / 1e-6,
+                                   .oracle = 2 * (t.s + t.sc),
+                                   .tolerance = 1e-10});
 }
 
 TEST(Errata, FlexibilityInTension) {  // 2.29
@@ -71,6 +78,11 @@ TEST(Errata, FlexibilityInTension) {  // 2.29
   EXPECT_NEAR(-1 / n + coth / (2 * root), truth, 4 * eps);
   EXPECT_NEAR(-1 / n - coth / (2 * root), -0.47712, 5e-6);
   EXPECT_NEAR(truth, 0.0771238508, 5e-11);
+  // Rounding of 1/n and of the quotient, each three times the difference.
+  expect_erratum("homotopy-2.29", {.printed = -1 / n - coth / (2 * root),
+                                   .corrected = -1 / n + coth / (2 * root),
+                                   .oracle = truth,
+                                   .tolerance = 32 * eps});
 }
 
 TEST(Errata, ForceOffTheBalance) {  // 2.33
@@ -88,6 +100,12 @@ TEST(Errata, ForceOffTheBalance) {  // 2.33
       EXPECT_NEAR(before / correct, 100, 10);  // second order
     }
     before = correct;
+    // The gradient at the balance; what is left is of second order in the distance from it.
+    expect_erratum("homotopy-2.33", {.printed = b[4] - a[4] / e.second(6, 6),
+                                     .corrected = b[4] - e.first[6] / e.second(6, 6) * a[4],
+                                     .oracle = exact_at(bent(), force).first[4],
+                                     .tolerance = off * off,
+                                     .scale = 1});
   }
 }
 
@@ -107,6 +125,15 @@ TEST(Errata, BlocksOfDisplacements) {  // 2.34
   EXPECT_NEAR(ww, e.second(3, 3), 1e-12);
   EXPECT_NEAR(uu, e.second(4, 4), 1e-12);
   EXPECT_GT(std::abs(ww - e.second(4, 4)), 0.1);  // the block (u, u) with derivatives by w
+  // Rounding of a dozen products of numbers up to 50.
+  expect_erratum("homotopy-2.34-wu", {.printed = curved,
+                                      .corrected = curved + ei / length * g * aw * au,
+                                      .oracle = e.second(3, 4),
+                                      .tolerance = 1e-12});
+  expect_erratum("homotopy-2.34-uu", {.printed = block(q * q / chord, -2 * c * q / (chord * chord), au),
+                                      .corrected = uu,
+                                      .oracle = e.second(4, 4),
+                                      .tolerance = 1e-12});
 }
 
 TEST(Errata, CouplingOfForceAndDisplacements) {  // 2.35
@@ -120,6 +147,16 @@ TEST(Errata, CouplingOfForceAndDisplacements) {  // 2.35
   EXPECT_NEAR(length / 2 * (a - b), e.second(6, 5), 1e-13);
   EXPECT_GT(std::abs(w + a * aw - e.second(6, 3)), 1e-3);
   EXPECT_GT(std::abs((a + b) / 2 - e.second(6, 2)), 1e-2);
+  const auto row = [&](double printed, double corrected, int i) {
+    expect_erratum("homotopy-2.35", {.printed = printed,
+                                     .corrected = corrected,
+                                     .oracle = e.second(6, i),
+                                     .tolerance = 1e-13,
+                                     .scale = 1});
+  };
+  row(w + a * aw, w + length * a * aw, 3);
+  row((a + b) / 2, length / 2 * (a + b), 2);
+  row((a - b) / 2, length / 2 * (a - b), 5);
   // So the tangent as printed is no derivative, and the consistent one is.
   const Vector<double, 6> column = e.second.col(6).head<6>();
   const Matrix<double, 6> k = e.second.topLeftCorner<6, 6>() - column * column.transpose() / e.second(6, 6);
@@ -133,6 +170,11 @@ TEST(Errata, MomentOfTheSecondEnd) {  // 2.37, row 6
   EXPECT_NEAR(e.first[6], 0, 1e-14);  // 2.38: balanced
   EXPECT_NEAR((s.moment_a - s.moment_s) / 2, e.first[5], 1e-13);
   EXPECT_GT(std::abs((s.moment_s - s.moment_a) / 2 - e.first[5]), 0.1);
+  expect_erratum("homotopy-2.37", {.printed = (s.moment_s - s.moment_a) / 2,
+                                   .corrected = (s.moment_a - s.moment_s) / 2,
+                                   .oracle = e.first[5],
+                                   .tolerance = 1e-13,
+                                   .scale = 1});
   EXPECT_LT((member_force(s) - e.first.head<6>()).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_NEAR(member_energy(member, s), e.pi, 1e-13);
 }

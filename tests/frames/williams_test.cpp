@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/errata/erratum.hpp"
 #include "tests/frames/oracle.hpp"
 
 namespace nlmech::frames {
 namespace {
 
 using namespace oracle;
+using tests::expect_erratum;
 
 /// d_5 by the chain of Eq. 2.20; negative rho is tension.
 Real chain(const Real& rho) {
@@ -31,6 +33,12 @@ TEST(Williams, TheChainIsTheStabilityFunctions) {
   const Real printed = pi_squared * w.ei / (w.length * w.length);
   EXPECT_NEAR(static_cast<double>(printed), 546.4, 0.05);
   EXPECT_NEAR(static_cast<double>(chain(printed)), -864, 0.5);
+  const Real n = -Real(w.compression(0.2)) * w.length * w.length / w.ei;  // Euler's load is at -pi^2
+  const Textbook<Real> t = textbook(n);
+  expect_erratum("homotopy-2.20", {.printed = static_cast<double>(chain(printed)),
+                                   .corrected = static_cast<double>(chain(-n / pi_squared)),
+                                   .oracle = static_cast<double>(Real((2 * (t.s + t.sc) + n) / 6)),
+                                   .tolerance = eps});
 }
 
 TEST(Williams, SubstitutionGivesMinus) {  // 2.21
@@ -43,6 +51,21 @@ TEST(Williams, SubstitutionGivesMinus) {  // 2.21
     const double linear = (6 * w.ei * d5 / (l * l * l) + w.ea * sine * sine / l) * delta;
     EXPECT_NEAR(linear - square, w.load(delta) / 2, 1e-12);
     EXPECT_GT(std::abs(linear + square - w.load(delta) / 2), 3);
+    // Eqs 2.17 to 2.19 in 50 digits, d_5 by the chain: W/2 = F + P sin(beta).
+    const Real wide = Real(w.ea) / l * (Real(delta) * w.height / l - 3 * Real(delta) * delta / (5 * Real(l)));
+    const Real rho = wide * l * l / (w.ei * FourPiSquared<Real>{}.high / 4);
+    const auto half =
+        static_cast<double>(Real(6 * w.ei * chain(rho) * delta / (Real(l) * l * l) + wide * w.height / l));
+    const double beta = std::asin(sine), literal = w.ea * (std::sin(beta * beta) - sine * sine) / l * delta;
+    // Terms up to ten times their sum, each rounded a few times.
+    const double tolerance = 128 * eps;
+    expect_erratum(
+        "homotopy-2.21-sign",
+        {.printed = linear + square, .corrected = linear - square, .oracle = half, .tolerance = tolerance});
+    expect_erratum("homotopy-2.21-square", {.printed = linear + literal - square,
+                                            .corrected = linear - square,
+                                            .oracle = half,
+                                            .tolerance = tolerance});
   }
 }
 

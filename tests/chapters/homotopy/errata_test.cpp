@@ -4,12 +4,18 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <string_view>
 #include <vector>
 
 #include "chapters/homotopy/iterations.hpp"
+#include "tests/chapters/homotopy/toggle_oracle.hpp"
+#include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters {
 namespace {
+
+using tests::expect_erratum;
 
 /// A function with one simple root, at 1.5; convex, and not odd about it.
 double f(double x) { return std::exp(x) - std::exp(1.5); }
@@ -27,6 +33,20 @@ double flow(const std::function<double(double, double)>& v, double x, double end
   return x;
 }
 
+/// The deflection, inch, after at most 1000 iterations from rest with |F| to 1e-9 lb.
+double last_deflection(Model model, double height, double load, Iteration iteration) {
+  LoadedToggle toggle(model, height, load);
+  iteration.tolerance = 1e-9;
+  std::vector<Trace> trace;
+  const Count count = iterate(toggle, iteration, &trace);
+  EXPECT_EQ(trace.size(), static_cast<std::size_t>(count.iterations) + 1);
+  return trace.back().deflection;
+}
+
+/// What a residual of 1e-9 lb leaves of a deflection, relative: over half a stiffness of 6 lb/in at least, of
+/// 0.26 in at least.
+constexpr double residual_allows = 1e-9;
+
 // Eqs 2.12 and 2.13 print a sum of squares: it vanishes only where both do, so h = 0 is no path. Along 2.16
 // the difference stays zero.
 TEST(Errata, HomotopyFunctionsAreDifferences) {
@@ -37,6 +57,11 @@ TEST(Errata, HomotopyFunctionsAreDifferences) {
     const double difference = f(x) * f(x) / 2 - f0 * f0 / (2 * q), sum = f(x) * f(x) / 2 + f0 * f0 / (2 * q);
     EXPECT_LT(std::abs(difference), 1e-8 * scale) << t;  // Runge and Kutta's error, relative to F
     EXPECT_NEAR(sum, scale, 1e-8 * scale) << t;
+    expect_erratum("homotopy-2.13", {.printed = sum,
+                                     .corrected = difference,
+                                     .oracle = 0,  // the path is where h = 0
+                                     .tolerance = 1e-8,
+                                     .scale = scale});
   }
 }
 
@@ -57,12 +82,29 @@ TEST(Errata, FixedPointFlowHasAMinus) {
     const double x = flow(v, low, 4);
     return std::exp(4.0) * f(x) * f(x) / ((x - x0) * (x - x0));
   };
-  EXPECT_NEAR(ratio(-1), 1, 1e-7);
-  EXPECT_GT(std::abs(ratio(1) - 1), 0.05);
+  const double plus = ratio(1), minus = ratio(-1);
+  EXPECT_NEAR(minus, 1, 1e-7);
+  EXPECT_GT(std::abs(plus - 1), 0.05);
+  expect_erratum("homotopy-2.15", {.printed = plus, .corrected = minus, .oracle = 1, .tolerance = 1e-7});
+  // h_f over |x - x(0)|^2/(2 Q) on that path, where it is zero: 2.12 with its two signs.
+  expect_erratum("homotopy-2.12",
+                 {.printed = minus + 1, .corrected = minus - 1, .oracle = 0, .tolerance = 1e-7});
 }
 
 // Started at x(0) = x(0), as the text does, h_f = |F|^2/2 is not zero for either sign.
-TEST(Errata, FixedPointPathDoesNotStartOnZero) { EXPECT_GT(f(0.3) * f(0.3) / 2, 1); }
+TEST(Errata, FixedPointPathDoesNotStartOnZero) {
+  const double x0 = 0.3, q = 1;  // Q(0) = e^0
+  const auto h = [&](double x, double sign) {
+    return f(x) * f(x) / 2 + sign * (x - x0) * (x - x0) / (2 * q);
+  };
+  EXPECT_EQ(h(x0, 1), h(x0, -1));
+  using oracle::Real;
+  const Real root = Real(3) / 2, wide = exp(Real(x0)) - exp(root);
+  expect_erratum("homotopy-text-2.12", {.printed = 0,
+                                        .corrected = h(x0, -1),
+                                        .oracle = static_cast<double>(Real(wide * wide / 2)),
+                                        .tolerance = 8 * std::numeric_limits<double>::epsilon()});
+}
 
 // "The Scalar Newton Homotopy Method in Eq. (2.16) only works for a system of NAEs": with one unknown it is
 // Newton's method with shortened steps, and so is 2.15 but for a term that dies out.
@@ -71,12 +113,36 @@ TEST(Claims, NewtonHomotopySolvesTheScalarEquation) {
   const Count count = iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = example_step});
   EXPECT_TRUE(count.converged);
   EXPECT_NEAR(count.iterations, 30, 2);
+  // A method that does not work on one equation stays where it starts, at 0.
+  expect_erratum("homotopy-2.3.1-scalar",
+                 {.printed = 0,
+                  .corrected = last_deflection(Model::williams, 0.32, low_load,
+                                               {.scheme = Scheme::newton_homotopy, .step = example_step}),
+                  .oracle = oracle::deflection_under(oracle::williams_load, 0.32, low_load),
+                  .tolerance = residual_allows});
 }
 
 // "Newton's Method 1000 0.044" at 43.79 lb: with the derivative of Eq. 2.21 it converges from every start.
 TEST(Claims, NewtonConvergesAboveTheLimitLoad) {
+  expect_erratum("homotopy-table-2.3",
+                 {.printed = last_deflection(Model::williams_frozen, 0.44, near_load, {}),
+                  .corrected = last_deflection(Model::williams, 0.44, near_load, {}),
+                  .oracle = oracle::deflection_under(oracle::williams_load, 0.44, near_load),
+                  .tolerance = residual_allows});
   LoadedToggle toggle(Model::williams, 0.44, near_load);
   for (int i = 0; i <= 100; ++i) EXPECT_TRUE(iterate(toggle, {.start = 0.01 * i}).converged) << i;
+}
+
+// The same on elements, Tables 2.4 and 2.5: it converges, and with Eq. 2.35 as printed it does not.
+TEST(Claims, NewtonConvergesOnElements) {
+  const auto show = [](std::string_view id, double load) {
+    expect_erratum(id, {.printed = last_deflection(Model::element_printed, 0.44, load, {}),
+                        .corrected = last_deflection(Model::element, 0.44, load, {}),
+                        .oracle = oracle::deflection_under(oracle::element_load, 0.44, load),
+                        .tolerance = residual_allows});
+  };
+  show("homotopy-table-2.4", near_load);
+  show("homotopy-table-2.5", last_load);
 }
 
 // "Near the limit point": the loads are not on the curve's first branch at all.
@@ -88,6 +154,14 @@ TEST(Claims, PublishedLoadsAreAboveTheLimit) {
     EXPECT_LT(last_load, 1.04 * limit);
     EXPECT_EQ(deflections_under(*curve, near_load).size(), 1U);
     EXPECT_EQ(deflections_under(*curve, 0.99 * limit).size(), 3U);
+    // A load at a maximum is as good as its formula: the bisected place matters in the second order alone.
+    const double exact = oracle::limit_load(williams ? oracle::williams_load : oracle::element_load, 0.44);
+    const auto show = [&](std::string_view id, double load) {
+      expect_erratum(id, {.printed = load, .corrected = limit, .oracle = exact, .tolerance = 1e-13});
+    };
+    if (williams) show("homotopy-2.3.1-limit", near_load);
+    if (!williams) show("homotopy-2.3.3-limit", near_load);
+    if (!williams) show("homotopy-2.3.3-limit", last_load);
   }
 }
 
@@ -100,8 +174,14 @@ TEST(Errata, RigidityIsAForceTimesAnArea) {
   half.length *= 2;
   half.ei *= 4;
   EXPECT_NEAR(half.load(0.4), inch.load(0.2), 1e-12);
+  const double corrected = half.load(0.4);
   half.ei = inch.ei / 4;  // as of lb/in^2
   EXPECT_GT(std::abs(half.load(0.4) - inch.load(0.2)), 1);
+  // The load knows no unit of length. Terms ten times their sum, rounded a few times each.
+  expect_erratum("homotopy-table-2.1", {.printed = half.load(0.4),
+                                        .corrected = corrected,
+                                        .oracle = inch.load(0.2),
+                                        .tolerance = 128 * std::numeric_limits<double>::epsilon()});
 }
 
 }  // namespace

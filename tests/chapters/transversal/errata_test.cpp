@@ -9,9 +9,12 @@
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/ivp/mtl.hpp"
 #include "nlmech/problems/two_dof.hpp"
+#include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters {
 namespace {
+
+using tests::expect_erratum;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -47,6 +50,9 @@ TEST(Errata, BasisNeedsASumOfOneAndNoIntegralOfOne) {
     double velocity = 0;
     for (int k = 0; k <= p; ++k) velocity += weights.weight(p, k)(1, 0);
     EXPECT_NEAR(velocity, p * h, 40 * eps);
+    // The velocity of a mass of 1 under a force of 1 after the time p h is p h.
+    expect_erratum("transversal-basis",
+                   {.printed = printed, .corrected = velocity, .oracle = p * h, .tolerance = 64 * eps});
   }
 }
 
@@ -68,6 +74,9 @@ TEST(Errata, NonlinearTermsAreTakenAtTheirPoints) {
   }
   EXPECT_NEAR(closed, corrected, 50 * eps);
   EXPECT_GT(std::abs(closed - printed), 1e-2);
+  expect_erratum(
+      "transversal-3",
+      {.printed = printed, .corrected = closed, .oracle = corrected, .tolerance = 64 * eps, .scale = 1});
 }
 
 /// Two masses with Q^(j) for one j in both equations, as (4) literally reads; j = 1.
@@ -95,6 +104,11 @@ TEST(Errata, NonlinearTermsAreAVector) {
   ASSERT_TRUE(corrected.status.ok() && printed.status.ok());
   EXPECT_NEAR(corrected.x[0] + corrected.x[1], 0, 1e4 * eps);
   EXPECT_GT(std::abs(printed.x[0] + printed.x[1]), 1e-2);
+  // Mirror symmetry: the sum of the places is 0; a hundred steps round some ten times each.
+  expect_erratum("transversal-4", {.printed = printed.x[0] + printed.x[1],
+                                   .corrected = corrected.x[0] + corrected.x[1],
+                                   .oracle = 0,
+                                   .tolerance = 1e4 * eps});
 }
 
 // (5) is called 2 p equations: true of one degree of freedom; of n there are 2 p n, as many as the weights
@@ -110,7 +124,58 @@ TEST(Errata, EquationsAreTwoForEachPointAndDegreeOfFreedom) {
     for (int l = 1; l <= p; ++l) rows += weights.weight(l, 0).rows();
     EXPECT_EQ(rows, 2L * p * dof);
     EXPECT_EQ(rows == 2 * p, dof == 1);
+    if (dof == 1) continue;
+    // Unknowns that equations (5) determine: the rank of their matrix, for a spring to ground in Q as well.
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Identity(rows, rows);
+    for (int l = 1; l <= p; ++l) {
+      for (int k = 1; k <= p; ++k) {
+        const Eigen::MatrixXd w = weights.weight(l, k);
+        jacobian.block((l - 1) * 2L * dof, (k - 1) * 2L * dof, 2L * dof, dof) += w;
+      }
+    }
+    expect_erratum("transversal-5",
+                   {.printed = 2 * p,
+                    .corrected = 2.0 * p * dof,
+                    .oracle = static_cast<double>(Eigen::FullPivLU<Eigen::MatrixXd>(jacobian).rank()),
+                    .tolerance = eps});
   }
+}
+
+/// One block of p = 3 for x'' + x + x^3 = 0 from (x, v): weights by quadrature of Lagrange's polynomials with
+/// sin and cos, equations (5) by successive substitution.
+Eigen::Vector2d block_by_quadrature(double h, const Eigen::Vector2d& from) {
+  constexpr int p = 3;
+  double place[p + 1][p + 1] = {}, speed[p + 1][p + 1] = {};
+  for (int l = 1; l <= p; ++l) {
+    for (int k = 0; k <= p; ++k) {
+      place[l][k] = integral([&](double s) { return std::sin(l * h - s) * lagrange(p, k, s / h); }, 0, l * h);
+      speed[l][k] = integral([&](double s) { return std::cos(l * h - s) * lagrange(p, k, s / h); }, 0, l * h);
+    }
+  }
+  double x[p + 1] = {from[0], from[0], from[0], from[0]}, v = 0;
+  for (int turn = 0; turn < 60; ++turn) {  // contracts by (p h)^2 and more
+    for (int l = 1; l <= p; ++l) {
+      const double c = std::cos(l * h), s = std::sin(l * h);
+      double next = c * from[0] + s * from[1];
+      v = c * from[1] - s * from[0];
+      for (int k = 0; k <= p; ++k) {
+        next -= place[l][k] * x[k] * x[k] * x[k];
+        v -= speed[l][k] * x[k] * x[k] * x[k];
+      }
+      x[l] = next;
+    }
+  }
+  return {x[p], v};
+}
+
+/// Determinant of that block's derivative at (1, 0.3), less 1, by central differences.
+double area_lost(double h, double change) {
+  Eigen::Matrix2d map;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector2d d = change * Eigen::Vector2d::Unit(i), x(1, 0.3);
+    map.col(i) = (block_by_quadrature(h, x + d) - block_by_quadrature(h, x - d)) / (2 * change);
+  }
+  return map.determinant() - 1;
 }
 
 // "A Hamiltonian system remains Hamiltonian": then the map of a block would keep areas. For x'' + x it does,
@@ -131,6 +196,11 @@ TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
   };
   EXPECT_NEAR(determinant(0), 0, 100 * eps / 1e-4);
   EXPECT_GT(std::abs(determinant(1)), 1e-6);
+  // A Hamiltonian map has the determinant 1. The derivatives' error is Newton's tolerance over the change,
+  // 1e-8 at most; the determinant's distance from 1 is a hundred times that.
+  expect_erratum(
+      "transversal-hamiltonian",
+      {.printed = 0, .corrected = determinant(1), .oracle = area_lost(0.1, 1e-4), .tolerance = 0.02});
 }
 
 }  // namespace
