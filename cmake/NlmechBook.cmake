@@ -40,7 +40,7 @@ function(nlmech_add_book)
   # All that the scripts need to know, in a file, so that no list has to survive a command line.
   set(folder "${PROJECT_BINARY_DIR}/book")
   set(settings "# Written by nlmech_add_book().\n")
-  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}"
+  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "BUILD_DIR|${PROJECT_BINARY_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}"
                "VERSION|${PROJECT_VERSION}" "CHAPTERS|${book_CHAPTERS}")
     string(REPLACE "|" " [==[" pair "${pair}")
     string(APPEND settings "set(BOOK_${pair}]==])\n")

@@ -99,7 +99,39 @@ function open_chapters() {
   watch.observe(tree, { childList: true, subtree: true });
 }
 
+// On the map a box that is pointed at shows all that it stands on, down to the ground.
+function connect_map(map) {
+  const words = (element) => (element?.textContent ?? "").split(", ").filter(Boolean);
+  const common = words(map.querySelector(".common"));
+  const boxes = new Map([...map.querySelectorAll("li")].map((box) => [box.querySelector("a").textContent, box]));
+  const uses = (box) => {
+    const own = words(box.querySelector(".uses"));
+    return box.parentElement.classList.contains("chapter-floor") ? own.concat(common) : own;
+  };
+  const mark = (box) => {
+    if (!box || box.classList.contains("stands-under")) return;
+    box.classList.add("stands-under");
+    uses(box).forEach((name) => mark(boxes.get(name)));
+  };
+  const clear = () => {
+    map.classList.remove("pointed");
+    boxes.forEach((box) => box.classList.remove("stands-under"));
+  };
+  const point = (box) => {
+    clear();
+    map.classList.add("pointed");
+    mark(box);
+  };
+  boxes.forEach((box) => {
+    box.addEventListener("mouseenter", () => point(box));
+    box.addEventListener("focusin", () => point(box));
+    box.addEventListener("mouseleave", clear);
+    box.addEventListener("focusout", clear);
+  });
+}
+
 open_chapters();
+document.querySelectorAll(".map").forEach(connect_map);
 if (window.MathJax?.Hub) {
   MathJax.Hub.Queue(fit_formulas);
   window.addEventListener("resize", fit_formulas);

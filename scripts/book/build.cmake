@@ -33,16 +33,21 @@ file(REMOVE "${BOOK_FOLDER}/book.stamp")  # a failure must not pass for a finish
 file(REMOVE_RECURSE "${BOOK_FOLDER}/html" "${BOOK_FOLDER}/pages")
 file(MAKE_DIRECTORY "${BOOK_FOLDER}/html" "${BOOK_FOLDER}/pages")
 
-# 2. The pages. The start page comes last, because it shows the titles and first paragraphs of the others.
+# 2. The pages. Those of evidence come after the chapters, because they link to figures that these show; the start page
+# comes last, because it shows the titles and first paragraphs of the others.
 book_load_references("${BOOK_SOURCE_DIR}/docs/references.bib")
 book_reads("${BOOK_SOURCE_DIR}/docs/references.bib")
-set(page_labels
-    "docs/glossary.md|glossary" "docs/architecture.md|architecture" "tables/REPRODUCTION.md|reproduction"
-    "tables/BENCH.md|bench")
+set(page_labels "docs/glossary.md|glossary" "docs/architecture.md|architecture")
 foreach(chapter IN LISTS BOOK_CHAPTERS)
   list(APPEND page_labels "chapters/${chapter}/${chapter}.md|chapter_${chapter}")
 endforeach()
-list(APPEND page_labels "docs/index.md|mainpage")
+list(APPEND page_labels "tables/REPRODUCTION.md|reproduction" "tables/COMPLETENESS.md|completeness"
+     "tables/ERRATA.md|errata" "tables/BENCH.md|bench" "docs/index.md|mainpage")
+foreach(page COMPLETENESS ERRATA)
+  if(NOT EXISTS "${BOOK_SOURCE_DIR}/tables/${page}.md")
+    list(FILTER page_labels EXCLUDE REGEX "tables/${page}")
+  endif()
+endforeach()
 foreach(pair IN LISTS page_labels)
   string(REGEX REPLACE "[|].*$" "" source "${pair}")
   string(REGEX REPLACE "^.*[|]" "" label "${pair}")
@@ -69,6 +74,15 @@ endif()
 
 # 3. Doxygen. Paths in its warnings are those of the source tree.
 book_chapter_tabs(BOOK_CHAPTER_TABS)
+set(BOOK_EVIDENCE_TABS "")
+foreach(pair IN ITEMS "REPRODUCTION|reproduction|Reproduction" "COMPLETENESS|completeness|Completeness"
+                      "ERRATA|errata|Errata" "BENCH|bench|Speed")
+  string(REGEX MATCH "^(.*)[|](.*)[|](.*)$" pair "${pair}")
+  if(EXISTS "${BOOK_SOURCE_DIR}/tables/${CMAKE_MATCH_1}.md")
+    string(APPEND BOOK_EVIDENCE_TABS
+           "    <tab type=\"user\" url=\"@ref ${CMAKE_MATCH_2}\" title=\"${CMAKE_MATCH_3}\"/>\n")
+  endif()
+endforeach()
 configure_file("${BOOK_SOURCE_DIR}/docs/layout.xml" "${BOOK_FOLDER}/layout.xml" @ONLY)
 configure_file("${BOOK_SOURCE_DIR}/docs/Doxyfile.in" "${BOOK_FOLDER}/Doxyfile" @ONLY)
 execute_process(COMMAND "${DOXYGEN}" "${BOOK_FOLDER}/Doxyfile" WORKING_DIRECTORY "${BOOK_SOURCE_DIR}"
@@ -98,6 +112,18 @@ file(COPY "${BOOK_MATHJAX}/jax/output/SVG/fonts/TeX" DESTINATION "${mathjax}/jax
 file(COPY "${BOOK_MATHJAX}/extensions/TeX" DESTINATION "${mathjax}/extensions" REGEX "mhchem" EXCLUDE)
 foreach(extension tex2jax MathEvents AssistiveMML toMathML)
   file(COPY "${BOOK_MATHJAX}/extensions/${extension}.js" DESTINATION "${mathjax}/extensions")
+endforeach()
+
+# Pages without formulas, most of the API reference, need not wait for it.
+file(GLOB pages "${BOOK_FOLDER}/html/*.html")
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  string(FIND "${text}" "\\(" inline)
+  string(FIND "${text}" "\\[" display)
+  if(inline EQUAL -1 AND display EQUAL -1)
+    string(REGEX REPLACE "<script[^>]*src=\"mathjax/MathJax.js\"></script>\n" "" text "${text}")
+    file(WRITE "${page}" "${text}")
+  endif()
 endforeach()
 
 # 5. What the book was made from, for the next build.

@@ -9,12 +9,14 @@
 #   [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table
 #   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
 #                                                   tables, pages, headers; any other file is copied
-#   {{chapters}}, {{references}}  on a line of its own: the chapters; the works cited on this page
+#   {{chapters}}, {{map}}, {{references}}  on a line of its own: the chapters; the map of chapters and components; the
+#                                                   works cited on this page
 # Line numbers are kept, from the end of each paragraph at the latest, so that Doxygen's warnings point into the
 # source. Code, in fences or backticks, stays as it is.
 include_guard(GLOBAL)
 include("${CMAKE_CURRENT_LIST_DIR}/number.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/references.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/map.cmake")
 
 function(book_complain file line text)
   message("${file}:${line}: error: ${text}")
@@ -100,6 +102,7 @@ function(_book_figure variable page line caption path)
     return()
   endif()
   book_reads("${file}")
+  set_property(GLOBAL PROPERTY "shown|${path}" TRUE)
   configure_file("${file}" "${BOOK_FOLDER}/html/${path}" COPYONLY)
   _book_anchor(anchor "${path}")
   _book_plain_text(plain "${caption}")
@@ -117,6 +120,7 @@ function(_book_table variable page line caption path)
     return()
   endif()
   book_reads("${file}")
+  set_property(GLOBAL PROPERTY "shown|${path}" TRUE)
   _book_anchor(anchor "${path}")
   set(before "\\htmlonly[block]<div class=\"table-caption\">\\endhtmlonly")
   set(after "\\htmlonly[block]</div>\\endhtmlonly")
@@ -124,13 +128,15 @@ function(_book_table variable page line caption path)
 endfunction()
 
 # Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a
-# header's reference; any other file travels with the book.
+# header's reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes
+# after the chapters links to it.
 function(_book_target variable page path complaint_variable)
   _book_resolve(path file "${page}" "${path}")
   get_property(label GLOBAL PROPERTY "label|${path}")
+  get_property(shown GLOBAL PROPERTY "shown|${path}")
   if(label)
     set(target "@ref ${label}")
-  elseif(path MATCHES "^(figures|tables)/[^/]+/[^/]+\\.(svg|md)$")
+  elseif(path MATCHES "^(figures|tables)/[^/]+/[^/]+\\.(svg|md)$" AND (shown OR page MATCHES "^chapters/"))
     _book_anchor(anchor "${path}")
     set(target "#${anchor}")
   elseif(path MATCHES "^common/(nlmech/[a-z]+/[a-z_0-9]+\\.hpp)$" AND EXISTS "${file}")
@@ -210,20 +216,12 @@ function(_book_list_chapters variable)
   set(${variable} "<ul class=\"chapters\">${items}</ul>" PARENT_SCOPE)
 endfunction()
 
-# The same list for the sidebar, as tabs of Doxygen's layout file, with a short name: what stands before the
-# colon of a title "Geodesy: from ...", else the folder's name.
+# The same list for the sidebar, as tabs of Doxygen's layout file.
 function(book_chapter_tabs variable)
   set(tabs "")
   foreach(chapter IN LISTS BOOK_CHAPTERS)
-    get_property(title GLOBAL PROPERTY "title|chapters/${chapter}/${chapter}.md")
-    if(title MATCHES "^([^:]+):")
-      string(REPLACE "&" "&amp;" name "${CMAKE_MATCH_1}")
-    else()
-      string(SUBSTRING "${chapter}" 0 1 first)
-      string(SUBSTRING "${chapter}" 1 -1 name)
-      string(TOUPPER "${first}" first)
-      string(REPLACE "_" " " name "${first}${name}")
-    endif()
+    book_short_name(name ${chapter})
+    string(REPLACE "&" "&amp;" name "${name}")
     string(APPEND tabs "      <tab type=\"user\" url=\"@ref chapter_${chapter}\" title=\"${name}\"/>\n")
   endforeach()
   string(STRIP "${tabs}" tabs)
@@ -274,7 +272,7 @@ macro(_book_title_line)
   if(rest MATCHES "^[ \t]*\n" AND NOT label STREQUAL mainpage)
     string(APPEND page "${line}\n")
     _book_next_line()
-    if(label STREQUAL reproduction)  # its tables need the width that the list of sections would take
+    if(label MATCHES "^(reproduction|completeness|errata)$")  # tables that need the list of sections' width
       set(line "\\htmlonly[block]<style>html { --content-maxwidth: 1500px; }</style>\\endhtmlonly")
     else()
       set(line "\\tableofcontents")
@@ -287,6 +285,8 @@ function(_book_text_line variable page number before line)
   set(new "")
   if(line MATCHES "^{{chapters}}[ \t]*$")
     _book_list_chapters(new)
+  elseif(line MATCHES "^{{map}}[ \t]*$")
+    book_map(new)
   elseif(line MATCHES "^{{references}}[ \t]*$")
     set(new "@BOOK_WORKS_CITED@")
   elseif(line MATCHES "^!\\[(.*)\\]\\(([^() ]+)\\)[ \t]*$")

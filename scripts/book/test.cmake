@@ -3,6 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 set(BOOK_SOURCE_DIR "${WORK}/source")
 set(BOOK_OUT "${WORK}/out")
 set(BOOK_FOLDER "${WORK}/book")
+set(BOOK_BUILD_DIR "${WORK}/build")
 set(BOOK_CHAPTERS "")
 include("${CMAKE_CURRENT_LIST_DIR}/page.cmake")
 file(REMOVE_RECURSE "${WORK}")
@@ -108,6 +109,35 @@ if(NOT got MATCHES "alt=\"A &quot;c&quot; over two\"/></a><figcaption>.endhtmlon
    OR NOT EXISTS "${BOOK_FOLDER}/html/figures/geodesy/fig-2.27.svg")
   expect("figure" "${got}" "an image with its caption, and a copy of the file")
 endif()
+
+# --- Pages that come after the chapters: a figure that none of them shows travels with the book ----
+file(WRITE "${BOOK_OUT}/figures/geodesy/fig-9.svg" "<svg/>")
+file(WRITE "${BOOK_SOURCE_DIR}/tables/ERRATA.md"
+  "# E\n\n| [a](../figures/geodesy/fig-2.27.svg) | [b](../figures/geodesy/fig-9.svg) |\n")
+book_page(tables/ERRATA.md "${BOOK_FOLDER}/errata.md" errata)
+file(READ "${BOOK_FOLDER}/errata.md" got)
+if(NOT got MATCHES "\\[a\\]\\(#figures_geodesy_fig_2_27\\) . \\[b\\]\\(sources/figures/geodesy/fig-9.svg\\)"
+   OR NOT EXISTS "${BOOK_FOLDER}/html/sources/figures/geodesy/fig-9.svg")
+  expect("links to figures" "${got}" "one to the chapter's page, one to the file")
+endif()
+
+# --- The map: floors by what stands on what; what all chapters use is said once ---------------------
+file(WRITE "${BOOK_BUILD_DIR}/components.txt" "ground: \nhigh: low ground\nlow: ground\nlow: ground\n")
+file(WRITE "${BOOK_BUILD_DIR}/chapter_uses.txt" "one: ground high\ntwo_three: ground\n")
+file(WRITE "${BOOK_SOURCE_DIR}/docs/chapters.txt" "# names\none: First\n")
+file(WRITE "${BOOK_SOURCE_DIR}/common/nlmech/high/a.hpp" "namespace nlmech::high {\n}\n")
+set(BOOK_CHAPTERS one two_three)
+book_map(got)
+string(CONCAT map
+  "<div class=\"map\"><ul class=\"floor chapter-floor\">"
+  "<li>\\ref chapter_one \"First\" <span class=\"uses\">high</span></li>"
+  "<li>\\ref chapter_two_three \"Two three\" </li></ul>"
+  "<ul class=\"floor\"><li>\\ref nlmech::high \"high\" <span class=\"uses\">low, ground</span></li></ul>"
+  "<ul class=\"floor\"><li>\\ref common/nlmech/low \"low\" <span class=\"uses\">ground</span></li></ul>"
+  "<ul class=\"floor\"><li>\\ref common/nlmech/ground \"ground\" </li></ul>"
+  "<div class=\"note\">Each box names what it stands on. "
+  "Every chapter also stands on <span class=\"common\">ground</span>.</div></div>")
+expect("map" "${got}" "${map}")
 
 # --- What must be refused, with page and line -----------------------------------------------------
 set(json "results/geodesy/fig-2.27.json")

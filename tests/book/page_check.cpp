@@ -1,0 +1,197 @@
+#include "tests/book/page_check.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "tests/book/browser.hpp"
+
+namespace nlmech::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What the script found on a page.
+struct Page {
+  std::vector<std::string> links;
+  std::set<std::string> anchors;
+};
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot open " + file.string());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A path as part of an address, and back.
+std::string encoded(const std::string& path) {
+  std::ostringstream out;
+  for (const char c : path) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+        std::string_view("/._-~").find(c) != std::string::npos) {
+      out << c;
+    } else {
+      out << '%' << std::uppercase << std::hex << static_cast<int>(static_cast<unsigned char>(c)) << std::dec;
+    }
+  }
+  return out.str();
+}
+std::string decoded(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size()) {
+      out += static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> pages_under(const fs::path& folder) {
+  std::vector<std::string> pages;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string page = entry.path().lexically_relative(folder).string();
+    if (entry.path().extension() != ".html") continue;
+    if (page.starts_with("mathjax/") || page.starts_with("search/")) continue;
+    pages.push_back(page);
+  }
+  std::sort(pages.begin(), pages.end());
+  return pages;
+}
+
+/// A browser with one empty page, which shows one file after another.
+class Reader {
+ public:
+  Reader(const std::string& program, const Checking& how)
+      : how_(how), browser_(program), script_(read(NLMECH_SOURCE_DIR "/tests/book/probe.js")) {
+    const Deadline deadline = in_seconds(60);  // a cold start on a busy machine
+    const json target = browser_.call("Target.createTarget", {{"url", "about:blank"}}, "", deadline);
+    const json session = browser_.call("Target.attachToTarget",
+                                       {{"targetId", target["targetId"]}, {"flatten", true}}, "", deadline);
+    session_ = session["sessionId"].get<std::string>();
+    for (const char* domain : {"Page", "Runtime", "Log", "Network"})
+      browser_.call(std::string(domain) + ".enable", json::object(), session_, deadline);
+    browser_.call("Emulation.setDeviceMetricsOverride",
+                  {{"width", how.width}, {"height", 844}, {"deviceScaleFactor", 1}, {"mobile", false}},
+                  session_, deadline);
+  }
+
+  /// Shows a page and adds what is wrong with it. @throws BrowserLost
+  Page look(const fs::path& file, const std::string& name, std::set<Finding>& findings) {
+    const Deadline deadline = in_seconds(how_.seconds);
+    (void)browser_.take_events();
+    browser_.call("Page.navigate", {{"url", "file://" + encoded(file.string())}}, session_, deadline);
+    std::vector<json> events;
+    while (events.empty() || events.back()["method"] != "Page.loadEventFired")
+      events.push_back(browser_.next_event(deadline));
+    const json answer = browser_.call(
+        "Runtime.evaluate", {{"expression", script_}, {"awaitPromise", true}, {"returnByValue", true}},
+        session_, deadline);
+    for (json& event : browser_.take_events()) events.push_back(std::move(event));
+    for (const json& event : events) note(event, name, findings);
+    if (answer.contains("exceptionDetails")) {
+      findings.insert(
+          {name, "error", "the probe failed: " + answer["exceptionDetails"].dump().substr(0, 300)});
+      return {};
+    }
+    const json& found = answer["result"]["value"];
+    for (const json& image : found["images"]) findings.insert({name, "image", image.get<std::string>()});
+    for (const json& text : found["tex"]) findings.insert({name, "formula", text.get<std::string>()});
+    for (const json& text : found["wide"]) findings.insert({name, "width", text.get<std::string>()});
+    return {found["links"].get<std::vector<std::string>>(), found["anchors"].get<std::set<std::string>>()};
+  }
+
+ private:
+  static void note(const json& event, const std::string& page, std::set<Finding>& findings) {
+    const std::string method = event.value("method", "");
+    const json& p = event["params"];
+    if (method == "Runtime.exceptionThrown") {
+      const json& details = p["exceptionDetails"];
+      const std::string text = details.contains("exception")
+                                   ? details["exception"].value("description", details.value("text", ""))
+                                   : details.value("text", "");
+      findings.insert({page, "error", text.substr(0, text.find('\n'))});
+    } else if (method == "Runtime.consoleAPICalled" && (p["type"] == "error" || p["type"] == "assert")) {
+      std::string text = "console:";
+      for (const json& argument : p["args"])
+        text +=
+            " " + argument.value("description", argument.contains("value") ? argument["value"].dump() : "");
+      findings.insert({page, "error", text});
+    } else if (method == "Log.entryAdded" && p["entry"]["level"] == "error") {
+      findings.insert({page, "error", p["entry"].value("text", "") + " " + p["entry"].value("url", "")});
+    } else if (method == "Network.requestWillBeSent") {
+      const std::string url = p["request"].value("url", "");
+      const std::string scheme = url.substr(0, url.find(':'));
+      if (scheme != "file" && scheme != "data" && scheme != "blob" && scheme != "about")
+        findings.insert({page, "network", url});
+    }
+  }
+
+  Checking how_;
+  Browser browser_;
+  std::string session_, script_;
+};
+
+/// What is wrong with a link to `address`, if anything.
+std::optional<std::string> broken(const std::string& address, const fs::path& folder,
+                                  const std::map<std::string, Page>& pages) {
+  if (!address.starts_with("file://")) return std::nullopt;  // out of the book, or a script's
+  const std::size_t hash = address.find('#');
+  const std::string place = hash == std::string::npos ? "" : decoded(address.substr(hash + 1));
+  const std::string path = address.substr(7, std::min(hash, address.find('?')) - 7);
+  const fs::path file = fs::path(decoded(path)).lexically_normal();
+  const std::string name = file.lexically_relative(folder).string();
+  if (name.starts_with("..")) return "leads out of the book: " + file.string();
+  if (!fs::exists(file)) return "leads to no file: " + name;
+  if (fs::is_directory(file)) return "leads to a folder: " + name;
+  const auto page = pages.find(name);
+  if (place.empty() || place == "top" || page == pages.end()) return std::nullopt;
+  if (page->second.anchors.contains(place)) return std::nullopt;
+  return "leads to no place on its page: " + name + "#" + place;
+}
+
+}  // namespace
+
+Checked check_pages(const std::string& program, const fs::path& given, const Checking& how) {
+  const fs::path folder = fs::canonical(given);
+  Checked checked{pages_under(folder), {}};
+  std::map<std::string, Page> pages;
+  std::unique_ptr<Reader> reader;
+  for (const std::string& name : checked.pages) {
+    try {
+      if (!reader) reader = std::make_unique<Reader>(program, how);
+      pages[name] = reader->look(folder / name, name, checked.findings);
+    } catch (const BrowserLost& lost) {
+      if (!reader) throw;  // it does not start at all
+      checked.findings.insert({name, "time", lost.what()});
+      reader.reset();
+    }
+  }
+  for (const auto& [name, page] : pages) {
+    for (const std::string& link : page.links) {
+      if (const auto what = broken(link, folder, pages)) checked.findings.insert({name, "link", *what});
+    }
+  }
+  return checked;
+}
+
+std::string summary(const std::set<Finding>& findings) {
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> grouped;
+  for (const Finding& finding : findings) grouped[{finding.kind, finding.text}].push_back(finding.page);
+  std::ostringstream out;
+  for (const auto& [what, pages] : grouped) {
+    out << pages.front() << ": " << what.first << ": " << what.second;
+    if (pages.size() > 1) out << " (on " << pages.size() << " pages)";
+    out << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace nlmech::tests
