@@ -30,6 +30,10 @@ namespace nlmech::ivp {
 /// Dense output: the quartic of order 4 (Dormand, Prince, Runge-Kutta triples, Comput. Math. Appl. 12 A
 /// (1986) 1007-1017), continuously differentiable. Each step gives `refine` equally spaced values of it to
 /// observers.
+///
+/// Tests hold the coefficients to the order conditions of the pair and its dense output (some ten eps), the
+/// error of one step to h^6 at its end and h^5 inside (exponents within 0.3), and the errors of Table 4.2 to
+/// 1.175e-4 and 1.142e-6.
 struct Ode45 {
   static constexpr std::string_view name = "ode45";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1

@@ -37,6 +37,10 @@ namespace nlmech::ivp {
 /// Steps end on announced discontinuities. Dense output: the quintic of both ends with accelerations, of the
 /// method's order. Statistics::right_hand_sides counts a and j apart: two a Newton iteration, three a step
 /// more.
+///
+/// Tests hold every row to its order (observed within 0.15), runs there and back to 1e-11, the linear
+/// oscillator to no growth for h omega up to 1e6, chosen steps to 2000 tolerances, and van der Pol's leaps to
+/// a status wherever an end is wrong.
 struct Hermitian {
   static constexpr std::string_view name = "hermitian";  ///< the family; a run's messages name the operators
   HermitianPair operators = laier;                       ///< a row of hermitian_table, or another pair

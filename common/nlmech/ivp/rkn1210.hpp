@@ -31,6 +31,9 @@ namespace nlmech::ivp {
 /// `outside_validity`.
 ///
 /// Dense output of the same order: a shorter step.
+///
+/// Tests hold the 30 digits of the coefficients to the quadrature conditions of both orders, and the observed
+/// orders to 12 and 10 within 0.6.
 struct Rkn1210 {
   static constexpr std::string_view name = "rkn1210";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                    ///< rtol, from 0 to 0.1

@@ -36,6 +36,10 @@ namespace nlmech::ivp {
 ///
 /// Dense output: the series of the step, as accurate as its end. Statistics::right_hand_sides counts orders:
 /// N a step, each as much work as an evaluation with all its products replaced by sums.
+///
+/// Tests hold fixed steps to the order N (observed within 0.25); with chosen steps the error of a damped
+/// motion over ten units of time to 20 tolerances and 40 eps, and Lorenz's equations at t = 20 to 1e-8 of a
+/// computation in 70 digits.
 struct Series {
   static constexpr std::string_view name = "series";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                   ///< rtol of the last terms, from 1e-18 to 0.1

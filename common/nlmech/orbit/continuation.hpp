@@ -29,6 +29,8 @@ namespace nlmech::orbit {
 /// result: with a tolerance of 1e-17 the energy performs a random walk over ten thousand orbits and does not
 /// drift. What the default leaves out, 4.5 eps a step, is the same at every passage of an eccentric orbit and
 /// adds up after some hundred of them.
+///
+/// Tests hold the error to the condition of the orbit times (2 n tolerance + (8 + sqrt n) eps) after n steps.
 struct AnalyticContinuation {
   static constexpr std::string_view name = "analytic-continuation";  ///< on command lines and in tables
   double tolerance = 1e-15;  ///< of a step, relative to |r| and |v|; from 1e-18 to 0.1
