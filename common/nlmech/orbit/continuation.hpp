@@ -20,10 +20,9 @@ namespace nlmech::orbit {
 /// Every step takes the Taylor series of the position to the degree K and that of the velocity to K - 1. Its
 /// length makes the last term of the velocity `tolerance` times the larger of |v| and the circular speed
 /// sqrt(mu/r) (so that a body at rest has a step too), by the terms of both last degrees; the position's last
-/// term is K r/(v h) times smaller; nor may it be so long
-/// that terms cancel by more than the tolerance (circles). No step is ever rejected. Then K itself goes up or
-/// down by one where that promises a longer step for the same work; from 4 to 40 the sums are unrolled (see
-/// the page "Architecture").
+/// term is K r/(v h) times smaller; nor may it be so long that terms cancel by more than the tolerance
+/// (circles). No step is ever rejected. Then K itself goes up or down by one where that promises a longer
+/// step for the same work; from 4 to 40 the sums are unrolled (see the page "Architecture").
 ///
 /// Time and state are carried with compensation, and quotients by integers are exact to rounding of the
 /// result: with a tolerance of 1e-17 the energy performs a random walk over ten thousand orbits and does not
