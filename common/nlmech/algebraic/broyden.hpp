@@ -14,6 +14,8 @@ namespace nlmech::algebraic {
 ///
 /// A starts anew, as B of the latest iterate, when `memory` changes are kept and when a step did not shorten
 /// F. A step for which F is not finite, or longer than `growth` |F|, is halved, thirty times at most.
+///
+/// Tests hold it to the secant method in one variable, to some roundings.
 struct Broyden {
   int memory = 20;                 ///< changes before A starts anew; at least 1
   double growth = 10;              ///< a step may lengthen F by this factor; at least 1

@@ -15,6 +15,8 @@ namespace nlmech::algebraic {
 /// With Cauchy's first alpha, the minimiser |g|^2/|B g|^2 of the linearised |F|, J falls at every step, and
 /// the number of steps grows like cond(B)^2. With Barzilai and Borwein's, s.s/s.y of the step before, J may
 /// rise now and then: J in Armijo's rule is the greatest of the latest ten (Raydan 1997).
+///
+/// Tests hold Cauchy's step to Kantorovich's bound on linear equations.
 struct SteepestDescent {
   /// First alpha of a step.
   enum class Length : std::uint8_t {
@@ -39,6 +41,8 @@ struct SteepestDescent {
 /// is the projection of F on span{B F, B B^T F}, so that a_0 >= 1 is the secant squared of the angle between
 /// F and that plane. In one variable it is damped Newton of the factor 1 - gamma; for linear F of at most two
 /// unknowns and gamma = 0 one step ends it.
+///
+/// Tests hold it to the least residual of the span on linear equations, and to one step for two of them.
 struct OptimalIterative {
   double gamma = 0.05;                ///< relaxation, from 0 to below 1
   double tolerance = 1e-10;           ///< done when |F|, Euclidean, is no greater; not negative

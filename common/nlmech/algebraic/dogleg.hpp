@@ -12,6 +12,8 @@ namespace nlmech::algebraic {
 /// the radius, else along the path from here over Cauchy's point (least linearised |F| along -B^T F) to
 /// Newton's point up to the radius. Where B is singular, Cauchy's part alone is taken. Past a limit point it
 /// ends in a minimum of |F| that is no root.
+///
+/// Tests hold it to Newton's step within the radius, and no step to be longer than that.
 struct Dogleg {
   double radius = 1;                 ///< first radius, a length in the space of x; positive
   double tolerance = 1e-10;          ///< done when |F|, Euclidean, is no greater; not negative

@@ -20,6 +20,8 @@ namespace nlmech::algebraic {
 ///
 /// At t = 1 the rule's error is left of |F|. The homotopy then begins anew from there: every pass shortens
 /// |F| by about the error of the rule, of order 2 in one variable, as long as the matrix is well conditioned.
+///
+/// Tests hold its function to stay zero to second order of the step (ratio of errors within 0.5 of 4).
 struct FirstScalarHomotopy {
   /// c, positive; 0: |B^T F|/|B B^T F| at the start of each pass, which is |B^-1| for one unknown and makes
   /// the flow independent of the units of F.

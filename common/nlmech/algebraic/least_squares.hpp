@@ -13,6 +13,9 @@ namespace nlmech::algebraic {
 /// a QR decomposition and not by the printed normal equations, which square the condition. Where B is of full
 /// rank that is Newton's step; where it is not, dx is the shortest minimiser, by a complete orthogonal
 /// decomposition, and the iteration goes on through a singular B.
+///
+/// Tests hold the step of a singular matrix to the pseudo-inverse's, to the condition of its range, and that
+/// of a regular one to Newton's.
 struct LeastSquares {
   /// Pivots below this part of the greatest are taken for 0; positive. The default allows for the rounding of
   /// B itself.

@@ -11,6 +11,9 @@ namespace nlmech::algebraic {
 
 /// Factors of B, of a B + d I, or of that bordered by a column and a row: by partial pivoting, sparse if
 /// Equations::sparse() is not null. Dense systems are solved without allocation, sparse ones allocate.
+///
+/// Tests hold plain, shifted and bordered systems, dense and sparse, to a QR decomposition, to condition
+/// times 100 eps.
 class LinearSolver {
  public:
   /// @param equations whose B will be factorised; not kept

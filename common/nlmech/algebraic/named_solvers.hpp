@@ -12,6 +12,10 @@
 namespace nlmech::algebraic {
 
 /// A solver with its usual options, named as on a command line: one of solver_names().
+///
+/// Tests hold every solver of the list to the roots of classical systems, to the tolerance times |B^-1|
+/// (1e-10 to 1e-9; 1e-3 where B is singular), or to a status that names it: for no root, singular matrices,
+/// values that are not finite, and used-up limits.
 struct NamedSolver {
   std::string name;                  ///< "newton", "levenberg-marquardt", ...
   double tolerance = 1e-10;          ///< done when |F|, Euclidean, is at most this part of `scale`; positive

@@ -56,6 +56,9 @@ struct PathPoint {
 };
 
 /// A walk along a path.
+///
+/// Tests hold points to F = 0 (1e-13), limit loads to 4 eps, also of two limit points within one step, and
+/// branch points to 1e-13.
 class Path {
  public:
   /// @param method how to step

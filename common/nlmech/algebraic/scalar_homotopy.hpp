@@ -25,6 +25,10 @@ namespace nlmech::algebraic {
 /// linear F Euler's rule of any step below 4 brings x closer to every root. The flow is not defined where
 /// B^T F = 0 and F is not, at a minimum of |F|; Euler's rule with a fixed step mostly jumps over it, and
 /// wanders if no root is near.
+///
+/// Tests hold the flow to the exact one in one variable and its invariant to first order (ratio of errors
+/// within 0.1 of 2), the first step to Newton's times dt/2, and the path to be the same in turned coordinates
+/// (1e-11).
 struct ScalarHomotopy {
   /// Which h.
   enum class Function : std::uint8_t {

@@ -25,6 +25,9 @@ struct Inertia {
 /// that is zero ends L D L^T; the matrix is then factorised again with its diagonal moved by eps |B|, a
 /// change of the size of its own rounding, and one eigenvalue is counted as zero. All other matrices are
 /// diagonalised once, after which every shift is free and no pivots are in question.
+///
+/// Tests hold the counts of negative eigenvalues to Eigen's, and the products of solutions with the matrix to
+/// the rounding of its norm.
 class SymmetricSolver {
  public:
   /// Sparse matrices of at most so many rows are treated as dense ones.

@@ -15,6 +15,8 @@ namespace nlmech::algebraic {
 /// lambda (|p| - radius) = 0. lambda is found by Newton's iteration for 1/|p| = 1/radius between bounds that
 /// every factorisation narrows. In the hard case, where g has no part along the eigenvectors of the least
 /// eigenvalue, such a vector is added.
+///
+/// Tests hold random steps to 80 % of the best decrease within 1.2 radii.
 class TrustRegionStep {
  public:
   /// What came out.

@@ -16,6 +16,8 @@ enum class Homotopy : std::uint8_t {
 
 /// Follows the path in t: dx/dt = -(dH/dx)^-1 dH/dt from t = 0 to 1 (Eq. 2.10), and ends by Newton's
 /// iteration at t = 1. It cannot pass a turning point, where dH/dx is singular: see ChowYorke.
+///
+/// Tests hold equal steps to order 4 (observed within 0.2), and chosen ones to the path.
 struct VectorHomotopy {
   Homotopy function = Homotopy::fixed_point;  ///< which H
   /// 0: steps of equal length by the classical rule of Runge and Kutta, of order 4. Else steps are chosen, of
@@ -42,6 +44,9 @@ struct VectorHomotopy {
 /// that stay regular where dH/dx does not. The step grows after short corrections and shrinks after long
 /// ones, or where the tangent turns by more than `turn`. When the path passes t = 1, Newton's iteration from
 /// the secant ends it; if that goes elsewhere the step is repeated at half its length.
+///
+/// Tests hold it to the path (5e-6), past turning points and singular starts to the root (2e-11), and to a
+/// straight line for linear equations (1e-12).
 struct ChowYorke {
   Homotopy function = Homotopy::fixed_point;  ///< which H
   double step = 0.1;                          ///< first length, positive

@@ -40,6 +40,8 @@ struct Branch {
 /// Follows a branch of solutions of a problem whose last parameter has no condition of its own
 /// (condition_count is n K + m - 1), through folds. The length is measured in x(t_0) and the parameters,
 /// which determine the solution: the condition that is added is local, and costs nothing.
+///
+/// Tests hold the fold of Bratu's problem to 1e-6 and the upper branch beyond it to 1e-7.
 /// @param problem one condition short
 /// @param start with all parameters, the continued one last; its value there is that of the first point
 /// @throws std::invalid_argument for a wrong number of conditions or options out of range
@@ -51,6 +53,8 @@ using ConstraintPath = std::function<Constraints(double s)>;
 
 /// Solves a control task while its constraints go along a path, each extremal the start of the next; steps
 /// are chosen by success.
+///
+/// Tests hold the cost of a bounded control to 1e-7 of an independent computation by shooting.
 /// @param problem gives model and task; its own constraints are not used
 /// @param start for s = 0
 /// @param options of each solve; with a penalty on states `whole` flights become `pieces`, because solutions

@@ -49,6 +49,9 @@ struct Options {
 ///  - `spurious_root`: the flight does not follow the solution;
 ///  - that of the Gaussians' matrix.
 /// Unless the sentence says that nothing could be evaluated, the last iterate is in the solution.
+///
+/// Tests hold both solutions of Bratu's problem to 1e-8 of the closed form, its schemes to their orders 2N -
+/// 2 and 2N - 3, an eigenvalue to 1e-12, and linear problems to 1e-11.
 /// @throws std::invalid_argument for sizes that do not fit and options out of range
 [[nodiscard]] Solution solve(const Problem& problem, const Start& start, const Options& options = {});
 

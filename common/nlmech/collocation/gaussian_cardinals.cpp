@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace nlmech::collocation {
 namespace {
 
 using Index = Eigen::Index;
-constexpr double pi = 3.14159265358979323846, ln10 = 2.30258509299404568402;
+constexpr double pi = std::numbers::pi, ln10 = std::numbers::ln10;
 
 std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 

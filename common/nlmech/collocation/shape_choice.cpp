@@ -1,5 +1,6 @@
 #include "nlmech/collocation/shape_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>

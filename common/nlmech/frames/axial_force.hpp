@@ -159,6 +159,8 @@ template <class Number>
 /// pi^2. Then the member carries more than its own clamped buckling load, in unstable equilibrium; the energy
 /// of Pi(d, N) has no maximum over N there, and the smallest theta_s puts n above the pole. The root is
 /// given, with `wrong_branch`.
+///
+/// Tests hold b, evaluated in 50 digits, to 64 eps of its terms at the root, in at most 40 evaluations.
 /// @tparam T floating point of any width, or dual numbers, nested to a depth of three
 template <class T>
 [[nodiscard]] AxialForce<T> axial_force(const AxialBalance<T>& b) {

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool has_values(const Status& status) { return status.ok() || status.outcome() == Outcome::wrong_branch; }
-
 void require_load(double load) {
   if (!std::isfinite(load))
     throw std::invalid_argument(fmt::format("Equilibrium: load {}; it must be finite", load));

@@ -17,7 +17,7 @@ class Equilibrium : public algebraic::Potential {
   /// @param frame the structure; must outlive this object
   /// @param direction q, forces on the unknowns for W = 1
   /// @param load W
-  /// @param coupling `printed` gives B the misprint of Eq. 2.35, to show what it does; F is not touched
+  /// @param coupling `as_printed` gives B the misprint of Eq. 2.35, to show what it does; F is not touched
   /// @throws std::invalid_argument if q has another size than the frame, or q or W is not finite
   Equilibrium(const Frame& frame, Eigen::VectorXd direction, double load,
               Coupling coupling = Coupling::consistent);

@@ -50,6 +50,11 @@ struct Energy {
   Status status;  ///< as of Frame::force()
 };
 
+/// Are results under this status of use? Those of a success and of `wrong_branch` are.
+[[nodiscard]] inline bool has_values(const Status& status) {
+  return status.ok() || status.outcome() == Outcome::wrong_branch;
+}
+
 /// Members, supports, and the numbering of the unknowns: free motions, node by node in the order x, y,
 /// rotation.
 ///
@@ -83,9 +88,9 @@ class Frame {
 
   /// f = dU/dx, the forces that hold the frame there.
   /// @return success; `wrong_branch` if a member carries more than its clamped buckling load with symmetric
-  /// end rotations of exactly 0 (f is right, the equilibrium of that member unstable and there is another
-  /// one); without a usable f: `outside_validity` if the ends of a member have met, `at_pole` at the clamped
-  /// buckling load, `non_finite`
+  /// end rotations of 0, below 1e-95 (f is right, the equilibrium of that member unstable and there is
+  /// another one); without a usable f: `outside_validity` if the ends of a member have met, `at_pole` at the
+  /// clamped buckling load, `non_finite`
   /// @throws std::invalid_argument if x has another size
   template <class T>
   [[nodiscard]] Status force(const Displacements<T>& x, Displacements<T>& f) const;

@@ -12,8 +12,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool has_values(const Status& status) { return status.ok() || status.outcome() == Outcome::wrong_branch; }
-
 }  // namespace
 
 LoadedFrame::LoadedFrame(const Frame& frame, Eigen::VectorXd direction)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace nlmech::frames {
 namespace {
 
-const double degree = std::acos(-1.0) / 180;
+constexpr double degree = std::numbers::pi / 180;
 
 LoadedStructure loaded_at(Frame frame, int node, double part) {
   const Eigen::Index at = frame.unknown(node, Motion::y), sideways = frame.unknown(node, Motion::x);

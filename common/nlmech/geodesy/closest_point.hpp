@@ -19,22 +19,23 @@ struct GeodeticPoint {
 /// Conventions
 ///   - The height is minus the distance to the closest point inside the ellipsoid, and plus it outside.
 ///   - Latitude and z have the same sign, zeros included. Longitude is atan2(y, x) of IEEE 754: on the axis
-///   it is 0 or
-///     pi with the signs of the zeros x and y.
+///     it is 0 or pi with the signs of the zeros x and y.
 ///   - On the disc r <= a e^2 of the equatorial plane of an oblate ellipsoid (42.7 km for the Earth) two
-///   points are
-///     equally close: z = +0 takes the northern one, z = -0 the southern.
+///     points are equally close: z = +0 takes the northern one, z = -0 the southern.
 ///   - On the segment |z| <= (b^2 - a^2)/b of the axis of a prolate ellipsoid a parallel is equally close;
-///   the
-///     longitude is that of the zeros x and y.
+///     the longitude is that of the zeros x and y.
 ///   - The centre has the pole, h = -b, of an oblate ellipsoid and of a sphere, and the equator, h = -a, of a
-///   prolate
-///     ellipsoid.
+///     prolate ellipsoid.
+///
 /// GeographicLib differs on two counts: its longitude is 0 everywhere on the axis, and z = -0 on the disc
 /// goes north.
 ///
 /// Outcome::non_finite and three NaNs if a coordinate is NaN or infinite; the same outcome with an infinite
 /// height if the coordinates are finite but their distance from the centre is not representable.
+///
+/// Tests, against 50 digits: on the disc and the segment heights are within 5e-9 m, next to the disc
+/// latitudes relatively within 2e-15, far away latitudes within 2e-16 rad; everywhere else inside, the errors
+/// are at most 1.5 times GeographicLib's, or 4e-16 rad and 1e-7 m.
 class ClosestPoint {
  public:
   /// @throws std::invalid_argument if one semi-axis is more than 1e100 times the other, or b is not

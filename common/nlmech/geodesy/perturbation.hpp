@@ -97,8 +97,6 @@ template <class T>
                                        const PerturbationSeries& method,
                                        const SeriesTable& table = corrected_series());
 
-// ---------------------------------------------------------------------------------------------------------------------
-
 namespace detail {
 
 /// Throws std::invalid_argument unless 1 <= order <= highest_order.

@@ -132,8 +132,8 @@ TangentFit fit_tangent(const Ellipsoid& ellipsoid) {
     scale /= fit.q_max;
   }
 
-  constexpr Index steps =
-      40;  // a grid that shares no point with the nodes but has the edges, where the error peaks
+  // A grid that shares no point with the nodes but has the edges, where the error peaks.
+  constexpr Index steps = 40;
   for (Index i = 0; i <= steps; ++i) {
     for (Index j = 0; j <= steps; ++j) {
       const double q = fit.q_max * static_cast<double>(i) / steps, m = static_cast<double>(j) / steps;

@@ -20,6 +20,8 @@ namespace nlmech::geodesy {
 ///
 /// Made in about a tenth of a millisecond from additions, multiplications, divisions and square roots alone,
 /// and so the same on every machine.
+///
+/// Tests hold `error` to the greatest error in 50 digits (10 %), and that of the Earth below 4e-17 rad.
 struct TangentFit {
   static constexpr std::size_t q_terms = 5;  ///< powers of q
   static constexpr std::size_t m_terms = 6;  ///< powers of m

@@ -28,11 +28,4 @@ int first_order(const AdaptiveCollocation& method) {
 
 }  // namespace adaptive
 
-template struct Integrator<System<1>, AdaptiveCollocation>;
-template struct Integrator<System<2>, AdaptiveCollocation>;
-template struct Integrator<System<3>, AdaptiveCollocation>;
-template struct Integrator<System<4>, AdaptiveCollocation>;
-template struct Integrator<System<6>, AdaptiveCollocation>;
-template struct Integrator<System<Eigen::Dynamic>, AdaptiveCollocation>;
-
 }  // namespace nlmech::ivp

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
@@ -30,6 +30,10 @@ namespace nlmech::ivp {
 /// Dense output: the quartic of order 4 (Dormand, Prince, Runge-Kutta triples, Comput. Math. Appl. 12 A
 /// (1986) 1007-1017), continuously differentiable. Each step gives `refine` equally spaced values of it to
 /// observers.
+///
+/// Tests hold the coefficients to the order conditions of the pair and its dense output (some ten eps), the
+/// error of one step to h^6 at its end and h^5 inside (exponents within 0.3), and the errors of Table 4.2 to
+/// 1.175e-4 and 1.142e-6.
 struct Ode45 {
   static constexpr std::string_view name = "ode45";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1
@@ -72,11 +76,6 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
      {0, 9477. / 3392, -729. / 106, 25515. / 6784},
      {0, -11. / 7, 11. / 3, -55. / 28},
      {0, 3. / 2, -4, 5. / 2}}};
-
-/// Distance to the next double, away from 0.
-[[nodiscard]] inline double spacing(double t) {
-  return std::nextafter(std::abs(t), std::numeric_limits<double>::infinity()) - std::abs(t);
-}
 
 /// Trial steps of the pair, and the dense output of the latest.
 template <SystemLike S>
@@ -153,33 +152,31 @@ class Pair : public DenseOutput<S::dimension> {
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run {
+class Run : private ChosenSteps<S> {
  public:
   static constexpr int n = S::dimension;  ///< components of the state
   /// @param task outlives the run
   Run(const Task<S>& task, const Ode45& method)
-      : task_(task),
+      : Base(task, Ode45::name),
         method_(method),
         threshold_(method.absolute_tolerance / method.relative_tolerance),
         largest_(largest_length(task, method)),
         pair_(task.system),
-        now_{task.t0, task.x0, {}, {}},
         times_(static_cast<std::size_t>(method.refine)),
         states_(task.system.size(), method.refine),
         between_(task.system.size()) {}
 
   /// The answer; call once.
   Solution<n> run() {
-    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
-    ends.push_back(task_.t1);
-    for (const double end : ends) {
-      now_.status = cross(end);
-      if (!now_.status.ok()) break;
-    }
-    return std::move(now_);
+    return this->run_by([this](double end) { return cross(end); });
   }
 
  private:
+  using Base = ChosenSteps<S>;
+  using Base::check_limits;
+  using Base::now_;
+  using Base::task_;
+
   // A stretch on which f is smooth.
   Status cross(double end) {
     pair_.begin_segment(now_.t, end, now_.x);
@@ -259,23 +256,12 @@ class Run {
         {now_.statistics.steps, now_.t, t1, pair_.begin_state(), pair_.end_state(), times_, states_, pair_});
   }
 
-  [[nodiscard]] Status check_limits() const {
-    if (now_.statistics.steps + now_.statistics.rejected >= task_.limits.steps)
-      return step_limit(Ode45::name, now_.t, task_.limits.steps);
-    if (std::isfinite(task_.limits.seconds) && watch_.seconds() > task_.limits.seconds)
-      return time_limit(Ode45::name, now_.t, task_.limits.seconds);
-    return {};
-  }
-
-  const Task<S>& task_;
   const Ode45& method_;
   double threshold_, largest_, length_ = 0;
   Pair<S> pair_;
-  Solution<n> now_;
   std::vector<double> times_;
   Nodes<n> states_;
   State<n> between_;
-  Stopwatch watch_;
 };
 
 }  // namespace dormand_prince

@@ -11,6 +11,9 @@
 namespace nlmech::ivp {
 
 /// Coefficients of an explicit method: stage i is at c[i] and uses a[i][0..i-1]; weights b.
+///
+/// Tests hold Euler, Rk4 and Rk6 to the orders 1, 4 and 6 on Duffing's oscillator, observed within 0.1, and
+/// the sums of their rows and weights to 4e-16.
 template <std::size_t s>
 struct Tableau {
   static constexpr std::size_t stages = s;  ///< number of stages

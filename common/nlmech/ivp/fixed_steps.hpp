@@ -12,6 +12,7 @@
 
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/limits.hpp"
 
 namespace nlmech::ivp {
 
@@ -81,14 +82,8 @@ template <SystemLike S, class MethodStepper>
     }
     if constexpr (requires { stepper.begin_segment(now.t, end); }) stepper.begin_segment(now.t, end);
     for (std::int64_t k = 0; k < grid.count; ++k) {
-      if (now.statistics.steps >= task.limits.steps) {
-        now.status = step_limit(name, now.t, task.limits.steps);
-        return now;
-      }
-      if (std::isfinite(task.limits.seconds) && watch.seconds() > task.limits.seconds) {
-        now.status = time_limit(name, now.t, task.limits.seconds);
-        return now;
-      }
+      now.status = check_limits(name, now.t, now.statistics, task.limits, watch);
+      if (!now.status.ok()) return now;
       const double length = grid.length(k), t1 = grid.time(k + 1);
       now.status = stepper.step(now.t, length, now.x, next, now.statistics);
       if (now.status.ok() && !next.allFinite()) now.status = non_finite_state(name, now.t, length);

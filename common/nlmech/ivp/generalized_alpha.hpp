@@ -22,6 +22,9 @@ namespace nlmech::ivp {
 /// h omega -> infinity with the least damping of low frequencies that this allows. a starts as g(t0, q0, v0),
 /// also at each discontinuity. Implicit; solved by Newton's iteration with the exact Jacobian. Dense output:
 /// the cubic Hermite interpolant.
+///
+/// Tests hold it to its difference equation in 50 digits (1e-13 a step), to order 2 (observed within 0.1),
+/// and to what rho promises at h omega = 1e6 (2 %).
 struct GeneralizedAlpha {
   static constexpr std::string_view name = "generalized-alpha";  ///< on command lines and in tables
   double step = 0.01;                                            ///< length of a step, positive

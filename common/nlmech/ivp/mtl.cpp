@@ -67,11 +67,4 @@ void check_split(const Eigen::Ref<const Eigen::MatrixXd>& a, std::span<const Har
 
 }  // namespace detail
 
-template struct Integrator<System<1>, Mtl>;
-template struct Integrator<System<2>, Mtl>;
-template struct Integrator<System<3>, Mtl>;
-template struct Integrator<System<4>, Mtl>;
-template struct Integrator<System<6>, Mtl>;
-template struct Integrator<System<Eigen::Dynamic>, Mtl>;
-
 }  // namespace nlmech::ivp

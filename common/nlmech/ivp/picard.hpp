@@ -18,6 +18,9 @@ namespace nlmech::ivp {
 /// of the step is expanded in Chebyshev polynomials up to the degree order - 1, integrated term by term, and
 /// this is repeated until the states stand still. No Jacobian, no linear solve; the iteration contracts only
 /// if the step is short (free Duffing oscillator of the dissertation: about half a period).
+///
+/// Tests hold it to 1e-12 on Duffing's oscillator at t = 5, with order 14 in steps of 0.5 and order 20 in
+/// steps of 1.
 struct Mcpi {
   static constexpr std::string_view name = "mcpi";  ///< on command lines and in tables
   double step = 0.1;                                ///< length of a step, positive

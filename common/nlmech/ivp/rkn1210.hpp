@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/rkn1210_coefficients.hpp"
@@ -33,6 +31,9 @@ namespace nlmech::ivp {
 /// `outside_validity`.
 ///
 /// Dense output of the same order: a shorter step.
+///
+/// Tests hold the 30 digits of the coefficients to the quadrature conditions of both orders, and the observed
+/// orders to 12 and 10 within 0.6.
 struct Rkn1210 {
   static constexpr std::string_view name = "rkn1210";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                    ///< rtol, from 0 to 0.1
@@ -199,30 +200,28 @@ class Pair : public DenseOutput<S::dimension> {
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run {
+class Run : private ChosenSteps<S> {
  public:
   static constexpr int n = S::dimension;  ///< components of the state
   /// @param task outlives the run
   Run(const Task<S>& task, const Rkn1210& method)
-      : task_(task),
+      : Base(task, Rkn1210::name),
         method_(method),
         largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
-        pair_(task.system),
-        now_{task.t0, task.x0, {}, {}},
-        states_(task.system.size(), 1) {}
+        pair_(task.system) {}
 
   /// The answer; call once.
   Solution<n> run() {
-    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
-    ends.push_back(task_.t1);
-    for (const double end : ends) {
-      now_.status = cross(end);
-      if (!now_.status.ok()) break;
-    }
-    return std::move(now_);
+    return this->run_by([this](double end) { return cross(end); });
   }
 
  private:
+  using Base = ChosenSteps<S>;
+  using Base::check_limits;
+  using Base::now_;
+  using Base::show;
+  using Base::task_;
+
   // A stretch on which the acceleration is smooth.
   Status cross(double end) {
     pair_.begin_segment(now_.t, end, now_.x);
@@ -253,10 +252,6 @@ class Run {
     }
     rate /= 2 * std::pow(std::min(1.0, tolerance), 1. / 12);
     return length * rate > 1 ? 1 / rate : length;
-  }
-
-  [[nodiscard]] static double spacing(double t) {
-    return std::nextafter(std::abs(t), std::numeric_limits<double>::infinity()) - std::abs(t);
   }
 
   // One accepted step, if there is one.
@@ -303,13 +298,7 @@ class Run {
 
   Status accept(double t1) {
     ++now_.statistics.steps;
-    Status status;
-    if (task_.observer) {
-      states_.col(0) = pair_.end_state();
-      if (!task_.observer({now_.statistics.steps, now_.t, t1, pair_.begin_state(), pair_.end_state(),
-                           std::span(&t1, 1), states_, pair_}))
-        status = interrupted(Rkn1210::name, t1);
-    }
+    Status status = show(t1, pair_.begin_state(), pair_.end_state(), pair_);
     now_.x = pair_.end_state();
     now_.t = t1;
     pair_.accept(t1);
@@ -321,22 +310,10 @@ class Run {
     return status;
   }
 
-  [[nodiscard]] Status check_limits() const {
-    if (now_.statistics.steps + now_.statistics.rejected >= task_.limits.steps)
-      return step_limit(Rkn1210::name, now_.t, task_.limits.steps);
-    if (std::isfinite(task_.limits.seconds) && watch_.seconds() > task_.limits.seconds)
-      return time_limit(Rkn1210::name, now_.t, task_.limits.seconds);
-    return {};
-  }
-
-  const Task<S>& task_;
   const Rkn1210& method_;
   double largest_, length_ = 0;
   double before_ = 0, root_before_ = 0;  // length of the step before, and err^(1/11)
   Pair<S> pair_;
-  Solution<n> now_;
-  Nodes<n> states_;
-  Stopwatch watch_;
 };
 
 }  // namespace rkn1210

@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/fixed_steps.hpp"
 #include "nlmech/ivp/integrate.hpp"
@@ -37,6 +36,10 @@ namespace nlmech::ivp {
 ///
 /// Dense output: the series of the step, as accurate as its end. Statistics::right_hand_sides counts orders:
 /// N a step, each as much work as an evaluation with all its products replaced by sums.
+///
+/// Tests hold fixed steps to the order N (observed within 0.25); with chosen steps the error of a damped
+/// motion over ten units of time to 20 tolerances and 40 eps, and Lorenz's equations at t = 20 to 1e-8 of a
+/// computation in 70 digits.
 struct Series {
   static constexpr std::string_view name = "series";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                   ///< rtol of the last terms, from 1e-18 to 0.1
@@ -94,34 +97,32 @@ class FixedStepper : public Stepper<S::dimension> {
 
 /// Steps of chosen length: one integration from begin to end.
 template <class S>
-class Run {
+class Run : private ChosenSteps<S> {
  public:
   static constexpr int n = S::dimension;  ///< components of the state
 
   /// @param task outlives the run
   Run(const Task<S>& task, const Series& method, int order)
-      : task_(task),
+      : Base(task, Series::name),
         method_(method),
         order_(order),
         log2_safety_(-0.7 / (order - 1) * 1.4426950408889634),
         expansion_(task.system, order),
-        now_{task.t0, task.x0, {}, {}},
         next_(task.x0),
-        f_(task.x0),
-        states_(task.system.size(), 1) {}
+        f_(task.x0) {}
 
   /// The answer; call once.
   Solution<n> run() {
-    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
-    ends.push_back(task_.t1);
-    for (const double end : ends) {
-      now_.status = cross(end);
-      if (!now_.status.ok()) break;
-    }
-    return std::move(now_);
+    return this->run_by([this](double end) { return cross(end); });
   }
 
  private:
+  using Base = ChosenSteps<S>;
+  using Base::check_limits;
+  using Base::now_;
+  using Base::show;
+  using Base::task_;
+
   // A stretch on which f is smooth.
   Status cross(double end) {
     expansion_.begin_segment(now_.t, end, now_.x);
@@ -195,36 +196,17 @@ class Run {
     before_ = std::abs(h);
     const double ratio = before_ / scale_;
     if (ratio < 0.25 || ratio > 4) scale_ = power_of_two(before_);
-    Status status;
-    if (task_.observer && !observe(t1)) status = interrupted(Series::name, t1);
+    Status status = show(t1, now_.x, next_, expansion_);
     std::swap(now_.x, next_);
     now_.t = t1;
     return status;
   }
 
-  [[nodiscard]] bool observe(double t1) {
-    states_.col(0) = next_;
-    return task_.observer(
-        {now_.statistics.steps, now_.t, t1, now_.x, next_, std::span(&t1, 1), states_, expansion_});
-  }
-
-  [[nodiscard]] Status check_limits() const {
-    if (now_.statistics.steps + now_.statistics.rejected >= task_.limits.steps)
-      return step_limit(Series::name, now_.t, task_.limits.steps);
-    if (std::isfinite(task_.limits.seconds) && watch_.seconds() > task_.limits.seconds)
-      return time_limit(Series::name, now_.t, task_.limits.seconds);
-    return {};
-  }
-
-  const Task<S>& task_;
   const Series& method_;
   int order_;
   double log2_safety_, scale_ = 1, before_ = 0;
   Expansion<S> expansion_;
-  Solution<n> now_;
   State<n> next_, f_;
-  Nodes<n> states_;
-  Stopwatch watch_;
 };
 
 }  // namespace taylor_series

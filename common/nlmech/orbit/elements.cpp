@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
@@ -12,7 +13,7 @@ namespace nlmech::orbit {
 namespace {
 
 constexpr double small = 4 * std::numeric_limits<double>::epsilon();
-const double two_pi = 4 * std::acos(0.0);
+constexpr double two_pi = 2 * std::numbers::pi;
 
 using Vec = Vector3<double>;
 

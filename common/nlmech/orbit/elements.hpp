@@ -18,9 +18,9 @@ struct Elements {
   double ascending_node = 0;      ///< Omega, from 0 to 2 pi
   double periapsis_argument = 0;  ///< omega, from 0 to 2 pi, in the direction of motion
   double true_anomaly = 0;        ///< nu, from -pi to pi
-  double semi_major_axis =
-      1;  ///< a: negative for hyperbolas, infinite for parabolas. From the energy, and so
-          ///< more accurate than p/(1 - e^2) for thin ellipses; no input of state_of()
+  /// a: negative for hyperbolas, infinite for parabolas. From the energy, and so more accurate than
+  /// p/(1 - e^2) for thin ellipses; no input of state_of().
+  double semi_major_axis = 1;
 
   /// 2 pi sqrt(a^3/mu), infinite for open conics.
   [[nodiscard]] double period(double mu) const;
@@ -33,7 +33,8 @@ struct Elements {
                                  double true_anomaly = 0);
 
 /// The elements of @p state. The state that state_of() makes of them is within 32 eps of |r| and |v| (times
-/// 1/(1 + e cos nu) far out on an open conic, where the anomaly fixes the distance less and less).
+/// 1/(1 + e cos nu) far out on an open conic, where the anomaly fixes the distance less and less); tests
+/// hold random orbits of all kinds to that.
 /// @throws std::invalid_argument for a position 0, mu not positive, anything not finite, and for motion on a
 /// straight line through the centre, which has no such elements
 [[nodiscard]] Elements elements_of(const State& state, double mu);

@@ -28,6 +28,9 @@ namespace nlmech::orbit {
 ///
 /// Storage is allocated when the object is made and never after. The kernels of AnalyticContinuation are the
 /// same recursion for a point mass, faster; this one is for everything else and for extended precision.
+///
+/// Tests hold coefficients to those of Kepler's motion in extended precision, and steps to the order that is
+/// the lower of both degrees (observed within 0.1 to 0.3).
 template <class T>
 class Expansion {
  public:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
@@ -54,7 +55,7 @@ BasicState<D> with_derivatives(const State& start, double time, double mu) {
   const detail::Universal<double> plain{u.alpha.value, u.sigma.value};
   double turns = 0;
   const double reduced = detail::within_one_turn(plain.alpha, t.value, turns);
-  if (turns != 0) t -= turns * (4 * std::acos(0.0)) / (u.alpha * sqrt(u.alpha));
+  if (turns != 0) t -= turns * (2 * std::numbers::pi) / (u.alpha * sqrt(u.alpha));
   auto at = u.at(D(detail::solve(plain, reduced).at.s));
   at = u.at(at.s - (at.time - t) / at.r);
   return moved(s, LagrangeCoefficients<D>{1 - at.u2, (at.u1 + u.sigma * at.u2) / rate, -at.u1 / at.r * rate,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
@@ -163,7 +164,7 @@ double least_time(const LambertProblem& problem, bool long_way, int revolutions)
   timeless.time = 1;
   const Scaled scaled(timeless, long_way);
   if (scaled.span == Span::same) return std::numeric_limits<double>::quiet_NaN();
-  const detail::TimeCurve curve{scaled.chord.lambda, scaled.chord.complement, revolutions * std::acos(-1.0)};
+  const detail::TimeCurve curve{scaled.chord.lambda, scaled.chord.complement, revolutions * std::numbers::pi};
   detail::TimeCurve::At a;
   (void)detail::find_minimum(curve, a);
   return a.t / scaled.chord.rate * scaled.time_unit;

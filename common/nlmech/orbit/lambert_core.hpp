@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "nlmech/orbit/lambert.hpp"
 #include "nlmech/orbit/state.hpp"
@@ -279,7 +280,7 @@ enum class Arrived { yes, no_such_arc, lost };
 /// x for the arc that takes T = @p wanted.
 [[nodiscard]] inline Arrived find_x(const Chord& k, double wanted, int revolutions, LambertBranch branch,
                                     Found& found) {
-  constexpr double pi = 3.14159265358979323846, infinity = std::numeric_limits<double>::infinity();
+  constexpr double pi = std::numbers::pi, infinity = std::numeric_limits<double>::infinity();
   // From T = 1e21 on, 1 + x (or 1 - x) has hardly a bit; below 1e-150, x^2 overflows.
   if (!(wanted > 1e-150 && wanted < 1e21)) return Arrived::lost;
   const TimeCurve curve{k.lambda, k.complement, revolutions * pi};

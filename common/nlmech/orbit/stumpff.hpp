@@ -11,6 +11,9 @@
 namespace nlmech::orbit {
 
 /// c_n(psi) = sum_{k>=0} (-psi)^k/(2k + n)!, n = 0 to 3.
+///
+/// Tests hold c2 and c3 to 8 eps of themselves, c0 and c1 to 8 eps of max(1, |c|), and all to 1e-47 in 50
+/// digits.
 template <class T>
 struct Stumpff {
   T c0;  ///< cos sqrt(psi), or cosh sqrt(-psi)

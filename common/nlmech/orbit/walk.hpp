@@ -35,7 +35,7 @@ class Walk : public Arc {
 
   /// The series about the state, to degree @p order.
   void expand(int order);
-  /// Moves by @p h in the walk's units. @p whole: the series as expanded; else to the given degrees.
+  /// Moves by @p h in the walk's units, by the series of position and velocity to these degrees.
   void advance(double h, int position_degree, int velocity_degree);
   /// Ends the step: time, observer, limits. @p h in the walk's units, and whether it leads to the end.
   [[nodiscard]] Status finish(double h, bool last);
@@ -60,7 +60,7 @@ class Walk : public Arc {
   void follow_units(double h) {
     if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
   }
-  /// By how many per cent does work grow when the order does by one: exponent of the cost in the order.
+  /// Exponent of the cost in the order: by how many per cent work grows when the order grows by one per cent.
   [[nodiscard]] double cost_exponent() const;
   /// Has the walk arrived (or nowhere to go)?
   [[nodiscard]] bool arrived() const { return t_ == t1_; }

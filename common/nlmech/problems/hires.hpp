@@ -21,7 +21,7 @@ struct Hires {
   double k_plus = 280;                               ///< rate of the only nonlinear reaction
 
   /// By name.
-  static constexpr std::array parameters = {Parameter<Hires>{"k_plus", &Hires::k_plus}};
+  static constexpr std::array parameters = {Parameter<Hires>{"k-plus", &Hires::k_plus}};
 
   /// Of the test set.
   [[nodiscard]] static Vector<double, 8> initial_state() {

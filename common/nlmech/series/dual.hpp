@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <type_traits>
 
 #include "nlmech/series/value_of.hpp"
 #include "nlmech/series/vector.hpp"
@@ -22,14 +23,13 @@ namespace nlmech {
 /// There is no order (<, >): a program that branches on a dual number says so with value_of().
 ///
 /// Where a function is not differentiable:
-/// - sqrt, log and pow at 0 have an infinite slope, which becomes the partial derivative; a partial
+/// - sqrt, log and pow at 0 have an infinite slope, which becomes the partial derivative. A partial
 /// derivative
-///   that is exactly 0 stays 0 (a variable that the argument does not depend on has no influence), not
-///   0 * inf.
+///   that is exactly 0 stays 0, not 0 * inf: a variable that the argument does not depend on has no
+///   influence.
 /// - abs at 0 takes the derivative from the right.
 /// - Products follow IEEE arithmetic: x * sqrt(x) at 0 gives 0 * inf = NaN although x^1.5 has the derivative
-/// 0
-///   there; pow(x, 1.5) gives it.
+///   0 there; pow(x, 1.5) gives it.
 template <class T, int n>
 struct Dual {
   static_assert(n >= 1, "a dual number has at least one partial derivative");

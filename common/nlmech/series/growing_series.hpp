@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/recurrences.hpp"
 #include "nlmech/series/value_of.hpp"
 #include "nlmech/series/vector.hpp"
@@ -142,11 +143,7 @@ class GrowingSeries {
     using std::cos;
     using std::sin;
     if (a.is_constant()) return {T(sin(a.constant_)), T(cos(a.constant_))};
-    SeriesMemory<T>& memory = *a.memory_;
-    const std::size_t sine = memory.add(), cosine = memory.add(), k = memory.pass();
-    memory[sine][k] = recurrence::sine(a.data(), memory[cosine], k);
-    memory[cosine][k] = recurrence::cosine(a.data(), memory[sine], k);
-    return {GrowingSeries(memory, sine), GrowingSeries(memory, cosine)};
+    return a.companions(recurrence::sine<T>, recurrence::cosine<T>);
   }
   /// Sine.
   friend GrowingSeries sin(const GrowingSeries& a) { return sin_cos(a).first; }
@@ -251,20 +248,6 @@ class GrowingSeries {
 /// @cond Doxygen cannot follow specialisations of another library's templates
 // What Eigen has to know about growing series as entries of vectors.
 template <class T>
-struct Eigen::NumTraits<nlmech::GrowingSeries<T>> : Eigen::GenericNumTraits<nlmech::GrowingSeries<T>> {
-  using Real = nlmech::GrowingSeries<T>;        ///< not complex
-  using NonInteger = nlmech::GrowingSeries<T>;  ///< fractions are of the same type
-  using Nested = nlmech::GrowingSeries<T>;      ///< held by value in expressions
-  using Literal = nlmech::GrowingSeries<T>;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 5,
-    AddCost = 10,
-    MulCost = 100
-  };
-};
+struct Eigen::NumTraits<nlmech::GrowingSeries<T>>
+    : nlmech::detail::NumberTraits<nlmech::GrowingSeries<T>, 5, 10, 100> {};
 /// @endcond

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/recurrences.hpp"
 #include "nlmech/series/value_of.hpp"
 #include "nlmech/series/vector.hpp"
@@ -156,56 +157,6 @@ template <class T>
   return value_of(a[0]);
 }
 
-/// Square root, for c_0 != 0.
-template <class T>
-[[nodiscard]] PowerSeries<T> sqrt(const PowerSeries<T>& a) {
-  using std::sqrt;
-  if (a.is_constant()) return T(sqrt(a[0]));
-  std::vector<T> r(a.size(), T(0));
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    r[k] = recurrence::root(a.coefficients().data(), r.data(), k);
-  }
-  return PowerSeries<T>(std::move(r));
-}
-
-/// Exponential function.
-template <class T>
-[[nodiscard]] PowerSeries<T> exp(const PowerSeries<T>& a) {
-  using std::exp;
-  if (a.is_constant()) return T(exp(a[0]));
-  std::vector<T> r(a.size(), T(0));
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    r[k] = recurrence::exponential(a.coefficients().data(), r.data(), k);
-  }
-  return PowerSeries<T>(std::move(r));
-}
-
-/// Sine and cosine of one argument, which need each other.
-template <class T>
-[[nodiscard]] std::pair<PowerSeries<T>, PowerSeries<T>> sin_cos(const PowerSeries<T>& a) {
-  using std::cos;
-  using std::sin;
-  if (a.is_constant()) return {T(sin(a[0])), T(cos(a[0]))};
-  std::vector<T> s(a.size(), T(0)), c(a.size(), T(0));
-  for (std::size_t k = 0; k < s.size(); ++k) {
-    s[k] = recurrence::sine(a.coefficients().data(), c.data(), k);
-    c[k] = recurrence::cosine(a.coefficients().data(), s.data(), k);
-  }
-  return {PowerSeries<T>(std::move(s)), PowerSeries<T>(std::move(c))};
-}
-
-/// Sine.
-template <class T>
-[[nodiscard]] PowerSeries<T> sin(const PowerSeries<T>& a) {
-  return sin_cos(a).first;
-}
-
-/// Cosine.
-template <class T>
-[[nodiscard]] PowerSeries<T> cos(const PowerSeries<T>& a) {
-  return sin_cos(a).second;
-}
-
 namespace detail {
 
 /// The series whose coefficients next(a, r, k) gives one by one, r being those below k.
@@ -230,6 +181,43 @@ template <class T, class First, class Second>
 }
 
 }  // namespace detail
+
+/// Square root, for c_0 != 0.
+template <class T>
+[[nodiscard]] PowerSeries<T> sqrt(const PowerSeries<T>& a) {
+  using std::sqrt;
+  if (a.is_constant()) return T(sqrt(a[0]));
+  return detail::one_by_one(a, recurrence::root<T>);
+}
+
+/// Exponential function.
+template <class T>
+[[nodiscard]] PowerSeries<T> exp(const PowerSeries<T>& a) {
+  using std::exp;
+  if (a.is_constant()) return T(exp(a[0]));
+  return detail::one_by_one(a, recurrence::exponential<T>);
+}
+
+/// Sine and cosine of one argument, which need each other.
+template <class T>
+[[nodiscard]] std::pair<PowerSeries<T>, PowerSeries<T>> sin_cos(const PowerSeries<T>& a) {
+  using std::cos;
+  using std::sin;
+  if (a.is_constant()) return {T(sin(a[0])), T(cos(a[0]))};
+  return detail::side_by_side(a, recurrence::sine<T>, recurrence::cosine<T>);
+}
+
+/// Sine.
+template <class T>
+[[nodiscard]] PowerSeries<T> sin(const PowerSeries<T>& a) {
+  return sin_cos(a).first;
+}
+
+/// Cosine.
+template <class T>
+[[nodiscard]] PowerSeries<T> cos(const PowerSeries<T>& a) {
+  return sin_cos(a).second;
+}
 
 /// Natural logarithm, for c_0 > 0.
 template <class T>
@@ -318,20 +306,6 @@ extern template class PowerSeries<long double>;
 /// @cond Doxygen cannot follow specialisations of another library's templates
 // What Eigen has to know about power series as entries of vectors and matrices.
 template <class T>
-struct Eigen::NumTraits<nlmech::PowerSeries<T>> : Eigen::GenericNumTraits<nlmech::PowerSeries<T>> {
-  using Real = nlmech::PowerSeries<T>;        ///< not complex
-  using NonInteger = nlmech::PowerSeries<T>;  ///< fractions are of the same type
-  using Nested = nlmech::PowerSeries<T>;      ///< held by value in expressions
-  using Literal = nlmech::PowerSeries<T>;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for; a series is dear to copy and to multiply.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 50,
-    AddCost = 50,
-    MulCost = 500
-  };
-};
+struct Eigen::NumTraits<nlmech::PowerSeries<T>>
+    : nlmech::detail::NumberTraits<nlmech::PowerSeries<T>, 50, 50, 500> {};
 /// @endcond

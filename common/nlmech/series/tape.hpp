@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/tape_program.hpp"
 #include "nlmech/series/vector.hpp"
 
@@ -208,20 +209,5 @@ template <class Problem, int n>
 /// @cond Doxygen cannot follow specialisations of another library's templates
 // What Eigen has to know about recorded quantities as entries of vectors.
 template <>
-struct Eigen::NumTraits<nlmech::Recorded> : Eigen::GenericNumTraits<nlmech::Recorded> {
-  using Real = nlmech::Recorded;        ///< not complex
-  using NonInteger = nlmech::Recorded;  ///< fractions are of the same type
-  using Nested = nlmech::Recorded;      ///< held by value in expressions
-  using Literal = nlmech::Recorded;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 5,
-    AddCost = 10,
-    MulCost = 100
-  };
-};
+struct Eigen::NumTraits<nlmech::Recorded> : nlmech::detail::NumberTraits<nlmech::Recorded, 5, 10, 100> {};
 /// @endcond

@@ -62,8 +62,8 @@ struct Program {
 };
 
 /// Coefficients k = 1, ..., order - 1 of all series, and 2, ..., order of the state. @p memory: series i
-/// begins at memory + i stride; @p factor: coefficient k + 1 of the state is factor[k] times that of the
-/// right-hand side, but for small k where it is divisor[k] that is divided by after factor[k].
+/// begins at memory + i stride. Coefficient k + 1 of the state is that of the right-hand side times @p scale
+/// over k + 1: divided for k < first_reciprocal, else multiplied by the rounded factor[k].
 using Replay = void (*)(const Program& program, double* memory, std::int64_t stride, int order, double scale,
                         const double* factor);
 

@@ -9,7 +9,7 @@
 /// the compiler to reorder.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "nlmech/series/expansion_errors.hpp"
+#include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/vector.hpp"
 
 namespace nlmech {
@@ -366,20 +367,6 @@ class UnrolledSeries {
 /// @cond Doxygen cannot follow specialisations of another library's templates
 // What Eigen has to know about these series as entries of vectors.
 template <int k>
-struct Eigen::NumTraits<nlmech::UnrolledSeries<k>> : Eigen::GenericNumTraits<nlmech::UnrolledSeries<k>> {
-  using Real = nlmech::UnrolledSeries<k>;        ///< not complex
-  using NonInteger = nlmech::UnrolledSeries<k>;  ///< fractions are of the same type
-  using Nested = nlmech::UnrolledSeries<k>;      ///< held by value in expressions
-  using Literal = nlmech::UnrolledSeries<k>;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for.
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 5,
-    AddCost = 10,
-    MulCost = 100
-  };
-};
+struct Eigen::NumTraits<nlmech::UnrolledSeries<k>>
+    : nlmech::detail::NumberTraits<nlmech::UnrolledSeries<k>, 5, 10, 100> {};
 /// @endcond

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/spacecraft/gauss_rule.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -78,13 +79,6 @@ Family eigenfunctions(const Plant& plant, int count) {
           count};
 }
 
-/// Gauss and Legendre's rule of 10 points on 0 to 1: half of its nodes and weights on -1 to 1.
-constexpr std::array<std::pair<double, double>, 5> gauss = {{{0.1488743389816312, 0.2955242247147529},
-                                                             {0.4333953941292472, 0.2692667193099963},
-                                                             {0.6794095682990244, 0.2190863625159820},
-                                                             {0.8650633666889845, 0.1494513491505806},
-                                                             {0.9739065285171717, 0.0666713443086881}}};
-
 }  // namespace
 
 // Integrals over two half waves of the shortest function a panel are exact to rounding.
@@ -99,7 +93,7 @@ DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctio
   Eigen::VectorXd coupling = Eigen::VectorXd::Zero(count), phi(count), bend(count);
   const int panels = count + 4;
   for (int panel = 0; panel < panels; ++panel) {
-    for (const auto& [node, weight] : gauss) {
+    for (const auto& [node, weight] : gauss_rule) {
       for (const double side : {-1., 1.}) {
         const double xi = (panel + (1 + side * node) / 2) / panels, w = weight / 2 / panels;
         family.evaluate(xi, 0, phi);

@@ -21,8 +21,6 @@ void require_finite(const Gains& g) {
   require(std::isfinite(g.k3), "k3", "finite", g.k3);
 }
 
-bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
-
 /// Zeros of I_hub + kappa B, the closed loop's frequencies without k1 and k3: between them its bands are cut.
 /// They are the poles of a spacecraft whose hub weighs 2/kappa of the real one.
 Frequencies undamped(const Parameters& parameters, double kappa, int count) {
@@ -65,7 +63,7 @@ ClosedLoop::ClosedLoop(const Parameters& parameters, const Gains& gains) : plant
 
 LoopResponse ClosedLoop::response(Complex s, double x) const {
   plant_.appendage().require_place(x);
-  if (!finite(s)) return {{}, {}, Outcome::non_finite};
+  if (!is_finite(s)) return {{}, {}, Outcome::non_finite};
   const Motion<Complex> motion = plant_.appendage().motion(s);
   const Complex determinant = motion.determinant;
   const Complex inner = (gains_.k3 * s + gains_.k1) * determinant;
@@ -76,7 +74,7 @@ LoopResponse ClosedLoop::response(Complex s, double x) const {
   if (std::abs(q) <= 1e-15 * size || size == 0) return {{}, {}, Outcome::at_pole};
   const Complex theta = gains_.k1 * determinant / q;
   const Complex y = gains_.k1 * s * s * plant_.appendage().deflection(motion, x) / q;
-  if (!finite(theta) || !finite(y)) return {{}, {}, Outcome::non_finite};
+  if (!is_finite(theta) || !is_finite(y)) return {{}, {}, Outcome::non_finite};
   return {theta, y, Outcome::success};
 }
 

@@ -20,17 +20,16 @@ void require_sizes(const DiscreteModel& m) {
                                             m.stiffness.cols()));
 }
 
-bool finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
-
 template <class R>
 R judged(R r) {
-  if (!finite(r.theta) || !finite(r.deflection)) r.outcome = Outcome::at_pole;
+  if (!is_finite(r.theta) || !is_finite(r.deflection)) r.outcome = Outcome::at_pole;
   return r;
 }
 
 }  // namespace
 
 Eigen::MatrixXd DiscreteModel::full_mass() const {
+  require_sizes(*this);
   const Eigen::Index n = size();
   Eigen::MatrixXd full(n + 1, n + 1);
   full(0, 0) = total_inertia;
@@ -41,6 +40,7 @@ Eigen::MatrixXd DiscreteModel::full_mass() const {
 }
 
 Eigen::MatrixXd DiscreteModel::full_stiffness() const {
+  require_sizes(*this);
   const Eigen::Index n = size();
   Eigen::MatrixXd full = Eigen::MatrixXd::Zero(n + 1, n + 1);
   full.block(1, 1, n, n) = stiffness;
@@ -56,9 +56,7 @@ DenseResponse::DenseResponse(const DiscreteModel& model, double x)
       real_solver_(mass_.rows()),
       complex_solver_(mass_.rows()),
       real_solution_(mass_.rows()),
-      complex_solution_(mass_.rows()) {
-  require_sizes(model);
-}
+      complex_solution_(mass_.rows()) {}
 
 Response DenseResponse::response(Complex s) {
   const Eigen::Index n = shape_.size();

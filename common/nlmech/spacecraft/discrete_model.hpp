@@ -29,9 +29,11 @@ struct DiscreteModel {
 
   /// Number of coordinates q.
   [[nodiscard]] Eigen::Index size() const { return coupling.size(); }
-  /// Both matrices with theta as first coordinate: M x'' + K x = (u, 0) (Eq. 3.47).
+  /// The mass with theta as first coordinate: M x'' + K x = (u, 0) (Eq. 3.47).
+  /// @throws std::invalid_argument if sizes differ
   [[nodiscard]] Eigen::MatrixXd full_mass() const;
   /// The stiffness with theta as first coordinate: its row and column are 0.
+  /// @throws std::invalid_argument if sizes differ
   [[nodiscard]] Eigen::MatrixXd full_stiffness() const;
 };
 
@@ -41,6 +43,7 @@ class DenseResponse {
  public:
   /// @param model is copied
   /// @param x place of the deflection, ft
+  /// @throws std::invalid_argument if sizes differ
   DenseResponse(const DiscreteModel& model, double x);
   /// theta/u and y(x)/u; at_pole if they are not finite: an exactly singular matrix.
   [[nodiscard]] Response response(Complex s);

@@ -7,13 +7,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/jet.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
-using Complex = std::complex<double>;
 using std::numbers::pi;
-
-bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
 
 void require(bool right, const char* method, const char* what, double value) {
   if (!right) throw std::invalid_argument(fmt::format("{}: {} = {:g}", method, what, value));
@@ -82,13 +81,13 @@ Inverted talbot(const Transform& transform, double time, int nodes) {
   require(nodes >= 2 && nodes <= 200, "talbot", "2 to 200 nodes are possible; nodes", nodes);
   const double r = 2. * nodes / (5 * time);
   const Complex first = transform(r);
-  if (!finite(first)) return not_finite("talbot", time, r);
+  if (!is_finite(first)) return not_finite("talbot", time, r);
   double sum = std::exp(r * time) * first.real() / 2;
   for (int k = 1; k < nodes; ++k) {
     const double angle = k * pi / nodes, cotangent = 1 / std::tan(angle);
     const Complex s(r * angle * cotangent, r * angle);
     const Complex value = transform(s);
-    if (!finite(value)) return not_finite("talbot", time, s);
+    if (!is_finite(value)) return not_finite("talbot", time, s);
     const double sigma = angle + (angle * cotangent - 1) * cotangent;
     sum += (std::exp(s * time) * value * Complex(1, sigma)).real();
   }
@@ -111,7 +110,7 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
   for (std::size_t k = 0; k < a.size(); ++k) {
     const Complex s(shift, static_cast<double>(k) * pi / half_period);
     a[k] = transform(s);
-    if (!finite(a[k])) return not_finite("de_hoog", time, s);
+    if (!is_finite(a[k])) return not_finite("de_hoog", time, s);
   }
   a[0] /= 2.;
   const Complex sum = fraction(continued_fraction(a), std::polar(1., pi * time / half_period));
@@ -134,7 +133,7 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
   for (long k = 0; k <= terms; ++k) {
     const Complex s(options.shift, static_cast<double>(k) * pi / half_period);
     const Complex value = transform(s) * (k == 0 ? 0.5 : 1.);
-    if (!finite(value)) {
+    if (!is_finite(value)) {
       return std::vector<Inverted>(times.size(), not_finite("bromwich", times.empty() ? 0 : times[0], s));
     }
     for (std::size_t i = 0; i < times.size(); ++i) {

@@ -29,6 +29,8 @@ struct Inverted {
 /// The contour opens to the left and leaves poles of large imaginary part outside: right for functions
 /// without fast oscillations, 1e-9 of max |f| with 24 nodes for smooth ones; each node more loses 0.17 digits
 /// to rounding, e^(2M/5) eps in all. A flexible structure's modes above about M/t are missed altogether.
+///
+/// Tests hold smooth functions to 1e-9.
 /// @param transform F(s), without singularities to the right of the contour
 /// @param time t > 0
 /// @param nodes M, 2 to 200
@@ -47,6 +49,8 @@ struct DeHoogOptions {
 /// Fourier series of Durbin with half period T = scale t, summed as a continued fraction with its remainder
 /// estimated. Good to about the tolerance where 2M + 1 frequencies k pi/T reach beyond the modes that
 /// matter; not for late times of a lightly damped structure.
+///
+/// Tests hold smooth functions to 1e-8.
 /// @throws std::invalid_argument for a time that is not positive and finite or options out of range
 [[nodiscard]] Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& options = {});
 

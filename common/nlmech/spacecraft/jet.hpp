@@ -2,12 +2,18 @@
 /// A complex number with its derivative by the Laplace variable s: what Newton's method and residues need.
 #pragma once
 
+#include <cmath>
 #include <complex>
 
 namespace nlmech::spacecraft {
 
 /// A point of the plane of s, or a value there.
 using Complex = std::complex<double>;
+
+/// Are both parts finite?
+[[nodiscard]] inline bool is_finite(const Complex& z) {
+  return std::isfinite(z.real()) && std::isfinite(z.imag());
+}
 
 /// An analytic function at one s: value and derivative. Arithmetic follows the rules of differentiation.
 struct Jet {

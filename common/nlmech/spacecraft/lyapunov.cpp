@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "nlmech/spacecraft/assumed_modes.hpp"
+#include "nlmech/spacecraft/gauss_rule.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Gauss's rule with 10 points on [-1, 1].
-constexpr double points[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
-                             0.9739065285171717};
-constexpr double weights[] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820, 0.1494513491505806,
-                              0.0666713443086881};
 
 /// exp(A t) by Taylor's series of A t/2^k, |A t|/2^k <= 1/2, squared k times.
 MatrixXd exponential(const MatrixXd& a, double time) {
@@ -83,7 +78,7 @@ DiscreteLoop::DiscreteLoop(const DiscreteModel& model, const Gains& gains, doubl
   VectorXd theta_rate = VectorXd::Zero(2 * n);
   theta_rate.tail(n) = velocities_.row(0).transpose();
   for (Index k = 0; k < 10; ++k) {
-    const double point = k < 5 ? points[k] : -points[k - 5];
+    const double place = gauss_rule[static_cast<std::size_t>(k % 5)].place, point = k < 5 ? place : -place;
     rates_.row(k) = theta_rate.transpose() * exponential(a, step * (1 + point) / 2);
   }
   VectorXd start = VectorXd::Zero(n);
@@ -127,7 +122,7 @@ double DiscreteLoop::dissipation() const {
   double sum = 0;
   for (Index k = 0; k < 10; ++k) {
     const double rate = rates_.row(k).dot(state_);
-    sum += weights[k % 5] * rate * rate;
+    sum += gauss_rule[static_cast<std::size_t>(k % 5)].weight * rate * rate;
   }
   return k3_ * sum * step_ / 2;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/gauss_rule.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
@@ -38,12 +39,6 @@ Three densities(const ClosedLoop& loop, double omega, double x) {
   return {error / p, torque * torque / p, deflection * deflection / p};
 }
 
-/// Gauss's rule with 10 points on [-1, 1]: the positive half.
-constexpr double points[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
-                             0.9739065285171717};
-constexpr double weights[] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820, 0.1494513491505806,
-                              0.0666713443086881};
-
 /// The integral over [a, b], in the variable v of omega = centre + width sinh v.
 void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, double b, Three& sum) {
   if (!(b > a)) return;
@@ -53,10 +48,11 @@ void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, dou
   const double half = (last - first) / pieces / 2;
   for (int i = 0; i < pieces; ++i) {
     const double middle = first + (2 * i + 1) * half;
-    for (int k = 0; k < 10; ++k) {
-      const double v = middle + (k < 5 ? points[k] : -points[k - 5]) * half;
+    for (std::size_t k = 0; k < 10; ++k) {
+      const GaussPair& g = gauss_rule[k % 5];
+      const double v = middle + (k < 5 ? g.place : -g.place) * half;
       const Three d = densities(loop, centre + width * std::sinh(v), x);
-      const double weight = weights[k % 5] * half * width * std::cosh(v);
+      const double weight = g.weight * half * width * std::cosh(v);
       for (std::size_t j = 0; j < 3; ++j) sum[j] += weight * d[j];
     }
   }

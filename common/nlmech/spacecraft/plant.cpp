@@ -7,12 +7,6 @@
 #include <stdexcept>
 
 namespace nlmech::spacecraft {
-namespace {
-
-bool finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
-
-}  // namespace
-
 bool vanishes(double sum, double size, double waves) {
   return sum <= 4 * std::numeric_limits<double>::epsilon() * (1 + waves) * size;
 }
@@ -43,7 +37,7 @@ Outcome Plant::response(Complex s, std::span<const double> x, Complex& theta, st
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = appendage_.deflection(m, x[i]) / sum;
     if (!std::isfinite(std::abs(m.determinant)) || !std::isfinite(std::abs(sum))) return Outcome::non_finite;
     const bool pole = vanishes(std::abs(sum), std::abs(hub) + std::abs(beams), m.wave_number);
-    return pole || !finite(theta) ? Outcome::at_pole : Outcome::success;
+    return pole || !is_finite(theta) ? Outcome::at_pole : Outcome::success;
   };
   if (s.real() == 0) return fill(appendage_.motion_at_frequency(s.imag()), -(s.imag() * s.imag()));
   return fill(appendage_.motion(s), s * s);

@@ -12,8 +12,6 @@
 namespace nlmech::spacecraft {
 namespace {
 
-bool finite(Complex z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
-
 Complex power(Complex p, int order) {
   Complex result = 1;
   for (int i = 0; i < order; ++i) result *= p;
@@ -148,8 +146,8 @@ ExponentialSum::ExponentialSum(const std::array<double, 3>& polynomial, std::vec
     throw std::invalid_argument(
         fmt::format("ExponentialSum: {} poles and {} weights", poles_.size(), weights_.size()));
   const bool all =
-      std::all_of(poles_.begin(), poles_.end(), finite) &&
-      std::all_of(weights_.begin(), weights_.end(), finite) &&
+      std::all_of(poles_.begin(), poles_.end(), is_finite) &&
+      std::all_of(weights_.begin(), weights_.end(), is_finite) &&
       std::all_of(polynomial_.begin(), polynomial_.end(), [](double c) { return std::isfinite(c); });
   if (!all) throw std::invalid_argument("ExponentialSum: a coefficient is not finite");
 }

@@ -47,6 +47,9 @@ struct TimeResponse {
 /// theta and y are sums of terms that fall like n^-6 and n^-5; theta' n^-4; y' n^-3; u n^-4 for k2 = 0 and
 /// n^-2 else (slowly and not near t = 0). Two poles that nearly coincide, as at critical damping, are
 /// replaced by 48 points of a circle round both, so that nothing cancels. With k1 = 0 nothing moves.
+///
+/// Tests hold it to an independent sum of 25 pairs of poles (1e-9) and to a numerical inverse of the exact
+/// transform (2e-9).
 /// @throws std::invalid_argument if a place is outside 0 to L, the angle is not finite, or an option is out
 /// of range
 [[nodiscard]] TimeResponse step_response(const ClosedLoop& loop, double final_angle,

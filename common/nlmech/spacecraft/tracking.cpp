@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/gauss_rule.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
@@ -100,17 +102,13 @@ Complex Tracking::convolution(Complex p, double time, int order) const {
   } else {
     // Gauss's rule with 10 points on 8 pieces, |p h| <= 2.5: the remainder is below rounding. Of r', which
     // has one sign: higher derivatives would cancel for a short turn. Their integrals follow by parts.
-    constexpr double points[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
-                                 0.8650633666889845, 0.9739065285171717};
-    constexpr double weights[] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
-                                  0.1494513491505806, 0.0666713443086881};
     constexpr int pieces = 8;
     const double half = end / pieces / 2;
     for (int i = 0; i < pieces; ++i) {
-      for (std::size_t k = 0; k < 5; ++k) {
-        for (const double side : {-points[k], points[k]}) {
+      for (const GaussPair& g : gauss_rule) {
+        for (const double side : {-g.place, g.place}) {
           const double tau = (2 * i + 1 + side) * half;
-          sum += weights[k] * half * std::exp(p * (end - tau)) * turn_.polynomial(tau, 1);
+          sum += g.weight * half * std::exp(p * (end - tau)) * turn_.polynomial(tau, 1);
         }
       }
     }

@@ -59,6 +59,8 @@ struct TrackedMotion {
 ///
 /// With the regulator theta - r begins with -k3/k1 r'. With the torque fed forward (theta - r)/r is of order
 /// s^4: theta - r is about kappa strain/k1 times r'''' for a slow turn, strain as in Statics.
+///
+/// Tests hold it to the numerical inverse of its transform, to 1e-7.
 class Tracking {
  public:
   /// @param loop with k1 > 0

@@ -168,8 +168,8 @@ struct Taylor {
         v[j] = multiply_add(v[j], fourth, row * Four::all(base + j));
       }
     }
-    if (base ==
-        0) {  // p[0] begins with r_4 and v[1] with 5 r_5: rows 0, and 1 of the velocity, are no change
+    // p[0] begins with r_4 and v[1] with 5 r_5: rows 0, and 1 of the velocity, are no change.
+    if (base == 0) {
       const Four third = Four::load(c.row[3]), second = Four::load(c.row[2]);
       p[1] = multiply_add(p[1], fourth, Four::load(c.row[1]));
       p[2] = multiply_add(p[2], fourth, second);

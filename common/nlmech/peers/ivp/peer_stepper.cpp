@@ -6,13 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/limits.hpp"
 
 namespace nlmech::peers {
 namespace {
-
-/// Distance of the doubles next to |t|.
-double spacing(double t) { return std::nextafter(std::abs(t), HUGE_VAL) - std::abs(t); }
 
 /// Was the step so short that rounding of t changed its length? Then the state and its time have parted:
 /// libraries go on all the same, and arrive somewhere else. The last step of a segment may be as short as the
@@ -20,7 +19,7 @@ double spacing(double t) { return std::nextafter(std::abs(t), HUGE_VAL) - std::a
 bool is_lost_in_rounding(double t, const Attempt& attempt, double end) {
   const double length = std::abs(attempt.step);
   if (attempt.t == end) return std::abs(end - t) > 1.125 * length;
-  return length < 16 * spacing(t);
+  return length < 16 * ivp::spacing(t);
 }
 
 /// The walk over one smooth segment, to @p end.
@@ -34,10 +33,8 @@ Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, dou
   const auto is_recent = [&] { return last_non_finite >= 0 && done.steps - last_non_finite <= 100; };
   if (Status status = stepper.begin(run.t, run.x, end); !status.ok()) return status;
   while (run.t != end) {
-    if (done.steps + done.rejected >= run.limits.steps)
-      return ivp::step_limit(method, run.t, run.limits.steps);
-    if (std::isfinite(run.limits.seconds) && watch.seconds() > run.limits.seconds)
-      return ivp::time_limit(method, run.t, run.limits.seconds);
+    if (Status status = ivp::check_limits(method, run.t, done, run.limits, watch); !status.ok())
+      return status;
     const Attempt attempt = stepper.attempt(next.data(), done);
     if (run.equations.met_non_finite()) last_non_finite = done.steps;
     if (attempt.result == Attempt::Result::failed) {
@@ -84,7 +81,7 @@ double initial_step(double t, const double* x, const double* f, int size, double
   }
   double length = state < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * (state / rate);
   // A step must move t; how short it may become after that is for the library to find out.
-  length = std::max(length, 16 * spacing(t));
+  length = std::max(length, 16 * ivp::spacing(t));
   return std::copysign(std::min(length, std::abs(end - t)), end - t);
 }
 

@@ -1,0 +1,23 @@
+/// @file
+/// Whether an integration may go on.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::ivp {
+
+/// `step_limit` or `time_limit` at time @p t if one is used up by @p done and @p watch; else success.
+[[nodiscard]] inline Status check_limits(std::string_view method, double t, const Statistics& done,
+                                         const Limits& limits, const Stopwatch& watch) {
+  if (done.steps + done.rejected >= limits.steps) return step_limit(method, t, limits.steps);
+  if (std::isfinite(limits.seconds) && watch.seconds() > limits.seconds)
+    return time_limit(method, t, limits.seconds);
+  return {};
+}
+
+}  // namespace nlmech::ivp
