@@ -23,20 +23,15 @@ set margins 0.5, 0.5, 0.5, 2.5
 tip = exists("head") ? real(head) : 0.25
 size_of_letters = exists("letters") ? int(letters) : font_size
 
-# The first entry of a list whose entries are separated by s, and the others.
-first(list, s) = strstrt(list, s) > 0 ? list[1:strstrt(list, s) - 1] : list
-others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
-rest = exists("labels") ? labels : ""
-while (strlen(rest) > 0) {
-  entry = first(rest, "|")
-  rest = others(rest, "|")
-  words = first(entry, "@")
-  entry = others(entry, "@")
-  at_x = real(first(entry, "@"))
-  entry = others(entry, "@")
-  at_y = real(first(entry, "@"))
-  shade = others(entry, "@") eq "soft" ? soft_ink : ink
-  set label words at at_x, at_y center front textcolor rgb shade font sprintf("%s,%d", font_family, size_of_letters)
+if (exists("labels")) {
+  do for [i = 1:entries(labels)] {
+    item = entry(labels, i)
+    words_of_item = field(item, 1)
+    at_x = real(field(item, 2))
+    at_y = real(field(item, 3))
+    shade = field(item, 4) eq "soft" ? soft_ink : ink
+    set label words_of_item at at_x, at_y center front textcolor rgb shade font sprintf("%s,%d", font_family, size_of_letters)
+  }
 }
 
 of(name) = strcol("kind") eq name ? column("x") : NaN

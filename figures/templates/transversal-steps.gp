@@ -14,14 +14,8 @@
 if (!exists("heading")) heading = "Errors"
 
 array name[20]
-count = 0
-rest = legend
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  name[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(legend)
+do for [k = 1:count] {name[k] = entry(legend, k)}
 
 set title heading
 set xlabel xlabel
