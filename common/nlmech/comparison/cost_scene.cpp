@@ -11,7 +11,7 @@ scene::Quantity condition_quantity(const Costs& costs) {
 
 void add_cost_scene(scene::Chapter& chapter, const CostScene& what) {
   const std::string suffix = what.name.empty() ? "" : "-" + what.name;
-  const auto& run = chapter.add_run<Costs>(
+  const auto& run = chapter.add_timed_run<Costs>(
       "times" + suffix,
       what.reading + "; error: median over 16 ends of steps in the last tenth; one thread, median of repeats",
       {}, [measure = what.measure](scene::Workshop& w) { return measure(w.quick()); });
