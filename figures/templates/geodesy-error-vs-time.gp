@@ -24,8 +24,8 @@ set xrange [0.5:600]
 set yrange [1e-18:1e-7]
 set ytics 100
 set xlabel "time a point (ns)"
-set ylabel "max |latitude error| (rad)"
-set margins screen 0.11, screen 0.70, screen 0.13, screen 0.78
+set ylabel "max |latitude error| (rad)" offset 1.5,0
+set margins screen 0.125, screen 0.70, screen 0.13, screen 0.78
 set key at screen 0.40, screen 0.885 center top maxrows 2 Left reverse samplen 1.5 spacing 1.1
 
 # The methods by number, to the right of the plot.
