@@ -31,7 +31,8 @@ class Drawing {
  public:
   void path(const std::string& kind, const std::vector<Spot>& points);
   void arrow(Spot from, Spot to, const std::string& kind = "arrow");
-  /// Words about a place; they may hold gnuplot's markup. @param shade `ink`, or `soft` for what stands back
+  /// Words about a place; they may hold gnuplot's markup, but none of | @ '.
+  /// @param shade `ink`, or `soft` for what stands back
   void text(const std::string& words, Spot at, const std::string& shade = "ink");
   void joint(Spot at);  ///< a dot
   /// A part of a circle, angles in radians.

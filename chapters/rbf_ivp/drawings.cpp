@@ -51,7 +51,7 @@ scene::Showing draw_flow_chart() {
   chart.box({72, 90}, right, {"{/:Bold right-hand sides}", "g_j = ({/:Italic h}/2) f({/:Italic t_j}, x_j)"});
   chart.box({72, 71}, right,
             {"{/:Bold expand} up to the degree {/:Italic N} − 1",
-             "F_k = (2/{/:Italic M}) Σ'' g_j {/:Italic T}_k(τ_j)"});
+             "F_k = (2/{/:Italic M}) Σ″ g_j {/:Italic T}_k(τ_j)"});
   chart.box(
       {72, 52}, right,
       {"{/:Bold integrate} term by term", "β_r = (F_{r − 1} − F_{r + 1})/(2{/:Italic r}), β_0 from x_0"});

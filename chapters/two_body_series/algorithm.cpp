@@ -52,12 +52,12 @@ double least_derivative() {
 scene::Showing draw() {
   FlowChart chart;
   chart.box({23, 88}, {20, 8},
-            {"{/:Bold given}", "r, r' at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
-  chart.box({23, 62}, {20, 8}, {"{/:Bold begin of a step}", "r^{(0)} = r,  r^{(1)} = r',  {/:Italic n} = 0"});
+            {"{/:Bold given}", "r, r′ at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
+  chart.box({23, 62}, {20, 8}, {"{/:Bold begin of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
   chart.box(
       {23, 17}, {20, 10},
       {"{/:Bold end of the step}", "r ← Σ r^{(k)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} ≤ {/:Italic K}",
-       "r' ← Σ r^{(k+1)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} < {/:Italic K}"});
+       "r′ ← Σ r^{(k+1)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} < {/:Italic K}"});
   constexpr Spot right{24, 8};
   chart.box({73, 88}, right,
             {"{/:Bold f = r·r}  (3.62)",
@@ -66,11 +66,11 @@ scene::Showing draw() {
   chart.box(
       {73, 66}, right,
       {"{/:Bold g = f^{−p/2}, p = 3}  (3.66)",
-       "{/:Italic g}^{(n)} = −[({/:Italic p}/2) {/:Italic f} '{/:Italic g}^{(n−1)} + Σ C({/:Italic n}−1, "
+       "{/:Italic g}^{(n)} = −[({/:Italic p}/2) {/:Italic f}′ {/:Italic g}^{(n−1)} + Σ C({/:Italic n}−1, "
        "{/:Italic m}) (({/:Italic p}/2) {/:Italic f}^{(m+1)}{/:Italic g}^{(n−1−m)}",
        "+ {/:Italic f}^{(m)}{/:Italic g}^{(n−m)})]/{/:Italic f},  {/:Italic m} = 1, …, {/:Italic n}−1"});
   chart.box({73, 44}, right,
-            {"{/:Bold r'' = −μ g_3 r}  (3.68)",
+            {"{/:Bold r″ = −μ g_3 r}  (3.68)",
              "r^{(n+2)} = −μ Σ C({/:Italic n}, {/:Italic m}) r^{(m)}{/:Italic g}^{(n−m)}"});
   chart.decision({73, 17}, {18, 9}, {"{/:Italic n} + 2 = {/:Italic K}?"});
   chart.way({{23, 80}, {23, 70}});
