@@ -87,6 +87,13 @@ power_of_ten = "10^{%T}"
 bold(text)   = "{/:Bold " . text . "}"
 italic(text) = "{/:Italic " . text . "}"
 
+# Lists in a text. entry("a|b|c", 2) is "b", entries("a|b|c") is 3, field("x@y", 1) is "x".
+part(list, separator, i) = i > 1 ? part(list[strstrt(list, separator) + 1:*], separator, i - 1) \
+    : (strstrt(list, separator) > 0 ? list[1:strstrt(list, separator) - 1] : list)
+entry(list, i) = part(list, "|", i)
+field(text, i) = part(text, "@", i)
+entries(list) = 1 + (strstrt(list, "|") > 0 ? entries(list[strstrt(list, "|") + 1:*]) : 0)
+
 # Heat maps: viridis, twelve samples. Its lightness rises steadily, so it stays ordered in grey.
 set palette model RGB defined ( \
     0 "#440154",  1 "#482173",  2 "#433E85",  3 "#38598C",  4 "#2D708E",  5 "#25858E", \

@@ -52,7 +52,7 @@ void add_poincare_command(CLI::App& app) {
       "poincare", "States of the oscillator every pi, from t = pi on, as CSV: section,x,v");
   command->add_option("--sections", words->sections, "how many, the first of them the initial state")
       ->required();
-  command->add_option("--initial", words->initial, "initial state x,v; -0.5,0 if not given");
+  command->add_option("--initial", words->initial, "initial state x,v; -0.5,0 without it");
   command->add_option("--set", words->set, "name=value of stiffness or epsilon; may be repeated")
       ->allow_extra_args(false);
   command->callback([words] { scene::print_result(section_rows(*words)); });
@@ -65,7 +65,7 @@ void algebraic_series_work(CLI::App& app) {
   const comparison::OwnProblems problems = {
       &own_problem<problems::Lorenz>, &own_problem<Duffing>, &own_problem<problems::StrongOscillator>,
       &own_problem<problems::Projectile>, &own_problem<problems::FourBodies>};
-  comparison::add_integrate_command(app, problems, "series");
+  comparison::add_integrate_command(app, problems, {"series"});
   comparison::add_compare_command(app, problems, "algebraic_series");
   add_poincare_command(app);
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/drawing.hpp"
 #include "chapters/geodesy/scenes.hpp"
 
 namespace nlmech::chapters {
@@ -162,18 +163,10 @@ scene::Showing draw_in_the_meridian() {
 }  // namespace
 
 void add_drawings(scene::Chapter& chapter) {
-  chapter.add({.name = "fig-2.21",
-               .title = "Cartesian and geodetic coordinates of a satellite (drawn)",
-               .place = "Figure 2.21",
-               .needs = {},
-               .seconds = 0.1,
-               .show = [](scene::Workshop&) { return draw_in_space(); }});
-  chapter.add({.name = "fig-2.22",
-               .title = "Geodetic, parametric and geocentric latitude in the meridian (drawn)",
-               .place = "Figure 2.22",
-               .needs = {},
-               .seconds = 0.1,
-               .show = [](scene::Workshop&) { return draw_in_the_meridian(); }});
+  add_drawing(chapter, "fig-2.21", "Cartesian and geodetic coordinates of a satellite (drawn)",
+              draw_in_space);
+  add_drawing(chapter, "fig-2.22", "Geodetic, parametric and geocentric latitude in the meridian (drawn)",
+              draw_in_the_meridian);
 }
 
 }  // namespace nlmech::chapters

@@ -1,66 +1,12 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
+#include "chapters/drawing.hpp"
 #include "chapters/gss_control/scenes.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
 namespace nlmech::chapters {
 namespace {
-
-/// A place on the page.
-struct Spot {
-  double x, y;
-};
-Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
-Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
-Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
-Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-/// A text whose blanks beside marked-up words stay.
-std::string with_kept_blanks(std::string text) {
-  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += 4)
-    text.insert(at + 1, "\u200b");  // a space of no width
-  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += 4)
-    text.insert(at + 1, "\u200b");
-  return text;
-}
-
-/// Lines, arrows and texts (without commas) for the template `gss_control-drawing`.
-class Drawing {
- public:
-  /// @param kind `member`, `rest`, `thin` or `body`
-  void path(const std::string& kind, const std::vector<Spot>& points) {
-    ++paths_;
-    for (const Spot& p : points) table_.add({kind, paths_, p.x, p.y, 0.0, 0.0, {}});
-  }
-  void arrow(Spot from, Spot to, const std::string& kind = "arrow") {
-    table_.add({kind, ++paths_, from.x, from.y, to.x - from.x, to.y - from.y, {}});
-  }
-  void text(const std::string& words, Spot at) {
-    table_.add({"label", ++paths_, at.x, at.y, 0.0, 0.0, with_kept_blanks(words)});
-  }
-  /// A part of a circle, angles in radians.
-  void arc(const std::string& kind, Spot centre, double radius, double from, double to) {
-    std::vector<Spot> points;
-    for (int i = 0; i <= 72; ++i) points.push_back(centre + radius * direction(from + (to - from) * i / 72));
-    path(kind, points);
-  }
-  /// The same with an arrow's head at its end.
-  void turn(Spot centre, double radius, double from, double to, const std::string& kind = "arrow") {
-    arc("thin", centre, radius, from, to);
-    const double before = to - 0.12 * (to > from ? 1 : -1);
-    arrow(centre + radius * direction(before), centre + radius * direction(to), kind);
-  }
-  [[nodiscard]] scene::Figure take(std::map<std::string, std::string> variables) {
-    return {std::move(table_), "gss_control-drawing", std::move(variables)};
-  }
-
- private:
-  std::int64_t paths_ = 0;
-  scene::Table table_{{{"kind"}, {"path", 3, true}, {"x"}, {"y"}, {"dx"}, {"dy"}, {"text"}}};
-};
 
 /// A hub that has turned by an angle, and the deflections drawn too large.
 struct Craft {
@@ -172,16 +118,6 @@ scene::Showing draw_appendage_axes() {
        scene::near("curvature of the drawn shape at the tip", "1",
                    (xi(1 + h) - 2 * xi(1) + xi(1 - h)) / (h * h) + 1, 1, 1e-9,
                    "no moment there: the second difference of a cubic is exact but for rounding over h^2")}};
-}
-
-void add_drawing(scene::Chapter& chapter, const std::string& name, const std::string& title,
-                 scene::Showing (*show)()) {
-  chapter.add({.name = name,
-               .title = title,
-               .place = "Figure " + name.substr(4),
-               .needs = {},
-               .seconds = 0.1,
-               .show = [show](scene::Workshop&) { return show(); }});
 }
 
 }  // namespace

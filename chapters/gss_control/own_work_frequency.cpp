@@ -137,7 +137,7 @@ void response(const Words& words) {
 CLI::App* add(CLI::App& app, const std::string& name, const std::string& what,
               const std::shared_ptr<Words>& words, void (*work)(const Words&)) {
   CLI::App* const command = app.add_subcommand(name, what);
-  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without");
+  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without it");
   command->add_option("--gains", words->gains,
                       "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
   command->callback([words, work] { work(*words); });

@@ -60,11 +60,12 @@ void add_step_command(CLI::App& app) {
       "step",
       "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
       "t,theta,theta_dot,y@X,ydot@X; s, rad, ft");
-  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without");
+  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without it");
   command->add_option("--gains", words->gains, "k1,k2,k3");
-  command->add_option("--final-angle", words->angle, "theta_f, rad; 1 without");
+  command->add_option("--final-angle", words->angle, "theta_f, rad; 1 without it");
   command->add_option("--until", words->until, "last time, s")->required();
-  command->add_option("--every", words->every, "a row each so many seconds; without, the first and the last");
+  command->add_option("--every", words->every,
+                      "rows at this distance in time, s; without it the first and the last");
   command->add_option("--at", words->at, "places on the appendage x1,x2,..., ft from the rim");
   command->callback([words] { step(*words); });
 }

@@ -7,19 +7,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "chapters/drawing.hpp"
+
 namespace nlmech::chapters {
 namespace {
-
-/// A text whose blanks beside marked-up words stay: some viewers of SVG drop them where markup begins or
-/// ends.
-std::string with_kept_blanks(std::string text) {
-  const std::string mark = "\u200b";  // a space of no width
-  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  return text;
-}
 
 std::string range(double low, double high) { return fmt::format("[{:.9g}:{:.9g}]", low, high); }
 

@@ -8,7 +8,7 @@ scene::Chapter hermitian_chapter() {
   scene::Chapter chapter("hermitian", "Nonlinear dynamics by Hermitian operators with jerks (Laier)");
   add_tables(chapter);
   add_spectral(chapter);
-  add_order(chapter);
+  add_orders(chapter);
   add_energy(chapter);
   add_wrong_branch(chapter);
   add_extremes(chapter);

@@ -13,7 +13,7 @@
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/two_dof.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 
 namespace nlmech::chapters {
 namespace {
@@ -30,15 +30,13 @@ struct VanDerPol : problems::VanDerPol {
 
 /// What was typed.
 struct Words {
-  std::string problem, operators, step;
+  std::string problem, method, step;
 };
 
 std::string peak_rows(const Words& words) {
-  double step = 0;
-  if (!scene::parse_number(words.step, step) || !(step > 0))
-    throw InputError(fmt::format("--step {}: must be a positive number", words.step));
+  const double step = scene::typed_positive("--step", words.step);
   const ivp::HermitianPair pair =
-      comparison::about("--operator", [&] { return ivp::hermitian_pair(words.operators); });
+      comparison::about("--method", [&] { return ivp::hermitian_pair(words.method); });
   if (words.problem != "duffing" && words.problem != "van-der-pol")
     throw InputError(
         fmt::format("--problem {}: there is no such problem; there is duffing, van-der-pol", words.problem));
@@ -54,7 +52,7 @@ void add_peak_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("peak", "The first peak of the paper's oscillators, as CSV: t,peak");
   command->add_option("--problem", words->problem, "duffing (from rest) or van-der-pol (from 0.01)")
       ->required();
-  command->add_option("--operator", words->operators, "laier, argyris, newmark, hoff or bazzi")->required();
+  command->add_option("--method", words->method, "laier, argyris, newmark, hoff or bazzi")->required();
   command->add_option("--step", words->step, "length of a step")->required();
   command->callback([words] { scene::print_result(peak_rows(*words)); });
 }
@@ -66,10 +64,8 @@ void hermitian_work(CLI::App& app) {
   const comparison::OwnProblems problems = {&own_problem<Duffing>, &own_problem<VanDerPol>,
                                             &own_problem<problems::LinearOscillator>,
                                             &own_problem<problems::TwoDof>};
-  comparison::add_integrate_command(
-      app, problems,
-      comparison::MethodOption{
-          "--operator", {"laier", "argyris", "newmark", "hoff", "bazzi"}, "row of the paper's Table 1"});
+  // The rows of the paper's Table 1.
+  comparison::add_integrate_command(app, problems, {"laier", "argyris", "newmark", "hoff", "bazzi"});
   comparison::add_compare_command(app, problems, "hermitian");
   add_peak_command(app);
 }

@@ -8,7 +8,7 @@ namespace nlmech::chapters {
 
 void add_tables(scene::Chapter& chapter);         ///< the paper's tables 1, 4 and 5
 void add_spectral(scene::Chapter& chapter);       ///< spectral radius and period error of the five rows
-void add_order(scene::Chapter& chapter);          ///< error against the step
+void add_orders(scene::Chapter& chapter);         ///< error against the step
 void add_energy(scene::Chapter& chapter);         ///< symmetric, not symplectic: energy over a long time
 void add_wrong_branch(scene::Chapter& chapter);   ///< a converged iteration that leaves the solution
 void add_extremes(scene::Chapter& chapter);       ///< stiff and oscillatory problems, steps far too long

@@ -4,16 +4,9 @@
 
 #include <utility>
 
-namespace nlmech::chapters {
+#include "chapters/drawing.hpp"
 
-std::string with_kept_blanks(std::string text) {
-  const std::string mark = "\u200b";  // a space of no width
-  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  return text;
-}
+namespace nlmech::chapters {
 
 Curves::Curves(std::string heading, const std::string& xlabel, const std::string& ylabel)
     : data_({{"curve", 3, true}, {"x"}, {"y"}}) {

@@ -10,10 +10,6 @@
 
 namespace nlmech::chapters {
 
-/// A text whose blanks beside marked-up words stay: some viewers of SVG drop them where markup begins or
-/// ends.
-[[nodiscard]] std::string with_kept_blanks(std::string text);
-
 /// Collects curves in the order in which they are drawn.
 class Curves {
  public:

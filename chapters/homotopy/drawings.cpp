@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/drawing.hpp"
 #include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/scenes.hpp"
 #include "chapters/homotopy/toggles.hpp"
@@ -12,60 +13,12 @@
 namespace nlmech::chapters {
 namespace {
 
-/// A place on the page.
-struct Spot {
-  double x, y;
-};
-Spot operator+(Spot a, Spot b) { return {a.x + b.x, a.y + b.y}; }
-Spot operator-(Spot a, Spot b) { return {a.x - b.x, a.y - b.y}; }
-Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
-double length(Spot a) { return std::hypot(a.x, a.y); }
-
-/// Lines, arrows and texts (without commas) for the template `homotopy-drawing`.
-class Drawing {
- public:
-  /// @param kind `member`, `rest`, `thin` or `hatch`
-  void path(const std::string& kind, const std::vector<Spot>& points) {
-    ++paths_;
-    for (const Spot& p : points) table_.add({kind, paths_, p.x, p.y, 0.0, 0.0, {}});
-  }
-  void arrow(Spot from, Spot to, const std::string& kind = "arrow") {
-    table_.add({kind, ++paths_, from.x, from.y, to.x - from.x, to.y - from.y, {}});
-  }
-  void text(const std::string& words, Spot at) {
-    table_.add({"label", ++paths_, at.x, at.y, 0.0, 0.0, with_kept_blanks(words)});
-  }
-  void joint(Spot at) { table_.add({"joint", ++paths_, at.x, at.y, 0.0, 0.0, {}}); }
-  /// A part of a circle, angles in radians.
-  void arc(Spot centre, double radius, double from, double to) {
-    std::vector<Spot> points;
-    for (int i = 0; i <= 24; ++i) {
-      const double a = from + (to - from) * i / 24;
-      points.push_back(centre + radius * Spot{std::cos(a), std::sin(a)});
-    }
-    path("thin", points);
-  }
-  /// The same with an arrow's head at its end.
-  void turn(Spot centre, double radius, double from, double to) {
-    arc(centre, radius, from, to);
-    const double before = to - 0.15 * (to > from ? 1 : -1);
-    arrow(centre + radius * Spot{std::cos(before), std::sin(before)},
-          centre + radius * Spot{std::cos(to), std::sin(to)});
-  }
-  /// A base that holds a member's end, hatched below.
-  void base(Spot at) {
-    path("member", {at + Spot{-0.9, 0}, at + Spot{0.9, 0}});
-    for (int i = 0; i < 6; ++i)
-      path("hatch", {at + Spot{-0.9 + 0.3 * (i + 1), 0}, at + Spot{-0.9 + 0.3 * i, -0.35}});
-  }
-  [[nodiscard]] scene::Figure take(std::map<std::string, std::string> variables) {
-    return {std::move(table_), "homotopy-drawing", std::move(variables)};
-  }
-
- private:
-  std::int64_t paths_ = 0;
-  scene::Table table_{{{"kind"}, {"path", 3, true}, {"x"}, {"y"}, {"dx"}, {"dy"}, {"text"}}};
-};
+/// A base that holds a member's end, hatched below.
+void draw_base(Drawing& d, Spot at) {
+  d.path("ground", {at + Spot{-0.9, 0}, at + Spot{0.9, 0}});
+  for (int i = 0; i < 6; ++i)
+    d.path("hatch", {at + Spot{-0.9 + 0.3 * (i + 1), 0}, at + Spot{-0.9 + 0.3 * i, -0.35}});
+}
 
 // ------------------------------------------------------------------------------------ figure 2.4, the toggle
 
@@ -81,8 +34,8 @@ double linear_stiffness(double height) {
 
 scene::Showing draw_toggle() {
   Drawing d;
-  d.base(left);
-  d.base(right);
+  draw_base(d, left);
+  draw_base(d, right);
   d.path("member", {left, apex, right});
   d.path("thin", {left + Spot{1, 0}, right - Spot{1, 0}});
   d.arrow(apex + Spot{0, 1.7}, apex + Spot{0, 0.15}, "force");
@@ -91,7 +44,7 @@ scene::Showing draw_toggle() {
   d.arrow({0.35, 1.2}, {0.35, 2.05});
   d.arrow({0.35, 0.9}, {0.35, 0.05});
   d.text("{/:Italic l} sin {/:Italic β}", {1.25, 1.05});
-  d.arc(left, 2.6, 0, std::atan2(apex.y, -left.x));
+  d.arc("thin", left, 2.6, 0, std::atan2(apex.y, -left.x));
   d.text("{/:Italic β}", left + Spot{3.0, 0.4});
   d.text("{/:Italic l} {/:Italic EA} {/:Italic EI}", {-4.6, 1.75});
   d.text("{/:Italic l} {/:Italic EA} {/:Italic EI}", {4.6, 1.75});
@@ -132,10 +85,10 @@ scene::Showing draw_deflected() {
   const Sway sway(k);
   Drawing drawing;
   const Spot r{-8, 0}, s{0, 3.0}, e = (1 / length(s - r)) * (s - r), across{e.y, -e.x};
-  drawing.base(r);
+  draw_base(drawing, r);
   drawing.path("rest", {r, s});
   drawing.path("rest", {s, {8, 0}});
-  drawing.base({8, 0});
+  draw_base(drawing, {8, 0});
   // The apex falls by `fall`: that is fall cos(beta) across the member, and fall sin(beta) along it.
   std::vector<Spot> line, mirrored;
   for (int i = 0; i <= 60; ++i) {
@@ -171,8 +124,7 @@ scene::Showing draw_deflected() {
                        "roundings")}};
 }
 
-// ----------------------------------------------------------------------- figure 2.12, a member's sign
-// convention
+// ----------------------------------------------------------- figure 2.12, a member's sign convention
 
 /// Hermite's cubic with these end slopes: the deflection of a beam without axial force, over its length.
 double hermite(double xi, double theta_1, double theta_2) {
@@ -189,9 +141,9 @@ double moment_error(double theta_1, double theta_2) {
 }
 
 void draw_axes(Drawing& d) {
-  d.arrow({-1.2, -0.9}, {0.6, -0.9});
+  d.arrow({-1.2, -0.9}, {0.6, -0.9}, "axis");
   d.text("{/:Italic z} {/:Italic w}", {1.2, -0.9});
-  d.arrow({-1.2, -0.9}, {-1.2, 0.9});
+  d.arrow({-1.2, -0.9}, {-1.2, 0.9}, "axis");
   d.text("{/:Italic x} {/:Italic u}", {-1.2, 1.25});
 }
 
@@ -218,16 +170,15 @@ scene::Showing draw_member() {
   };
   displacement(one, moved_one, 1);
   displacement(two, moved_two, 2);
-  const auto direction = [](double angle) { return Spot{std::cos(angle), std::sin(angle)}; };
   d.path("thin", {moved_one, moved_one + Spot{3.4, 0}});
   d.path("thin", {moved_one, moved_one + 3.0 * direction(chord_angle + theta_1)});
-  d.arc(moved_one, 2.9, 0, chord_angle);
+  d.arc("thin", moved_one, 2.9, 0, chord_angle);
   d.text("θ̃", moved_one + 3.25 * direction(chord_angle / 2));
-  d.arc(moved_one, 2.4, chord_angle, chord_angle + theta_1);
+  d.arc("thin", moved_one, 2.4, chord_angle, chord_angle + theta_1);
   d.text("{/:Italic θ}_1^∗", moved_one + 2.9 * direction(chord_angle + 0.62 * theta_1));
   d.path("thin", {moved_two - 2.6 * direction(chord_angle + theta_2),
                   moved_two + 1.5 * direction(chord_angle + theta_2)});
-  d.arc(moved_two, 2.1, std::numbers::pi + chord_angle, std::numbers::pi + chord_angle + theta_2);
+  d.arc("thin", moved_two, 2.1, std::numbers::pi + chord_angle, std::numbers::pi + chord_angle + theta_2);
   d.text("{/:Italic θ}_2^∗", moved_two - 2.65 * direction(chord_angle + theta_2 / 2));
   d.arrow(moved_two, moved_two + 1.8 * e, "force");
   d.arrow(moved_one, moved_one - 1.8 * e, "force");
@@ -251,25 +202,15 @@ scene::Showing draw_member() {
                           "Euler's beam without axial force; rounding of numbers up to 6")}};
 }
 
-void add_scene(scene::Chapter& chapter, const std::string& name, const std::string& title,
-               scene::Showing (*show)()) {
-  chapter.add({.name = name,
-               .title = title,
-               .place = "Figure " + name.substr(4),
-               .needs = {},
-               .seconds = 0.1,
-               .show = [show](scene::Workshop&) { return show(); }});
-}
-
 }  // namespace
 
 void add_toggle_drawings(scene::Chapter& chapter) {
-  add_scene(chapter, "fig-2.4", "Williams' toggle (drawn)", draw_toggle);
-  add_scene(chapter, "fig-2.5", "The symmetric deformation of the toggle (drawn)", draw_deflected);
+  add_drawing(chapter, "fig-2.4", "Williams' toggle (drawn)", draw_toggle);
+  add_drawing(chapter, "fig-2.5", "The symmetric deformation of the toggle (drawn)", draw_deflected);
 }
 
 void add_member_drawing(scene::Chapter& chapter) {
-  add_scene(chapter, "fig-2.12", "Kinematics and sign convention of a beam-column (drawn)", draw_member);
+  add_drawing(chapter, "fig-2.12", "Kinematics and sign convention of a beam-column (drawn)", draw_member);
 }
 
 }  // namespace nlmech::chapters

@@ -51,13 +51,15 @@ void sample(Curves& figure, double end, const std::function<double(double)>& f) 
 const char* const drop = "deflection of the apex {/:Italic δ} (in)";
 const char* const load_of_toggle = "load {/:Italic W} (lb)";
 
+void begin_height(Curves& figure, double height) {
+  const int style = height < 0.35 ? 1 : height < 0.4 ? 2 : 5;
+  figure.begin(fmt::format("{{/:Italic l}} sin {{/:Italic β}} = {} in", height), fmt::format("l{}", style));
+}
+
 scene::Showing three_curves() {
   Curves figure("Two of the three heights have limit points", drop, load_of_toggle);
   for (const double height : heights) {
-    figure.begin(fmt::format("{{/:Italic l}} sin {{/:Italic β}} = {} in", height),
-                 fmt::format("l{}", height < 0.35  ? 1
-                                    : height < 0.4 ? 2
-                                                   : 5));
+    begin_height(figure, height);
     const auto curve = williams_curve(height);
     sample(figure, 0.8, [&](double d) { return curve->load(d); });
   }
@@ -77,10 +79,7 @@ scene::Showing three_slopes() {
   Curves figure("At two heights the Jacobian vanishes twice", drop, "d{/:Italic W}/d{/:Italic δ} (lb/in)");
   std::vector<scene::Quantity> quantities;
   for (const double height : heights) {
-    figure.begin(fmt::format("{{/:Italic l}} sin {{/:Italic β}} = {} in", height),
-                 fmt::format("l{}", height < 0.35  ? 1
-                                    : height < 0.4 ? 2
-                                                   : 5));
+    begin_height(figure, height);
     const auto curve = williams_curve(height);
     sample(figure, 0.8, [&](double d) { return curve->stiffness(d); });
     // F/2 of Eq. 2.21 has half the slope.

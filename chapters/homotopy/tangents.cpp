@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "chapters/drawing.hpp"
 #include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/iterations.hpp"
 #include "chapters/homotopy/scenes.hpp"
@@ -12,8 +13,7 @@
 namespace nlmech::chapters {
 namespace {
 
-// ------------------------------------------------------------- figure 2.1: Newton's iteration and a flat
-// slope
+// ------------------------------------------------------ figure 2.1: Newton's iteration and a flat slope
 
 /// A cubic with two extrema and one root, at -2.1.
 double cubic(double x) { return x * x * x - 3 * x + 3; }
@@ -66,8 +66,7 @@ scene::Showing flat_slope() {
        scene::at_most("|F| at the root", "1", std::abs(cubic(root)), 1e-14, "rounding of terms up to 10")}};
 }
 
-// -------------------------------------------------------------- figure 2.2: turning points of a homotopy
-// path
+// ------------------------------------------------------- figure 2.2: turning points of a homotopy path
 
 /// t on the path t F + (1 - t)(x - 2) = 0 of the same cubic (2.8).
 double path_parameter(double x) { return (x - 2) / (x - 2 - cubic(x)); }
@@ -114,8 +113,7 @@ scene::Showing turning_points() {
            scene::near("t at the root", "1", path_parameter(root), 1, 1e-14, "H_F at F = 0; rounding")}};
 }
 
-// ----------------------------------------------------------- figure 2.3: Newton's iteration and a limit
-// point
+// ----------------------------------------------------- figure 2.3: Newton's iteration and a limit point
 
 scene::Showing limit_point() {
   const auto curve = williams_curve(0.44);
@@ -156,22 +154,12 @@ scene::Showing limit_point() {
             "of 20 001 starts"}}};
 }
 
-void add_scene(scene::Chapter& chapter, const std::string& name, const std::string& title,
-               scene::Showing (*show)()) {
-  chapter.add({.name = name,
-               .title = title,
-               .place = "Figure " + name.substr(4),
-               .needs = {},
-               .seconds = 0.1,
-               .show = [show](scene::Workshop&) { return show(); }});
-}
-
 }  // namespace
 
 void add_tangents(scene::Chapter& chapter) {
-  add_scene(chapter, "fig-2.1", "Newton's iteration where the slope vanishes (drawn)", flat_slope);
-  add_scene(chapter, "fig-2.2", "A homotopy path with turning points (drawn)", turning_points);
-  add_scene(chapter, "fig-2.3", "A limit point that Newton's iteration meets (drawn)", limit_point);
+  add_drawing(chapter, "fig-2.1", "Newton's iteration where the slope vanishes (drawn)", flat_slope);
+  add_drawing(chapter, "fig-2.2", "A homotopy path with turning points (drawn)", turning_points);
+  add_drawing(chapter, "fig-2.3", "A limit point that Newton's iteration meets (drawn)", limit_point);
 }
 
 }  // namespace nlmech::chapters

@@ -4,24 +4,13 @@
 
 #include <utility>
 
+#include "chapters/drawing.hpp"
+
 namespace nlmech::chapters {
-namespace {
-
-/// Blanks beside marked-up words stay: some viewers of SVG drop them where markup begins or ends.
-std::string kept(std::string text) {
-  const std::string mark = "\u200b";  // a space of no width
-  for (std::size_t at = 0; (at = text.find(" {", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  for (std::size_t at = 0; (at = text.find("} ", at)) != std::string::npos; at += mark.size() + 1)
-    text.insert(at + 1, mark);
-  return text;
-}
-
-}  // namespace
 
 ControlCurves::ControlCurves(const std::string& heading, const std::string& xcolumn)
     : data_({{"panel"}, {"curve", 3, true}, {xcolumn}, {"y"}}) {
-  variables_ = {{"heading", kept(heading)}, {"height", "480"}};
+  variables_ = {{"heading", with_kept_blanks(heading)}, {"height", "480"}};
 }
 
 void ControlCurves::close_panel() {
@@ -34,14 +23,14 @@ void ControlCurves::panel(const std::string& xlabel, const std::string& ylabel, 
   close_panel();
   ++panel_;
   variables_[fmt::format("first{}", panel_)] = fmt::format("{}", count_);
-  with("xlabel", kept(xlabel)).with("ylabel", kept(ylabel));
-  if (!caption.empty()) with("caption", kept(caption));
+  with("xlabel", with_kept_blanks(xlabel)).with("ylabel", with_kept_blanks(ylabel));
+  if (!caption.empty()) with("caption", with_kept_blanks(caption));
 }
 
 void ControlCurves::begin(const std::string& legend, const std::string& look) {
   ++count_;
   const char* between = looks_.empty() ? "" : "|";
-  legend_ += between + kept(legend);
+  legend_ += between + with_kept_blanks(legend);
   looks_ += between + look;
 }
 

@@ -141,10 +141,10 @@ void add_duffing_command(CLI::App& app) {
       ->required();
   command->add_option("--final-time", words->final_time, "T, seconds")->required();
   command->add_option("--beta", words->beta, "nonlinearity")->capture_default_str();
-  command->add_option("--target", words->target, "x1,x2 at T; 5,2 if not given");
+  command->add_option("--target", words->target, "x1,x2 at T; 5,2 without it");
   command->add_option("--weights", words->weights, "s11,s22 of the miss that is not prescribed")
       ->capture_default_str();
-  command->add_option("--bound", words->bound, "largest |f|; none if not given");
+  command->add_option("--bound", words->bound, "largest |f|; none without it");
   command->callback([words] { scene::print_result(duffing(*words)); });
 }
 

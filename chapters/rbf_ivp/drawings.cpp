@@ -1,6 +1,10 @@
-#include <cmath>
-#include <numbers>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "chapters/drawing.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
@@ -9,31 +13,6 @@ namespace nlmech::chapters {
 namespace {
 
 // ------------------------------------------------------------------------------ figure 4.1, the flow chart
-
-/// Boxes and arrows on a page of 100 by 100.
-class FlowChart {
- public:
-  void box(double x, double y, double half_width, double half_height) {
-    table_.add({"box", x, y, half_width, half_height});
-  }
-  void diamond(double x, double y, double half_width, double half_height) {
-    const double px[] = {x - half_width, x, x + half_width, x, x - half_width};
-    const double py[] = {y, y + half_height, y, y - half_height, y};
-    for (int i = 0; i < 4; ++i) table_.add({"line", px[i], py[i], px[i + 1] - px[i], py[i + 1] - py[i]});
-  }
-  /// A path with an arrow's head at its end.
-  void arrow(const std::vector<std::pair<double, double>>& path) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto [x, y] = path[i];
-      const auto [to_x, to_y] = path[i + 1];
-      table_.add({i + 2 == path.size() ? "arrow" : "line", x, y, to_x - x, to_y - y});
-    }
-  }
-  scene::Table take() { return std::move(table_); }
-
- private:
-  scene::Table table_{{{"kind"}, {"x"}, {"y"}, {"dx"}, {"dy"}}};
-};
 
 /// x' = n t^(n-1), of the highest degree that the expansion of the chart keeps.
 struct Power {
@@ -60,19 +39,36 @@ double error_of_powers() {
 
 scene::Showing draw_flow_chart() {
   FlowChart chart;
-  for (const double y : {90.0, 68.0, 44.0}) chart.box(22, y, 20, 7);        // given, nodes, start
-  chart.box(22, 11, 20, 7);                                                 // end of the step
-  for (const double y : {90.0, 71.0, 52.0, 33.0}) chart.box(72, y, 23, 7);  // the iteration
-  chart.diamond(72, 11, 18, 9);
-  chart.arrow({{22, 83}, {22, 75}});
-  chart.arrow({{22, 61}, {22, 51}});
-  chart.arrow({{42, 44}, {45.5, 44}, {45.5, 90}, {49, 90}});
-  for (const double y : {83.0, 64.0, 45.0}) chart.arrow({{72, y}, {72, y - 5}});
-  chart.arrow({{72, 26}, {72, 20}});
-  chart.arrow({{90, 11}, {98, 11}, {98, 90}, {95, 90}});
-  chart.arrow({{54, 11}, {42, 11}});
-  chart.arrow({{22, 18}, {22, 37}});
-  return {scene::Figure{chart.take(), "rbf_ivp-flow-chart", {}},
+  constexpr Spot left{20, 7}, right{23, 7};  // half sides
+  chart.box({22, 90}, left,
+            {"{/:Bold given}", "state x_0 at t_0, step {/:Italic h},",
+             "order {/:Italic N}, nodes 0, …, {/:Italic M} ≥ {/:Italic N}"});
+  chart.box({22, 68}, left,
+            {"{/:Bold nodes}", "τ_j = −cos({/:Italic jπ}/{/:Italic M})",
+             "{/:Italic t_j} = {/:Italic t}_0 + {/:Italic h} (1 + τ_j)/2"});
+  chart.box({22, 44}, left, {"{/:Bold start}", "x_j = x_0 at all nodes"});
+  chart.box({22, 11}, left, {"{/:Bold end of the step}", "x({/:Italic t}_0 + {/:Italic h}) = x_M"});
+  chart.box({72, 90}, right, {"{/:Bold right-hand sides}", "g_j = ({/:Italic h}/2) f({/:Italic t_j}, x_j)"});
+  chart.box({72, 71}, right,
+            {"{/:Bold expand} up to the degree {/:Italic N} − 1",
+             "F_k = (2/{/:Italic M}) Σ″ g_j {/:Italic T}_k(τ_j)"});
+  chart.box(
+      {72, 52}, right,
+      {"{/:Bold integrate} term by term", "β_r = (F_{r − 1} − F_{r + 1})/(2{/:Italic r}), β_0 from x_0"});
+  chart.box({72, 33}, right, {"{/:Bold evaluate}", "x_j = Σ β_r {/:Italic T}_r(τ_j)"});
+  chart.decision({72, 11}, {18, 9}, {"do all x_j", "stand still?"});
+  chart.way({{22, 83}, {22, 75}});
+  chart.way({{22, 61}, {22, 51}});
+  chart.way({{42, 44}, {45.5, 44}, {45.5, 90}, {49, 90}});
+  for (const double y : {83.0, 64.0, 45.0}) chart.way({{72, y}, {72, y - 5}});
+  chart.way({{72, 26}, {72, 20}});
+  chart.way({{90, 11}, {98, 11}, {98, 90}, {95, 90}});
+  chart.way({{54, 11}, {42, 11}});
+  chart.way({{22, 18}, {22, 37}});
+  chart.note("yes", {48, 13.5});
+  chart.note("no", {93, 13.5});
+  chart.note("next step", {29.5, 27});
+  return {chart.take("MCPI: expand the right-hand side, integrate term by term, repeat"),
           {},
           {scene::at_most("error of one step on x' = N t^(N-1), orders N = 2 to 20", "1", error_of_powers(),
                           2e-15, "the chart integrates degree N - 1 exactly; a few roundings")}};
@@ -80,46 +76,44 @@ scene::Showing draw_flow_chart() {
 
 // ---------------------------------------------------------------------------------- figure 4.30, the chain
 
-/// Polylines of the machine elements, lengths in hundredths of the page's width.
-class ChainDrawing {
- public:
-  void path(const std::string& kind, const std::vector<std::pair<double, double>>& points) {
-    ++paths_;
-    for (const auto& [x, y] : points) table_.add({kind, x, y, paths_});
-  }
-  /// Eight teeth between two straight ends.
-  void spring(double x0, double x1, double y) {
-    constexpr int teeth = 8;
-    constexpr double straight = 0.2, height = 1.6;
-    const double begin = x0 + straight * (x1 - x0), pitch = (1 - 2 * straight) * (x1 - x0) / teeth;
-    std::vector<std::pair<double, double>> points = {{x0, y}, {begin, y}};
-    for (int i = 0; i < teeth; ++i)
-      points.emplace_back(begin + (i + 0.5) * pitch, y + (i % 2 == 0 ? height : -height));
-    points.emplace_back(x1 - straight * (x1 - x0), y);
-    points.emplace_back(x1, y);
-    path("element", points);
-  }
-  /// A cylinder open to the right, and a piston in it.
-  void damper(double x0, double x1, double y) {
-    constexpr double half = 1.6;
-    const double left = x0 + 0.35 * (x1 - x0), right = x0 + 0.65 * (x1 - x0), piston = 0.5 * (x0 + x1);
-    path("element", {{x0, y}, {left, y}});
-    path("element", {{right, y + half}, {left, y + half}, {left, y - half}, {right, y - half}});
-    path("element", {{piston, y + 0.75 * half}, {piston, y - 0.75 * half}});
-    path("element", {{piston, y}, {x1, y}});
-  }
-  /// The wall's surface, hatched away from @p side.
-  void wall(double x, double side) {
-    path("wall", {{x, -8}, {x, 8}});
-    for (int i = 0; i < 8; ++i) path("hatch", {{x, 8.0 - 2 * i}, {x - 2 * side, 6.0 - 2 * i}});
-  }
-  void mass(double x0, double x1) { path("mass", {{x0, -6}, {x1, -6}, {x1, 6}, {x0, 6}, {x0, -6}}); }
-  scene::Table take() { return std::move(table_); }
+/// Eight teeth between two straight ends.
+void draw_spring(Drawing& d, double x0, double x1, double y) {
+  constexpr int teeth = 8;
+  constexpr double straight = 0.2, height = 1.6;
+  const double begin = x0 + straight * (x1 - x0), pitch = (1 - 2 * straight) * (x1 - x0) / teeth;
+  std::vector<Spot> points = {{x0, y}, {begin, y}};
+  for (int i = 0; i < teeth; ++i)
+    points.push_back({begin + (i + 0.5) * pitch, y + (i % 2 == 0 ? height : -height)});
+  points.push_back({x1 - straight * (x1 - x0), y});
+  points.push_back({x1, y});
+  d.path("outline", points);
+}
 
- private:
-  std::int64_t paths_ = 0;
-  scene::Table table_{{{"kind"}, {"x"}, {"y"}, {"path", 3, true}}};
-};
+/// A cylinder open to the right, and a piston in it.
+void draw_damper(Drawing& d, double x0, double x1, double y) {
+  constexpr double half = 1.6;
+  const double left = x0 + 0.35 * (x1 - x0), right = x0 + 0.65 * (x1 - x0), piston = 0.5 * (x0 + x1);
+  d.path("outline", {{x0, y}, {left, y}});
+  d.path("outline", {{right, y + half}, {left, y + half}, {left, y - half}, {right, y - half}});
+  d.path("outline", {{piston, y + 0.75 * half}, {piston, y - 0.75 * half}});
+  d.path("outline", {{piston, y}, {x1, y}});
+}
+
+/// A wall's surface, hatched away from @p side.
+void draw_wall(Drawing& d, double x, double side) {
+  d.path("ground", {{x, -8}, {x, 8}});
+  for (int i = 0; i < 8; ++i) d.path("hatch", {{x, 8.0 - 2 * i}, {x - 2 * side, 6.0 - 2 * i}});
+}
+
+/// A mass and its position, counted from where it rests.
+void draw_mass(Drawing& d, double x0, double x1, int number) {
+  const double middle = 0.5 * (x0 + x1);
+  d.path("body", {{x0, -6}, {x1, -6}, {x1, 6}, {x0, 6}, {x0, -6}});
+  d.text(fmt::format("m_{}", number), {middle, 0});
+  d.path("outline", {{middle, 7}, {middle, 10}});
+  d.arrow({middle, 8.5}, {middle + 6, 8.5}, "axis");
+  d.text(fmt::format("x_{}", number), {middle + 3.5, 11.2});
+}
 
 /// What the drawing says: elements act with opposite forces on their two ends. The sum of all mass times
 /// acceleration is then the load and what the two walls exert.
@@ -141,18 +135,26 @@ double force_balance() {
 }
 
 scene::Showing draw_chain() {
-  ChainDrawing drawing;
+  Drawing d;
   constexpr double element = 15, mass = 10, first = 5;
-  drawing.wall(first, 1);
+  draw_wall(d, first, 1);
   for (int i = 0; i < 4; ++i) {
-    const double left = first + i * (element + mass);
-    drawing.spring(left, left + element, 3);
-    drawing.damper(left, left + element, -3);
-    if (i < 3) drawing.mass(left + element, left + element + mass);
+    const double left = first + i * (element + mass), right = left + element;
+    draw_spring(d, left, right, 3);
+    draw_damper(d, left, right, -3);
+    d.text(fmt::format("k_{}, l_{}", i + 1, i + 1), {0.5 * (left + right), 7.4});
+    d.text(fmt::format("c_{}", i + 1), {0.5 * (left + right), -7.2});
+    if (i < 3) draw_mass(d, right, right + mass, i + 1);
   }
-  drawing.wall(first + 4 * element + 3 * mass, -1);
+  draw_wall(d, first + 4 * element + 3 * mass, -1);
+  d.arrow({43, -10}, {51, -10}, "force");
+  d.text("{/:Italic F} cos Ω{/:Italic t} on m_2", {60.5, -10});
   return {
-      scene::Figure{drawing.take(), "rbf_ivp-chain", {{"height", "330"}}},
+      d.take({{"heading", "A linear and a cubic spring and a damper on either side of each mass"},
+              {"xrange", "[1:99]"},
+              {"yrange", "[-15:17]"},
+              {"height", "330"},
+              {"head", "1.2"}}),
       {},
       {scene::at_most("imbalance of forces over a hundred states", "1", force_balance(), 4e-15,
                       "Newton's third law for the elements between masses; a dozen roundings of forces up "
@@ -162,18 +164,9 @@ scene::Showing draw_chain() {
 }  // namespace
 
 void add_drawings(scene::Chapter& chapter) {
-  chapter.add({.name = "fig-4.1",
-               .title = "Modified Chebyshev-Picard iteration, step by step (flow chart)",
-               .place = "Figure 4.1",
-               .needs = {},
-               .seconds = 0.1,
-               .show = [](scene::Workshop&) { return draw_flow_chart(); }});
-  chapter.add({.name = "fig-4.30",
-               .title = "Three masses between walls with springs and dampers (drawn)",
-               .place = "Figure 4.30",
-               .needs = {},
-               .seconds = 0.1,
-               .show = [](scene::Workshop&) { return draw_chain(); }});
+  add_drawing(chapter, "fig-4.1", "Modified Chebyshev-Picard iteration, step by step (flow chart)",
+              draw_flow_chart);
+  add_drawing(chapter, "fig-4.30", "Three masses between walls with springs and dampers (drawn)", draw_chain);
 }
 
 }  // namespace nlmech::chapters

@@ -1,28 +1,14 @@
 #include <limits>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "chapters/rbf_ivp/cases.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/sweeps.hpp"
-#include "nlmech/comparison/cost_curves.hpp"
+#include "nlmech/comparison/cost_scene.hpp"
 
 namespace nlmech::chapters {
 namespace {
-
-using scene::Workshop;
-
-struct Measured {
-  std::vector<comparison::Curve> curves;
-  double condition = 0;  ///< of the example
-};
-
-template <int n>
-Measured measure(const Case<n>& c, const StepScales& scales, bool quick) {
-  const auto accurate = ivp::named_integrator<n>("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
-  return {comparison::cost_curves(c, contenders(scales, quick), quick),
-          comparison::condition_of(c, accurate)};
-}
 
 /// What a scene is about.
 struct Subject {
@@ -31,41 +17,51 @@ struct Subject {
   const char* reason;
 };
 
-scene::Showing show(const Measured& measured, const Subject& subject) {
-  const auto& curves = measured.curves;
-  scene::Showing showing;
-  showing.figure = comparison::cost_figure(curves, subject.heading, measured.condition);
-  showing.table = comparison::cost_table(curves);
-  const comparison::Cost* radau = comparison::best_of(comparison::curve_of(curves, "radau-coll, N = 17"));
-  const double rounding = measured.condition * std::numeric_limits<double>::epsilon() / 2;
-  const double steps = radau != nullptr ? static_cast<double>(radau->work.steps) : 0;
-  showing.quantities = {
-      {"least error of rbf-coll, N = 35", "1", comparison::least_error(curves, "rbf-coll, N = 35"),
-       subject.radial_low, subject.radial_high, subject.reason},
-      scene::at_most("least error of radau-coll, N = 17", "1",
-                     comparison::least_error(curves, "radau-coll, N = 17"), 4 * steps * rounding,
-                     "condition times half an epsilon, four times in each step and always of one sign"),
-      scene::at_most("least error of adaptive-collocation", "1",
-                     comparison::least_error(curves, "adaptive-collocation"), 1e-11,
-                     "end errors of hundred periods are the tolerance, 1e-13, times their number")};
-  return showing;
+template <int n>
+comparison::Costs measure(const Case<n>& c, const StepScales& scales, bool quick) {
+  const auto accurate = ivp::named_integrator<n>("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
+  return {comparison::cost_curves(c, contenders(scales, quick), quick),
+          comparison::condition_of(c, accurate)};
+}
+
+/// That a method errs by no more than four roundings of one sign in each step of its best run.
+scene::Quantity at_rounding(const comparison::Costs& costs, const std::string& method) {
+  const comparison::Cost* best = comparison::best_of(comparison::curve_of(costs.curves, method));
+  const double rounding = costs.condition * std::numeric_limits<double>::epsilon() / 2;
+  const double steps = best != nullptr ? static_cast<double>(best->work.steps) : 0;
+  return scene::at_most("least error of " + method, "1", comparison::least_error(costs.curves, method),
+                        4 * steps * rounding,
+                        "condition times half an epsilon, four times in each step and always of one sign");
+}
+
+std::vector<scene::Quantity> promises(const comparison::Costs& costs, const Subject& subject) {
+  return {{"least error of rbf-coll, N = 35", "1", comparison::least_error(costs.curves, "rbf-coll, N = 35"),
+           subject.radial_low, subject.radial_high, subject.reason},
+          at_rounding(costs, "radau-coll, N = 17"),
+          scene::at_most("least error of adaptive-collocation", "1",
+                         comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
+                         "end errors of hundred periods are the tolerance, 1e-13, times their number")};
 }
 
 template <int n>
 void add_scene(scene::Chapter& chapter, const Subject& subject, const Case<n>& (*problem)(),
                const StepScales& scales) {
-  const auto& run = chapter.add_timed_run<Measured>(
-      "times-" + subject.problem,
-      "default settings over one sweep of tolerances; steps of fixed-step methods by hand, beginning with "
-      "the "
-      "dissertation's; error: median over 16 ends of steps in the last tenth; one thread, median of repeats",
-      {}, [problem, scales](Workshop& w) { return measure(problem(), scales, w.quick()); });
-  chapter.add({.name = "error-vs-time-" + subject.problem,
-               .title = subject.heading,
-               .place = "our own",
-               .needs = {&run},
-               .seconds = 15,
-               .show = [&run, subject](Workshop& w) { return show(w.result(run), subject); }});
+  comparison::add_cost_scene(
+      chapter,
+      {.name = subject.problem,
+       .heading = subject.heading,
+       .reading = "default settings over one sweep of tolerances; steps of fixed-step methods by hand, "
+                  "beginning with the dissertation's",
+       .seconds = 15,
+       .measure = [problem, scales](bool quick) { return measure(problem(), scales, quick); },
+       .promises = [subject](const comparison::Costs& costs, bool) { return promises(costs, subject); }});
+}
+
+/// The series knows nothing of the method that is judged.
+comparison::Costs measure_held_back(bool quick) {
+  const Case<2>& c = held_back_case();
+  const auto accurate = ivp::named_integrator<2>("series", {.tolerance = 1e-15});
+  return {comparison::cost_curves(c, with_step_control(quick), quick), comparison::condition_of(c, accurate)};
 }
 
 }  // namespace
@@ -84,6 +80,19 @@ void add_error_vs_time(scene::Chapter& chapter) {
                {"three-dof", "Three masses to t = 200: digits against cost", 8e-10, 8e-8,
                 "an independent program: 7.7e-9 at h = 20; rounding scatters tenfold"},
                three_mass_case, three_mass_steps());
+}
+
+void add_held_back(scene::Chapter& chapter) {
+  comparison::add_cost_scene(
+      chapter, {.name = "held-back",
+                .heading = "Parameters held back while tuning (eta = 10, x = 2): digits against cost",
+                .reading = "free Duffing oscillator with eta = 10 from x = 2 to t = 100; one sweep of "
+                           "tolerances for all",
+                .seconds = 10,
+                .measure = measure_held_back,
+                .promises = [](const comparison::Costs& costs, bool) -> std::vector<scene::Quantity> {
+                  return {at_rounding(costs, "adaptive-collocation")};
+                }});
 }
 
 }  // namespace nlmech::chapters

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 
+#include "chapters/printed_values.hpp"
 #include "chapters/rbf_ivp/rows.hpp"
-#include "nlmech/scene/files.hpp"
 #include "nlmech/scene/published.hpp"
 
 namespace nlmech::chapters {
@@ -20,15 +19,6 @@ std::string name_in_source(const Example<n>& example, const Row<n>& row) {
 template <int n>
 scene::Measured measure(const Example<n>& example, const Row<n>& row, Workshop& w) {
   return {row.nominal_error(w), row.inferred_error(w, example.made().inferred_end)};
-}
-
-/// The printed values of the table by name.
-std::map<std::string, scene::PublishedValue> printed_values(const std::string& table) {
-  std::map<std::string, scene::PublishedValue> values;
-  for (scene::PublishedValue& value : scene::read_published(scene::data_folder())) {
-    if (value.place == table) values.emplace(value.name(), std::move(value));
-  }
-  return values;
 }
 
 /// What a row of the table says, in its own columns and in the figure's.

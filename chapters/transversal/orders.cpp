@@ -92,7 +92,7 @@ void add_transversal_orders(scene::Chapter& chapter) {
   const auto& run = chapter.add_run<std::vector<Fall>>(
       "falls", "x'' + 0.1 x' + x + x^3 = cos t from (1, 0) to t = 12, K = 1, C = 0.1, the load exact", {},
       [](Workshop&) { return falls(); });
-  chapter.add({.name = "order",
+  chapter.add({.name = "orders",
                .title = "Observed orders for p = 1 to 6, and of hat functions",
                .place = "our own",
                .needs = {&run},

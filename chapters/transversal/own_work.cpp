@@ -13,7 +13,7 @@ void transversal_work(CLI::App& app) {
   const comparison::OwnProblems problems = {
       &own_problem<problems::DrivenDuffing>, &own_problem<problems::VanDerPol>,
       &own_problem<problems::LinearOscillator>, &own_problem<problems::TwoDof>};
-  comparison::add_integrate_command(app, problems, "mtl");
+  comparison::add_integrate_command(app, problems, {"mtl"});
   comparison::add_compare_command(app, problems, "transversal");
 }
 

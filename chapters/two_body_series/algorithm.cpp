@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <utility>
 #include <vector>
 
+#include "chapters/drawing.hpp"
 #include "chapters/two_body_series/raw_recursion.hpp"
 #include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/orbit/expansion.hpp"
@@ -11,31 +11,6 @@
 
 namespace nlmech::chapters {
 namespace {
-
-/// Boxes and arrows on a page of 100 by 100.
-class FlowChart {
- public:
-  void box(double x, double y, double half_width, double half_height) {
-    table_.add({"box", x, y, half_width, half_height});
-  }
-  void diamond(double x, double y, double half_width, double half_height) {
-    const double px[] = {x - half_width, x, x + half_width, x, x - half_width};
-    const double py[] = {y, y + half_height, y, y - half_height, y};
-    for (int i = 0; i < 4; ++i) table_.add({"line", px[i], py[i], px[i + 1] - px[i], py[i + 1] - py[i]});
-  }
-  /// A path with an arrow's head at its end.
-  void arrow(const std::vector<std::pair<double, double>>& path) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto [x, y] = path[i];
-      const auto [to_x, to_y] = path[i + 1];
-      table_.add({i + 2 == path.size() ? "arrow" : "line", x, y, to_x - x, to_y - y});
-    }
-  }
-  scene::Table take() { return std::move(table_); }
-
- private:
-  scene::Table table_{{{"kind"}, {"x"}, {"y"}, {"dx"}, {"dy"}}};
-};
 
 using Real = boost::multiprecision::cpp_bin_float_50;
 
@@ -76,23 +51,44 @@ double least_derivative() {
 
 scene::Showing draw() {
   FlowChart chart;
-  chart.box(23, 88, 20, 8);                                           // given
-  chart.box(23, 62, 20, 8);                                           // begin of a step
-  for (const double y : {88.0, 66.0, 44.0}) chart.box(73, y, 24, 8);  // f, g, r
-  chart.diamond(73, 17, 18, 9);                                       // enough?
-  chart.box(23, 17, 20, 10);                                          // Taylor's formula
-  chart.arrow({{23, 80}, {23, 70}});
-  chart.arrow({{43, 62}, {45.5, 62}, {45.5, 88}, {49, 88}});
-  for (const double y : {80.0, 58.0}) chart.arrow({{73, y}, {73, y - 6}});
-  chart.arrow({{73, 36}, {73, 26}});
-  chart.arrow({{91, 17}, {99.3, 17}, {99.3, 88}, {97, 88}});
-  chart.arrow({{55, 17}, {43, 17}});
-  chart.arrow({{23, 27}, {23, 54}});
+  chart.box({23, 88}, {20, 8},
+            {"{/:Bold given}", "r, r′ at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
+  chart.box({23, 62}, {20, 8}, {"{/:Bold begin of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
+  chart.box(
+      {23, 17}, {20, 10},
+      {"{/:Bold end of the step}", "r ← Σ r^{(k)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} ≤ {/:Italic K}",
+       "r′ ← Σ r^{(k+1)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} < {/:Italic K}"});
+  constexpr Spot right{24, 8};
+  chart.box({73, 88}, right,
+            {"{/:Bold f = r·r}  (3.62)",
+             "{/:Italic f}^{(n)} = Σ C({/:Italic n}, {/:Italic m}) r^{(m)}·r^{(n−m)},  {/:Italic m} = 0, …, "
+             "{/:Italic n}"});
+  chart.box(
+      {73, 66}, right,
+      {"{/:Bold g = f^{−p/2}, p = 3}  (3.66)",
+       "{/:Italic g}^{(n)} = −[({/:Italic p}/2) {/:Italic f}′ {/:Italic g}^{(n−1)} + Σ C({/:Italic n}−1, "
+       "{/:Italic m}) (({/:Italic p}/2) {/:Italic f}^{(m+1)}{/:Italic g}^{(n−1−m)}",
+       "+ {/:Italic f}^{(m)}{/:Italic g}^{(n−m)})]/{/:Italic f},  {/:Italic m} = 1, …, {/:Italic n}−1"});
+  chart.box({73, 44}, right,
+            {"{/:Bold r″ = −μ g_3 r}  (3.68)",
+             "r^{(n+2)} = −μ Σ C({/:Italic n}, {/:Italic m}) r^{(m)}{/:Italic g}^{(n−m)}"});
+  chart.decision({73, 17}, {18, 9}, {"{/:Italic n} + 2 = {/:Italic K}?"});
+  chart.way({{23, 80}, {23, 70}});
+  chart.way({{43, 62}, {45.5, 62}, {45.5, 88}, {49, 88}});
+  for (const double y : {80.0, 58.0}) chart.way({{73, y}, {73, y - 6}});
+  chart.way({{73, 36}, {73, 26}});
+  chart.way({{91, 17}, {99.3, 17}, {99.3, 88}, {97, 88}});
+  chart.way({{55, 17}, {43, 17}});
+  chart.way({{23, 27}, {23, 54}});
+  chart.note("yes", {49, 20});
+  chart.note("no", {94.5, 20});
+  chart.note("next step", {30.5, 40});
+  chart.note("{/:Italic n} ← {/:Italic n} + 1", {92, 30});
   const char* condition =
       "one rounding a product in sums of positive and negative terms: eps times the "
       "derivatives that the terms have without their signs";
   return {
-      scene::Figure{chart.take(), "two_body_series-algorithm", {}},
+      chart.take("Analytic continuation: every derivative follows from the ones before"),
       {},
       {scene::at_most("relative error of 10 derivatives as charted", "1", error_of_derivatives(10), 1e-13,
                       condition),
@@ -105,12 +101,8 @@ scene::Showing draw() {
 }  // namespace
 
 void add_algorithm(scene::Chapter& chapter) {
-  chapter.add({.name = "fig-3.21",
-               .title = "The analytic continuation algorithm (drawn, with Eq. 3.66 corrected)",
-               .place = "Figure 3.21",
-               .needs = {},
-               .seconds = 0.1,
-               .show = [](scene::Workshop&) { return draw(); }});
+  add_drawing(chapter, "fig-3.21", "The analytic continuation algorithm (drawn, with Eq. 3.66 corrected)",
+              draw);
 }
 
 }  // namespace nlmech::chapters

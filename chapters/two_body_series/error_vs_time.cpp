@@ -9,7 +9,7 @@
 #include "chapters/two_body_series/ellipses.hpp"
 #include "chapters/two_body_series/propagators.hpp"
 #include "chapters/two_body_series/scenes.hpp"
-#include "nlmech/comparison/cost_curves.hpp"
+#include "nlmech/comparison/cost_scene.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 
@@ -20,7 +20,6 @@ using comparison::Cost;
 using comparison::Curve;
 using comparison::Example;
 using comparison::Kind;
-using scene::Workshop;
 using Digits50 =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
@@ -105,11 +104,6 @@ Curve closed(const Example<6>& c, bool quick) {
   return {"Kepler", Kind::closed_form, {cost}};
 }
 
-struct Measured {
-  std::vector<Curve> curves;
-  double condition = 0;  ///< the floor of cost_figure(): rounding_of_data(), median near the end
-};
-
 /// As LastEnds sees it: the median over 16 times in the last tenth, in halves of eps.
 double condition_near_end(const Subject& subject) {
   std::vector<double> all;
@@ -120,64 +114,58 @@ double condition_near_end(const Subject& subject) {
   return median(all) / (std::numeric_limits<double>::epsilon() / 2);
 }
 
-Measured measure(const Subject& subject, bool quick) {
+/// `condition` is the floor of cost_figure(): rounding_of_data(), median near the end.
+comparison::Costs measure(const Subject& subject, bool quick) {
   const Example<6> c = example_of(subject);
   std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
                                                comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
                                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
   for (const auto& peer : comparison::all_peers(quick)) others.push_back(peer);
-  Measured m{{closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)}, condition_near_end(subject)};
+  comparison::Costs m{{closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)},
+                      condition_near_end(subject)};
   for (Curve& curve : comparison::cost_curves(c, others, quick)) m.curves.push_back(std::move(curve));
   return m;
 }
 
-scene::Showing show(const Measured& m, const Subject& subject) {
-  scene::Showing showing;
-  showing.figure = comparison::cost_figure(m.curves, subject.heading, m.condition);
-  showing.figure->variables["floor_right"] = "1";  // Kepler stands at the left end
-  showing.table = comparison::cost_table(m.curves);
+std::vector<scene::Quantity> promises(const comparison::Costs& m, const Subject& subject, bool quick) {
   const double rounding = m.condition * std::numeric_limits<double>::epsilon();
   const Curve& series = comparison::curve_of(m.curves, ours);
   const double tightest = static_cast<double>(comparison::best_of(series)->work.steps);
-  showing.quantities = {
+  std::vector<scene::Quantity> all = {
       scene::at_most(
           "least error of analytic continuation", "1", comparison::least_error(m.curves, ours), 8 * rounding,
           "eight roundings of the data times the condition of Kepler's problem, by its derivatives"),
       scene::at_most("error of Kepler's solution", "1", comparison::least_error(m.curves, "Kepler"),
                      8 * rounding, "the same"),
       scene::at_most("error of analytic continuation at a tolerance of 1e-10", "1",
-                     series.costs[series.costs.size() > 3 ? 6 : 1].error.value_or(HUGE_VAL),
-                     1e-10 * tightest * m.condition,
+                     series.costs[quick ? 1 : 6].error.value_or(HUGE_VAL), 1e-10 * tightest * m.condition,
                      "the tolerance in each step, all of one sign, times the condition"),
       scene::at_most("least error of rkn1210", "1", comparison::least_error(m.curves, "rkn1210"),
-                     series.costs.size() > 3 ? 1e-13 * 600 * m.condition : 1e-8 * 600 * m.condition,
+                     comparison::tightest_tolerance(quick) * 600 * m.condition,
                      "the tightest tolerance in each of at most 600 steps, times the condition")};
   if (subject.printed >= 0) {
     const Curve& steps = m.curves[2];
-    showing.quantities.push_back(
-        {"error of the printed steps", "1",
-         steps.costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL), subject.low,
-         subject.high,
-         "an independent program at the end of 20 orbits; the median of others within "
-         "a factor of ten"});
+    all.push_back({"error of the printed steps", "1",
+                   steps.costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
+                   subject.low, subject.high,
+                   "an independent program at the end of 20 orbits; the median of others within "
+                   "a factor of ten"});
   }
-  return showing;
+  return all;
 }
 
 void add_scene(scene::Chapter& chapter, const Subject& subject) {
-  const auto& run = chapter.add_timed_run<Measured>(
-      "times-" + subject.name,
-      "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default settings, fixed "
-      "steps by hand; error: |dr|/a, median over 16 ends of steps in the last tenth, against Kepler's "
-      "equation "
-      "in 50 digits; one thread, median of repeats",
-      {}, [subject](Workshop& w) { return measure(subject, w.quick()); });
-  chapter.add({.name = "error-vs-time-" + subject.name,
-               .title = subject.heading,
-               .place = "our own",
-               .needs = {&run},
-               .seconds = subject.seconds,
-               .show = [&run, subject](Workshop& w) { return show(w.result(run), subject); }});
+  comparison::add_cost_scene(
+      chapter, {.name = subject.name,
+                .heading = subject.heading,
+                .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in "
+                           "default settings, fixed steps by hand; errors are |dr|/a against Kepler's "
+                           "equation in 50 digits",
+                .seconds = subject.seconds,
+                .variables = {{"floor_right", "1"}},  // Kepler stands at the left end
+                .measure = [subject](bool quick) { return measure(subject, quick); },
+                .promises = [subject](const comparison::Costs& costs,
+                                      bool quick) { return promises(costs, subject, quick); }});
 }
 
 }  // namespace

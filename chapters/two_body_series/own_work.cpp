@@ -24,7 +24,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 /// What was typed.
 struct Words {
-  std::string position, velocity, time, every, mu, zonal, radius, method = "series", tolerance, limit = "60";
+  std::string position, velocity, until, every, mu, zonal, radius, method = "series", tolerance, limit = "60";
   std::string a, p, e, i = "0", raan = "0", argp = "0", nu = "0";
 };
 
@@ -65,7 +65,7 @@ orbit::Gravity gravity_of(const Words& words) {
 OrbitRequest understand(const Words& words) {
   OrbitRequest r;
   r.start = state_of(words);
-  r.time = scene::typed_number("--time", words.time);
+  r.time = scene::typed_number("--until", words.until);
   r.gravity = gravity_of(words);
   if (!words.every.empty()) {
     r.every = scene::typed_positive("--every", words.every);
@@ -148,7 +148,7 @@ std::string state(const Words& words) {
 CLI::App* add(CLI::App& app, const char* name, const char* help, const std::shared_ptr<Words>& words,
               std::string (*work)(const Words&)) {
   CLI::App* command = app.add_subcommand(name, help);
-  command->add_option("--mu", words->mu, "gravitational parameter; 3.986004418e14 if not given");
+  command->add_option("--mu", words->mu, "gravitational parameter; 3.986004418e14 without it");
   command->callback([words, work] { scene::print_result(work(*words)); });
   return command;
 }
@@ -164,7 +164,8 @@ void add_propagate_command(CLI::App& app) {
   CLI::App* command =
       add(app, "propagate", "Where an orbit leads to, as CSV: t,x,y,z,vx,vy,vz", words, propagate);
   add_state_options(*command, *words);
-  command->add_option("--time", words->time, "how long; negative runs backwards")->required();
+  command->add_option("--until", words->until, "time at which it ends, from 0; negative runs backwards")
+      ->required();
   command->add_option("--every", words->every,
                       "rows at this distance in time; without it the first and the last");
   command->add_option("--zonal", words->zonal, "J2[,J3,...,J6] of the centre, the axis along z");

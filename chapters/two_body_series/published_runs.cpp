@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "chapters/two_body_series/propagators.hpp"
 #include "nlmech/ivp/dormand_prince.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
@@ -64,14 +65,6 @@ class Recorder {
   double step_, end_;
 };
 
-orbit::State state_of(const ivp::State<6>& x) { return {x.head<3>(), x.tail<3>()}; }
-
-ivp::State<6> vector_of(const orbit::State& s) {
-  ivp::State<6> x;
-  x << s.position, s.velocity;
-  return x;
-}
-
 void time(EnergyRecord& record, int repeats, const std::function<void()>& work) {
   record.milliseconds = 1e3 * time_repeats(work, repeats).median;
 }
@@ -93,46 +86,44 @@ EnergyRecord closed(const Orbit& orbit, int orbits, int repeats, const Solve& so
   return r.record;
 }
 
-EnergyRecord by_ode45(const Orbit& orbit, int orbits, int repeats) {
+/// An integrator for any system. @param observe what it records of a step
+template <class Method>
+EnergyRecord integrated(const Orbit& orbit, int orbits, int repeats, const Method& method,
+                        const std::function<void(Recorder&, const ivp::Step<6>&)>& observe) {
   Recorder r(orbit, orbits);
   const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
-  const ivp::Ode45 method{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
-  int k = 1;
-  const auto observe = [&](const ivp::Step<6>& step) {
-    for (; k <= r.points() && r.point(k) <= step.t1; ++k) {
-      ivp::State<6> x = step.x1;
-      if (r.point(k) < step.t1) step.dense.at(r.point(k), x);
-      r.add(r.point(k), state_of(x));
-    }
-    r.record.at_ends.push_back(r.error(state_of(step.x1)));
-    for (Eigen::Index i = 0; i < step.states.cols(); ++i)
-      r.record.at_refined.push_back(r.error(state_of(step.states.col(i))));
+  const ivp::State<6> start = joined(orbit.start);
+  const auto look = [&](const ivp::Step<6>& step) {
+    observe(r, step);
     return true;
   };
-  const auto end = ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method, observe);
+  const auto end = ivp::integrate(system, start, 0, r.end(), method, look);
   if (!end.status.ok()) throw Failure(end.status);
-  r.finish(state_of(end.x));
+  r.finish(parted(end.x));
   r.record.steps = end.statistics.steps;
-  time(r.record, repeats,
-       [&] { static_cast<void>(ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method)); });
+  time(r.record, repeats, [&] { static_cast<void>(ivp::integrate(system, start, 0, r.end(), method)); });
   return r.record;
 }
 
+EnergyRecord by_ode45(const Orbit& orbit, int orbits, int repeats) {
+  const ivp::Ode45 method{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
+  int k = 1;
+  return integrated(orbit, orbits, repeats, method, [&k](Recorder& r, const ivp::Step<6>& step) {
+    for (; k <= r.points() && r.point(k) <= step.t1; ++k) {
+      ivp::State<6> x = step.x1;
+      if (r.point(k) < step.t1) step.dense.at(r.point(k), x);
+      r.add(r.point(k), parted(x));
+    }
+    r.record.at_ends.push_back(r.error(parted(step.x1)));
+    for (Eigen::Index i = 0; i < step.states.cols(); ++i)
+      r.record.at_refined.push_back(r.error(parted(step.states.col(i))));
+  });
+}
+
 EnergyRecord by_rkn1210(const Orbit& orbit, int orbits, int repeats) {
-  Recorder r(orbit, orbits);
-  const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
   const ivp::Rkn1210 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
-  const auto observe = [&](const ivp::Step<6>& step) {
-    r.add(step.t1, state_of(step.x1));
-    return true;
-  };
-  const auto end = ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method, observe);
-  if (!end.status.ok()) throw Failure(end.status);
-  r.finish(state_of(end.x));
-  r.record.steps = end.statistics.steps;
-  time(r.record, repeats,
-       [&] { static_cast<void>(ivp::integrate(system, vector_of(orbit.start), 0, r.end(), method)); });
-  return r.record;
+  return integrated(orbit, orbits, repeats, method,
+                    [](Recorder& r, const ivp::Step<6>& step) { r.add(step.t1, parted(step.x1)); });
 }
 
 EnergyRecord by_series(const Orbit& orbit, int orbits, int repeats) {

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "chapters/printed_values.hpp"
 #include "chapters/two_body_series/scenes.hpp"
-#include "nlmech/scene/files.hpp"
 #include "nlmech/scene/published.hpp"
 
 namespace nlmech::chapters {
@@ -34,15 +33,6 @@ scene::Measured measure(Propagator propagator, const EnergyRecord& record) {
   const double norm = norm_of(record.error);
   if (propagator == Propagator::ode45) return {{}, norm};
   return {norm, {}};
-}
-
-/// The printed values of the table by name.
-std::map<std::string, scene::PublishedValue> printed_values(const std::string& table) {
-  std::map<std::string, scene::PublishedValue> values;
-  for (scene::PublishedValue& value : scene::read_published(scene::data_folder())) {
-    if (value.place == table) values.emplace(value.name(), std::move(value));
-  }
-  return values;
 }
 
 /// What a row of the table says.

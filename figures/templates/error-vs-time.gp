@@ -28,14 +28,8 @@ array kind_point[8] = [5, 7, 2, 9, 11, 13, 15, 15]
 
 # The methods by kind, to the right of the panels.
 array name[64]
-rest = legend
-count = 0
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  name[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(legend)
+do for [k = 1:count] {name[k] = entry(legend, k)}
 kind(k) = int(word(kinds, k))
 line = 0
 # Lines as close as they must be for all names to find room.

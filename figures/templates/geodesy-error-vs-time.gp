@@ -24,19 +24,13 @@ set xrange [0.5:600]
 set yrange [1e-18:1e-7]
 set ytics 100
 set xlabel "time a point (ns)"
-set ylabel "max |latitude error| (rad)"
-set margins screen 0.11, screen 0.70, screen 0.13, screen 0.78
+set ylabel "max |latitude error| (rad)" offset 1.5,0
+set margins screen 0.125, screen 0.70, screen 0.13, screen 0.78
 set key at screen 0.40, screen 0.885 center top maxrows 2 Left reverse samplen 1.5 spacing 1.1
 
 # The methods by number, to the right of the plot.
-rest = legend
-line = 0
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  entry = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-  set label entry at screen 0.72, screen 0.78 - 0.038 * line left noenhanced font sprintf("%s,%d", font_family, font_size - 2)
-  line = line + 1
+do for [k = 1:entries(legend)] {
+  set label entry(legend, k) at screen 0.72, screen 0.78 - 0.038*(k - 1) left noenhanced font sprintf("%s,%d", font_family, font_size - 2)
 }
 if (exists("floor_ns")) {
   set arrow from real(floor_ns), graph 0 to real(floor_ns), graph 1 nohead linestyle 11

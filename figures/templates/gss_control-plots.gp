@@ -18,9 +18,6 @@
 if (!exists("heading")) heading = ""
 if (!exists("abscissa")) abscissa = "x"
 two = panels eq "2"
-# The first entry of a list whose entries are separated by s, and the others.
-first(list, s) = strstrt(list, s) > 0 ? list[1:strstrt(list, s) - 1] : list
-others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
 
 if (exists("logx")) set logscale x
 if (exists("xrange")) eval "set xrange " . xrange
@@ -49,33 +46,18 @@ do for [p = 1:int(panels)] {
   if (exists("below")) {eval "set key at screen 0.53, screen 0.005 center bottom samplen 3 width -2 spacing 1.1 maxrows 5 maxcols " . below}
 
   if (exists("labels")) {
-    rest = labels
-    while (strlen(rest) > 0) {
-      entry = first(rest, "|")
-      rest = others(rest, "|")
-      where = int(first(entry, "@"))
-      entry = others(entry, "@")
-      text = first(entry, "@")
-      entry = others(entry, "@")
-      x = real(first(entry, "@"))
-      entry = others(entry, "@")
-      y = real(first(entry, "@"))
-      side = others(entry, "@")
-      if (where == p) {
-        eval sprintf("set label \"%s\" at %.9g,%.9g %s front textcolor rgb ink", text, x, y, side)
+    do for [i = 1:entries(labels)] {
+      item = entry(labels, i)
+      if (int(field(item, 1)) == p) {
+        eval sprintf("set label \"%s\" at %s,%s %s front textcolor rgb ink", field(item, 2), field(item, 3), field(item, 4), field(item, 5))
       }
     }
   }
 
   command = ""
-  n = 0
-  names = legend
-  rest = looks
-  while (strlen(rest) > 0) {
-    look = first(rest, "|")
-    rest = others(rest, "|")
-    name = first(names, "|")
-    names = others(names, "|")
+  do for [k = 1:entries(looks)] {
+    look = entry(looks, k)
+    name = entry(legend, k)
     kind = look[2:2]
     number = look[3:*]
     style = kind eq "l" ? sprintf("lines linestyle %s", number) \
@@ -84,10 +66,9 @@ do for [p = 1:int(panels)] {
           : sprintf("points linestyle %s pointsize 0.8", number)
     if (int(look[1:1]) == p) {
       command = command . (strlen(command) == 0 ? "plot " : ", ") \
-              . sprintf("data using (column(abscissa)):\"y\" every :::%d::%d with %s", n, n, style) \
+              . sprintf("data using (column(abscissa)):\"y\" every :::%d::%d with %s", k - 1, k - 1, style) \
               . (strlen(name) > 0 ? sprintf(" title \"%s\"", name) : " notitle")
     }
-    n = n + 1
   }
   eval command
 }

@@ -28,33 +28,17 @@ if (exists("logy")) {
   set ytics add ("1" 1)
 }
 
-# The first entry of a list whose entries are separated by s, and the others.
-first(list, s) = strstrt(list, s) > 0 ? list[1:strstrt(list, s) - 1] : list
-others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
-
 if (exists("labels")) {
-  rest = labels
-  while (strlen(rest) > 0) {
-    entry = first(rest, "|")
-    rest = others(rest, "|")
-    text = first(entry, "@")
-    entry = others(entry, "@")
-    x = real(first(entry, "@"))
-    entry = others(entry, "@")
-    y = real(first(entry, "@"))
-    side = others(entry, "@")
-    eval sprintf("set label \"%s\" at %.9g,%.9g %s front textcolor rgb ink", text, x, y, side)
+  do for [i = 1:entries(labels)] {
+    item = entry(labels, i)
+    eval sprintf("set label \"%s\" at %s,%s %s front textcolor rgb ink", field(item, 1), field(item, 2), field(item, 3), field(item, 4))
   }
 }
 
 command = ""
-n = 0
-names = legend
-while (strlen(looks) > 0) {
-  look = first(looks, "|")
-  looks = others(looks, "|")
-  name = first(names, "|")
-  names = others(names, "|")
+do for [k = 1:entries(looks)] {
+  look = entry(looks, k)
+  name = entry(legend, k)
   kind = look[1:1]
   number = look[2:*]
   style = kind eq "l" ? sprintf("lines linestyle %s", number) \
@@ -62,8 +46,7 @@ while (strlen(looks) > 0) {
         : kind eq "d" ? sprintf("points linestyle %s pointtype 7 pointsize 0.3", number) \
         : kind eq "t" ? sprintf("lines linestyle %s linewidth 1", number) \
         : sprintf("points linestyle %s pointsize 1", number)
-  command = command . (n == 0 ? "plot " : ", ") . sprintf("data using \"x\":\"y\" every :::%d::%d with %s", n, n, style)
+  command = command . (k == 1 ? "plot " : ", ") . sprintf("data using \"x\":\"y\" every :::%d::%d with %s", k - 1, k - 1, style)
   command = command . (strlen(name) > 0 ? sprintf(" title \"%s\"", name) : " notitle")
-  n = n + 1
 }
 eval command

@@ -21,16 +21,6 @@ set mytics 1
 set key bottom left Left reverse
 set label "second order" at 40,4e-5 left front textcolor rgb ink
 
-first(list) = strstrt(list, "|") > 0 ? list[1:strstrt(list, "|") - 1] : list
-others(list) = strstrt(list, "|") > 0 ? list[strstrt(list, "|") + 1:*] : ""
-
-command = ""
-rest = legend
-n = 0
-while (strlen(rest) > 0) {
-  command = command . sprintf("%sdata using \"elements\":\"error\" every :::%d::%d with linespoints linestyle %d title \"%s\"", \
-      n == 0 ? "plot " : ", ", n, n, n + 1, first(rest))
-  rest = others(rest)
-  n = n + 1
-}
-eval command . ", [16:128] 0.03/x**2 with lines linecolor rgb ink dashtype 2 linewidth 1 notitle"
+plot for [k = 1:entries(legend)] data using "elements":"error" every :::(k - 1)::(k - 1) with linespoints linestyle k \
+         title entry(legend, k), \
+     [16:128] 0.03/x**2 with lines linecolor rgb ink dashtype 2 linewidth 1 notitle

@@ -15,14 +15,8 @@ array kind_name[6] = ["Newton's kind", "made safe by |F|", "descent", "homotopy"
 array kind_colour[6] = ["#0072B2", "#E69F00", "#7F7F7F", "#009E73", "#000000", "#CC79A7"]
 array kind_point[6] = [7, 5, 2, 9, 15, 13]
 array name[40]
-rest = legend
-count = 0
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  name[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(legend)
+do for [k = 1:count] {name[k] = entry(legend, k)}
 small = sprintf("%s,%d", font_family, font_size - 3)
 line = 0
 do for [group = 1:6] {

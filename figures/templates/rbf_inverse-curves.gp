@@ -12,8 +12,6 @@
 
 if (!exists("heading")) heading = ""
 count = panels + 0
-first(list, s) = strstrt(list, s) > 0 ? list[1:strstrt(list, s) - 1] : list
-others(list, s) = strstrt(list, s) > 0 ? list[strstrt(list, s) + 1:*] : ""
 has(name, k) = exists(sprintf("%s%d", name, k))
 of(name, k) = value(sprintf("%s%d", name, k))
 powers = ""
@@ -49,14 +47,12 @@ do for [k = 1:count] {
     if (of("key", k) eq "off") {unset key} else {eval "set key " . of("key", k)}
   }
   command = ""
-  n = of("first", k) + 0
   looks = of("looks", k)
-  names = of("legend", k)
-  while (strlen(looks) > 0) {
-    look = first(looks, "|")
-    looks = others(looks, "|")
-    name = first(names, "|")
-    names = others(names, "|")
+  legend = of("legend", k)
+  do for [i = 1:entries(looks)] {
+    n = of("first", k) + i - 1
+    look = entry(looks, i)
+    name = entry(legend, i)
     kind = look[1:1]
     number = look[2:*]
     style = kind eq "l" ? sprintf("lines linestyle %s", number) \
@@ -65,7 +61,6 @@ do for [k = 1:count] {
           : sprintf("points linestyle %s", number)
     command = command . (command eq "" ? "plot " : ", ") . sprintf("data using 3:4 every :::%d::%d with %s", n, n, style)
     command = command . (strlen(name) > 0 ? sprintf(" title \"%s\"", name) : " notitle")
-    n = n + 1
   }
   eval command
   unset label 1

@@ -11,10 +11,7 @@
 
 if (!exists("heading")) heading = "Solutions side by side"
 
-count(list) = strlen(list) == 0 ? 0 : 1 + (strstrt(list, "|") > 0 ? count(list[strstrt(list, "|") + 1:*]) : 0)
-entry(list, i) = i > 1 ? entry(list[strstrt(list, "|") + 1:*], i - 1) \
-    : (strstrt(list, "|") > 0 ? list[1:strstrt(list, "|") - 1] : list)
-methods = count(legend)
+methods = entries(legend)
 
 set title heading offset 0,2.4
 set xrange [real(begin):real(end)]

@@ -14,11 +14,8 @@ if (!exists("dots")) dots = ""
 if (!exists("dot_size")) dot_size = "0.35"
 
 # The labels between the bars.
-count(list) = strlen(list) == 0 ? 0 : 1 + (strstrt(list, "|") > 0 ? count(list[strstrt(list, "|") + 1:*]) : 0)
-entry(list, i) = i > 1 ? entry(list[strstrt(list, "|") + 1:*], i - 1) \
-    : (strstrt(list, "|") > 0 ? list[1:strstrt(list, "|") - 1] : list)
-line_count = count(lines)
-dot_count = count(dots)
+line_count = entries(lines)
+dot_count = strlen(dots) > 0 ? entries(dots) : 0
 
 alone = line_count + dot_count == 1
 set title heading offset 0,(alone ? 0.2 : 1.4)

@@ -11,24 +11,7 @@
 
 if (!exists("heading")) heading = "Growth of undamped oscillations"
 
-array scheme[20]
-array runs_of[20]
-count = 0
-rest = schemes
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  scheme[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
-lines = 0
-rest = runs
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  lines = lines + 1
-  runs_of[lines] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(schemes)
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 
@@ -41,7 +24,7 @@ set xlabel "{/Symbol w} h" offset 0,0.3
 set arrow 1 from 1, 1 to 300, 1 nohead linestyle 13
 set key at screen 0.05, screen 0.29 left top maxrows 8 Left reverse samplen 3 spacing 1.1 \
     font "sans-serif,12"
-plot for [k = 1:count] data using "abscissa":"ordinate" every :::(k - 1)::(k - 1) with lines linestyle k title scheme[k]
+plot for [k = 1:count] data using "abscissa":"ordinate" every :::(k - 1)::(k - 1) with lines linestyle k title entry(schemes, k)
 unset arrow 1
 
 set margins screen 0.62, screen 0.98, screen 0.42, screen 0.86
@@ -56,5 +39,5 @@ set format y power_of_ten
 set xlabel "step"
 set ylabel "amplitude" offset 1,0
 set key at screen 0.56, screen 0.29
-plot for [k = 1:lines] data using "abscissa":"ordinate" every :::(count + k - 1)::(count + k - 1) with lines linestyle k title runs_of[k]
+plot for [k = 1:entries(runs)] data using "abscissa":"ordinate" every :::(count + k - 1)::(count + k - 1) with lines linestyle k title entry(runs, k)
 unset multiplot

@@ -13,15 +13,11 @@ if (!exists("heading")) heading = "Error against the step"
 # The legend, taken apart: group[k] and name[k].
 array group[40]
 array name[40]
-count = 0
-rest = legend
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  entry = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-  count = count + 1
-  group[count] = int(entry[1:1])
-  name[count] = entry[3:*]
+count = entries(legend)
+do for [k = 1:count] {
+  words_of_entry = entry(legend, k)
+  group[k] = int(words_of_entry[1:1])
+  name[k] = words_of_entry[3:*]
 }
 array first[4]
 do for [k = count:1:-1] { first[group[k]] = k }

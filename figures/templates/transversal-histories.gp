@@ -10,12 +10,7 @@
 if (!exists("heading")) heading = "Driven Duffing oscillator"
 
 array name[3]
-rest = panels
-do for [i = 1:3] {
-  cut = strstrt(rest, "|")
-  name[i] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+do for [i = 1:3] {name[i] = entry(panels, i)}
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 set xrange [0:8]

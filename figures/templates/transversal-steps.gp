@@ -1,6 +1,6 @@
 # Errors of several methods against the step, or against time.
 #
-#   gnuplot -e "data='results/transversal/order.csv'; legend='p = 1|p = 2'; xrange='[1e-3:1]'; yrange='[1e-12:1]'; \
+#   gnuplot -e "data='results/transversal/orders.csv'; legend='p = 1|p = 2'; xrange='[1e-3:1]'; yrange='[1e-12:1]'; \
 #       xlabel='step'; ylabel='error'" figures/style.gp figures/templates/transversal-steps.gp > out.svg
 #
 # Variables: data, legend (names in the order of the series, separated by |), xrange, yrange, xlabel, ylabel (required);
@@ -14,14 +14,8 @@
 if (!exists("heading")) heading = "Errors"
 
 array name[20]
-count = 0
-rest = legend
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  name[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(legend)
+do for [k = 1:count] {name[k] = entry(legend, k)}
 
 set title heading
 set xlabel xlabel

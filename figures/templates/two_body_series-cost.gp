@@ -11,14 +11,8 @@
 
 if (!exists("heading")) heading = "Cost of a step and of a run"
 array name[8]
-rest = step_lines
-count = 0
-while (strlen(rest) > 0) {
-  cut = strstrt(rest, "|")
-  count = count + 1
-  name[count] = cut > 0 ? rest[1:cut - 1] : rest
-  rest = cut > 0 ? rest[cut + 1:*] : ""
-}
+count = entries(step_lines)
+do for [k = 1:count] {name[k] = entry(step_lines, k)}
 set multiplot
 set label 1 heading at screen 0.5, screen 0.95 center font sprintf("%s:Bold,%d", font_family, font_size + 1)
 

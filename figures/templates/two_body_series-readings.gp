@@ -11,10 +11,6 @@
 if (!exists("heading")) heading = "Distance of the energy errors from print"
 
 # The labels between the bars.
-count(list) = strlen(list) == 0 ? 0 : 1 + (strstrt(list, "|") > 0 ? count(list[strstrt(list, "|") + 1:*]) : 0)
-entry(list, i) = i > 1 ? entry(list[strstrt(list, "|") + 1:*], i - 1) \
-    : (strstrt(list, "|") > 0 ? list[1:strstrt(list, "|") - 1] : list)
-
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 set logscale y
 set format y power_of_ten
@@ -30,7 +26,7 @@ set xrange [18.8:25.2]
 set yrange [1e-2:1e4]
 low_of(i) = strcol("curve") eq sprintf("LEO %d", i) ? column("steps") : NaN
 plot within(x) linestyle 13 dashtype 3 notitle, \
-     for [i = 1:count(low)] data using (low_of(i)):"distance" with lines linestyle i title entry(low, i)
+     for [i = 1:entries(low)] data using (low_of(i)):"distance" with lines linestyle i title entry(low, i)
 
 set margins screen 0.60, screen 0.985, screen 0.13, screen 0.74
 set label 1 "HEO, printed with 100 steps"
@@ -39,5 +35,5 @@ set xrange [63:101]
 set yrange [1e-2:1e8]
 high_of(i) = strcol("curve") eq sprintf("HEO %d", i) ? column("steps") : NaN
 plot within(x) linestyle 13 dashtype 3 notitle, \
-     for [i = 1:count(high)] data using (high_of(i)):"distance" with lines linestyle i title entry(high, i)
+     for [i = 1:entries(high)] data using (high_of(i)):"distance" with lines linestyle i title entry(high, i)
 unset multiplot

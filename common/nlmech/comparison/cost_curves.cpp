@@ -77,7 +77,7 @@ scene::Figure cost_figure(const std::vector<Curve>& curves, std::string heading,
                         {"heading", std::move(heading)},
                         {"legend", fmt::format("{}", fmt::join(legend, "|"))},
                         {"kinds", fmt::format("{}", fmt::join(kinds, " "))}}};
-  if (condition > 0) {
+  if (condition >= 10) {
     const double rounding = condition * std::numeric_limits<double>::epsilon() / 2;
     figure.variables["floor_digits"] = fmt::format("{:.2f}", -std::log10(rounding));
   }

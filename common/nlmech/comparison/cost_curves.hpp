@@ -95,7 +95,8 @@ template <int n>
 [[nodiscard]] const Curve& curve_of(const std::vector<Curve>& curves, const std::string& name);
 
 /// Digits against median seconds and against right-hand sides, drawn by the template `error-vs-time`.
-/// @param condition of the example; where half an epsilon times this lies, a line is drawn. None if 0.
+/// @param condition of the example; where half an epsilon times this lies, a line is drawn. None
+/// below 10, beyond the 15 digits of the picture.
 [[nodiscard]] scene::Figure cost_figure(const std::vector<Curve>& curves, std::string heading,
                                         double condition);
 

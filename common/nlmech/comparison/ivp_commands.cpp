@@ -66,17 +66,14 @@ void integrate(const Words& words, const OwnProblems& problems) {
 /// The methods of a list, each with those of the settings that it has.
 std::vector<Choice> choices(const std::string& list, const ivp::Settings& settings) {
   std::vector<Choice> all;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', begin), list.size());
-    const AnyMethod method =
-        about("--methods", [&] { return any_method(list.substr(begin, comma - begin)); });
+  for (const std::string& name : scene::split(list, ',')) {
+    const AnyMethod method = about("--methods", [&] { return any_method(name); });
     all.push_back({method, settings});
     if (method.fixed_step) all.back().settings.absolute_tolerance.reset();
     if (!method.has_nodes) all.back().settings.nodes.reset();
     if (!method.has_shape) all.back().settings.shape.reset();
     if (!method.has_order) all.back().settings.order.reset();
     if (!method.has_points) all.back().settings.points.reset();
-    begin = comma + 1;
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
   if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.fixed_step; }))
@@ -103,8 +100,9 @@ void add_common(CLI::App& command, Words& words) {
   command.add_option("--problem", words.problem, "which equation: see below")->required();
   command.add_option("--set", words.set, "name=value of a parameter; may be repeated")
       ->allow_extra_args(false);
-  command.add_option("--initial", words.initial, "initial state: positions, then velocities, as in 1,-0.5");
-  command.add_option("--from", words.from, "time at which it begins; 0 if not given");
+  command.add_option("--initial", words.initial,
+                     "initial state: positions, then velocities, as in 1,-0.5; the problem's own without it");
+  command.add_option("--from", words.from, "time at which it begins; the problem's own without it");
   command.add_option("--until", words.until, "time at which it ends; earlier runs backwards")->required();
   command.add_option("--step", words.step, "length of a step, for methods of fixed step and series");
   command.add_option("--tolerance", words.tolerance,
@@ -116,63 +114,50 @@ void add_common(CLI::App& command, Words& words) {
       ->capture_default_str();
 }
 
-/// What some methods have and others have not.
-void add_method_settings(CLI::App& command, Words& words) {
-  command.add_option("--nodes", words.nodes, "nodes a step of a collocation, 2 to 200");
-  command.add_option("--shape", words.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it");
+/// What some methods have and others have not: options for those that at least one of @p methods has.
+void add_method_settings(CLI::App& command, Words& words, const std::vector<std::string>& methods) {
+  const auto some = [&](bool AnyMethod::*has) {
+    return std::any_of(methods.begin(), methods.end(),
+                       [&](const auto& name) { return any_method(name).*has; });
+  };
+  if (some(&AnyMethod::has_nodes))
+    command.add_option("--nodes", words.nodes, "nodes a step of a collocation, 2 to 200");
+  if (some(&AnyMethod::has_shape))
+    command.add_option("--shape", words.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it");
+  if (some(&AnyMethod::has_order))
+    command.add_option("--order", words.order,
+                       "N of series, 2 to 100; by the tolerance without it, 20 with a step");
+  if (some(&AnyMethod::has_points))
+    command.add_option("--points", words.points, "p of mtl, steps solved at once, 1 to 8; 3 without it");
 }
 
-/// What series has.
-void add_order(CLI::App& command, Words& words) {
-  command.add_option("--order", words.order,
-                     "N of series, 2 to 100; by the tolerance without it, 20 with a step");
-}
-
-/// What mtl has.
-void add_points(CLI::App& command, Words& words) {
-  command.add_option("--points", words.points, "p of mtl, steps solved at once, 1 to 8; 3 without it");
+std::string describe_all(const OwnProblems& problems) {
+  return fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " "));
 }
 
 }  // namespace
 
-void add_integrate_command(CLI::App& app, const OwnProblems& problems, const std::string& only_method) {
+void add_integrate_command(CLI::App& app, const OwnProblems& problems,
+                           const std::vector<std::string>& methods) {
   const auto words = std::make_shared<Words>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
   add_common(*command, *words);
-  if (only_method.empty()) {
+  if (methods.empty()) {
     command->add_option("--method", words->method, "one of the methods below")->required();
-    add_method_settings(*command, *words);
-    add_order(*command, *words);
-    add_points(*command, *words);
-    command->footer(
-        fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
   } else {
-    words->method = only_method;
-    if (any_method(only_method).has_order) add_order(*command, *words);
-    if (any_method(only_method).has_points) add_points(*command, *words);
-    command->footer(describe_problems(problems));
+    words->method = methods.front();
+    if (methods.size() > 1)
+      command->add_option("--method", words->method, fmt::format("{}", fmt::join(methods, ", ")))
+          ->capture_default_str();
   }
+  add_method_settings(*command, *words, methods.empty() ? any_method_names() : methods);
+  command->footer(methods.empty() ? describe_all(problems) : describe_problems(problems));
   command->add_option("--every", words->every,
                       "rows at this distance in time; without it the first and the last");
-  command->callback([words, problems] { integrate(*words, problems); });
-}
-
-void add_integrate_command(CLI::App& app, const OwnProblems& problems, const MethodOption& choice) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
-  add_common(*command, *words);
-  words->method = choice.names.front();
-  command
-      ->add_option(choice.option, words->method,
-                   fmt::format("{}: {}", choice.help, fmt::join(choice.names, " ")))
-      ->capture_default_str();
-  command->add_option("--every", words->every,
-                      "rows at this distance in time; without it the first and the last");
-  command->footer(describe_problems(problems));
-  command->callback([words, problems, choice] {
-    if (std::find(choice.names.begin(), choice.names.end(), words->method) == choice.names.end())
-      throw InputError(fmt::format("{} {}: there is no such choice; there is {}", choice.option,
-                                   words->method, fmt::join(choice.names, ", ")));
+  command->callback([words, problems, methods] {
+    if (!methods.empty() && std::find(methods.begin(), methods.end(), words->method) == methods.end())
+      throw InputError(fmt::format("--method {}: there is no such method here; there is {}", words->method,
+                                   fmt::join(methods, ", ")));
     integrate(*words, problems);
   });
 }
@@ -184,11 +169,8 @@ void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::
   add_common(*command, *words);
   command->add_option("--methods", words->method, "methods with commas between: rbf-coll,ode45,cvode-adams")
       ->required();
-  add_method_settings(*command, *words);
-  add_order(*command, *words);
-  add_points(*command, *words);
-  command->footer(
-      fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " ")));
+  add_method_settings(*command, *words, any_method_names());
+  command->footer(describe_all(problems));
   command->callback([words, problems, program] { compare(*words, problems, program); });
 }
 

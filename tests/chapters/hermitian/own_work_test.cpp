@@ -35,16 +35,16 @@ struct Known {
 // independent program, eight digits.
 TEST(Peak, IsThatOfTheLimitAndOfTheTables) {
   const std::vector<Known> all = {
-      {"duffing --operator laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
-      {"duffing --operator argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
-      {"van-der-pol --operator laier --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
-      {"van-der-pol --operator argyris --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
-      {"duffing --operator laier --step 0.2", 2.4505, 0.538264557, 1e-9},
-      {"duffing --operator argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
-      {"duffing --operator newmark --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"duffing --operator hoff --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"duffing --operator bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"van-der-pol --operator newmark --step 0.2", 4.5895, -0.312725, 5e-7}};
+      {"duffing --method laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"duffing --method argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"van-der-pol --method laier --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
+      {"van-der-pol --method argyris --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
+      {"duffing --method laier --step 0.2", 2.4505, 0.538264557, 1e-9},
+      {"duffing --method argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
+      {"duffing --method newmark --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"duffing --method hoff --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"duffing --method bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"van-der-pol --method newmark --step 0.2", 4.5895, -0.312725, 5e-7}};
   for (const Known& k : all) {
     const Finished f = hermitian("peak --problem " + k.words);
     ASSERT_EQ(f.exit_code, 0) << f.errors;
@@ -66,7 +66,7 @@ TEST(Integrate, LinearOscillatorAtTheAskedRows) {
     EXPECT_NEAR(rows.column[1][i], std::cos(rows.column[0][i]), 2 * 1e-4 / 720);
     EXPECT_NEAR(rows.column[2][i], -std::sin(rows.column[0][i]), 2 * 1e-4 / 720);
   }
-  const Finished n = hermitian("integrate --problem linear --until 2 --step 0.1 --operator newmark");
+  const Finished n = hermitian("integrate --problem linear --until 2 --step 0.1 --method newmark");
   const auto ends = scene::parse_numbers(n.output, "output", {"t", "x1", "v1"});
   EXPECT_NEAR(ends.column[1][1] - std::cos(2.0), std::sin(2.0) * 2 * 0.01 / 12, 1e-5);
 }
@@ -88,7 +88,7 @@ TEST(Integrate, EveryProblemByEveryOperator) {
     ASSERT_EQ(best.exit_code, 0) << best.errors;
     const auto truth = scene::parse_numbers(best.output, "output", a.header);
     for (const std::string row : {"laier", "argyris", "newmark", "hoff", "bazzi"}) {
-      const Finished f = hermitian("integrate --problem " + a.words + " --step 0.01 --operator " + row);
+      const Finished f = hermitian("integrate --problem " + a.words + " --step 0.01 --method " + row);
       ASSERT_EQ(f.exit_code, 0) << f.errors;
       const auto rows = scene::parse_numbers(f.output, "output", a.header);
       ASSERT_EQ(rows.rows(), 2U);
@@ -116,12 +116,12 @@ TEST(OwnWork, BadInputIsNamed) {
     std::vector<std::string> says;
   };
   const std::vector<Bad> cases = {
-      {"peak --problem duffing --operator laier --step 0", {"--step", "0"}},
-      {"peak --problem duffing --operator laier --step x", {"--step", "x"}},
-      {"peak --problem duffing --operator laire --step 0.1", {"--operator", "laire", "argyris"}},
-      {"peak --problem lorenz --operator laier --step 0.1", {"--problem", "lorenz", "van-der-pol"}},
-      {"peak --problem duffing --step 0.1", {"--operator"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --operator rk4", {"--operator", "rk4", "laier"}},
+      {"peak --problem duffing --method laier --step 0", {"--step", "0"}},
+      {"peak --problem duffing --method laier --step x", {"--step", "x"}},
+      {"peak --problem duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
+      {"peak --problem lorenz --method laier --step 0.1", {"--problem", "lorenz", "van-der-pol"}},
+      {"peak --problem duffing --step 0.1", {"--method"}},
+      {"integrate --problem duffing --until 1 --step 0.1 --method rk4", {"--method", "rk4", "laier"}},
       {"integrate --problem duffing --until 1 --step -0.1", {"--step", "-0.1"}},
       {"integrate --problem duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},
       {"integrate --problem duffing --until 1 --step 0.1 --set mass=2", {"--set", "mass=2", "damping"}},

@@ -76,7 +76,7 @@ TEST(Propagate, EveryMethodOnEveryConic) {
       {"--position -1,-2,0.5 --velocity 0.6,1.2,0 --mu 1 ", 1, 2.5}};
   for (const Case& c : cases) {
     for (const std::string method : {"", "--method series ", "--method kepler ", "--method rkn1210 "}) {
-      const auto rows = rows_of(c.start + method + fmt::format("--time {:.17g}", c.time));
+      const auto rows = rows_of(c.start + method + fmt::format("--until {:.17g}", c.time));
       ASSERT_EQ(rows.rows(), 2U);
       EXPECT_EQ(rows.column[0][0], 0);
       EXPECT_EQ(rows.column[0][1], c.time);
@@ -88,24 +88,25 @@ TEST(Propagate, EveryMethodOnEveryConic) {
 TEST(Propagate, RowsAtEqualDistances) {
   for (const std::string method : {"series", "kepler", "rkn1210"}) {
     for (const double sign : {1.0, -1.0}) {
-      const auto rows = rows_of(low + fmt::format("--time {} --every 1000 --method {}", sign * 6500, method));
+      const auto rows =
+          rows_of(low + fmt::format("--until {} --every 1000 --method {}", sign * 6500, method));
       ASSERT_EQ(rows.rows(), 8U) << method;
       for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(rows.column[0][i], sign * 1000 * double(i));
       EXPECT_EQ(rows.column[0][7], sign * 6500);
       for (std::size_t i = 1; i < 8; ++i) EXPECT_LE(error_of(rows, i, earth_mu), 100) << method << i;
       // The end does not know of the rows.
-      const auto alone = rows_of(low + fmt::format("--time {} --method {}", sign * 6500, method));
+      const auto alone = rows_of(low + fmt::format("--until {} --method {}", sign * 6500, method));
       EXPECT_EQ(state_at(alone, 1).position, state_at(rows, 7).position) << method;
     }
   }
   // A distance that divides the time by 10, in doubles or not, makes no second row at the end.
-  EXPECT_EQ(rows_of(low + "--time 0.3 --every 0.1").rows(), 4U);
-  EXPECT_EQ(rows_of(low + "--time 1 --every 2").rows(), 2U);
+  EXPECT_EQ(rows_of(low + "--until 0.3 --every 0.1").rows(), 4U);
+  EXPECT_EQ(rows_of(low + "--until 1 --every 2").rows(), 2U);
 }
 
 TEST(Propagate, NoTimeIsOneRow) {
   for (const std::string method : {"series", "kepler", "rkn1210"}) {
-    const auto rows = rows_of(low + "--time 0 --every 10 --method " + method);
+    const auto rows = rows_of(low + "--until 0 --every 10 --method " + method);
     ASSERT_EQ(rows.rows(), 1U) << method;
     EXPECT_EQ(rows.column[1][0], 1702547.136867679);
   }
@@ -114,7 +115,7 @@ TEST(Propagate, NoTimeIsOneRow) {
 // A day with J2, and with J2 to J6; the ends by an independent program in quadruple precision with two
 // formulations of the force. Double precision errs by 2e-6 m (findings of that program).
 TEST(Propagate, ZonalHarmonics) {
-  const std::string day = "--position 7e6,0,0 --velocity 0,4700,5900 --time 86400 --radius 6378137 --zonal ";
+  const std::string day = "--position 7e6,0,0 --velocity 0,4700,5900 --until 86400 --radius 6378137 --zonal ";
   const orbit::Vector3<double> by_j2(4532841.9627156031062, -3542172.7947567830238, -3979637.2144251580166);
   for (const std::string method : {"series", "rkn1210"}) {
     const auto rows = rows_of(day + "1.08262668e-3 --method " + method);
@@ -135,10 +136,10 @@ TEST(Propagate, UnitsDoNotMatter) {
   const double length = 6378137, rate = std::sqrt(earth_mu / length) / length;
   const double speed = length * rate;
   const auto canonical =
-      rows_of(fmt::format("--position {:.17g},{:.17g},0 --velocity {:.17g},{:.17g},0 --mu 1 --time {:.17g}",
+      rows_of(fmt::format("--position {:.17g},{:.17g},0 --velocity {:.17g},{:.17g},0 --mu 1 --until {:.17g}",
                           1702547.136867679 / length, 6353992.417071098 / length, -7886.014053829254 / speed,
                           2113.051097224035 / speed, 50000 * rate));
-  const auto metres = rows_of(low + "--time 50000");
+  const auto metres = rows_of(low + "--until 50000");
   const orbit::State start = state_at(metres, 0);
   const double kappa = orbit::kepler_condition(start, 50000, earth_mu).position;
   EXPECT_LE((state_at(canonical, 1).position * length - state_at(metres, 1).position).norm() /
@@ -147,12 +148,12 @@ TEST(Propagate, UnitsDoNotMatter) {
 }
 
 TEST(Propagate, FlyByAndBack) {
-  const auto out = rows_of("--position -7e6,1e6,2e6 --velocity -3e3,-12e3,1e3 --time 1e6");
+  const auto out = rows_of("--position -7e6,1e6,2e6 --velocity -3e3,-12e3,1e3 --until 1e6");
   const orbit::State far = state_at(out, 1);
   const std::string back =
       fmt::format("--position {:.17g},{:.17g},{:.17g} --velocity {:.17g},{:.17g},{:.17g} ", far.position[0],
                   far.position[1], far.position[2], far.velocity[0], far.velocity[1], far.velocity[2]);
-  const auto home = rows_of(back + "--time -1e6");
+  const auto home = rows_of(back + "--until -1e6");
   const double kappa = orbit::kepler_condition(far, -1e6, earth_mu).position;
   EXPECT_LE(
       (state_at(home, 1).position - state_at(out, 0).position).norm() / state_at(out, 0).position.norm(),
@@ -163,14 +164,14 @@ TEST(Propagate, FlyByAndBack) {
 TEST(Propagate, CollisionSaysWhenAndWhat) {
   const std::string fall = "--position 2,0,0 --velocity 0,0,0 --mu 1 ";
   for (const std::string method : {"series", "rkn1210"}) {
-    const Finished f = two_body_series("propagate " + fall + "--time 4 --every 0.5 --method " + method);
+    const Finished f = two_body_series("propagate " + fall + "--until 4 --every 0.5 --method " + method);
     EXPECT_EQ(f.exit_code, 1) << f.errors;
     EXPECT_EQ(f.output, "");
     EXPECT_NE(f.errors.find("t = 3.14159265"), std::string::npos) << f.errors;
   }
-  EXPECT_NE(two_body_series("propagate " + fall + "--time 4").errors.find("collision"), std::string::npos);
+  EXPECT_NE(two_body_series("propagate " + fall + "--until 4").errors.find("collision"), std::string::npos);
   // Kepler's solution returns: at 2 pi it is where it was.
-  const auto rows = rows_of(fall + "--method kepler --time 6.283185307179586");
+  const auto rows = rows_of(fall + "--method kepler --until 6.283185307179586");
   EXPECT_NEAR(state_at(rows, 1).position[0], 2, 1e-14);
 }
 
@@ -230,27 +231,27 @@ TEST(OwnWork, BadInputIsNamed) {
   const std::string start = "--position 1,0,0 --velocity 0,1,0 ";
   const std::string run = "propagate " + start;
   const std::vector<Bad> cases = {
-      {"propagate --position 0,0,0 --velocity 0,1,0 --time 1", {"--position 0,0,0", "centre"}},
-      {"propagate --position 1,0 --velocity 0,1,0 --time 1", {"--position 1,0", "x,y,z"}},
-      {"propagate --position 1,0,0 --velocity 0,one,0 --time 1", {"--velocity 0,one,0", "'one'"}},
-      {"propagate --position 1,0,0 --velocity 0,1,inf --time 1", {"--velocity", "inf"}},
-      {"propagate --position 1,0,0 --time 1", {"--velocity"}},
-      {run, {"--time"}},
-      {run + "--time soon", {"--time soon"}},
-      {run + "--time 1 --every 0", {"--every 0"}},
-      {run + "--time 1 --every 1e-9", {"--every 1e-9", "10 million"}},
-      {run + "--time 1 --mu -1", {"--mu -1"}},
-      {run + "--time 1 --method euler", {"--method euler", "kepler"}},
-      {run + "--time 1 --tolerance 0", {"--tolerance 0", "1e-18"}},
-      {run + "--time 1 --tolerance 1", {"--tolerance 1"}},
-      {run + "--time 1 --tolerance 1e-9 --method kepler", {"--tolerance 1e-9", "kepler"}},
-      {run + "--time 1 --zonal 1e-3 --radius 1 --method kepler", {"--zonal 1e-3", "kepler"}},
-      {run + "--time 1 --zonal 1e-3", {"--zonal 1e-3", "--radius"}},
-      {run + "--time 1 --radius 1", {"--radius 1", "--zonal"}},
-      {run + "--time 1 --zonal 1,2,3,4,5,6 --radius 1", {"--zonal 1,2,3,4,5,6", "J6"}},
-      {run + "--time 1 --zonal 1,,2 --radius 1", {"--zonal 1,,2"}},
-      {run + "--time 1 --zonal 1e-3 --radius 0", {"--radius 0"}},
-      {run + "--time 1 --limit 0", {"--limit 0"}},
+      {"propagate --position 0,0,0 --velocity 0,1,0 --until 1", {"--position 0,0,0", "centre"}},
+      {"propagate --position 1,0 --velocity 0,1,0 --until 1", {"--position 1,0", "x,y,z"}},
+      {"propagate --position 1,0,0 --velocity 0,one,0 --until 1", {"--velocity 0,one,0", "'one'"}},
+      {"propagate --position 1,0,0 --velocity 0,1,inf --until 1", {"--velocity", "inf"}},
+      {"propagate --position 1,0,0 --until 1", {"--velocity"}},
+      {run, {"--until"}},
+      {run + "--until soon", {"--until soon"}},
+      {run + "--until 1 --every 0", {"--every 0"}},
+      {run + "--until 1 --every 1e-9", {"--every 1e-9", "10 million"}},
+      {run + "--until 1 --mu -1", {"--mu -1"}},
+      {run + "--until 1 --method euler", {"--method euler", "kepler"}},
+      {run + "--until 1 --tolerance 0", {"--tolerance 0", "1e-18"}},
+      {run + "--until 1 --tolerance 1", {"--tolerance 1"}},
+      {run + "--until 1 --tolerance 1e-9 --method kepler", {"--tolerance 1e-9", "kepler"}},
+      {run + "--until 1 --zonal 1e-3 --radius 1 --method kepler", {"--zonal 1e-3", "kepler"}},
+      {run + "--until 1 --zonal 1e-3", {"--zonal 1e-3", "--radius"}},
+      {run + "--until 1 --radius 1", {"--radius 1", "--zonal"}},
+      {run + "--until 1 --zonal 1,2,3,4,5,6 --radius 1", {"--zonal 1,2,3,4,5,6", "J6"}},
+      {run + "--until 1 --zonal 1,,2 --radius 1", {"--zonal 1,,2"}},
+      {run + "--until 1 --zonal 1e-3 --radius 0", {"--radius 0"}},
+      {run + "--until 1 --limit 0", {"--limit 0"}},
       {"elements --position 1,0,0 --velocity 1,0,0", {"--velocity 1,0,0", "straight line"}},
       {"elements --position 0,0,0 --velocity 1,0,0", {"--position 0,0,0"}},
       {"elements " + start + "--mu 0", {"--mu 0"}},
@@ -275,7 +276,7 @@ TEST(OwnWork, BadInputIsNamed) {
 
 TEST(Propagate, FailureSaysWhereAndWhatToChange) {
   const Finished f =
-      two_body_series("propagate --position 1,0,0 --velocity 0,1e-9,0 --mu 1 --time 1e4 --limit 1e-9");
+      two_body_series("propagate --position 1,0,0 --velocity 0,1e-9,0 --mu 1 --until 1e4 --limit 1e-9");
   EXPECT_EQ(f.exit_code, 1) << f.errors;
   EXPECT_EQ(f.output, "");
   EXPECT_NE(f.errors.find("time_limit"), std::string::npos) << f.errors;
@@ -287,7 +288,7 @@ TEST(Example, OfThePageRuns) {
   ASSERT_TRUE(f.output.starts_with("success: x = ")) << f.output;
   // The same day by another method.
   const auto rows = rows_of(
-      "--position 7e6,0,0 --velocity 0,4700,5900 --time 86400 --radius 6378137 --method rkn1210 --zonal "
+      "--position 7e6,0,0 --velocity 0,4700,5900 --until 86400 --radius 6378137 --method rkn1210 --zonal "
       "1.08262668e-3,-2.53265649e-6,-1.61962159e-6,-2.27296083e-7,5.40681239e-7");
   EXPECT_NEAR(std::stod(f.output.substr(13)), state_at(rows, 1).position[0], 1e-3);
 }

@@ -71,7 +71,8 @@ scene::Showing show(const std::vector<Errors>& all) {
     }
   }
   scene::Showing showing;
-  showing.figure = {std::move(data), "hermitian-order", {{"heading", "Orders 4, 4 and 2"}, {"width", "900"}}};
+  showing.figure = {
+      std::move(data), "hermitian-orders", {{"heading", "Orders 4, 4 and 2"}, {"width", "900"}}};
   showing.table = std::move(table);
   for (const std::string problem : {"duffing", "van-der-pol"}) {
     for (const std::string row : {"laier", "argyris", "newmark"}) {
@@ -98,11 +99,11 @@ scene::Showing show(const std::vector<Errors>& all) {
 
 }  // namespace
 
-void add_order(scene::Chapter& chapter) {
+void add_orders(scene::Chapter& chapter) {
   const auto& run = chapter.add_run<std::vector<Errors>>(
       "errors", "Duffing (11) from rest, van der Pol with 1.5 from (2, 0); error at t = 10", {},
       [](Workshop&) { return all_errors(); });
-  chapter.add({.name = "order",
+  chapter.add({.name = "orders",
                .title = "Error against the step for the five pairs of operators",
                .place = "our own",
                .needs = {&run},

@@ -1,7 +1,7 @@
 # Error at t = 10 against the step on two oscillators.
 #
-#   gnuplot -e "data='results/hermitian/order.csv'; width=900" \
-#       figures/style.gp figures/templates/hermitian-order.gp > out.svg
+#   gnuplot -e "data='results/hermitian/orders.csv'; width=900" \
+#       figures/style.gp figures/templates/hermitian-orders.gp > out.svg
 #
 # Variables: data (required), heading (title; optional).
 #

@@ -1,0 +1,23 @@
+/// @file
+/// The numbers that a table of a source prints, for the chapters that show them beside their own.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/published.hpp"
+
+namespace nlmech::chapters {
+
+/// Those of @p table, "table-4.2", by PublishedValue::name().
+[[nodiscard]] inline std::map<std::string, scene::PublishedValue> printed_values(const std::string& table) {
+  std::map<std::string, scene::PublishedValue> values;
+  for (scene::PublishedValue& value : scene::read_published(scene::data_folder())) {
+    if (value.place == table) values.emplace(value.name(), std::move(value));
+  }
+  return values;
+}
+
+}  // namespace nlmech::chapters

@@ -1,0 +1,32 @@
+#include "nlmech/comparison/cost_scene.hpp"
+
+#include <utility>
+
+namespace nlmech::comparison {
+
+scene::Quantity condition_quantity(const Costs& costs) {
+  return scene::near("condition", "1", costs.condition, costs.again, 0.05,
+                     "a hundred times the change of the begin: the answer is linear");
+}
+
+void add_cost_scene(scene::Chapter& chapter, const CostScene& what) {
+  const std::string suffix = what.name.empty() ? "" : "-" + what.name;
+  const auto& run = chapter.add_timed_run<Costs>(
+      "times" + suffix,
+      what.reading + "; error: median over 16 ends of steps in the last tenth; one thread, median of repeats",
+      {}, [measure = what.measure](scene::Workshop& w) { return measure(w.quick()); });
+  chapter.add(
+      {.name = "error-vs-time" + suffix,
+       .title = what.heading,
+       .place = "our own",
+       .needs = {&run},
+       .seconds = what.seconds,
+       .show = [&run, what](scene::Workshop& w) {
+         const Costs& costs = w.result(run);
+         scene::Figure figure = cost_figure(costs.curves, what.heading, costs.condition);
+         for (const auto& [name, value] : what.variables) figure.variables[name] = value;
+         return scene::Showing{std::move(figure), cost_table(costs.curves), what.promises(costs, w.quick())};
+       }});
+}
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,50 @@
+/// @file
+/// A scene of digits against cost: one run, a figure, a table, and the quantities that a chapter promises.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/cost_curves.hpp"
+
+namespace nlmech::comparison {
+
+/// What methods came to on an example, and how well it can be solved at all.
+struct Costs {
+  std::vector<Curve> curves;  ///< a method each
+  double condition = 0;       ///< of the example, see condition_of(); 0: not known
+  double again = 0;           ///< the same for a hundred times the change; 0: not known
+};
+
+/// Every setting of every method, and both conditions by a series at 1e-16. @param change see condition_of()
+template <int n>
+[[nodiscard]] Costs costs_of(const Example<n>& c, const std::vector<Contender>& contenders, double change,
+                             bool quick) {
+  const auto accurate = ivp::named_integrator<n>("series", {.tolerance = 1e-16});
+  return {cost_curves(c, contenders, quick), condition_of(c, accurate, change),
+          condition_of(c, accurate, 100 * change)};
+}
+
+/// That the condition is one: the answer to a change of the begin is linear to 5 %.
+[[nodiscard]] scene::Quantity condition_quantity(const Costs& costs);
+
+/// The tightest tolerance that by_tolerances() gives, in full or quick.
+[[nodiscard]] constexpr double tightest_tolerance(bool quick) { return quick ? 1e-8 : 1e-13; }
+
+/// What a scene of digits against cost is about.
+struct CostScene {
+  std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
+  std::string heading;  ///< "Driven Duffing oscillator to t = 50: digits against cost"
+  std::string reading;  ///< of the run: settings, and what else is particular
+  double seconds = 5;   ///< estimated time on one core
+  std::map<std::string, std::string> variables = {};  ///< further ones of the template
+  std::function<Costs(bool quick)> measure = {};      ///< called at most once a process
+  std::function<std::vector<scene::Quantity>(const Costs&, bool quick)> promises = {};  ///< of the scene
+};
+
+/// Adds the run and the scene. All of them judge by the median error over LastEnds, on one thread.
+void add_cost_scene(scene::Chapter& chapter, const CostScene& what);
+
+}  // namespace nlmech::comparison
