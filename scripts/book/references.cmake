@@ -4,6 +4,7 @@
 #   book_load_references(<file>)                     keeps every work as global properties "work|<key>|..."
 #   book_cite(<variable> <key> <place> <complaint>)  "Elgohary (2015, Eq. 2.45)", linked to the bibliography
 #   book_work(<variable> <key>)                      the full entry, one line of Markdown
+# The global property "works not linked" lists the keys of those that have neither DOI nor URL nor ISBN.
 include_guard(GLOBAL)
 
 # The value of a field of an entry, without braces; empty if it has none.
@@ -64,6 +65,10 @@ function(_book_container variable entry)
   endif()
   _book_field(doi "${entry}" doi)
   _book_field(url "${entry}" url)
+  _book_field(isbn "${entry}" isbn)
+  if(isbn)
+    string(APPEND text " ISBN ${isbn}.")
+  endif()
   if(doi)
     string(APPEND text " <a href=\"https://doi.org/${doi}\">doi:${doi}</a>")
   elseif(url)
@@ -85,6 +90,17 @@ function(_book_load_work entry key file)
   endif()
   _book_authors(short long "${author}")
   _book_container(container "${entry}")
+  set(where "")  # how a reader finds it
+  foreach(field doi url isbn)
+    _book_field(value "${entry}" ${field})
+    string(APPEND where "${value}")
+    if(field STREQUAL doi AND value AND NOT value MATCHES "^10\\.[0-9]+/[^ ]+$")
+      message(FATAL_ERROR "${file}: '${key}' has a DOI that is none: ${value}")
+    endif()
+  endforeach()
+  if(where STREQUAL "")
+    set_property(GLOBAL APPEND PROPERTY "works not linked" "${key}")
+  endif()
   set_property(GLOBAL PROPERTY "work|${key}|short" "${short}")
   set_property(GLOBAL PROPERTY "work|${key}|year" "${year}")
   set_property(GLOBAL PROPERTY "work|${key}|text" "${long} (${year}). *${title}*.${container}")

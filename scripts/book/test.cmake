@@ -51,8 +51,17 @@ file(WRITE "${BOOK_OUT}/results/geodesy/fig-2.27.json" [=[{"quantities":[
 file(WRITE "${BOOK_OUT}/figures/geodesy/fig-2.27.svg" "<svg/>")
 file(WRITE "${BOOK_OUT}/tables/geodesy/table-2.6.md" "| a |\n| --- |\n")
 file(WRITE "${BOOK_SOURCE_DIR}/r.bib"
-  "@book{one2001,\n  author = {One, A. and Two, B.},\n  title = {T},\n  year = {2001},\n}\n")
+  "@book{one2001,\n  author = {One, A. and Two, B.},\n  title = {T},\n  year = {2001},\n  isbn = {1-23},\n}\n")
+file(APPEND "${BOOK_SOURCE_DIR}/r.bib"
+  "@misc{old1900,\n  author = {Old, C.},\n  title = {U},\n  year = {1900},\n  doi = {10.1/x},\n}\n")
+file(APPEND "${BOOK_SOURCE_DIR}/r.bib" "@misc{lost1800,\n  author = {Lost, D.},\n  title = {V},\n  year = {1800},\n}\n")
 book_load_references("${BOOK_SOURCE_DIR}/r.bib")
+book_work(got one2001)
+expect("work with ISBN" "${got}" "One, A., Two, B. (2001). *T*. ISBN 1-23.")
+book_work(got old1900)
+expect("work with DOI" "${got}" "Old, C. (1900). *U*. <a href=\"https://doi.org/10.1/x\">doi:10.1/x</a>")
+get_property(got GLOBAL PROPERTY "works not linked")
+expect("works not linked" "${got}" "lost1800")
 
 # The text of one page `body` under a title, without the title's two lines.
 function(make_page variable body)
@@ -160,6 +169,13 @@ expect_complaint("![a](../../figures/geodesy/fig-3.svg)"
   "3: error: there is no figures/geodesy/fig-3.svg; `geodesy run fig-3` writes it")
 expect_complaint("[a](../../tables/geodesy/t.md)"
   "3: error: there is no tables/geodesy/t.md; `geodesy run t` writes it")
+
+# --- The bibliography of the book: each DOI is well formed, and what has no link is listed ----------
+set_property(GLOBAL PROPERTY "works not linked" "")
+book_load_references("${CMAKE_CURRENT_LIST_DIR}/../../docs/references.bib")
+get_property(unlinked GLOBAL PROPERTY "works not linked")
+list(JOIN unlinked " " unlinked)
+message("works of docs/references.bib without DOI, URL or ISBN: ${unlinked}")
 
 get_property(failures GLOBAL PROPERTY failures)
 if(failures)
