@@ -1,6 +1,7 @@
 /// Misprints of section 3.2: printed and corrected form, both against an independent oracle.
 #include <gtest/gtest.h>
 
+#include <boost/math/special_functions/factorials.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters {
 namespace {
@@ -50,6 +52,13 @@ std::vector<orbit::Vector3<Real>> coefficients_of_the_closed_solution(const Orbi
   return p;
 }
 
+/// |r^(n)|/n! of the dissertation's recursion with Eq. 3.66 so read.
+double size_of_term(const Orbit& orbit, Equation366 reading, int n) {
+  const auto found = raw_derivatives<Real>(extended(orbit.start), Real(earth_mu), n, reading);
+  return static_cast<double>(
+      Real(length(found.back()) / boost::math::factorial<Real>(static_cast<unsigned>(n))));
+}
+
 /// Relative error of r^(n)/n! of the dissertation's recursion with Eq. 3.66 so read.
 std::vector<double> errors_of_recursion(const Orbit& orbit, Equation366 reading, int order) {
   const auto exact = coefficients_of_the_closed_solution(orbit, order);
@@ -78,6 +87,14 @@ TEST(Errata, Equation3_66) {
       for (std::size_t n = 4; n <= 10; ++n) EXPECT_GT(printed[n], 0.01) << orbit.name << " " << n;
     }
     EXPECT_NEAR(bracketed[5], literal[5], 1e-12);
+    const auto exact = coefficients_of_the_closed_solution(orbit, 6);
+    for (const int n : {4, 6}) {
+      tests::expect_erratum("two_body_series-3.66",
+                            {.printed = size_of_term(orbit, Equation366::literal, n),
+                             .corrected = size_of_term(orbit, Equation366::corrected, n),
+                             .oracle = static_cast<double>(length(exact[static_cast<std::size_t>(n)])),
+                             .tolerance = 1e-12});  // what the polynomial through 31 places leaves out
+    }
     EXPECT_GT(std::abs(bracketed[6] - literal[6]), 1e-3);
   }
   EXPECT_NEAR(errors_of_recursion(low_orbit(), Equation366::literal, 4)[4], 0.2, 0.05);
@@ -142,6 +159,40 @@ TEST(Errata, Equation3_62IsMeantWhereTheTextSays3_61) {
   const Real r = length(exact[0]), rate = Real(earth_mu) / (r * r * r);
   EXPECT_LT(length(-rate * exact[0] / 2 - exact[2]), Real(1e-12) * length(exact[2]));
   EXPECT_GT(length(rate * rate * exact[0] / 24 - exact[4]), Real(0.1) * length(exact[4]));
+  tests::expect_erratum("two_body_series-3.61", {.printed = static_cast<double>(Real(rate * rate * r / 24)),
+                                                 .corrected = size_of_term(orbit, Equation366::corrected, 4),
+                                                 .oracle = static_cast<double>(length(exact[4])),
+                                                 .tolerance = 1e-12});
+}
+
+/// g^(n + 1) by Eq. 3.66, corrected, from the derivatives of f and of the g that stands on its right.
+double next_derivative(double p, const std::vector<double>& f, const std::vector<double>& g) {
+  const std::size_t n = g.size() - 1;
+  double sum = p / 2 * f[1] * g[n], binomial = 1;
+  for (std::size_t m = 1; m <= n; ++m) {
+    binomial = binomial * static_cast<double>(n - m + 1) / static_cast<double>(m);
+    sum += binomial * (p / 2 * f[m + 1] * g[n - m] + f[m] * g[n - m + 1]);
+  }
+  return -sum / f[0];
+}
+
+// The g of 3.66 and 3.68 carries no index, and 3.63 has one for every p. For f = exp t all derivatives of f
+// at 0 are 1, those of g_p are (-p/2)^n: p = 5 needs g_5 on the right of 3.66. And 3.68 needs g_3: with g_5
+// the second derivative is not that of the closed solution.
+TEST(Errata, IndexOfG) {
+  const auto powers = [](double p) { return std::vector{1.0, -p / 2, p * p / 4, -p * p * p / 8}; };
+  tests::expect_erratum("two_body_series-3.66-index",
+                        {.printed = next_derivative(5, std::vector(5, 1.0), powers(3)),
+                         .corrected = next_derivative(5, std::vector(5, 1.0), powers(5)),
+                         .oracle = std::pow(-2.5, 4),
+                         .tolerance = 16 * eps});
+  const Orbit orbit = low_orbit();
+  const double r = orbit.start.position.norm();
+  const auto exact = coefficients_of_the_closed_solution(orbit, 2);
+  tests::expect_erratum("two_body_series-3.68", {.printed = earth_mu * std::pow(r, -5) * r,
+                                                 .corrected = earth_mu * std::pow(r, -3) * r,
+                                                 .oracle = static_cast<double>(Real(2 * length(exact[2]))),
+                                                 .tolerance = 1e-12});
 }
 
 // The textbook form of Lagrange's F and G against Kepler's problem in 50 digits: eps times what twenty orbits
