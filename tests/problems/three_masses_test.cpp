@@ -6,6 +6,7 @@
 
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/series/dual.hpp"
+#include "tests/errata/erratum.hpp"
 #include "tests/problems/oracle.hpp"
 
 namespace nlmech::problems::tests {
@@ -26,17 +27,28 @@ State random_state() {
   return x;
 }
 
-/// What dE/dt = grad E . f lacks to the power that load and dampers bring in.
+/// dE/dt = grad E . f.
 template <class Problem>
-double power_balance(const Problem& problem, const ThreeMassChain& chain, const State& x, double t) {
+double energy_rate(const Problem& problem, const ThreeMassChain& chain, const State& x, double t) {
   State f;
   problem(t, x, f);
   const auto energy = chain.energy(variables(x));
   double rate = 0;
   for (int i = 0; i < 6; ++i) rate += energy.partial[static_cast<std::size_t>(i)] * f[i];
+  return rate;
+}
+
+/// The power that load and dampers bring in.
+double power(const ThreeMassChain& chain, const State& x, double t) {
   const auto dissipated = [](double c, double speed) { return c * speed * speed; };
-  return rate - chain.force * std::cos(chain.frequency * t) * x[4] + dissipated(chain.c1, x[3]) +
-         dissipated(chain.c2, x[3] - x[4]) + dissipated(chain.c3, x[4] - x[5]) + dissipated(chain.c4, x[5]);
+  return chain.force * std::cos(chain.frequency * t) * x[4] - dissipated(chain.c1, x[3]) -
+         dissipated(chain.c2, x[3] - x[4]) - dissipated(chain.c3, x[4] - x[5]) - dissipated(chain.c4, x[5]);
+}
+
+/// What the first lacks to the second.
+template <class Problem>
+double power_balance(const Problem& problem, const ThreeMassChain& chain, const State& x, double t) {
+  return energy_rate(problem, chain, x, t) - power(chain, x, t);
 }
 
 // Energy, load and dampers are independent statements of mechanics; each product is below 2 * 8, and some
@@ -54,6 +66,21 @@ RC_GTEST_PROP(ThreeMassesAsPrinted, MissTheBalanceByTheirMisprints, ()) {
   const double missing = chain.c1 * (x[3] - x[0]) * x[3] - chain.c2 * (x[3] - x[4]) * x[4];
   const double balance = power_balance(ThreeMassChainAsPrinted{chain}, chain, x, *between(0, 10));
   RC_ASSERT(std::abs(balance - missing) <= 60 * 16 * epsilon);
+}
+
+// Each of the two misprints by itself, with the other damper left out.
+TEST(ThreeMasses, TurnPowerIntoEnergyWithEachDamper) {
+  State x;
+  x << 0.3, -0.7, 0.5, 0.9, -0.4, 0.2;
+  const auto expect = [&x](const char* id, const ThreeMassChain& chain) {
+    nlmech::tests::expect_erratum(id, {.printed = energy_rate(ThreeMassChainAsPrinted{chain}, chain, x, 0.6),
+                                       .corrected = energy_rate(chain, chain, x, 0.6),
+                                       .oracle = power(chain, x, 0.6),
+                                       .tolerance = 60 * epsilon,  // some sixty products
+                                       .scale = 1});
+  };
+  expect("rbf_ivp-4.25-c1", {.c1 = 0.8, .c2 = 0});
+  expect("rbf_ivp-4.25-c2", {.c1 = 0, .c2 = 0.8});
 }
 
 // Without walls and load, inner forces come in pairs: the momentum does not change. The printed equation
