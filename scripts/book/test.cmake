@@ -177,6 +177,9 @@ get_property(unlinked GLOBAL PROPERTY "works not linked")
 list(JOIN unlinked " " unlinked)
 message("works of docs/references.bib without DOI, URL or ISBN: ${unlinked}")
 
+expect_complaint("[a](../../tables/geodesy/errata.md)"
+  "3: error: there is no tables/geodesy/errata.md; `make check` writes it")
+
 get_property(failures GLOBAL PROPERTY failures)
 if(failures)
   list(LENGTH failures failures)
