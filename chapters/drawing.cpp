@@ -19,6 +19,10 @@ std::string with_kept_blanks(std::string text) {
     for (std::size_t at = 0; (at = text.find(edge, at)) != std::string::npos; at += mark.size() + 1)
       text.insert(at + 1, mark);
   }
+  // A sub- or superscript of one letter ends without a brace.
+  for (std::size_t at = 0; (at = text.find_first_of("_^", at)) != std::string::npos; ++at) {
+    if (at + 2 < text.size() && text[at + 2] == ' ') text.insert(at + 2, mark);
+  }
   return text;
 }
 

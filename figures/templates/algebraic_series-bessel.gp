@@ -10,7 +10,7 @@
 if (!exists("heading")) heading = "Bessel functions about tau = 1"
 
 set title heading
-set xlabel "{/:Italic τ} = {/:Italic x}/{/:Italic T}"
+set xlabel "{/:Italic τ}​ = ​{/:Italic x}/{/:Italic T}"
 set ylabel "error"
 set logscale y
 set format y power_of_ten

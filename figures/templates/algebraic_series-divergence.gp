@@ -10,7 +10,7 @@
 if (!exists("heading")) heading = "Departure of forward Euler"
 
 set title heading
-set xlabel "step {/:Italic h} (s)"
+set xlabel "step ​{/:Italic h}​ (s)"
 set ylabel "time (s)"
 set logscale x
 set xrange [8e-4:0.25]

@@ -20,7 +20,7 @@ plot data using "tau":"u" with lines linestyle 1 linewidth 1.6
 unset label
 set margins screen 0.12, screen 0.97, screen 0.14, screen 0.40
 set format x "%g"
-set xlabel "{/:Italic τ} = {/:Italic t}/{/:Italic T}, {/:Italic T} = 0.35"
+set xlabel "{/:Italic τ}​ = ​{/:Italic t}/{/:Italic T}, ​{/:Italic T}​ = 0.35"
 set ylabel "error of the printed steps"
 set logscale y
 set format y power_of_ten

@@ -11,7 +11,7 @@ if (!exists("heading")) heading = "Terms of a fifth root"
 
 set title heading
 set xlabel "terms"
-set ylabel "error at {/:Italic t} = 1"
+set ylabel "error at ​{/:Italic t}​ = 1"
 set logscale xy
 set format y power_of_ten
 set format x power_of_ten

@@ -10,8 +10,8 @@
 if (!exists("heading")) heading = "An island"
 
 set title heading
-set xlabel "10^{4} ({/:Italic x} − {/:Italic x}_{31})"
-set ylabel "10^{4} d{/:Italic x}/d{/:Italic t} (1/s)"
+set xlabel "10^{4}​ ({/:Italic x}​ − ​{/:Italic x}_{31})"
+set ylabel "10^{4}​ d{/:Italic x}/d{/:Italic t}​ (1/s)"
 set xrange [-2:2]
 set yrange [-3:3]
 set key at graph 0.5, graph 0.5 center center

@@ -11,7 +11,7 @@ if (!exists("heading")) heading = "Phase plane"
 
 set title heading
 set xlabel "{/:Italic x}"
-set ylabel "d{/:Italic x}/d{/:Italic t} (1/s)"
+set ylabel "d{/:Italic x}/d{/:Italic t}​ (1/s)"
 set xrange [-0.6:0.6]
 set yrange [-0.4:0.4]
 unset key

@@ -10,7 +10,7 @@
 if (!exists("heading")) heading = "Series and forward Euler"
 
 set title heading offset 0,1.4
-set xlabel "{/:Italic t} (s)"
+set xlabel "{/:Italic t}​ (s)"
 set ylabel "{/:Italic x}"
 set xrange [3:43.2]
 set yrange [-0.8:0.8]

@@ -15,14 +15,14 @@ set xrange [0:40]
 unset key
 set margins screen 0.11, screen 0.97, screen 0.60, screen 0.91
 set format x ""
-set ylabel "height {/:Italic z} (m)"
+set ylabel "height ​{/:Italic z}​ (m)"
 set ytics 40
 plot data using (column("x_m")/1000):"z_m" with lines linestyle 1
 unset label
 set margins screen 0.11, screen 0.97, screen 0.14, screen 0.55
 set format x "%g"
-set xlabel "{/:Italic x} (km)"
-set ylabel "{/:Italic y} (km)"
+set xlabel "{/:Italic x}​ (km)"
+set ylabel "{/:Italic y}​ (km)"
 set ytics 5
 plot data using (column("x_m")/1000):(column("y_m")/1000) with lines linestyle 2 dashtype solid, \
      data using (column("x_m")/1000):(int(column("t_s")*20 + 0.5) % 20 == 0 ? column("y_m")/1000 : NaN) \

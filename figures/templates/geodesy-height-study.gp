@@ -25,9 +25,9 @@ set margins screen 0.12, screen 0.97, screen 0.13, screen 0.78
 set key at screen 0.54, screen 0.90 center top maxrows 2 Left reverse samplen 2 spacing 1.2 width -9
 
 plot data using "latitude_deg":(shown(column("by_cosine_m"))) with lines linestyle 2 \
-       title "{/:Italic r}/cos φ − {/:Italic N}, latitude off by ".latitude_error, \
+       title "{/:Italic r}/cos φ − ​{/:Italic N}, latitude off by ".latitude_error, \
      data using "latitude_deg":(shown(column("by_sine_m"))) with lines linestyle 5 \
-       title "{/:Italic z}/sin φ − (1 − {/:Italic e}^2){/:Italic N}, the same", \
+       title "{/:Italic z}/sin φ − (1 − ​{/:Italic e}^2){/:Italic N}, the same", \
      data using "latitude_deg":(shown(column("by_projection_m"))) with points pointtype 7 pointsize 0.35 linecolor rgb colour(1) \
        title "projection, the same", \
      data using "latitude_deg":(shown(column("exact_latitude_m"))) with points pointtype 6 pointsize 0.5 linecolor rgb soft_ink \

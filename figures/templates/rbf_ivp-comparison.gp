@@ -15,7 +15,7 @@ methods = entries(legend)
 
 set title heading offset 0,2.4
 set xrange [real(begin):real(end)]
-set xlabel "{/:Italic t} (s)"
+set xlabel "{/:Italic t}​ (s)"
 set ylabel symbol
 set margins screen 0.12, screen 0.97, screen 0.13, screen 0.79
 set key at screen 0.535, screen 0.91 center top horizontal maxrows 2 Left reverse samplen 2.5

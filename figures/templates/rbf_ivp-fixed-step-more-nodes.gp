@@ -24,9 +24,9 @@ set xtics 20
 
 set margins screen 0.11, screen 0.52, screen 0.13, screen 0.80
 set title "free Duffing, step P" font sprintf("%s,%d", font_family, font_size) offset 0,-0.4
-set ylabel "RMS error of {/:Italic x}_1"
+set ylabel "RMS error of ​{/:Italic x}_1"
 set key at screen 0.53, screen 0.925 center top maxrows 1 Left reverse samplen 3
-plot data using (of("duffing")):"rbf" with linespoints linestyle 5 title "RBF, {/:Italic c = }({/:Italic N − }1)/(4{/:Italic h})", \
+plot data using (of("duffing")):"rbf" with linespoints linestyle 5 title "RBF, ​{/:Italic c = }({/:Italic N − }1)/(4{/:Italic h})", \
      data using (of("duffing")):"lgl" with linespoints linestyle 1 title "polynomials, LGL", \
      data using (of("duffing")):"radau" with linespoints linestyle 4 title "polynomials, Radau"
 

@@ -20,7 +20,7 @@ dot_count = strlen(dots) > 0 ? entries(dots) : 0
 alone = line_count + dot_count == 1
 set title heading offset 0,(alone ? 0.2 : 1.4)
 set xrange [0:real(end)]
-set xlabel "{/:Italic t} (s)"
+set xlabel "{/:Italic t}​ (s)"
 set logscale y
 set format y power_of_ten
 stats data using (log10(column("error"))) nooutput

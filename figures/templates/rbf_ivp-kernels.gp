@@ -11,8 +11,8 @@
 if (!exists("heading")) heading = "The radial functions"
 
 kernels = "gaussian inverse-quadratic multiquadric inverse-multiquadric"
-array formula[4] = ["Gaussian exp(−{/:Italic c}^2{/:Italic r}^2)", "inverse quadratic 1/(1 + {/:Italic c}^2{/:Italic r}^2)", \
-                    "multiquadric (1 + {/:Italic c}^2{/:Italic r}^2)^{1/2}", "inverse multiquadric (1 + {/:Italic c}^2{/:Italic r}^2)^{−1/2}"]
+array formula[4] = ["Gaussian exp(−{/:Italic c}^2{/:Italic r}^2)", "inverse quadratic 1/(1 + ​{/:Italic c}^2{/:Italic r}^2)", \
+                    "multiquadric (1 + ​{/:Italic c}^2{/:Italic r}^2)^{1/2}", "inverse multiquadric (1 + ​{/:Italic c}^2{/:Italic r}^2)^{−1/2}"]
 of(name) = strcol("kernel") eq name ? column("distance") : NaN
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink

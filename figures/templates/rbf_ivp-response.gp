@@ -10,7 +10,7 @@ if (!exists("heading")) heading = "Positions of three masses"
 
 set title heading offset 0,1.4
 set xrange [0:200]
-set xlabel "{/:Italic t} (s)"
+set xlabel "{/:Italic t}​ (s)"
 set ylabel "position"
 set margins screen 0.12, screen 0.97, screen 0.13, screen 0.83
 set key at screen 0.535, screen 0.905 center top horizontal maxrows 1 Left reverse samplen 3

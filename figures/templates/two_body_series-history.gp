@@ -14,7 +14,7 @@ nothing = 2e-17
 set title heading offset 0,1.4
 set margins screen 0.13, screen 0.97, screen 0.13, screen 0.83
 set xlabel "orbits"
-set ylabel offset 1,0 "|{/:Italic E}_k − {/:Italic E}_0|/|{/:Italic E}_0|"
+set ylabel offset 1,0 "|{/:Italic E}_k − ​{/:Italic E}_0|/|{/:Italic E}_0|"
 set xrange [0:20]
 set logscale y
 set format y power_of_ten
