@@ -1,0 +1,78 @@
+/// Each picture of README, docs/gallery/<chapter>-<scene>.svg, is what that scene draws today.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <regex>
+
+#include "nlmech/scene/process.hpp"
+#include "tests/pages/page.hpp"
+
+namespace nlmech::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> pictures() {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(NLMECH_SOURCE_DIR "/docs/gallery"))
+    names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Words of a picture in their order, numbers at ticks left out.
+std::vector<std::string> words(const std::string& svg) {
+  static const std::regex label(R"(<!\[CDATA\[([^\]]*)\]\]>)");
+  std::vector<std::string> found;
+  for (auto at = std::sregex_iterator(svg.begin(), svg.end(), label); at != std::sregex_iterator(); ++at) {
+    const std::string word = (*at)[1];
+    if (std::regex_search(word, std::regex("[A-Za-z]"))) found.push_back(word);
+  }
+  return found;
+}
+
+class Gallery : public ::testing::TestWithParam<std::string> {
+ protected:
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string chapter_ = GetParam().substr(0, GetParam().find('-'));
+  std::string scene_ = GetParam().substr(GetParam().find('-') + 1);
+  fs::path folder_ = fs::temp_directory_path() / ("nlmech-" + GetParam() + std::to_string(::getpid()));
+};
+
+/// The same words and, to 3 of some 700 units of length, the same places; of a picture with measured times
+/// the words alone.
+TEST_P(Gallery, ShowsWhatTheSceneDraws) {
+  const fs::path program = fs::path(NLMECH_BINARY_DIR "/bin") / chapter_;
+  if (!fs::exists(program)) GTEST_SKIP() << chapter_ << " is not built";
+  const scene::Finished run =
+      scene::run_program({program.string(), "run", scene_, "--out", folder_.string()}, {});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const std::string data = text_of(folder_ / "results" / chapter_ / (scene_ + ".csv"));
+  const bool timed = ("," + data.substr(0, data.find('\n'))).find(",time_") != std::string::npos;
+  const std::string drawn = text_of(folder_ / "figures" / chapter_ / (scene_ + ".svg"));
+  const fs::path file = fs::path(NLMECH_SOURCE_DIR "/docs/gallery") / (GetParam() + ".svg");
+  const std::string shown = text_of(file);
+  EXPECT_EQ(words(shown), words(drawn)) << file << " is out of date: make gallery";
+  if (timed) return;
+  EXPECT_TRUE(alike(shown, drawn, [](double a, double b) { return std::abs(a - b) <= 3; }))
+      << file << " is out of date: make gallery";
+}
+
+TEST(GalleryOfReadme, HasSixPicturesThatReadmeShows) {
+  const std::string readme = text_of(NLMECH_SOURCE_DIR "/README.md");
+  EXPECT_EQ(pictures().size(), 6U);
+  for (const std::string& name : pictures()) {
+    EXPECT_NE(readme.find("(docs/gallery/" + name + ".svg)"), std::string::npos) << name;
+    EXPECT_LT(fs::file_size(fs::path(NLMECH_SOURCE_DIR "/docs/gallery") / (name + ".svg")), 500'000U) << name;
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& picture) {
+  return std::regex_replace(picture.param, std::regex("[^A-Za-z0-9_]"), "_");
+}
+
+INSTANTIATE_TEST_SUITE_P(Readme, Gallery, ::testing::ValuesIn(pictures()), test_name);
+
+}  // namespace
+}  // namespace nlmech::tests
