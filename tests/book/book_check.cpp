@@ -23,8 +23,9 @@ int main(int argc, char** argv) {
     const auto begin = std::chrono::steady_clock::now();
     const Checked checked = check_pages(*program, argv[1]);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    std::printf("%s%zu pages, %zu findings, %.0f s\n", summary(checked.findings).c_str(),
-                checked.pages.size(), checked.findings.size(), time.count());
+    std::printf("%s%zu pages, %zu findings, %.0f s, %.1f s of them for %s\n",
+                summary(checked.findings).c_str(), checked.pages.size(), checked.findings.size(),
+                time.count(), checked.slowest_seconds, checked.slowest.c_str());
     return checked.findings.empty() ? 0 : 1;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "book_check: %s\n", e.what());

@@ -161,10 +161,11 @@ std::optional<std::string> broken(const std::string& address, const fs::path& fo
 
 Checked check_pages(const std::string& program, const fs::path& given, const Checking& how) {
   const fs::path folder = fs::canonical(given);
-  Checked checked{pages_under(folder), {}};
+  Checked checked{.pages = pages_under(folder), .findings = {}, .slowest = {}};
   std::map<std::string, Page> pages;
   std::unique_ptr<Reader> reader;
   for (const std::string& name : checked.pages) {
+    const auto begin = std::chrono::steady_clock::now();
     try {
       if (!reader) reader = std::make_unique<Reader>(program, how);
       pages[name] = reader->look(folder / name, name, checked.findings);
@@ -172,6 +173,11 @@ Checked check_pages(const std::string& program, const fs::path& given, const Che
       if (!reader) throw;  // it does not start at all
       checked.findings.insert({name, "time", lost.what()});
       reader.reset();
+    }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    if (time.count() > checked.slowest_seconds) {
+      checked.slowest = name;
+      checked.slowest_seconds = time.count();
     }
   }
   for (const auto& [name, page] : pages) {

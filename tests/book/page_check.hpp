@@ -23,13 +23,15 @@ struct Finding {
 /// How the pages are looked at.
 struct Checking {
   int width = 390;      ///< of the window, px: a phone held upright
-  double seconds = 20;  ///< for one page; after that the browser is started anew
+  double seconds = 60;  ///< for one page, on a busy machine; after that the browser is started anew
 };
 
 /// What came out.
 struct Checked {
   std::vector<std::string> pages;  ///< relative to the book's folder, sorted
   std::set<Finding> findings;      ///< none, if all is well
+  std::string slowest;             ///< the page that took longest
+  double slowest_seconds = 0;      ///< and how long
 };
 
 /// Loads all .html files under a folder, one after another, in one browser.
