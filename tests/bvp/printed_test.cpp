@@ -5,6 +5,7 @@
 #include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/bvp/condensed.hpp"
 #include "nlmech/bvp/duffing.hpp"
+#include "tests/errata/erratum.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -36,7 +37,11 @@ std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
 TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
   // With D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5 (independent program). To a fifth.
   const GlobalMethod exact{.derivative = DerivativeMatrix::stable_gaussian};
-  EXPECT_NEAR(errors(DuffingCase::free, exact).first, 2.5e-5, 5e-6);
+  const double free = errors(DuffingCase::free, exact).first;
+  EXPECT_NEAR(free, 2.5e-5, 5e-6);
+  // Section 5.3.5: "in the order of 1e-7". Half a unit of the independent program's last digit.
+  nlmech::tests::expect_erratum(
+      "rbf_inverse-5.3.5", {.printed = 1e-7, .corrected = free, .oracle = 2.5e-5, .tolerance = 0.05 / 2.5});
   const auto fixed = errors(DuffingCase::fixed, exact);
   EXPECT_NEAR(fixed.first, 2.0e-4, 4e-5);
   EXPECT_NEAR(fixed.second, 2.1e-3, 4e-4);
