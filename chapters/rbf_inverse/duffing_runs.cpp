@@ -59,10 +59,12 @@ std::string time_label(double final_time) { return fmt::format("T = {:g}", final
 
 namespace {
 
-Extremals find_all(double final_time) {
+Extremals find_all(double final_time, bool quick) {
+  const bvp::DuffingStarts fewer = {.unforced = 6, .direct = 6, .random = 2};
   Extremals all;
   for (const DuffingCase which : bvp::duffing_cases())
-    all.push_back(bvp::duffing_extremals(printed_settings(which, final_time)));
+    all.push_back(
+        bvp::duffing_extremals(printed_settings(which, final_time), quick ? fewer : bvp::DuffingStarts{}));
   return all;
 }
 
@@ -90,7 +92,7 @@ DuffingRuns add_duffing_runs(scene::Chapter& chapter) {
     const auto& extremals = chapter.add_run<Extremals>(
         fmt::format("extremals-T{:g}", t),
         fmt::format("T = {:g}, S = I (neither is stated); eight cases, the program's own starts", t), {},
-        [t](Workshop&) { return find_all(t); });
+        [t](Workshop& w) { return find_all(t, w.quick()); });
     runs.extremals[i] = &extremals;
     runs.globals[i] = &chapter.add_run<Globals>(
         fmt::format("one-interval-T{:g}", t),

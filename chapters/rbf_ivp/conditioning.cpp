@@ -123,9 +123,11 @@ struct Study {
   std::vector<Sample> scan;
 };
 
-Sample sample(const Setting& setting, const Arc& a, double shape) {
+/// @param by_algebra with 50 digits as well
+Sample sample(const Setting& setting, const Arc& a, double shape, bool by_algebra = true) {
   return {shape, error_in_double(setting, a, shape, Inversion::inverse),
-          error_in_double(setting, a, shape, Inversion::solve), exact(setting, a, shape)};
+          error_in_double(setting, a, shape, Inversion::solve),
+          by_algebra ? exact(setting, a, shape) : Exact{}};
 }
 
 std::vector<Study> studies(bool quick) {
@@ -134,8 +136,12 @@ std::vector<Study> studies(bool quick) {
     const Arc a = arc(setting);
     Study study{setting, flat_limit(setting, a), sample(setting, a, setting.shape), {}};
     const int count = quick ? 24 : 96;
-    for (int i = 0; i <= count; ++i)
-      study.scan.push_back(sample(setting, a, 0.05 * std::pow(30 / 0.05, double(i) / count)));
+    bool reached = true;  // by 50 digits: the flatter the functions, the worse their condition
+    for (int i = count; i >= 0; --i) {
+      study.scan.push_back(sample(setting, a, 0.05 * std::pow(30 / 0.05, double(i) / count), reached));
+      reached = study.scan.back().exact.error.has_value();
+    }
+    std::reverse(study.scan.begin(), study.scan.end());
     all.push_back(std::move(study));
   }
   return all;

@@ -20,8 +20,9 @@ std::optional<double> digits(const Cost& c) {
 }  // namespace
 
 Timing repeated_timing(const std::function<void()>& work, double first, bool quick) {
-  if (quick || first > 0.1) return {first, first, first, 1};
-  return time_repeats(work, std::clamp(static_cast<int>(0.1 / first), 1, 9));
+  constexpr double enough = 0.02;  // s, of all repeats: a few ticks of the scheduler
+  if (quick || first > enough) return {first, first, first, 1};
+  return time_repeats(work, std::clamp(static_cast<int>(enough / first), 1, 9));
 }
 
 const Cost* best_of(const Curve& curve) {

@@ -31,8 +31,8 @@ struct Curve {
   std::vector<Cost> costs;  ///< empty: not in this build
 };
 
-/// Repeats for a tenth of a second; a run that takes @p first > 0.1 s counts by itself, and so does any if
-/// @p quick.
+/// Up to nine repeats in a fiftieth of a second; a run that takes @p first > 0.02 s counts by itself, and so
+/// does any if @p quick.
 [[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
 
 /// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
