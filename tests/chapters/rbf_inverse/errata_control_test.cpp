@@ -44,9 +44,8 @@ Trip drive(Eigen::Vector2d x, double beta, double T, const Force& force) {
 }
 
 /// The cheapest free extremal of a short time, which Newton's iteration finds from zero.
-bvp::Extremal free_extremal(bvp::DuffingSettings settings) {
-  const bvp::Extremal e =
-      solve_extremal(duffing_problem(settings), bvp::constant_start(Eigen::VectorXd::Zero(4)));
+bvp::Extremal free_extremal(const bvp::DuffingSettings& settings) {
+  bvp::Extremal e = solve_extremal(duffing_problem(settings), bvp::constant_start(Eigen::VectorXd::Zero(4)));
   EXPECT_TRUE(e.solution.status.ok()) << e.solution.status.text();
   return e;
 }
