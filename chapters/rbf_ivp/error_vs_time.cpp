@@ -34,13 +34,25 @@ scene::Quantity at_rounding(const comparison::Costs& costs, const std::string& m
                         "condition times half an epsilon, four times in each step and always of one sign");
 }
 
-std::vector<scene::Quantity> promises(const comparison::Costs& costs, const Subject& subject) {
+/// With --quick, whose tolerances end at 1e-8: that tolerance in each step, all of one sign, times the
+/// condition.
+scene::Quantity at_quick_tolerance(const comparison::Costs& costs, const std::string& method) {
+  const comparison::Cost* best = comparison::best_of(comparison::curve_of(costs.curves, method));
+  const double steps = best != nullptr ? static_cast<double>(best->work.steps) : 0;
+  return scene::at_most("least error of " + method, "1", comparison::least_error(costs.curves, method),
+                        comparison::tightest_tolerance(true) * steps * costs.condition,
+                        "the tightest tolerance in each step, all of one sign, times the condition");
+}
+
+std::vector<scene::Quantity> promises(const comparison::Costs& costs, const Subject& subject, bool quick) {
   return {{"least error of rbf-coll, N = 35", "1", comparison::least_error(costs.curves, "rbf-coll, N = 35"),
            subject.radial_low, subject.radial_high, subject.reason},
           at_rounding(costs, "radau-coll, N = 17"),
-          scene::at_most("least error of adaptive-collocation", "1",
-                         comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
-                         "end errors of hundred periods are the tolerance, 1e-13, times their number")};
+          quick
+              ? at_quick_tolerance(costs, "adaptive-collocation")
+              : scene::at_most("least error of adaptive-collocation", "1",
+                               comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
+                               "end errors of hundred periods are the tolerance, 1e-13, times their number")};
 }
 
 template <int n>
@@ -54,7 +66,8 @@ void add_scene(scene::Chapter& chapter, const Subject& subject, const Case<n>& (
                   "beginning with the dissertation's",
        .seconds = 15,
        .measure = [problem, scales](bool quick) { return measure(problem(), scales, quick); },
-       .promises = [subject](const comparison::Costs& costs, bool) { return promises(costs, subject); }});
+       .promises = [subject](const comparison::Costs& costs,
+                             bool quick) { return promises(costs, subject, quick); }});
 }
 
 /// The series knows nothing of the method that is judged.
@@ -90,8 +103,9 @@ void add_held_back(scene::Chapter& chapter) {
                            "tolerances for all",
                 .seconds = 10,
                 .measure = measure_held_back,
-                .promises = [](const comparison::Costs& costs, bool) -> std::vector<scene::Quantity> {
-                  return {at_rounding(costs, "adaptive-collocation")};
+                .promises = [](const comparison::Costs& costs, bool quick) -> std::vector<scene::Quantity> {
+                  return {quick ? at_quick_tolerance(costs, "adaptive-collocation")
+                                : at_rounding(costs, "adaptive-collocation")};
                 }});
 }
 
