@@ -77,7 +77,7 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
 TEST_F(PageCheck, GivesUpAPageThatHangsAndGoesOn) {
   copy("hang.html");
   copy("width.html");  // comes after it
-  const std::set<Finding> found = findings(10);
+  const std::set<Finding> found = findings(25);
   ASSERT_EQ(found.size(), 2u) << summary(found);
   EXPECT_EQ(*found.begin(), (Finding{"hang.html", "time", "the browser does not answer"}));
   EXPECT_EQ(std::next(found.begin())->page, "width.html");

@@ -1,8 +1,11 @@
 #include "tests/book/page_check.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
+#include <chrono>
 #include <fstream>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -157,27 +160,57 @@ std::optional<std::string> broken(const std::string& address, const fs::path& fo
   return "leads to no place on its page: " + name + "#" + place;
 }
 
+/// What one browser saw of the pages that it took.
+struct Seen {
+  std::map<std::string, Page> pages;
+  std::set<Finding> findings;
+  std::string slowest;
+  double slowest_seconds = 0;
+};
+
+/// Takes page after page until none is left.
+Seen look_at(const std::vector<std::string>& names, std::atomic<std::size_t>& next,
+             const std::string& program, const fs::path& folder, const Checking& how) {
+  Seen seen;
+  std::unique_ptr<Reader> reader;
+  for (std::size_t i = next++; i < names.size(); i = next++) {
+    const std::string& name = names[i];
+    const auto begin = std::chrono::steady_clock::now();
+    if (!reader) reader = std::make_unique<Reader>(program, how);
+    try {
+      seen.pages[name] = reader->look(folder / name, name, seen.findings);
+    } catch (const BrowserLost& lost) {
+      seen.findings.insert({name, "time", lost.what()});
+      reader.reset();
+    }
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    if (time.count() > seen.slowest_seconds) {
+      seen.slowest = name;
+      seen.slowest_seconds = time.count();
+    }
+  }
+  return seen;
+}
+
 }  // namespace
 
 Checked check_pages(const std::string& program, const fs::path& given, const Checking& how) {
   const fs::path folder = fs::canonical(given);
   Checked checked{.pages = pages_under(folder), .findings = {}, .slowest = {}};
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::future<Seen>> readers;
+  for (int i = 0; i < how.browsers; ++i) {
+    readers.push_back(
+        std::async(std::launch::async, [&] { return look_at(checked.pages, next, program, folder, how); }));
+  }
   std::map<std::string, Page> pages;
-  std::unique_ptr<Reader> reader;
-  for (const std::string& name : checked.pages) {
-    const auto begin = std::chrono::steady_clock::now();
-    try {
-      if (!reader) reader = std::make_unique<Reader>(program, how);
-      pages[name] = reader->look(folder / name, name, checked.findings);
-    } catch (const BrowserLost& lost) {
-      if (!reader) throw;  // it does not start at all
-      checked.findings.insert({name, "time", lost.what()});
-      reader.reset();
-    }
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    if (time.count() > checked.slowest_seconds) {
-      checked.slowest = name;
-      checked.slowest_seconds = time.count();
+  for (auto& reader : readers) {
+    Seen seen = reader.get();
+    pages.merge(seen.pages);
+    checked.findings.merge(seen.findings);
+    if (seen.slowest_seconds > checked.slowest_seconds) {
+      checked.slowest = seen.slowest;
+      checked.slowest_seconds = seen.slowest_seconds;
     }
   }
   for (const auto& [name, page] : pages) {

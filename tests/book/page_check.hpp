@@ -22,6 +22,7 @@ struct Finding {
 
 /// How the pages are looked at.
 struct Checking {
+  int browsers = 2;     ///< at work at the same time
   int width = 390;      ///< of the window, px: a phone held upright
   double seconds = 60;  ///< for one page, on a busy machine; after that the browser is started anew
 };
@@ -34,7 +35,7 @@ struct Checked {
   double slowest_seconds = 0;      ///< and how long
 };
 
-/// Loads all .html files under a folder, one after another, in one browser.
+/// Loads all .html files under a folder, each browser one after another.
 ///
 /// Findings: a link to a file that does not exist, that lies outside the folder, or to a place that its page
 /// does not have ("link"); an image that cannot be shown ("image"); a formula left as TeX or refused by
