@@ -13,7 +13,7 @@ DRAWN = $(CHAPTERS:%=figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test check bench book clean
+.PHONY: help deps configure build programs figures tables test check bench book book-test gallery clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -21,6 +21,8 @@ help:
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
 	@echo "make check           published beside reproduced, verdicts, figures; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
+	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
+	@echo "make gallery         the pictures of README drawn anew"
 	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install missing Debian packages (packages.txt)"
@@ -102,6 +104,19 @@ book: programs
 	@$(MAKE) --no-print-directory check > /dev/null
 	@$(MAKE) --no-print-directory draw > /dev/null
 	@cmake --build $(BUILD) --target book
+
+# Every page in a headless browser.
+book-test: book
+	@cmake --build $(BUILD) --target book_check
+	@ctest --test-dir $(BUILD) -L '^book$$' --output-on-failure
+
+# README's pictures, each named <chapter>-<scene>.svg, as their scenes draw them now.
+gallery: programs
+	@for picture in docs/gallery/*.svg; do \
+	  name=$$(basename $$picture .svg); \
+	  for c in $(CHAPTERS); do case $$name in $$c-*) \
+	    $(BUILD)/bin/$$c run $${name#$$c-} --out $(BUILD)/gallery && cp $(BUILD)/gallery/figures/$$c/$${name#$$c-}.svg $$picture || exit 1;; \
+	  esac; done; done
 
 clean:
 	@rm -rf $(BUILD) results book
