@@ -11,7 +11,7 @@ namespace {
 using tests::put;
 using tests::TemporaryFolder;
 
-const std::string curve = "<svg><g id=\"gnuplot_plot_1\" ><path d='M0,0 L1,1'/></g></svg>";
+const std::string curve = "<svg><g id=\"nlmech_plot_1a\" ><path d='M0,0 L1,1'/></g></svg>";
 const std::string kept = R"({"quantities": [{"name": "a", "kept": true}]})";
 
 /// One figure and one table of a chapter that is built, one figure of a chapter that is not; all complete.
@@ -58,7 +58,7 @@ TEST_F(Completeness, CountsWhatIsThere) {
 
 TEST_F(Completeness, SeesWhatIsMissing) {
   const auto first_is_incomplete = [&] { return !shown()[0].complete(); };
-  put(folder_ / "figures/moon/fig-1.svg", "<svg><g id=\"gnuplot_plot_1\" ></g></svg>");
+  put(folder_ / "figures/moon/fig-1.svg", "<svg><g id=\"nlmech_plot_1a\" ></g></svg>");
   EXPECT_TRUE(first_is_incomplete()) << "axes without a curve";
   put(folder_ / "figures/moon/fig-1.svg", "<svg></svg>");
   EXPECT_TRUE(first_is_incomplete()) << "no plot at all";

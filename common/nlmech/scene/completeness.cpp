@@ -23,11 +23,12 @@ std::size_t rows_of(const fs::path& file) {
   return records.empty() ? 0 : records.size() - 1;
 }
 
-/// Gnuplot gives every curve a group of its own; one without a stroke or a mark shows nothing.
+/// Gnuplot gives every curve a group of its own, named by the terminal of style.gp; one without a stroke or a
+/// mark shows nothing.
 bool has_curves(const fs::path& picture) {
   if (!fs::exists(picture)) return false;
   const std::string svg = read_whole(picture);
-  const auto curve = svg.find("id=\"gnuplot_plot_1\"");
+  const auto curve = svg.find("id=\"nlmech_plot_1");
   if (curve == std::string::npos) return false;
   return svg.find("<path", curve) != std::string::npos || svg.find("<use", curve) != std::string::npos ||
          svg.find("<polygon", curve) != std::string::npos || svg.find("<image", curve) != std::string::npos;
