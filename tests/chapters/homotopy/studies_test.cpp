@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "chapters/drawing.hpp"
 #include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/iterations.hpp"
 
