@@ -126,7 +126,15 @@ function(_book_table variable page line caption path)
   _book_anchor(anchor "${path}")
   set(before "\\htmlonly[block]<div class=\"table-caption\">\\endhtmlonly")
   set(after "\\htmlonly[block]</div>\\endhtmlonly")
-  set(${variable} "\\anchor ${anchor} ${before} ${caption} ${after} \\include{doc} ${path}" PARENT_SCOPE)
+  # Doxygen looks for formulas before it includes: a table that has some is put in whole, and the lines of the page after
+  # it are counted from there.
+  file(READ "${file}" text)
+  if(text MATCHES "\\\\f[$]")
+    set(table "\n\n${text}")
+  else()
+    set(table "\\include{doc} ${path}")
+  endif()
+  set(${variable} "\\anchor ${anchor} ${before} ${caption} ${after} ${table}" PARENT_SCOPE)
 endfunction()
 
 # Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a
