@@ -69,6 +69,12 @@ std::vector<std::string> pages_under(const fs::path& folder) {
   return pages;
 }
 
+/// By anything but files and what a page holds itself.
+bool leaves_the_machine(const std::string& url) {
+  const std::string scheme = url.substr(0, url.find(':'));
+  return !url.empty() && scheme != "file" && scheme != "data" && scheme != "blob" && scheme != "about";
+}
+
 /// A browser with one empty page, which shows one file after another.
 class Reader {
  public:
@@ -128,12 +134,14 @@ class Reader {
             " " + argument.value("description", argument.contains("value") ? argument["value"].dump() : "");
       findings.insert({page, "error", text});
     } else if (method == "Log.entryAdded" && p["entry"]["level"] == "error") {
-      findings.insert({page, "error", p["entry"].value("text", "") + " " + p["entry"].value("url", "")});
+      // A request that leaves the machine is a finding by itself; its failure may come after the page is
+      // done.
+      const std::string url = p["entry"].value("url", "");
+      if (!leaves_the_machine(url))
+        findings.insert({page, "error", p["entry"].value("text", "") + " " + url});
     } else if (method == "Network.requestWillBeSent") {
       const std::string url = p["request"].value("url", "");
-      const std::string scheme = url.substr(0, url.find(':'));
-      if (scheme != "file" && scheme != "data" && scheme != "blob" && scheme != "about")
-        findings.insert({page, "network", url});
+      if (leaves_the_machine(url)) findings.insert({page, "network", url});
     }
   }
 

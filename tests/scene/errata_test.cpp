@@ -70,7 +70,7 @@ TEST(ErrataPages, ShowBothFormsWithTheirDistances) {
   const std::string page = errata_page(errata), table = errata_table(errata, "moon");
   EXPECT_LT(page.find("## elgohary"), page.find("## roy"));
   EXPECT_NE(page.find("3 entries"), std::string::npos);
-  EXPECT_NE(page.find("| the other side; perhaps an error of the scan | 0.5 | 1e-12 | "
+  EXPECT_NE(page.find("| 0.5 | 1e-12 | the other side; perhaps an error of the scan | "
                       "`unit_moon:Errata.Sign` `unit_moon:Errata.Twice` |"),
             std::string::npos)
       << page;

@@ -68,12 +68,12 @@ std::string effect(const Erratum& e) {
 }
 
 Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
-  std::vector<Column> columns = {{"place"},  {"printed"},           {"correct"},
-                                 {"effect"}, {"printed misses by"}, {"corrected within"}};
+  std::vector<Column> columns = {
+      {"place"}, {"printed"}, {"correct"}, {"printed misses by"}, {"corrected within"}, {"effect"}};
   if (with_tests) columns.push_back({"test"});
   Table table(columns);
   for (const Erratum* e : entries) {
-    std::vector<Cell> row = {e->place, e->printed, e->correct, effect(*e), e->misses, e->within};
+    std::vector<Cell> row = {e->place, e->printed, e->correct, e->misses, e->within, effect(*e)};
     if (with_tests) row.emplace_back(test_names(*e));
     table.add(std::move(row));
   }

@@ -96,7 +96,16 @@ int completeness(const Options& options) {
 
 /// A table for each chapter's page, and all of them on one.
 void errata(const Options& options) {
-  const std::vector<Erratum> all = read_errata(data_folder());
+  std::vector<Erratum> all = read_errata(data_folder());
+  const std::vector<Place> places = read_places(data_folder());
+  // Chapters in the order in which the sources come to them.
+  const auto rank = [&](const Erratum& e) {
+    return std::find_if(places.begin(), places.end(),
+                        [&](const Place& p) { return p.chapter == e.chapter; }) -
+           places.begin();
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Erratum& a, const Erratum& b) { return rank(a) < rank(b); });
   std::set<std::string> chapters;
   for (const Erratum& e : all) chapters.insert(e.chapter);
   for (const std::string& chapter : chapters) {
