@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
                 time.count(), checked.slowest_seconds, checked.slowest.c_str());
     return checked.findings.empty() ? 0 : 1;
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "book_check: %s\n", e.what());
+    static_cast<void>(std::fprintf(stderr, "book_check: %s\n", e.what()));
     return 2;
   }
 }
