@@ -162,7 +162,7 @@ scene::Showing show(const std::vector<Cost>& all) {
 }  // namespace
 
 void add_error_vs_time_response(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<std::vector<Cost>>(
+  const auto& run = chapter.add_run<std::vector<Cost>>(
       "response-times",
       "theta/u and y(2 ft)/u at frequencies from 0.01 to 1000 rad/s, logarithmically spaced, with tips; "
       "error "
@@ -172,7 +172,7 @@ void add_error_vs_time_response(scene::Chapter& chapter) {
                .title = "Digits of theta/u against time: exact forms, assumed modes, finite elements",
                .place = "our own",
                .needs = {&run},
-               .seconds = 5,
+               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -259,7 +259,7 @@ scene::Showing show(const std::vector<Cost>& all) {
 }  // namespace
 
 void add_error_vs_time_step(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<std::vector<Cost>>(
+  const auto& run = chapter.add_run<std::vector<Cost>>(
       "step-times",
       "designed gains, from rest to 1 rad; theta and y(2 ft) at 16 instants from 3 to 6 s; error against 400 "
       "residues, the deflection's over its peak; one thread, median of repeats; models are made beforehand",
@@ -268,7 +268,7 @@ void add_error_vs_time_step(scene::Chapter& chapter) {
                .title = "Digits of a manoeuvre against time: residues, numerical inversion, assumed modes",
                .place = "our own",
                .needs = {&run},
-               .seconds = 6,
+               .seconds = 3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -295,7 +295,7 @@ std::vector<scene::Quantity> quantities(const std::vector<Panel>& panels, bool q
 }  // namespace
 
 void add_error_vs_time(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<std::vector<Panel>>(
+  const auto& run = chapter.add_run<std::vector<Panel>>(
       "solver-times",
       "half toggle from rest; tolerances on |F| over the load, the same for all, 2500 iterations at most; "
       "error of the apex's deflection against Newton's iteration in extended precision; one thread, median "
@@ -310,7 +310,7 @@ void add_error_vs_time(scene::Chapter& chapter) {
                .title = "Digits of the deflection against time, all solvers, before and past the limit point",
                .place = "our own",
                .needs = {&run},
-               .seconds = 15,
+               .seconds = 5,
                .show = [&run](Workshop& w) {
                  const std::vector<Panel>& panels = w.result(run);
                  return scene::Showing{draw(panels), tabulate(panels), quantities(panels, w.quick())};

@@ -238,7 +238,7 @@ std::vector<scene::Quantity> promises(const std::vector<Panel>& panels, bool qui
 }  // namespace
 
 void add_error_vs_time_control(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<std::vector<Panel>>(
+  const auto& run = chapter.add_run<std::vector<Panel>>(
       "times-control",
       "T = 2, S = I; all begin at the trajectory of a direct method of 40 pieces, which is not timed; direct "
       "methods begin without force; error of lambda(0) against 36 digits; one thread, median of repeats",

@@ -82,7 +82,7 @@ scene::Showing show(const scene::Run<std::vector<Point>>& run, Workshop& w) {
 }  // namespace
 
 void add_error_vs_time_lambert(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<std::vector<Point>>(
+  const auto& run = chapter.add_run<std::vector<Point>>(
       "lambert-times", "the printed transfer; polynomials, starts from an arc; medians of single threads", {},
       measure);
   chapter.add({.name = "error-vs-time-lambert",

@@ -143,7 +143,7 @@ scene::Showing show(const Ladders& ladders) {
 }  // namespace
 
 void add_ladder(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<Ladders>(
+  const auto& run = chapter.add_run<Ladders>(
       "times-ladder",
       "the cheapest of a few steps or of the tolerances 1e-4 to 1e-13 with nine digits, the most accurate "
       "one "
@@ -156,7 +156,7 @@ void add_ladder(scene::Chapter& chapter) {
                .title = "From the dissertation's algorithm to the adaptive integrator, step by step",
                .place = "our own",
                .needs = {&run},
-               .seconds = 6,
+               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -96,7 +96,7 @@ struct Example {
  private:
   const scene::Run<Record<n>>& add_run(scene::Chapter& chapter, const std::string& run,
                                        const std::string& how, Procedure<n> procedure) const {
-    return chapter.add_timed_run<Record<n>>(
+    return chapter.add_run<Record<n>>(
         name + "-" + run, how, {},
         [made = made, procedure = std::move(procedure), keeping = keeping](scene::Workshop& w) {
           Keeping chosen = keeping;

@@ -266,13 +266,13 @@ scene::Showing show(const std::vector<Row>& rows, const Trials& trials, bool qui
 }  // namespace
 
 void add_solver_study(scene::Chapter& chapter) {
-  const auto& rows = chapter.add_timed_run<std::vector<Row>>(
+  const auto& rows = chapter.add_run<std::vector<Row>>(
       "solvers-on-rows",
       "rows of intervals with the steps and shapes of Tables 4.2, 4.4 and 4.6, from the constant state of "
       "each "
       "interval, until |F| is 1e-10 of the start; homotopies by Euler's rule with steps of 1, at most 10 000",
       {}, [](Workshop& w) { return rows_of(w.quick()); });
-  const auto& trials = chapter.add_timed_run<Trials>(
+  const auto& trials = chapter.add_run<Trials>(
       "solvers-on-one-interval",
       "free Duffing from its maximum, polynomials; against the iteration, the number of nodes, the length of "
       "the interval (60 Radau nodes, homotopies with steps of 1.9) and the step of fictitious time",

@@ -195,14 +195,14 @@ scene::Showing show(const Measured& m) {
 }  // namespace
 
 void add_cost(scene::Chapter& chapter) {
-  const auto& run = chapter.add_timed_run<Measured>(
-      "cost",
-      "e = 0.1, 25 steps an orbit, order from 6 to 40; runs of the adaptive method "
-      "in its default setting and "
-      "Kepler's solution of the same end; one thread, median of repeats",
-      {}, [](Workshop& w) {
-        return Measured{step_costs(w.quick()), run_costs(w.quick())};
-      });
+  const auto& run =
+      chapter.add_run<Measured>("cost",
+                                "e = 0.1, 25 steps an orbit, order from 6 to 40; runs of the adaptive method "
+                                "in its default setting and "
+                                "Kepler's solution of the same end; one thread, median of repeats",
+                                {}, [](Workshop& w) {
+                                  return Measured{step_costs(w.quick()), run_costs(w.quick())};
+                                });
   chapter.add({.name = "cost",
                .title = "What a step costs by its order, and a run by its orbits",
                .place = "our own",

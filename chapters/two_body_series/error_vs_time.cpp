@@ -177,7 +177,7 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 10,
                       .steps = {15, 25, 35, 50, 70, 100, 140},
                       .printed = 1,
-                      .seconds = 7,
+                      .seconds = 3,
                       .low = 1e-7,  // 7.6 m of 7.309e6 m
                       .high = 1e-5});
   add_scene(chapter, {.name = "heo",
@@ -186,7 +186,7 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 30,
                       .steps = {50, 70, 100, 140},
                       .printed = 2,
-                      .seconds = 9,
+                      .seconds = 4,
                       .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
                       .high = 9e-10});
   add_scene(chapter, {.name = "e099",
@@ -195,7 +195,7 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 30,
                       .steps = {10'000, 14'000, 20'000, 28'000},
                       .printed = -1,
-                      .seconds = 17,
+                      .seconds = 5,
                       .low = 0,
                       .high = 0});
 }

@@ -224,7 +224,7 @@ PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit) {
     const auto propagator = static_cast<Propagator>(p);
     for (std::size_t k = 0; k < revolutions.size(); ++k) {
       const int orbits = revolutions[k];
-      runs.all[static_cast<std::size_t>(p)][k] = &chapter.add_timed_run<EnergyRecord>(
+      runs.all[static_cast<std::size_t>(p)][k] = &chapter.add_run<EnergyRecord>(
           fmt::format("{}-{}-{}-orbits", begin, word_of(propagator), orbits), reading_of(propagator), {},
           [orbit, orbits, propagator](Workshop& w) {
             return follow(orbit, orbits, propagator, w.quick() ? 1 : 9);

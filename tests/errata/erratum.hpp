@@ -34,7 +34,7 @@ inline void expect_erratum(std::string_view id, const Evidence& e) {
   EXPECT_LE(corrected, e.tolerance) << id << ": corrected " << e.corrected << ", oracle " << e.oracle;
   EXPECT_FALSE(printed <= clearly * e.tolerance)
       << id << ": printed " << e.printed << ", oracle " << e.oracle;
-  std::printf("erratum %.*s misses %.2g within %.1g\n", static_cast<int>(id.size()), id.data(), printed,
+  std::printf("erratum %.*s misses %.2g within %.2g\n", static_cast<int>(id.size()), id.data(), printed,
               e.tolerance);
 }
 

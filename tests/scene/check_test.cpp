@@ -101,38 +101,6 @@ TEST_F(Check, MissesByOneQuantity) {
   EXPECT_EQ(result.quantities[1].scene, "bad");
 }
 
-// Until it measures times, a check leaves room for others; its report keeps the order of files and scenes.
-TEST_F(Check, MeasuresTimesLast) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
-  const auto one = [](Workshop&) { return 1.0; };
-  const auto& times = chapter_.add_timed_run<double>("times", "", {}, one);
-  const auto& derived =
-      chapter_.add_run<double>("derived", "", {&times}, [&](Workshop& w) { return w.result(times); });
-  const auto& plain = chapter_.add_run<double>("plain", "", {}, one);
-  std::string order;
-  const auto add = [&](const std::string& name, const scene::Run<double>& run) {
-    const auto measure = [&order, &run, name](Workshop& w) {
-      order += name;
-      return Measured{w.result(run), {}};
-    };
-    const auto show = [&order, &run, name](Workshop& w) {
-      order += name;
-      Table table({{"x"}});
-      table.add({w.result(run)});
-      return Showing{std::nullopt, table, {at_most("x", "1", w.result(run), 1, "counted")}};
-    };
-    chapter_.add(Measurement{"book/table-1/" + name + "/x", {&run}, measure});
-    chapter_.add(Scene{.name = name, .title = "", .place = "", .needs = {&run}, .show = show});
-  };
-  add("a", derived);
-  add("b", plain);
-  const ChapterCheck result = check_ours();
-  EXPECT_EQ(order, "bbaa");
-  EXPECT_TRUE(result.kept());
-  EXPECT_EQ(result.values[0].value.row, "a");
-  EXPECT_EQ(result.quantities[0].scene, "a");
-}
-
 TEST_F(Check, RefusesAPromiseWithoutAMeasurement) {
   for (const char* promise :
        {"reproduced", "\"reproduced, inferred reading\"", "better", "differs", "input"}) {

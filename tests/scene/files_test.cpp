@@ -33,6 +33,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+TEST(FilesWith, AreThoseOfOneKindInOrder) {
+  const TemporaryFolder folder;
+  for (const char* name : {"b.csv", "a.csv", "README.md", ".a.csv.17"}) put(folder / name, "");
+  const auto files = files_with(folder.path(), ".csv");
+  EXPECT_EQ(files, (std::vector<std::filesystem::path>{folder / "a.csv", folder / "b.csv"}));
+  EXPECT_THROW(static_cast<void>(files_with(folder / "none", ".csv")), InputError);
+}
+
 TEST(WriteWhole, MakesFoldersAndLeavesNothingElse) {
   const TemporaryFolder folder;
   const std::string bytes("a\0b\r\n\xff", 6);

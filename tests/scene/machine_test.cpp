@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "nlmech/scene/run.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::scene {
@@ -54,54 +55,83 @@ class TheMachine : public ::testing::Test {
   std::optional<std::string> before_;
 };
 
-TEST_F(TheMachine, IsTakenWhenNoOtherProgramComputesAnyMore) {
+TEST_F(TheMachine, LetsAProgramComputeForEachProcessor) {
   const pid_t child = other([](const auto& compute) {
-    const Machine machine;
+    Machine machine(2);
+    const Machine::Processor processor(machine);
     compute();
   });
-  Machine machine;
-  EXPECT_FALSE(other_ended()) << "programs that take no times do not wait for each other";
-  const Machine::Alone alone(machine);
-  EXPECT_TRUE(other_ended());
+  Machine machine(2);
+  const Machine::Processor processor(machine);
+  EXPECT_FALSE(other_ended()) << "the second processor is free";
   ::waitpid(child, nullptr, 0);
 }
 
-TEST_F(TheMachine, LetsNoOtherProgramBeginWhileItIsTaken) {
+TEST_F(TheMachine, LetsNoMoreProgramsComputeThanItHasProcessors) {
   const pid_t child = other([](const auto& compute) {
-    Machine machine;
-    const Machine::Alone alone(machine);
+    Machine machine(1);
+    const Machine::Processor processor(machine);
     compute();
   });
-  const Machine machine;
+  Machine machine(1);
+  const Machine::Processor processor(machine);
   EXPECT_TRUE(other_ended());
   ::waitpid(child, nullptr, 0);
 }
 
 TEST_F(TheMachine, IsGivenBackByAProgramThatDies) {
   const pid_t child = other([](const auto& compute) {
-    Machine machine;
-    const Machine::Alone alone(machine);
+    Machine machine(1);
+    const Machine::Processor processor(machine);
     compute();
     ::_exit(1);  // no destructor runs
   });
-  Machine machine;
-  const Machine::Alone alone(machine);
+  Machine machine(1);
+  const Machine::Processor processor(machine);
   EXPECT_TRUE(other_ended());
   ::waitpid(child, nullptr, 0);
 }
 
-TEST_F(TheMachine, CanBeTakenTwiceByOneProgram) {
-  Machine machine, beside;
-  const Machine::Alone alone(machine);
-  const Machine::Alone inner(machine);
-  const Machine::Alone second(beside);
-  SUCCEED() << "nothing waits for itself";
+// The child, once it waits, comes before the next scene of the parent.
+TEST_F(TheMachine, IsTakenInTurn) {
+  Machine machine(1);
+  std::optional<Machine::Processor> processor(machine);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Machine its(1);
+    const Machine::Processor waits(its);
+    tests::put(folder_ / "ended", "");
+    ::_exit(0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(other_ended());
+  processor.reset();
+  processor.emplace(machine);
+  EXPECT_TRUE(other_ended());
+  ::waitpid(child, nullptr, 0);
+}
+
+// Who waits has the first processor as soon as the workshop, which holds it, has little left to do.
+TEST_F(TheMachine, IsKeptByAWorkshopWithMuchToDo) {
+  Workshop workshop(false);
+  workshop.take_turn(100);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Machine its(1);
+    const Machine::Processor waits(its);
+    ::_exit(0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  workshop.take_turn(100);
+  EXPECT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "still waits";
+  workshop.take_turn(1);
+  EXPECT_EQ(::waitpid(child, nullptr, 0), child);
 }
 
 TEST_F(TheMachine, IsNotWaitedForWhereThereIsNoFolder) {
   ::setenv("TMPDIR", (folder_ / "absent").string().c_str(), 1);
-  Machine machine;
-  const Machine::Alone alone(machine);
+  Machine machine(1), beside(1);
+  const Machine::Processor processor(machine), second(beside);
   SUCCEED();
 }
 

@@ -1,5 +1,7 @@
 #include "nlmech/comparison/cost_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace nlmech::comparison {
@@ -11,9 +13,11 @@ scene::Quantity condition_quantity(const Costs& costs) {
 
 void add_cost_scene(scene::Chapter& chapter, const CostScene& what) {
   const std::string suffix = what.name.empty() ? "" : "-" + what.name;
-  const auto& run = chapter.add_timed_run<Costs>(
+  const auto& run = chapter.add_run<Costs>(
       "times" + suffix,
-      what.reading + "; error: median over 16 ends of steps in the last tenth; one thread, median of repeats",
+      fmt::format("{}; error: median over 16 ends of steps in the last tenth; one thread, median of repeats; "
+                  "a curve ends with its first run of more than {} right-hand sides",
+                  what.reading, enough_right_hand_sides),
       {}, [measure = what.measure](scene::Workshop& w) { return measure(w.quick()); });
   chapter.add(
       {.name = "error-vs-time" + suffix,

@@ -89,16 +89,12 @@ void write_bench(const std::string& name, const std::vector<BenchSeries>& series
   const fs::path folder = out / "results" / "bench";
   write_whole(folder / (name + ".json"), to_json(series, results).dump(2) + "\n");
 
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
   std::string page =
       "# Speed {#bench}\n\nRatios of medians to a peer in the same process: how many times less time ours "
       "takes. *From* and "
       "*to* are the smallest and the largest ratio of single repetitions. Written by `make bench`.\n";
-  for (const fs::path& file : files) page += section(file.stem().string(), Json::parse(read_whole(file)));
+  for (const fs::path& file : files_with(folder, ".json"))
+    page += section(file.stem().string(), Json::parse(read_whole(file)));
   write_whole(out / "tables" / "BENCH.md", page);
 }
 

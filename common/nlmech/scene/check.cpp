@@ -128,38 +128,29 @@ std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& sc
   return quantities;
 }
 
-bool measures_times(const PublishedValue& value, const Chapter& chapter) {
-  const Measurement* m = find(chapter, value.name());
-  return m != nullptr && measure_times(m->needs);
-}
-
 }  // namespace
 
-// What wants the machine for itself comes last: until then it is shared with the checks of other chapters.
 ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick,
                    const std::optional<Publishing>& how) {
   const std::vector<Place> places = read_places(data_folder);
   std::vector<PublishedValue> values = read_published(data_folder);
   std::erase_if(values, [&](const PublishedValue& v) { return owner(v, places) != chapter.name(); });
-  const std::vector<Scene>& scenes = chapter.scenes();
 
   Workshop workshop(quick);
   ChapterCheck result;
-  result.values.resize(values.size());
-  std::vector<std::vector<CheckedQuantity>> quantities(scenes.size());
-  for (const bool timed : {false, true}) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (measures_times(values[i], chapter) == timed)
-        result.values[i] = check_value(values[i], chapter, workshop);
-    }
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (measure_times(scenes[i].needs) == timed)
-        quantities[i] = check_scene(chapter, scenes[i], workshop, how);
-    }
+  double seconds = 0;
+  for (const Scene& scene : chapter.scenes()) seconds += scene.seconds;
+  for (const PublishedValue& value : values) {
+    workshop.take_turn(seconds);
+    result.values.push_back(check_value(value, chapter, workshop));
   }
   refuse_orphans(chapter, result.values);
-  for (const auto& of_scene : quantities)
-    result.quantities.insert(result.quantities.end(), of_scene.begin(), of_scene.end());
+  for (const Scene& scene : chapter.scenes()) {
+    workshop.take_turn(seconds);
+    seconds -= scene.seconds;
+    for (CheckedQuantity& q : check_scene(chapter, scene, workshop, how))
+      result.quantities.push_back(std::move(q));
+  }
   return result;
 }
 

@@ -51,10 +51,14 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options)
     const Scene& scene = chapter.scene(name);
     if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
   }
-  // Those that want the machine for themselves come last: until then it is shared with other chapters.
-  std::stable_partition(scenes.begin(), scenes.end(),
-                        [](const Scene* s) { return !measure_times(s->needs); });
   return scenes;
+}
+
+/// From one of them on.
+double seconds_of(const std::vector<const Scene*>& scenes, std::size_t first) {
+  double sum = 0;
+  for (std::size_t i = first; i < scenes.size(); ++i) sum += scenes[i]->seconds;
+  return sum;
 }
 
 /// On a terminal one line a scene; silence in a pipe.
@@ -75,6 +79,7 @@ int run(const Chapter& chapter, const Options& options) {
   int code = 0;
   std::size_t done = 0;
   for (const Scene* scene : scenes) {
+    workshop.take_turn(seconds_of(scenes, done));
     const Stopwatch watch;
     try {
       publish(chapter, *scene, perform(*scene, workshop), options.quick, how);

@@ -83,18 +83,9 @@ Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
 }  // namespace
 
 std::vector<Erratum> read_errata(const fs::path& data_folder) {
-  const fs::path folder = data_folder / "tables" / "errata";
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".csv") files.push_back(entry.path());
-  }
-  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
-  std::sort(files.begin(), files.end());
-
   std::vector<Erratum> errata;
   std::set<std::string> ids;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : files_with(data_folder / "tables" / "errata", ".csv")) {
     const auto records = parse_csv(read_whole(file), file.string());
     refuse(records.empty() || records[0].cells != header, file.string(), "the header is another one");
     for (std::size_t i = 1; i < records.size(); ++i) {
@@ -113,13 +104,14 @@ std::string errata_page(const std::vector<Erratum>& errata) {
       std::count_if(errata.begin(), errata.end(), [](const Erratum& e) { return e.tests.empty(); });
   std::string page = fmt::format(
       "# Errata of the sources {{#errata}}\n\n"
-      "{} entries. A test evaluates each printed form and its correction beside an oracle that uses neither, "
-      "such as a closed form or another program in more digits; it fails if the printed form comes closer "
-      "than ten times the tolerance, or the correction does not come within it. Both distances stand here, "
-      "relative to the oracle or to the scale that the test names. The {} without numbers are slips of "
-      "wording "
-      "with nothing to compute. The sources at hand are scanned text: where scanning may have made the "
-      "misprint, the entry says so. Written by `make check` from `tables/errata`.\n",
+      "{} entries. A test evaluates each printed form and its correction beside an oracle that uses neither: "
+      "a closed form, another program in more digits, another set of equations, or, where the question is "
+      "which setting a table belongs to, the other numbers that it prints. It fails if the printed form "
+      "comes closer than ten times the tolerance, or the correction does not come within it. Both distances "
+      "stand here, relative to the oracle or to the scale that the test names; a form without a value misses "
+      "by nan. The {} entries without numbers are slips of wording with nothing to compute. The sources at "
+      "hand are scanned text: where scanning may have made the misprint, the entry says so. Written by "
+      "`make check` from `tables/errata`.\n",
       errata.size(), wording);
   for (const auto& [source, entries] : by_source)
     page += fmt::format("\n## {}\n\n{}", source, table_of(entries, true).markdown());

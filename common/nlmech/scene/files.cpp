@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -72,6 +73,17 @@ void write_whole(const fs::path& path, std::string_view text) {
   if (std::fclose(out.release()) != 0) fail(reason());
   fs::rename(temporary, path, error);
   if (error) fail(error.message());
+}
+
+std::vector<fs::path> files_with(const fs::path& folder, std::string_view extension) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == extension) files.push_back(entry.path());
+  }
+  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 fs::path data_folder() {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace nlmech::scene {
 
@@ -17,6 +18,11 @@ namespace nlmech::scene {
 /// killed at any moment leaves the old file or the new one. An unchanged file is left alone, date included.
 /// @throws Failure naming the file and the system's reason; the temporary file is removed
 void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// The files of a folder with this extension (".csv"), in alphabetical order.
+/// @throws InputError naming the folder and the system's reason
+[[nodiscard]] std::vector<std::filesystem::path> files_with(const std::filesystem::path& folder,
+                                                            std::string_view extension);
 
 /// Folder that holds `figures/templates`, `figures/style.gp`, `tables/published`: the environment variable
 /// NLMECH_DATA, else `share/nlmech` of the installation that the running program belongs to, else the source

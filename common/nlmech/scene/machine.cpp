@@ -4,55 +4,62 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
+#include <thread>
 
 namespace nlmech::scene {
 namespace {
 
-/// A lock of the whole file; one of another kind that the process holds is given up first.
-bool lock(int file, short kind, int command) {
-  struct flock whole {};
-  whole.l_type = kind;
-  whole.l_whence = SEEK_SET;
+/// Locks or unlocks one byte of the file.
+bool lock(int file, int byte, short kind, int command) {
+  struct flock one {};
+  one.l_type = kind;
+  one.l_whence = SEEK_SET;
+  one.l_start = byte;
+  one.l_len = 1;
   int result = 0;
-  while ((result = ::fcntl(file, command, &whole)) != 0 && errno == EINTR) {
+  while ((result = ::fcntl(file, command, &one)) != 0 && errno == EINTR) {
   }
   return result == 0;
 }
 
+/// Byte 0 is held by who waits next, byte k by who has processor k.
+constexpr int queue = 0;
+
 }  // namespace
 
-Machine::Machine() {
+Machine::Machine(int processors)
+    : processors_(processors > 0 ? processors
+                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if (error) return;
   const std::string name = (folder / fmt::format("nlmech-{}.lock", ::getuid())).string();
   file_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (file_ >= 0) lock(file_, F_RDLCK, F_SETLKW);
 }
 
 Machine::~Machine() {
   if (file_ >= 0) ::close(file_);
 }
 
-// Two programs that both kept their share while they wait for the whole would wait for ever.
-Machine::Alone::Alone(Machine& machine) : machine_(machine), outermost_(!machine.taken_) {
-  if (machine.file_ < 0 || !outermost_) return;
-  machine.taken_ = true;
-  lock(machine.file_, F_UNLCK, F_SETLK);
-  if (lock(machine.file_, F_WRLCK, F_SETLK)) return;
-  if (::isatty(STDERR_FILENO) == 1)
-    fmt::print(stderr, "to measure times: waiting for other programs to end\n");
-  lock(machine.file_, F_WRLCK, F_SETLKW);
+// Only the first of the queue looks for a processor: who gives one back and wants it again comes after him.
+Machine::Processor::Processor(Machine& machine) : machine_(machine) {
+  if (machine.file_ < 0 || !lock(machine.file_, queue, F_WRLCK, F_SETLKW)) return;
+  while (number_ == 0) {
+    for (int k = 1; k <= machine.processors_ && number_ == 0; ++k) {
+      if (lock(machine.file_, k, F_WRLCK, F_SETLK)) number_ = k;
+    }
+    if (number_ == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  lock(machine.file_, queue, F_UNLCK, F_SETLK);
 }
 
-Machine::Alone::~Alone() {
-  if (machine_.file_ < 0 || !outermost_) return;
-  machine_.taken_ = false;
-  lock(machine_.file_, F_RDLCK, F_SETLKW);
+Machine::Processor::~Processor() {
+  if (number_ > 0) lock(machine_.file_, number_, F_UNLCK, F_SETLK);
 }
 
 }  // namespace nlmech::scene

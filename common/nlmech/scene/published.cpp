@@ -162,17 +162,8 @@ bool Tolerance::allows(double ours, double low, double high) const {
 std::string PublishedValue::name() const { return fmt::format("{}/{}/{}/{}", source, place, row, quantity); }
 
 std::vector<PublishedValue> read_published(const fs::path& data_folder) {
-  const fs::path folder = data_folder / "tables" / "published";
-  std::error_code error;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".csv") files.push_back(entry.path());
-  }
-  if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
-  std::sort(files.begin(), files.end());
-
   std::vector<PublishedValue> values;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : files_with(data_folder / "tables" / "published", ".csv")) {
     const auto records = parse_csv(read_whole(file), file.string());
     for (std::size_t i = 1; i < records.size(); ++i) {
       values.push_back(to_value(records[i], file.stem().string(), file.string()));

@@ -7,9 +7,11 @@
 
 namespace nlmech::scene {
 
-bool measure_times(const std::vector<const AnyRun*>& runs) {
-  return std::any_of(runs.begin(), runs.end(),
-                     [](const AnyRun* run) { return run->timed() || measure_times(run->needs()); });
+void Workshop::take_turn(double seconds) {
+  constexpr double much = 15;
+  if (!machine_ || (processor_ && seconds > much)) return;
+  processor_.reset();
+  processor_.emplace(*machine_);
 }
 
 void Workshop::open(const std::string& scene, const std::vector<const AnyRun*>& needs) {

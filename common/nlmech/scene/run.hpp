@@ -19,8 +19,8 @@ class Workshop;
 class AnyRun {
  public:
   /// See the accessors of the same names.
-  AnyRun(std::string name, std::string reading, std::vector<const AnyRun*> needs, bool timed)
-      : name_(std::move(name)), reading_(std::move(reading)), needs_(std::move(needs)), timed_(timed) {}
+  AnyRun(std::string name, std::string reading, std::vector<const AnyRun*> needs)
+      : name_(std::move(name)), reading_(std::move(reading)), needs_(std::move(needs)) {}
   AnyRun(const AnyRun&) = delete;
   AnyRun& operator=(const AnyRun&) = delete;
   virtual ~AnyRun() = default;
@@ -31,17 +31,11 @@ class AnyRun {
   }  ///< how the source's text was understood
   /// Runs that this one asks for while it is computed.
   [[nodiscard]] const std::vector<const AnyRun*>& needs() const { return needs_; }
-  /// Does it measure times? Then it is computed while no other program of the suite computes.
-  [[nodiscard]] bool timed() const { return timed_; }
 
  private:
   std::string name_, reading_;
   std::vector<const AnyRun*> needs_;
-  bool timed_;
 };
-
-/// Does any of the runs, or of those that they need, measure times?
-[[nodiscard]] bool measure_times(const std::vector<const AnyRun*>& runs);
 
 /// One method on one problem with one setting, with a result of type @p Result.
 template <class Result>
@@ -50,9 +44,8 @@ class Run : public AnyRun {
   /// Computes the result; asks the workshop for the runs that it needs.
   using Compute = std::function<Result(Workshop&)>;
   /// Made by Chapter::add_run().
-  Run(std::string name, std::string reading, std::vector<const AnyRun*> needs, Compute compute,
-      bool timed = false)
-      : AnyRun(std::move(name), std::move(reading), std::move(needs), timed), compute_(std::move(compute)) {}
+  Run(std::string name, std::string reading, std::vector<const AnyRun*> needs, Compute compute)
+      : AnyRun(std::move(name), std::move(reading), std::move(needs)), compute_(std::move(compute)) {}
 
  private:
   friend class Workshop;
@@ -65,7 +58,7 @@ class Run : public AnyRun {
 class Workshop {
  public:
   /// @param quick fewer samples and shorter timings, never other methods; times are taken as they come,
-  /// whatever else computes
+  /// however many programs compute
   explicit Workshop(bool quick) : quick_(quick) {
     if (!quick) machine_.emplace();
   }
@@ -73,17 +66,18 @@ class Workshop {
   /// Is less work asked for?
   [[nodiscard]] bool quick() const { return quick_; }
 
+  /// To be called before each scene: waits for this program's turn to compute, unless quick. With much left
+  /// to do it keeps its turn, so that a long chapter is not the last and alone.
+  /// @param seconds what the scenes that are left take
+  void take_turn(double seconds);
+
   /// The run's result; computed at the first call in the life of the process.
   /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its
   /// needs
   template <class Result>
   const Result& result(const Run<Result>& run) {
     const AtWork at_work(*this, run);
-    if (!run.result_) {
-      std::optional<Machine::Alone> alone;
-      if (run.timed() && machine_) alone.emplace(*machine_);
-      run.result_ = run.compute_(*this);
-    }
+    if (!run.result_) run.result_ = run.compute_(*this);
     return *run.result_;
   }
 
@@ -115,6 +109,7 @@ class Workshop {
 
   bool quick_;
   std::optional<Machine> machine_;
+  std::optional<Machine::Processor> processor_;
   std::vector<Desk> desks_;  // the scene, then the runs being computed, innermost last
   std::set<std::string> used_;
 };

@@ -79,13 +79,12 @@ class Chapter {
   template <class Result>
   const Run<Result>& add_run(std::string name, std::string reading, std::vector<const AnyRun*> needs,
                              typename Run<Result>::Compute compute) {
-    return keep<Result>(std::move(name), std::move(reading), std::move(needs), std::move(compute), false);
-  }
-  /// As add_run(), for a run that measures times: no other program of the suite computes beside it.
-  template <class Result>
-  const Run<Result>& add_timed_run(std::string name, std::string reading, std::vector<const AnyRun*> needs,
-                                   typename Run<Result>::Compute compute) {
-    return keep<Result>(std::move(name), std::move(reading), std::move(needs), std::move(compute), true);
+    refuse_known_run(name);
+    auto run = std::make_unique<Run<Result>>(std::move(name), std::move(reading), std::move(needs),
+                                             std::move(compute));
+    const Run<Result>& reference = *run;
+    runs_.push_back(std::move(run));
+    return reference;
   }
   /// @throws std::invalid_argument if the chapter has a scene of that name
   void add(Scene scene);
@@ -104,16 +103,6 @@ class Chapter {
   [[nodiscard]] const Scene& scene(const std::string& name) const;
 
  private:
-  template <class Result>
-  const Run<Result>& keep(std::string name, std::string reading, std::vector<const AnyRun*> needs,
-                          typename Run<Result>::Compute compute, bool timed) {
-    refuse_known_run(name);
-    auto run = std::make_unique<Run<Result>>(std::move(name), std::move(reading), std::move(needs),
-                                             std::move(compute), timed);
-    const Run<Result>& reference = *run;
-    runs_.push_back(std::move(run));
-    return reference;
-  }
   void refuse_known_run(const std::string& name) const;
 
   std::string name_, title_;
