@@ -50,7 +50,7 @@ function(nlmech_add_book)
   # The dependency file names what the last build read. The globs add what it cannot know: files that are new
   # since.
   get_filename_component(scripts "${_nlmech_book_scripts}" ABSOLUTE)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.cmake")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.cmake" "${scripts}/*.sed")
   file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/*")
   list(FILTER texts EXCLUDE REGEX "/gallery$")
   add_custom_command(
