@@ -25,8 +25,8 @@ Fate fate_of(double step, double until) {
   const auto& c = oscillator_example();
   Fate fate{step, {}, {}, {}};
   const auto observe = [&](const ivp::Step<2>& s) {
-    const double truth = static_cast<double>(c.reference(s.t1)[0]);
-    if (!fate.visible && !(std::abs(s.x1[0] - truth) <= 0.05)) fate.visible = s.t1;
+    const auto error = [&] { return std::abs(s.x1[0] - static_cast<double>(c.reference(s.t1)[0])); };
+    if (!fate.visible && !(error() <= 0.05)) fate.visible = s.t1;
     if (!fate.large && !(std::abs(s.x1[0]) <= 1)) fate.large = s.t1;
     return true;
   };

@@ -92,7 +92,7 @@ void add_choices(std::vector<Choice>& all, const comparison::Example<n>& c, doub
 }
 
 Measured measure(bool quick) {
-  const int samples = quick ? 200 : 1000;
+  const int samples = quick ? 50 : 1000;
   Measured m{radii(lorenz_example(), samples),
              radii(forced_duffing_example(), samples),
              radii(oscillator_example(), samples),

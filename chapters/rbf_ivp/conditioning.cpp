@@ -135,7 +135,7 @@ std::vector<Study> studies(bool quick) {
   for (const Setting& setting : settings) {
     const Arc a = arc(setting);
     Study study{setting, flat_limit(setting, a), sample(setting, a, setting.shape), {}};
-    const int count = quick ? 24 : 96;
+    const int count = quick ? 12 : 96;
     bool reached = true;  // by 50 digits: the flatter the functions, the worse their condition
     for (int i = count; i >= 0; --i) {
       study.scan.push_back(sample(setting, a, 0.05 * std::pow(30 / 0.05, double(i) / count), reached));
