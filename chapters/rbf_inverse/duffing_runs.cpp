@@ -60,7 +60,7 @@ std::string time_label(double final_time) { return fmt::format("T = {:g}", final
 namespace {
 
 Extremals find_all(double final_time, bool quick) {
-  const bvp::DuffingStarts fewer = {.unforced = 6, .direct = 6, .random = 2};
+  const bvp::DuffingStarts fewer = {.unforced = 6, .direct = 4, .random = 1};
   Extremals all;
   for (const DuffingCase which : bvp::duffing_cases())
     all.push_back(
