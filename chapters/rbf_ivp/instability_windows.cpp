@@ -156,7 +156,7 @@ scene::Figure figure_of(const std::vector<Eigen::MatrixXd>& derivatives,
   std::string names, runs;
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     names += (i > 0 ? "|" : "") + schemes[i].name;
-    for (const double y : frequencies(windows[i], quick ? 300 : 1200))
+    for (const double y : frequencies(windows[i], quick ? 150 : 1200))
       data.add({"amplification", schemes[i].name, y, std::abs(stability_function(derivatives[i], {0, y}))});
   }
   for (const Growth& g : growths) {

@@ -137,7 +137,7 @@ struct Limits {
 };
 
 Limits find_limits(bool quick) {
-  const int phases = quick ? 10 : 25;
+  const int phases = quick ? 5 : 25;
   Limits limits{{}, limits_by_phase(legendre_tables(120), phases), {}, {}};
   for (const int order : orders) {
     limits.duffing.push_back(limits_by_phase(chebyshev_tables(order), phases));
