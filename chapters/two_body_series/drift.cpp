@@ -198,7 +198,7 @@ scene::Showing show(const Measured& m, bool quick) {
     const Drift& d = m.of(e, name);
     return Drift::slope(d.orbits, d.energy);
   };
-  // A decade and fewer starts say less than two.
+  // A decade says less than two.
   const double scatter = quick ? 0.45 : 0.25;
   const char* walk = "Brouwer's law; root mean squares of eight walks scatter by a quarter";
   const char* line = "the same share in every step; the walk of rounding is still felt at 100 orbits";

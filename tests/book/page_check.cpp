@@ -152,7 +152,8 @@ class Reader {
 };
 
 /// Doxygen 1.9.4 lists friends of a class, and nested classes that are private, without a place on the page
-/// that it links to: the reader gets to the right page.
+/// that it links to. Friends cannot be told from other members by their address, so that of all links between
+/// pages of the API reference the page alone is checked.
 bool without_a_place(const std::string& from, const std::string& place) {
   const bool lists_members = from.starts_with("class") || from.starts_with("struct") ||
                              from.ends_with("-members.html") || from.ends_with("_source.html");
