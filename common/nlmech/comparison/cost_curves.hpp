@@ -48,8 +48,8 @@ template <int n>
           repeated_timing(again, seen.work.seconds, quick)};
 }
 
-/// No curve goes on after a run of more right-hand sides: its slope is known by then, and the runs after it,
-/// each dearer than the last, would take most of the time of a comparison.
+/// No curve goes on after a run of more right-hand sides: those after it took most of the time of a
+/// comparison. Where stiffness limits the step and not the tolerance, a curve may end at its first point.
 inline constexpr std::int64_t enough_right_hand_sides = 300'000;
 
 /// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
