@@ -67,6 +67,19 @@ std::string effect(const Erratum& e) {
   return e.effect + (e.effect.empty() || scan.empty() ? "" : "; ") + scan;
 }
 
+/// A source as its title page has it; others by their name in the lists.
+std::string title_of(const std::string& source) {
+  static const std::map<std::string, std::string> titles = {
+      {"elgohary", "T. A. Elgohary, dissertation, Texas A&M University (2015)"},
+      {"filipich-rosales",
+       "C. P. Filipich and M. B. Rosales, A straightforward approach to solve ordinary nonlinear "
+       "differential systems"},
+      {"laier", "J. E. Laier, High-order algorithm for non-linear dynamics"},
+      {"roy", "D. Roy, A multi-step transversal linearization method in nonlinear dynamics"}};
+  const auto title = titles.find(source);
+  return title == titles.end() ? source : title->second;
+}
+
 Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
   std::vector<Column> columns = {
       {"place"}, {"printed"}, {"correct"}, {"printed misses by"}, {"corrected within"}, {"effect"}};
@@ -114,7 +127,7 @@ std::string errata_page(const std::vector<Erratum>& errata) {
       "`make check` from `tables/errata`.\n",
       errata.size(), wording);
   for (const auto& [source, entries] : by_source)
-    page += fmt::format("\n## {}\n\n{}", source, table_of(entries, true).markdown());
+    page += fmt::format("\n## {}\n\n{}", title_of(source), table_of(entries, true).markdown());
   return page;
 }
 
