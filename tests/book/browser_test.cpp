@@ -8,6 +8,7 @@
 
 #include "tests/book/browser.hpp"
 #include "tests/book/page_check.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {
@@ -50,6 +51,11 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
        {"link",
         {"leads out of the book: " + fs::canonical(folder_).parent_path().string() + "/outside.html",
          "leads to no file: no-such-page.html", "leads to no place on its page: good.html#no-such-place"}}},
+      // Friends and nested classes that Doxygen gives no place are no findings, all others are.
+      {"friends.html",
+       {"link",
+        {"leads to no place on its page: good.html#affffffffffffffffffffffffffffffff",
+         "leads to no place on its page: good.html#nested-classes"}}},
       {"formula.html", {"formula", {"As \\(x^2\\) shows.", "\\[ y \\]", "\\f$z\\f$"}}},
       {"refused.html", {"formula", {"Undefined control sequence"}}},
       {"exception.html", {"error", {"Error: thrown on purpose"}}},

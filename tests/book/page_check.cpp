@@ -9,10 +9,10 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 #include "tests/book/browser.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {
@@ -24,7 +24,10 @@ using nlohmann::json;
 struct Page {
   std::vector<std::string> links;
   std::set<std::string> anchors;
+  std::vector<std::string> friends;  // addresses that a list of a class's members calls friends
 };
+
+using Addresses = std::set<std::string>;
 
 std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -115,7 +118,8 @@ class Reader {
     for (const json& image : found["images"]) findings.insert({name, "image", image.get<std::string>()});
     for (const json& text : found["tex"]) findings.insert({name, "formula", text.get<std::string>()});
     for (const json& text : found["wide"]) findings.insert({name, "width", text.get<std::string>()});
-    return {found["links"].get<std::vector<std::string>>(), found["anchors"].get<std::set<std::string>>()};
+    return {found["links"].get<std::vector<std::string>>(), found["anchors"].get<std::set<std::string>>(),
+            found["friends"].get<std::vector<std::string>>()};
   }
 
  private:
@@ -151,19 +155,16 @@ class Reader {
   std::string session_, script_;
 };
 
-/// Doxygen 1.9.4 lists friends of a class, and nested classes that are private, without a place on the page
-/// that it links to. Friends cannot be told from other members by their address, so that of all links between
-/// pages of the API reference the page alone is checked.
-bool without_a_place(const std::string& from, const std::string& place) {
-  const bool lists_members = from.starts_with("class") || from.starts_with("struct") ||
-                             from.ends_with("-members.html") || from.ends_with("_source.html");
-  static const std::regex of_a_member("a[0-9a-f]{32}");
-  return lists_members && (place == "nested-classes" || std::regex_match(place, of_a_member));
+/// Doxygen 1.9.4 gives friends of a class, and nested classes that are private, no place on the page that it
+/// links to. The lists of members name the friends; a summary of nested classes is linked from its own page.
+bool has_no_place_in_doxygen(const std::string& address, const std::string& from, const std::string& name,
+                             const std::string& place, const Addresses& friends) {
+  return friends.contains(address) || (place == "nested-classes" && from == name);
 }
 
 /// What is wrong with a link to `address`, if anything.
 std::optional<std::string> broken(const std::string& from, const std::string& address, const fs::path& folder,
-                                  const std::map<std::string, Page>& pages) {
+                                  const std::map<std::string, Page>& pages, const Addresses& friends) {
   if (!address.starts_with("file://")) return std::nullopt;  // out of the book, or a script's
   const std::size_t hash = address.find('#');
   const std::string place = hash == std::string::npos ? "" : decoded(address.substr(hash + 1));
@@ -175,7 +176,8 @@ std::optional<std::string> broken(const std::string& from, const std::string& ad
   if (fs::is_directory(file)) return "leads to a folder: " + name;
   const auto page = pages.find(name);
   if (place.empty() || place == "top" || page == pages.end()) return std::nullopt;
-  if (page->second.anchors.contains(place) || without_a_place(from, place)) return std::nullopt;
+  if (page->second.anchors.contains(place)) return std::nullopt;
+  if (has_no_place_in_doxygen(address, from, name, place, friends)) return std::nullopt;
   return "leads to no place on its page: " + name + "#" + place;
 }
 
@@ -232,9 +234,12 @@ Checked check_pages(const std::string& program, const fs::path& given, const Che
       checked.slowest_seconds = seen.slowest_seconds;
     }
   }
+  Addresses friends;
+  for (const auto& [name, page] : pages) friends.insert(page.friends.begin(), page.friends.end());
   for (const auto& [name, page] : pages) {
     for (const std::string& link : page.links) {
-      if (const auto what = broken(name, link, folder, pages)) checked.findings.insert({name, "link", *what});
+      if (const auto what = broken(name, link, folder, pages, friends))
+        checked.findings.insert({name, "link", *what});
     }
   }
   return checked;

@@ -37,6 +37,9 @@
   return {
     links: [...new Set(all("a[href], area[href], link[href]").map((e) => text_of(e.href)))],
     anchors: [...new Set(all("[id], a[name]").flatMap((e) => [e.id, e.getAttribute("name") ?? ""]).filter(Boolean))],
+    friends: all("tr:has(.mlabel)")
+      .filter((row) => [...row.querySelectorAll(".mlabel")].some((label) => label.textContent === "friend"))
+      .flatMap((row) => [...row.querySelectorAll("a[href]")].map((e) => text_of(e.href))),
     images: all("img[src]").filter((e) => e.complete && e.naturalWidth === 0).map((e) => e.getAttribute("src")),
     tex,
     wide,

@@ -17,6 +17,7 @@
 #include "nlmech/scene/errata.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {

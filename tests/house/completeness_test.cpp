@@ -9,6 +9,7 @@
 #include "nlmech/scene/process.hpp"
 #include "nlmech/scene/published.hpp"
 #include "tests/house/house.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "nlmech/scene/process.hpp"
 #include "tests/house/house.hpp"
+#include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::tests {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.hpp"
+
 namespace nlmech::tests {
 
 /// Lines of a text file. @throws std::runtime_error if there is no such file

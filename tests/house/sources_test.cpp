@@ -7,6 +7,7 @@
 
 #include "nlmech/scene/process.hpp"
 #include "tests/house/house.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {

@@ -15,6 +15,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::ivp {
 namespace {

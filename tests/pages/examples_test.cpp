@@ -8,6 +8,7 @@
 #include "nlmech/problems/two_body.hpp"
 #include "nlmech/scene/process.hpp"
 #include "tests/pages/page.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {

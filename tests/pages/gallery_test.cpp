@@ -9,6 +9,7 @@
 
 #include "nlmech/scene/process.hpp"
 #include "tests/pages/page.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::tests {
 namespace {

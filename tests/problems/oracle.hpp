@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "nlmech/problems/duffing.hpp"
+#include "tests/places.hpp"
 #include "tests/series/numbers.hpp"
 
 namespace nlmech::problems::tests {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "nlmech/scene/csv.hpp"
+#include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
 namespace nlmech::tests {

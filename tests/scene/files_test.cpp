@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "nlmech/support/errors.hpp"
+#include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::scene {

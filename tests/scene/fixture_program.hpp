@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::tests {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nlmech/scene/build_info.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::scene {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/support/errors.hpp"
+#include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::scene {

@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
 namespace nlmech::tests {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nlmech/support/errors.hpp"
+#include "tests/places.hpp"
 
 namespace {
 

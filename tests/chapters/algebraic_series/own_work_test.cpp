@@ -8,6 +8,7 @@
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech {
 namespace {

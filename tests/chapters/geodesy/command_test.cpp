@@ -10,6 +10,7 @@
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech {
 namespace {

@@ -11,6 +11,7 @@
 #include "chapters/rbf_inverse/duffing_runs.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech {
 namespace {

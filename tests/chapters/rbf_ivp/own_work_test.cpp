@@ -11,6 +11,7 @@
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/process.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "chapters/rbf_ivp/extended.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::chapters {
 namespace {

@@ -15,6 +15,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/published.hpp"
 #include "tests/errata/erratum.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech::chapters {
 namespace {

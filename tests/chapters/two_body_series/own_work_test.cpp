@@ -14,6 +14,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/process.hpp"
+#include "tests/places.hpp"
 
 namespace nlmech {
 namespace {

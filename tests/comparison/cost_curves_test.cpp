@@ -1,0 +1,177 @@
+/// Curves of digits against cost: what is run, when a curve ends, what is said of runs that fail, and what is
+/// drawn.
+#include "nlmech/comparison/cost_curves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace nlmech::comparison {
+namespace {
+
+/// x' = x, y' = -y.
+struct Saddle {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    dxdt[0] = x[0];
+    dxdt[1] = -x[1];
+  }
+};
+
+/// x' = x^2 from 1 has a pole at t = 1.
+struct Pole {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    dxdt[0] = x[0] * x[0];
+    dxdt[1] = 0.0 * x[1];
+  }
+};
+
+Example<2> saddle(double end) {
+  return {.name = "saddle",
+          .system = ivp::System(Saddle{}),
+          .x0 = {1, 1},
+          .t0 = 0,
+          .t1 = end,
+          .amplitude = {std::exp(end), 1},
+          .reference = [](double t) -> Vector<long double, 2> {
+            return {std::exp(static_cast<long double>(t)), std::exp(-static_cast<long double>(t))};
+          }};
+}
+
+Example<2> pole() {
+  return {.name = "pole",
+          .system = ivp::System(Pole{}),
+          .x0 = {1, 0},
+          .t0 = 0,
+          .t1 = 2,
+          .amplitude = {1, 1},
+          .reference = [](double t) -> Vector<long double, 2> {
+            return {1 / (1 - t), 0};
+          }};
+}
+
+const std::vector<double> halves = {1, 0.5, 0.25, 0.125, 0.0625};
+
+TEST(CostCurves, RunEverySettingOfEveryMethod) {
+  const std::vector<Contender> both = {by_steps("rk4", {}, Kind::classical, 0.5, halves, false),
+                                       by_tolerances("ode45", Kind::explicit_, false)};
+  const std::vector<Curve> curves = cost_curves(saddle(2), both, false);
+  ASSERT_EQ(curves.size(), 2u);
+  ASSERT_EQ(curves[0].costs.size(), halves.size());
+  ASSERT_EQ(curves[1].costs.size(), 10u);
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const Cost& cost = curves[0].costs[i];
+    EXPECT_EQ(cost.setting, both[0].settings[i].text);
+    EXPECT_EQ(cost.status, "success");
+    EXPECT_EQ(cost.work.right_hand_sides, 16 << i);  // four a step, of a half and less, to t = 2
+    EXPECT_GE(cost.time.largest, cost.time.smallest);
+    EXPECT_GT(cost.time.smallest, 0);
+    if (i == 0) continue;
+    // Order four: each halving of the step takes a sixteenth of the error, within a factor of two, as the
+    // last ends of so few steps do not lie at the same times.
+    const double gain = *curves[0].costs[i - 1].error / *cost.error;
+    EXPECT_GT(gain, 8) << cost.setting;
+    EXPECT_LT(gain, 32) << cost.setting;
+  }
+  EXPECT_EQ(best_of(curves[0]), &curves[0].costs.back());
+  EXPECT_EQ(least_error(curves, "rk4"), *curves[0].costs.back().error);
+}
+
+// The first run already takes more right-hand sides than a curve goes on after.
+TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
+  const double dear = 1.0 / (1.1 * static_cast<double>(enough_right_hand_sides));
+  const std::vector<Contender> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
+  EXPECT_EQ(cost_curves(saddle(1), euler, false).front().costs.size(), 3u);
+  EXPECT_EQ(cost_curves(saddle(1), euler, true).front().costs.size(), 1u);
+  // Runs of a tenth of that at first, doubled: the fifth is the first dear one, and all are wanted.
+  const std::vector<Contender> cheap = {by_steps("euler", {}, Kind::classical, 10 * dear, halves, false)};
+  EXPECT_EQ(cost_curves(saddle(1), cheap, false).front().costs.size(), 5u);
+}
+
+TEST(CostCurves, KeepRunsThatFailWithoutAnError) {
+  const std::vector<Contender> ode45 = {by_tolerances("ode45", Kind::explicit_, true)};
+  const std::vector<Curve> curves = cost_curves(pole(), ode45, true);
+  ASSERT_EQ(curves.front().costs.size(), 2u);
+  for (const Cost& cost : curves.front().costs) {
+    EXPECT_NE(cost.status, "success");
+    EXPECT_FALSE(cost.error.has_value());
+  }
+  EXPECT_EQ(best_of(curves.front()), nullptr);
+  EXPECT_TRUE(std::isnan(least_error(curves, "ode45")));
+}
+
+TEST(CostCurves, AreFoundByName) {
+  const std::vector<Curve> curves = {{"a", Kind::own, {}}, {"b", Kind::own, {}}};
+  EXPECT_EQ(&curve_of(curves, "b"), &curves[1]);
+  try {
+    static_cast<void>(curve_of(curves, "c"));
+    FAIL() << "there is none";
+  } catch (const std::out_of_range& e) {
+    EXPECT_NE(std::string(e.what()).find('c'), std::string::npos);
+  }
+}
+
+// The flow of the saddle stretches x by e^T, in units of the amplitude e^T by one for a begin changed by one:
+// exactly linear, so that differences of 1e-6 leave eps / 1e-6 of either.
+TEST(Condition, IsTheGrowthOfADifference) {
+  const auto series = ivp::named_integrator<2>("series", {.tolerance = 1e-16});
+  Example<2> c = saddle(3);
+  c.amplitude = {1, 1};
+  EXPECT_NEAR(condition_of(c, series), std::exp(3), 20 * std::exp(3) * 2.2e-16 / 1e-6);
+  EXPECT_THROW(static_cast<void>(condition_of(pole(), series)), Failure);
+}
+
+TEST(RepeatedTiming, RepeatsWhatIsShortAndNothingElse) {
+  int calls = 0;
+  const auto work = [&calls] { ++calls; };
+  EXPECT_EQ(repeated_timing(work, 1e-5, false).repeats, 9);
+  EXPECT_EQ(calls, 10);  // one to warm up
+  calls = 0;
+  EXPECT_EQ(repeated_timing(work, 0.004, false).repeats, 2);
+  EXPECT_EQ(calls, 3);
+  calls = 0;
+  for (const auto& [first, quick] : {std::pair{0.02, false}, {1e-5, true}}) {
+    const Timing timing = repeated_timing(work, first, quick);
+    EXPECT_EQ(timing.median, first);
+    EXPECT_EQ(timing.repeats, 1);
+  }
+  EXPECT_EQ(calls, 0);
+}
+
+std::vector<Curve> three_curves() {
+  const Cost coarse{"step 1", "success", 1e-3, {}, {}}, fine{"step 0.1", "success", 1e-7, {}, {}};
+  const Cost failed{"step 10", "non_finite", {}, {}, {}};
+  return {{"one", Kind::radial, {failed, coarse, fine}},
+          {"absent", Kind::series, {}},
+          {"two", Kind::own, {coarse}}};
+}
+
+TEST(CostFigure, DrawsEveryRunAndMarksTheBestOfACurve) {
+  const scene::Figure figure = cost_figure(three_curves(), "heading", 1e4);
+  ASSERT_EQ(figure.data.rows().size(), 4u);
+  std::vector<std::int64_t> numbers, best;
+  for (const auto& row : figure.data.rows()) {
+    numbers.push_back(std::get<std::int64_t>(row[1]));
+    best.push_back(std::get<std::int64_t>(row[7]));
+  }
+  EXPECT_EQ(numbers, (std::vector<std::int64_t>{1, 1, 1, 2}));
+  EXPECT_EQ(best, (std::vector<std::int64_t>{0, 0, 1, 1}));
+  EXPECT_EQ(figure.variables.at("legend"), "one|two");
+  EXPECT_EQ(figure.variables.at("kinds"), "1 8");
+  // Half an epsilon times the condition: -log10(2^-53 1e4) = 11.95.
+  EXPECT_EQ(figure.variables.at("floor_digits"), "11.95");
+  EXPECT_FALSE(cost_figure(three_curves(), "heading", 9).variables.contains("floor_digits"));
+}
+
+TEST(CostTable, HasARowARunAndOneForWhatIsAbsent) {
+  const scene::Table table = cost_table(three_curves());
+  ASSERT_EQ(table.rows().size(), 5u);
+  EXPECT_NE(table.markdown().find("| absent |  | not in this build |  |"), std::string::npos)
+      << table.markdown();
+}
+
+}  // namespace
+}  // namespace nlmech::comparison
