@@ -99,7 +99,7 @@ Answer answer(const Case& c, const Method& m, std::int64_t most_steps) {
 Answer second_order(int steps) {
   const orbit::FixedContinuation method{.step = revolution / steps, .order = 2, .velocity_degree = 2};
   return answer({fmt::format("e = 0.1, an orbit in {} steps", steps), on_ellipse(0.1), revolution},
-                {"fixed, order 2", continuation_integrator(method, 1)}, 2 * steps);
+                {"fixed, order 2", continuation_integrator(method, 1)}, 2 * std::int64_t{steps});
 }
 
 struct Measured {
