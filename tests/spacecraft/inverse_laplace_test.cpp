@@ -53,8 +53,9 @@ TEST(DeHoog, InvertsSmoothFunctions) {
     for (const double t : {0.01, 1., 3.}) {
       const double exact = pair.function(t);
       // The aliasing that is allowed, times the growth of f over the period 4 t.
-      EXPECT_NEAR(de_hoog(pair.transform, t).value, exact, 1e-8 * std::max(1., std::abs(exact)))
-          << pair.name << " at " << t;
+      const Inverted f = de_hoog(pair.transform, t);
+      EXPECT_TRUE(f.status.ok()) << f.status.text();
+      EXPECT_NEAR(f.value, exact, 1e-8 * std::max(1., std::abs(exact))) << pair.name << " at " << t;
     }
   }
 }
@@ -63,6 +64,35 @@ TEST(DeHoog, NeedsMoreTermsForFasterOscillations) {
   const Transform fast = [](Complex s) { return 20. / (s * s + 400.); };
   EXPECT_GT(std::abs(de_hoog(fast, 1., {.degree = 4}).value - std::sin(20.)), 1e-2);
   EXPECT_NEAR(de_hoog(fast, 1., {.degree = 30}).value, std::sin(20.), 1e-7);
+}
+
+// The continued fraction of an undamped sine of 100 rad/s: too few frequencies at low degrees, beyond
+// that rounding. No success may be wrong by more than the agreement that was asked for, of the amplitude.
+TEST(DeHoog, SaysWhereTwoPeriodsDoNotAgree) {
+  const Transform fast = [](Complex s) { return 100. / (s * s + 1e4); };
+  int failures = 0;
+  for (const int degree : {20, 40, 80, 120, 240}) {
+    for (const double t : {0.5, 1., 2.}) {
+      const Inverted f = de_hoog(fast, t, {.degree = degree});
+      if (f.status.ok()) {
+        EXPECT_NEAR(f.value, std::sin(100 * t), 1e-4) << degree << " at " << t;
+      } else {
+        ++failures;
+        EXPECT_EQ(f.status.outcome(), Outcome::not_converged) << f.status.text();
+        EXPECT_NE(f.status.sentence().find("two periods"), std::string::npos) << f.status.sentence();
+      }
+    }
+  }
+  EXPECT_GT(failures, 0) << "the comparison measures nothing";
+}
+
+// Where f is zero no two sums agree relative to it, unless the difference is said to be negligible.
+TEST(DeHoog, TakesWhatIsNegligibleForZero) {
+  const Transform sine = [](Complex s) { return 1. / (s * s + 1.); };
+  EXPECT_EQ(de_hoog(sine, std::numbers::pi).status.outcome(), Outcome::not_converged);
+  const Inverted zero = de_hoog(sine, std::numbers::pi, {.negligible = 1e-8});
+  EXPECT_TRUE(zero.status.ok()) << zero.status.text();
+  EXPECT_NEAR(zero.value, 0, 1e-8);
 }
 
 // Of 100/(s^2 + 1e4) the terms beyond W = 1e5 fall like 100/omega^2: what is left out is at most e^(ct)
@@ -89,6 +119,8 @@ TEST(InverseLaplace, RefusesBadInput) {
   EXPECT_THROW((void)de_hoog(f, 1, {.degree = 0}), std::invalid_argument);
   EXPECT_THROW((void)de_hoog(f, 1, {.tolerance = 0}), std::invalid_argument);
   EXPECT_THROW((void)de_hoog(f, 1, {.scale = 0.5}), std::invalid_argument);
+  EXPECT_THROW((void)de_hoog(f, 1, {.agreement = 0}), std::invalid_argument);
+  EXPECT_THROW((void)de_hoog(f, 1, {.negligible = -1}), std::invalid_argument);
   const std::array<double, 1> late = {121};
   EXPECT_THROW((void)bromwich(f, late), std::invalid_argument);
   EXPECT_THROW((void)bromwich(f, {}, {.frequency = 0.01}), std::invalid_argument);

@@ -40,6 +40,15 @@ Inverted checked(const char* method, double time, double value) {
                                       method, time))};
 }
 
+Status not_agreed(double time, double first, double second) {
+  return Status::failure(
+      Outcome::not_converged,
+      fmt::format("de_hoog at t = {:g}: sums with two periods give {:.6g} and {:.6g}; use a degree whose "
+                  "frequencies reach beyond the modes, another inversion for late times of a lightly damped "
+                  "structure, or say which differences are negligible",
+                  time, first, second));
+}
+
 /// The quotient-difference table's first row, the coefficients d of the continued fraction.
 std::vector<Complex> continued_fraction(const std::vector<Complex>& a) {
   const std::size_t n = a.size() - 1;  // 2M
@@ -74,6 +83,21 @@ Complex fraction(const std::vector<Complex>& d, Complex z) {
   return a / b;
 }
 
+/// With the half period @p scale times the time.
+Inverted de_hoog_sum(const Transform& transform, double time, const DeHoogOptions& options, double scale) {
+  const double half_period = scale * time;
+  const double shift = options.abscissa - std::log(options.tolerance) / (2 * half_period);
+  std::vector<Complex> a(2 * static_cast<std::size_t>(options.degree) + 1);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const Complex s(shift, static_cast<double>(k) * pi / half_period);
+    a[k] = transform(s);
+    if (!is_finite(a[k])) return not_finite("de_hoog", time, s);
+  }
+  a[0] /= 2.;
+  const Complex sum = fraction(continued_fraction(a), std::polar(1., pi * time / half_period));
+  return checked("de_hoog", time, std::exp(shift * time) / half_period * sum.real());
+}
+
 }  // namespace
 
 Inverted talbot(const Transform& transform, double time, int nodes) {
@@ -104,17 +128,18 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
           options.abscissa);
   require(std::isfinite(options.scale) && options.scale > 0.5, "de_hoog",
           "the scale must be above 1/2; scale", options.scale);
-  const double half_period = options.scale * time;
-  const double shift = options.abscissa - std::log(options.tolerance) / (2 * half_period);
-  std::vector<Complex> a(2 * static_cast<std::size_t>(options.degree) + 1);
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    const Complex s(shift, static_cast<double>(k) * pi / half_period);
-    a[k] = transform(s);
-    if (!is_finite(a[k])) return not_finite("de_hoog", time, s);
-  }
-  a[0] /= 2.;
-  const Complex sum = fraction(continued_fraction(a), std::polar(1., pi * time / half_period));
-  return checked("de_hoog", time, std::exp(shift * time) / half_period * sum.real());
+  require(options.agreement > 0, "de_hoog", "the agreement must be positive; agreement", options.agreement);
+  require(options.negligible >= 0, "de_hoog", "what is negligible must not be below zero; negligible",
+          options.negligible);
+  Inverted first = de_hoog_sum(transform, time, options, options.scale);
+  if (!first.status.ok()) return first;
+  const Inverted second = de_hoog_sum(transform, time, options, 1.1 * options.scale);
+  if (!second.status.ok()) return second;
+  const double largest = std::max(std::abs(first.value), std::abs(second.value));
+  const double difference = std::abs(first.value - second.value);
+  if (difference > std::max(options.negligible, options.agreement * largest))
+    first.status = not_agreed(time, first.value, second.value);
+  return first;
 }
 
 std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
