@@ -3,7 +3,6 @@
 /// two forms, and Picard's iteration for them.
 #pragma once
 
-#include <Eigen/LU>
 #include <utility>
 #include <vector>
 
@@ -33,34 +32,12 @@ class CollocationEquations : public algebraic::Equations {
   /// @param derivative from values at the nodes to derivatives there
   /// @param form which F
   CollocationEquations(ivp::System<n> system, const Eigen::VectorXd& nodes, const Eigen::MatrixXd& derivative,
-                       Form form)
-      : system_(std::move(system)), form_(form), nodes_(nodes) {
-    const Eigen::Index s = nodes_.size() - 1;
-    derivative_ = derivative.bottomRightCorner(s, s);
-    integral_ = derivative_.inverse();
-    from_left_ = derivative.col(0).tail(s);
-    constant_ = -integral_ * from_left_;
-    times_.resize(static_cast<std::size_t>(s));
-    states_.resize(system_.size(), s);
-    slopes_.resize(system_.size(), s);
-    slabs_.assign(times_.size(), ivp::Jacobian<n>::Zero(system_.size(), system_.size()));
-    begin(0, 1, ivp::State<n>::Zero(system_.size()));
-  }
+                       Form form);
 
   /// From now on the interval from @p t0 to @p t0 + @p h, with the state @p x0 at its begin.
-  void begin(double t0, double h, const ivp::State<n>& x0) {
-    h_ = h;
-    x0_ = x0;
-    for (std::size_t k = 0; k < times_.size(); ++k)
-      times_[k] = t0 + h * nodes_[static_cast<Eigen::Index>(k) + 1];
-    times_.back() = t0 + h;
-  }
+  void begin(double t0, double h, const ivp::State<n>& x0);
   /// The constant state.
-  [[nodiscard]] Eigen::VectorXd start() const {
-    Eigen::VectorXd x(size());
-    as_states(x).colwise() = x0_;
-    return x;
-  }
+  [[nodiscard]] Eigen::VectorXd start() const;
   /// The state at the end of the interval.
   [[nodiscard]] ivp::State<n> end(const Eigen::VectorXd& x) const { return x.tail(system_.size()); }
   /// Times of the nodes 2..N.
@@ -68,86 +45,20 @@ class CollocationEquations : public algebraic::Equations {
 
   /// See Equations.
   [[nodiscard]] Eigen::Index size() const override { return states_.size(); }
-
   /// See Equations.
-  void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override {
-    slopes(x);
-    auto out = as_states(f);
-    if (form_ == Form::printed) {
-      out.noalias() = as_states(x) * derivative_.transpose();
-      out.noalias() += x0_ * from_left_.transpose();
-      out = out / h_ - slopes_;
-    } else {
-      out.noalias() = slopes_ * integral_.transpose();
-      out = as_states(x) - x0_ * constant_.transpose() - h_ * out;
-    }
-  }
+  void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
+  /// See Equations.
+  void linearise(const Eigen::VectorXd& x) override;
+  /// See Equations.
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
+  /// See Equations.
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
+  /// See Equations.
+  void matrix(Eigen::MatrixXd& b) const override;
 
   /// One sweep of Picard's iteration: x = (D_ss)^-1 (g(x) - D_s1 x_1). @p x and @p next are different
   /// objects.
-  void picard(const Eigen::VectorXd& x, Eigen::VectorXd& next) {
-    slopes(x);
-    auto out = as_states(next);
-    out.noalias() = (h_ * slopes_) * integral_.transpose();
-    out.noalias() += x0_ * constant_.transpose();
-  }
-
-  /// See Equations.
-  void linearise(const Eigen::VectorXd& x) override {
-    const auto states = as_states(x);
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      node_ = states.col(static_cast<Eigen::Index>(k));
-      system_.jacobian(times_[k], node_, slabs_[k]);
-    }
-  }
-  /// See Equations.
-  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
-    const auto in = as_states(v);
-    auto result = as_states(out);
-    for (Eigen::Index k = 0; k < in.cols(); ++k) slopes_.col(k).noalias() = slab(k) * in.col(k);
-    if (form_ == Form::printed) {
-      result.noalias() = in * derivative_.transpose();
-      result = result / h_ - slopes_;
-    } else {
-      result.noalias() = slopes_ * integral_.transpose();
-      result = in - h_ * result;
-    }
-  }
-  /// See Equations.
-  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
-    const auto in = as_states(v);
-    auto result = as_states(out);
-    if (form_ == Form::printed) {
-      result.noalias() = in * derivative_ / h_;
-      for (Eigen::Index k = 0; k < in.cols(); ++k) result.col(k).noalias() -= slab(k).transpose() * in.col(k);
-    } else {
-      slopes_.noalias() = h_ * (in * integral_);
-      result = in;
-      for (Eigen::Index k = 0; k < in.cols(); ++k)
-        result.col(k).noalias() -= slab(k).transpose() * slopes_.col(k);
-    }
-  }
-  /// See Equations.
-  void matrix(Eigen::MatrixXd& b) const override {
-    const Eigen::Index m = system_.size(), s = states_.cols();
-    b.setZero(m * s, m * s);
-    for (Eigen::Index row = 0; row < s; ++row) {
-      for (Eigen::Index column = 0; column < s; ++column) {
-        auto block = b.block(row * m, column * m, m, m);
-        if (form_ == Form::printed) {
-          block.diagonal().setConstant(derivative_(row, column) / h_);
-        } else {
-          block = -h_ * integral_(row, column) * slab(column);
-        }
-        if (row != column) continue;
-        if (form_ == Form::printed) {
-          block -= slab(row);
-        } else {
-          block.diagonal().array() += 1;
-        }
-      }
-    }
-  }
+  void picard(const Eigen::VectorXd& x, Eigen::VectorXd& next);
 
  private:
   // Column k of a vector of unknowns is the state at node k + 2.
@@ -160,10 +71,7 @@ class CollocationEquations : public algebraic::Equations {
   [[nodiscard]] const ivp::Jacobian<n>& slab(Eigen::Index k) const {
     return slabs_[static_cast<std::size_t>(k)];
   }
-  void slopes(const Eigen::VectorXd& x) {
-    states_ = as_states(x);
-    system_.rhs(times_, states_, slopes_);
-  }
+  void slopes(const Eigen::VectorXd& x);
 
   ivp::System<n> system_;
   Form form_;
@@ -177,5 +85,8 @@ class CollocationEquations : public algebraic::Equations {
   mutable ivp::Nodes<n> slopes_;         // right-hand sides; room for products
   std::vector<ivp::Jacobian<n>> slabs_;  // dg/dx at the nodes
 };
+
+extern template class CollocationEquations<2>;
+extern template class CollocationEquations<6>;
 
 }  // namespace nlmech::chapters

@@ -1,8 +1,11 @@
 #include "chapters/rbf_ivp/solvers.hpp"
 
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
+#include "nlmech/algebraic/newton.hpp"
+#include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters {
@@ -32,6 +35,24 @@ class Watch {
   const Effort& effort_;
   double first_ = 1;
 };
+
+/// Picard's iteration by `sweep(x, next)`.
+Cost sweep_until(const std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>& sweep,
+                 Eigen::VectorXd& x, const Effort& effort) {
+  Cost cost;
+  Watch watch(cost, effort);
+  Eigen::VectorXd next(x.size());
+  const Stopwatch clock;
+  for (int k = 0; k < sweeps; ++k) {
+    sweep(x, next);
+    ++cost.functions;
+    if (!watch((next - x).norm())) break;
+    x.swap(next);
+    ++cost.iterations;
+  }
+  cost.seconds = clock.seconds();
+  return cost;
+}
 
 }  // namespace
 
@@ -106,21 +127,57 @@ Cost solve(Solver solver, algebraic::Equations& equations, Eigen::VectorXd& x, c
   return cost;
 }
 
-Cost detail::sweep_until(const std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>& sweep,
-                         Eigen::VectorXd& x, const Effort& effort) {
-  Cost cost;
-  Watch watch(cost, effort);
-  Eigen::VectorXd next(x.size());
-  const Stopwatch clock;
-  for (int k = 0; k < sweeps; ++k) {
-    sweep(x, next);
-    ++cost.functions;
-    if (!watch((next - x).norm())) break;
-    x.swap(next);
-    ++cost.iterations;
-  }
-  cost.seconds = clock.seconds();
+template <int n>
+Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effort& effort) {
+  const bool integrated = solver == Solver::picard || solver == Solver::fixed_point_integrated ||
+                          solver == Solver::newton_flow_integrated;
+  CollocationEquations<n>& equations = integrated ? interval.integrated : interval.printed;
+  x = equations.start();
+  Cost cost =
+      solver == Solver::picard
+          ? sweep_until([&](const Eigen::VectorXd& at, Eigen::VectorXd& next) { equations.picard(at, next); },
+                        x, effort)
+          : solve(solver, equations, x, effort);
+  const auto nodes = static_cast<std::int64_t>(equations.times().size());
+  cost.functions *= nodes;
+  cost.jacobians *= nodes;
   return cost;
 }
+
+template <int n>
+std::pair<Cost, int> solve_row(Solver solver, const Case<n>& c, const collocation::Basis& basis, double h,
+                               int count, const Effort& effort) {
+  Interval<n> interval(c, basis);
+  ivp::State<n> state = c.x0;
+  Eigen::VectorXd x;
+  Cost sum;
+  sum.converged = true;
+  for (int k = 0; k < count; ++k) {
+    interval.begin(c.t0 + k * h, h, state);
+    sum += solve(solver, interval, x, effort);
+    if (!sum.converged) return {std::move(sum), k};
+    state = interval.printed.end(x);
+  }
+  return {std::move(sum), count};
+}
+
+template <int n>
+double error_at_nodes(const Case<n>& c, const CollocationEquations<n>& equations, const Eigen::VectorXd& x) {
+  double largest = 0;
+  for (std::size_t k = 0; k < equations.times().size(); ++k) {
+    const ivp::State<n> state = x.segment(static_cast<Eigen::Index>(k) * c.x0.size(), c.x0.size());
+    const ivp::State<n> error = error_at(c, equations.times()[k], state);
+    const double part = error.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
+    if (!(part <= largest)) largest = part;  // keeps a NaN
+  }
+  return largest;
+}
+
+template Cost solve(Solver, Interval<2>&, Eigen::VectorXd&, const Effort&);
+template std::pair<Cost, int> solve_row(Solver, const Case<2>&, const collocation::Basis&, double, int,
+                                        const Effort&);
+template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const collocation::Basis&, double, int,
+                                        const Effort&);
+template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
 }  // namespace nlmech::chapters

@@ -11,7 +11,6 @@
 
 #include "chapters/rbf_ivp/cases.hpp"
 #include "chapters/rbf_ivp/collocation_equations.hpp"
-#include "nlmech/algebraic/scalar_homotopy.hpp"
 
 namespace nlmech::chapters {
 
@@ -83,61 +82,26 @@ struct Interval {
 [[nodiscard]] Cost solve(Solver solver, algebraic::Equations& equations, Eigen::VectorXd& x,
                          const Effort& effort);
 
-namespace detail {
-/// Picard's iteration by `sweep(x, next)`.
-[[nodiscard]] Cost sweep_until(const std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>& sweep,
-                               Eigen::VectorXd& x, const Effort& effort);
-}  // namespace detail
-
 /// One interval from the constant state; x receives the states at the nodes 2..N.
 template <int n>
-[[nodiscard]] Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effort& effort) {
-  const bool integrated = solver == Solver::picard || solver == Solver::fixed_point_integrated ||
-                          solver == Solver::newton_flow_integrated;
-  CollocationEquations<n>& equations = integrated ? interval.integrated : interval.printed;
-  x = equations.start();
-  Cost cost = solver == Solver::picard
-                  ? detail::sweep_until(
-                        [&](const Eigen::VectorXd& at, Eigen::VectorXd& next) { equations.picard(at, next); },
-                        x, effort)
-                  : solve(solver, equations, x, effort);
-  const auto nodes = static_cast<std::int64_t>(equations.times().size());
-  cost.functions *= nodes;
-  cost.jacobians *= nodes;
-  return cost;
-}
+[[nodiscard]] Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effort& effort);
 
 /// So many intervals of length h from the example's begin, each from the end of the one before. Stops at the
 /// first that does not converge. @return the sum, and how many intervals converged
 template <int n>
 [[nodiscard]] std::pair<Cost, int> solve_row(Solver solver, const Case<n>& c, const collocation::Basis& basis,
-                                             double h, int count, const Effort& effort) {
-  Interval<n> interval(c, basis);
-  ivp::State<n> state = c.x0;
-  Eigen::VectorXd x;
-  Cost sum;
-  sum.converged = true;
-  for (int k = 0; k < count; ++k) {
-    interval.begin(c.t0 + k * h, h, state);
-    sum += solve(solver, interval, x, effort);
-    if (!sum.converged) return {std::move(sum), k};
-    state = interval.printed.end(x);
-  }
-  return {std::move(sum), count};
-}
+                                             double h, int count, const Effort& effort);
 
 /// The largest error of a state component at a node, relative to its amplitude.
 template <int n>
 [[nodiscard]] double error_at_nodes(const Case<n>& c, const CollocationEquations<n>& equations,
-                                    const Eigen::VectorXd& x) {
-  double largest = 0;
-  for (std::size_t k = 0; k < equations.times().size(); ++k) {
-    const ivp::State<n> state = x.segment(static_cast<Eigen::Index>(k) * c.x0.size(), c.x0.size());
-    const ivp::State<n> error = error_at(c, equations.times()[k], state);
-    const double part = error.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
-    if (!(part <= largest)) largest = part;  // keeps a NaN
-  }
-  return largest;
-}
+                                    const Eigen::VectorXd& x);
+
+extern template Cost solve(Solver, Interval<2>&, Eigen::VectorXd&, const Effort&);
+extern template std::pair<Cost, int> solve_row(Solver, const Case<2>&, const collocation::Basis&, double, int,
+                                               const Effort&);
+extern template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const collocation::Basis&, double, int,
+                                               const Effort&);
+extern template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
 }  // namespace nlmech::chapters

@@ -1,0 +1,136 @@
+// adaptive-collocation where equations are stiff.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/problems/hires.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/oracle.hpp"
+#include "tests/places.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using testing::eps;
+
+AdaptiveCollocation to(double relative, double absolute) {
+  return {.relative_tolerance = relative, .absolute_tolerance = absolute};
+}
+
+/// End state of a problem of the test set, as published.
+std::vector<double> published(const std::string& problem) {
+  std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/ivp_test_set.csv");
+  std::vector<double> values;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(problem + ",", 0) == 0) values.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+  }
+  return values;
+}
+
+/// Digits of the largest error relative to each component.
+template <class X>
+double digits(const X& x, const std::vector<double>& exact) {
+  double error = 1e-16;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    error = std::max(error, std::abs(x[static_cast<Eigen::Index>(i)] / exact[i] - 1));
+  return -std::log10(error);
+}
+
+// Published to 16 digits. Asked: the digits of the tolerance less two, which stiff problems of many steps
+// cost every code of the test set's tables.
+TEST(StiffAdaptiveCollocation, Robertson) {
+  const auto exact = published("Robertson");
+  ASSERT_EQ(exact.size(), 3U);
+  for (int d = 4; d <= 12; ++d) {
+    const double tolerance = std::pow(10., -d);
+    const auto s = integrate(System<3>(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
+                             to(tolerance, 1e-8 * tolerance));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(digits(s.x, exact), d - 2) << tolerance;
+    EXPECT_NEAR(s.x.sum(), 1, 64 * eps) << "a linear invariant is kept by Newton's iteration";
+  }
+}
+
+TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
+  auto exact = published("van der Pol");
+  ASSERT_EQ(exact.size(), 2U);
+  exact[1] /= 1000;  // the test set's time is t/mu
+  for (int d = 4; d <= 13; ++d) {
+    const double tolerance = std::pow(10., -d);
+    const auto s = integrate(System<2>(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000,
+                             to(tolerance, 1e-3 * tolerance));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(digits(s.x, exact), d - 2) << tolerance;
+    EXPECT_GT(s.statistics.jacobians, 0) << "sweeps cannot do this";
+    EXPECT_LT(s.statistics.steps, 1000) << tolerance;
+  }
+}
+
+// Components of 1e-4 to 1e-2 under an absolute tolerance a hundredth of the smallest.
+TEST(StiffAdaptiveCollocation, Hires) {
+  const auto exact = published("HIRES");
+  ASSERT_EQ(exact.size(), 8U);
+  for (int d = 4; d <= 12; ++d) {
+    const double tolerance = std::pow(10., -d);
+    const auto s = integrate(System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
+                             problems::Hires::final_time, to(tolerance, 1e-6 * tolerance));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(digits(s.x, exact), std::min(d - 4, 11)) << tolerance;
+  }
+}
+
+// The stiff spring and the hardest oscillator against Taylor series and Jacobi's functions.
+TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
+  problems::ThreeMassChain chain;
+  chain.k1 = 1e8;
+  const problems::ReferenceTrajectory<long double, problems::ThreeMassChain> truth(
+      chain, Vector<long double, 6>::Zero(), 0, 2);
+  const State<6> end = truth(2).cast<double>();
+  const problems::Duffing hard{.hardening = 1e6};
+  for (int d = 4; d <= 12; d += 2) {
+    const double tolerance = std::pow(10., -d);
+    const auto slow = integrate(System<6>(chain), State<6>::Zero(), 0, 2, to(tolerance, tolerance));
+    ASSERT_TRUE(slow.status.ok()) << slow.status.text();
+    EXPECT_LT(oracle::distance(slow.x, end), 100 * tolerance) << tolerance;
+    const double P = hard.period(1.0);
+    const auto fast = integrate(System<2>(hard), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
+    ASSERT_TRUE(fast.status.ok()) << fast.status.text();
+    const State<2> exact = oracle::duffing(10 * P, hard);
+    // In the units of the motion, time 1/sqrt(eta), this is ten periods of an oscillator like Table 4.1's.
+    const double bound = static_cast<double>(fast.statistics.steps) * (tolerance + eps) * 75;
+    EXPECT_LT(std::abs(fast.x[0] - exact[0]), bound) << tolerance;
+  }
+}
+
+// Sweeps before the leap, Newton on the branch, and back again: a stiff problem that becomes gentle.
+struct StiffThenGentle {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    using std::cos;
+    using std::exp;
+    using std::sin;
+    const T rate = 1e5 * exp(-t);
+    f[0] = cos(t) - rate * (x[0] - sin(t));
+  }
+};
+TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
+  const System<1> system(StiffThenGentle{});
+  const auto stiff = integrate(system, State<1>(0.0), 0, 10, to(1e-8, 1e-8));
+  ASSERT_TRUE(stiff.status.ok()) << stiff.status.text();
+  EXPECT_GT(stiff.statistics.jacobians, 0);
+  const auto all = integrate(system, State<1>(0.0), 0, 100, to(1e-8, 1e-8));
+  ASSERT_TRUE(all.status.ok()) << all.status.text();
+  EXPECT_NEAR(all.x[0], std::sin(100.), 1e-6);  // 1e-8 in each of some hundred steps
+  const auto late = all.statistics.factorisations - stiff.statistics.factorisations;
+  EXPECT_LT(late, 40) << "Newton's iteration went on where sweeps suffice";
+}
+
+}  // namespace
+}  // namespace nlmech::ivp
