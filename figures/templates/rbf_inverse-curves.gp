@@ -19,7 +19,7 @@ do for [p = -30:30:2] {powers = powers . sprintf("%s\"10^{%d}\" 1e%d", p == -30 
 set label 1 heading at screen 0.5, screen 0.965 center font sprintf("%s:Bold,%d", font_family, font_size + 1)
 if (count > 1) {set multiplot}
 do for [k = 1:count] {
-  left = (k - 1.0)/count + 75.0/width
+  left = (k - 1.0)/count + (has("logy", k) ? 95.0 : 75.0)/width  # powers of ten are wide
   set margins screen left, screen (k - 1.0)/count + 1.0/count - 18.0/width, screen (exists("bottom") ? bottom + 0 : 0.16), screen (has("caption", k) ? 0.87 : 0.92)
   label_text = of("xlabel", k)
   set xlabel label_text

@@ -28,8 +28,8 @@ do for [i = 1:4] {
   n = int(word(nodes, i))
   stats data using (column("nodes") == n ? column("dissertation_shape") : NaN) nooutput
   given = STATS_mean
-  left = 0.085 + (i - 1) * 0.228
-  set margins screen left, screen left + 0.21, screen 0.40, screen 0.81
+  left = 0.11 + (i - 1) * 0.222
+  set margins screen left, screen left + 0.202, screen 0.40, screen 0.81
   set title sprintf("N = %d, h = %s", n, steps[i]) font sprintf("%s,%d", font_family, font_size) offset 0,-0.3
   set yrange [1e-15:1e3]
   set ytics 1000
@@ -47,7 +47,7 @@ do for [i = 1:4] {
 
   unset title
   unset key
-  set margins screen left, screen left + 0.21, screen 0.11, screen 0.36
+  set margins screen left, screen left + 0.202, screen 0.11, screen 0.36
   set yrange [1:1e34]
   set ytics 1e8
   if (i == 1) { set ylabel "condition" offset 0.8,0 }

@@ -22,7 +22,7 @@ set xlabel "nodes in a step"
 set xrange [5:85]
 set xtics 20
 
-set margins screen 0.11, screen 0.52, screen 0.13, screen 0.80
+set margins screen 0.135, screen 0.53, screen 0.13, screen 0.80
 set title "free Duffing, step P" font sprintf("%s,%d", font_family, font_size) offset 0,-0.4
 set ylabel "RMS error of ​{/:Italic x}_1"
 set key at screen 0.53, screen 0.925 center top maxrows 1 Left reverse samplen 3
@@ -34,7 +34,7 @@ unset key
 unset ylabel
 set format y ""
 set xrange [5:65]
-set margins screen 0.57, screen 0.97, screen 0.13, screen 0.80
+set margins screen 0.575, screen 0.97, screen 0.13, screen 0.80
 set title "three masses, step 20 s"
 plot data using (of("three-masses")):"rbf" with linespoints linestyle 5, \
      data using (of("three-masses")):"lgl" with linespoints linestyle 1, \

@@ -20,15 +20,15 @@ set xrange [-4:4]
 set xtics 2
 set xlabel "{/:Italic c r}"
 
-set margins screen 0.09, screen 0.49, screen 0.13, screen 0.76
-set ylabel "{/Symbol f}" norotate offset 1,0
+set margins screen 0.10, screen 0.49, screen 0.13, screen 0.76
+set ylabel "φ" norotate offset 2,0
 set yrange [0:4.2]
 set ytics 1
 set key at screen 0.52, screen 0.92 center top maxrows 2 Left reverse samplen 3 spacing 1.3 width -6
 plot for [i = 1:4] data using (of(word(kernels, i))):"value" with lines linestyle i title formula[i]
 
 set margins screen 0.58, screen 0.98, screen 0.13, screen 0.76
-set ylabel "{/Symbol f}'/{/:Italic c}" norotate offset 1.5,0
+set ylabel "φ'/{/:Italic c}" norotate offset 2,0
 set yrange [-1.1:1.1]
 set ytics 0.5
 unset key

@@ -26,7 +26,7 @@ set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 
 set logscale y
 set format y power_of_ten
 
-set margins screen 0.10, screen 0.47, screen 0.53, screen 0.77
+set margins screen 0.115, screen 0.475, screen 0.53, screen 0.77
 set title "N = 7, h = P/10" font sprintf("%s,%d", font_family, font_size) offset 0,-0.4
 set xlabel "iteration" offset 0,0.5
 set ylabel "|F|, relative" offset 0.8,0
@@ -40,7 +40,7 @@ set key at screen 0.5, screen 0.95 center top maxrows 4 Left reverse samplen 4 s
 plot for [k = 1:7] data using (on("history", k)):"ordinate" with lines linestyle style[k] title titles[k]
 
 unset key
-set margins screen 0.60, screen 0.97, screen 0.53, screen 0.77
+set margins screen 0.615, screen 0.975, screen 0.53, screen 0.77
 set title "h = P/2, Radau nodes"
 set xlabel "number of nodes N"
 set ylabel "iterations" offset 0.8,0
@@ -50,7 +50,7 @@ set yrange [1:1e6]
 set ytics (1, 10, 100, 1e3, 1e4, 1e5, 1e6)
 plot for [k = 1:7] data using (on("nodes", k)):"ordinate" with linespoints linestyle style[k]
 
-set margins screen 0.10, screen 0.47, screen 0.09, screen 0.37
+set margins screen 0.115, screen 0.475, screen 0.09, screen 0.37
 unset logscale x
 set title "60 Radau nodes; no line: no solution found"
 set xlabel "length of the interval (periods)"
@@ -59,7 +59,7 @@ set xtics 1
 plot for [k in "1 2 3"] data using (on("length", int(k))):"ordinate" with lines linestyle style[int(k)], \
      for [k in "6 7"] data using (on("length", int(k))):"ordinate" with linespoints linestyle style[int(k)]
 
-set margins screen 0.60, screen 0.97, screen 0.09, screen 0.37
+set margins screen 0.615, screen 0.975, screen 0.09, screen 0.37
 set title "N = 7, h = P/10; at 0: chosen steps"
 set xlabel "step of fictitious time"
 set xrange [-0.2:3.7]

@@ -24,7 +24,7 @@ set key top left
 plot data using "t":"y" every :::0::0 with lines linestyle 1 linewidth 2.5 title "true path", \
      data using "t":"y" every :::1::1 with lines linestyle 2 linewidth 2 title "linearised path, its distance enlarged", \
      data using "t":"y" every :::2::2 with points pointtype 7 pointsize 1.1 linecolor rgb ink title "points ​{/:Italic X}_{/:Italic k}"
-set margins screen 0.11, screen 0.97, screen 0.11, screen 0.38
+set margins screen 0.11, screen 0.97, screen 0.14, screen 0.38
 set ylabel "defect × 10^3"
 set ytics 2 nomirror
 set xtics ("{/:Italic t}_0" 0, "{/:Italic t}_1" 1, "{/:Italic t}_2" 2, "{/:Italic t}_3" 3, "{/:Italic t}_4" 4)
