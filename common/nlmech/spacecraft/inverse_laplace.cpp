@@ -133,7 +133,7 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
           options.negligible);
   Inverted first = de_hoog_sum(transform, time, options, options.scale);
   if (!first.status.ok()) return first;
-  const Inverted second = de_hoog_sum(transform, time, options, 1.1 * options.scale);
+  Inverted second = de_hoog_sum(transform, time, options, 1.1 * options.scale);
   if (!second.status.ok()) return second;
   const double largest = std::max(std::abs(first.value), std::abs(second.value));
   const double difference = std::abs(first.value - second.value);
