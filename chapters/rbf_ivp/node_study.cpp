@@ -175,8 +175,8 @@ Study study_of(bool quick) {
       study.scan.push_back(compare_at(which, 20, 19 * part));
     }
   }
-  grow(study.growth, "duffing", {&free_duffing_case(), 0, duffing_period() / 2}, quick ? 16 : 32);
-  grow(study.growth, "impact inside", {&impact_case(), 0, 1.6}, quick ? 16 : 32);
+  grow(study.growth, "duffing", {&free_duffing_case(), 0, duffing_period() / 2}, quick ? 12 : 32);
+  grow(study.growth, "impact inside", {&impact_case(), 0, 1.6}, quick ? 12 : 32);
   return study;
 }
 

@@ -108,7 +108,7 @@ Study study_of(const Setting& setting, bool quick) {
   const Sampled earlier =
       duffing_arc(setting.nodes, setting.periods, begin - problems::Duffing().period(1.0) / 10);
   Study study{setting, stable_error(arc, 0), {}, {}};
-  const int count = quick ? 16 : 64;
+  const int count = quick ? 10 : 64;
   for (int i = 0; i <= count; ++i) {
     study.scan.push_back(sample(arc, least_shape * std::pow(largest_shape / least_shape, double(i) / count)));
   }
