@@ -67,7 +67,7 @@ template <class Method>
 [[nodiscard]] Procedure<2> in_two_phases(const Method& during, const Method& after) {
   return [during, after](const Case<2>& c, double end, const ivp::Observer<2>& observer) {
     const ivp::System<2>& system = impact_in_two_intervals();
-    const ivp::Solution<2> first = ivp::integrate(system, c.x0, c.t0, impact_end(), during, observer);
+    ivp::Solution<2> first = ivp::integrate(system, c.x0, c.t0, impact_end(), during, observer);
     if (!first.status.ok()) return first;
     ivp::Solution<2> second = ivp::integrate(system, first.x, first.t, end, after, observer);
     second.statistics += first.statistics;

@@ -122,8 +122,11 @@ double least(const MatrixXd& b, const VectorXd& g, double radius) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(b);
   const VectorXd& e = spectrum.eigenvalues();
   const VectorXd c = spectrum.eigenvectors().transpose() * g;
+  // In the hard case a multiplier may meet an eigenvalue whose part of the gradient is zero: 0/0 is no step.
   const auto step = [&](double multiplier) -> VectorXd {
-    return -c.cwiseQuotient((e.array() + multiplier).matrix());
+    return c.binaryExpr(e, [multiplier](double part, double eigenvalue) {
+      return part == 0 ? 0 : -part / (eigenvalue + multiplier);
+    });
   };
   const auto value = [&](const VectorXd& p) { return c.dot(p) + p.cwiseAbs2().dot(e) / 2; };
   if (e[0] > 0 && step(0).norm() <= radius) return value(step(0));
