@@ -123,7 +123,7 @@ TEST(Errata, EquationsAreTwoForEachPointAndDegreeOfFreedom) {
     Eigen::Index rows = 0;
     for (int l = 1; l <= p; ++l) rows += weights.weight(l, 0).rows();
     EXPECT_EQ(rows, 2L * p * dof);
-    EXPECT_EQ(rows == 2 * p, dof == 1);
+    EXPECT_EQ(rows == 2L * p, dof == 1);
     if (dof == 1) continue;
     // Unknowns that equations (5) determine: the rank of their matrix, for a spring to ground in Q as well.
     Eigen::MatrixXd jacobian = Eigen::MatrixXd::Identity(rows, rows);
