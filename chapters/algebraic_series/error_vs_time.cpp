@@ -19,9 +19,10 @@ std::vector<Contender> contenders(bool quick) {
   return all;
 }
 
-// A tolerance bounds the step. What steps err by on the way may grow more than the change at the begin by
-// which the condition is measured: twenty tolerances a step, as the tests of Series allow, in the run that is
-// the most accurate by its setting, not by the luck of errors that cancel.
+// A tolerance bounds the error of a step; the condition tells how a change at the begin grows. What steps err
+// by on the way may grow more than that, so the promise of one tolerance a step has a margin. It is
+// empirical: on the oscillator the error was 13 times the bound without it at 1e-8, 3.4 times at 1e-13. The
+// run is the most accurate by its setting, not by the luck of errors that cancel.
 std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick) {
   const comparison::Cost& last = comparison::curve_of(costs.curves, "series").costs.back();
   const double bound = 20 * comparison::tightest_tolerance(quick) * static_cast<double>(last.work.steps);
@@ -29,7 +30,7 @@ std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick
       comparison::condition_quantity(costs),
       scene::at_most("error of series at its tightest tolerance", "1",
                      last.error.value_or(std::numeric_limits<double>::quiet_NaN()), bound * costs.condition,
-                     "20 tolerances in each step, all of one sign, times the condition")};
+                     "20 tolerances in each step, all of one sign, times the condition: 13 have been seen")};
 }
 
 /// @param change of the begin, for the condition

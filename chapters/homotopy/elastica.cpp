@@ -144,22 +144,22 @@ std::vector<scene::Quantity> quantities(const Convergence& c) {
       scene::near("exact minimum, 0.44 in", "lb", c.exact.high.minimum, 32.1221640887, 4e-12, shooting),
       scene::near("exact maximum, 0.38 in", "lb", c.exact.low.maximum, 33.1252040575, 4e-12, shooting),
       scene::near("exact minimum, 0.38 in", "lb", c.exact.low.minimum, 31.1081968550, 4e-12, shooting),
-      scene::near("maximum by 1 element, 0.44 in", "lb", c.frames[0].high.maximum, 42.435492120383, 1e-12,
+      scene::near("maximum by 1 element, 0.44 in", "lb", c.frames.at(0).high.maximum, 42.435492120383, 1e-12,
                   program),
-      scene::near("minimum by 1 element, 0.44 in", "lb", c.frames[0].high.minimum, 32.124218754757, 1e-12,
+      scene::near("minimum by 1 element, 0.44 in", "lb", c.frames.at(0).high.minimum, 32.124218754757, 1e-12,
                   program),
-      scene::near("maximum by 32 elements, 0.44 in", "lb", c.frames[5].high.maximum, 42.4397589244, 4e-12,
+      scene::near("maximum by 32 elements, 0.44 in", "lb", c.frames.at(5).high.maximum, 42.4397589244, 4e-12,
                   program),
-      scene::near("minimum by 32 elements, 0.44 in", "lb", c.frames[5].high.minimum, 32.1221656364, 4e-12,
+      scene::near("minimum by 32 elements, 0.44 in", "lb", c.frames.at(5).high.minimum, 32.1221656364, 4e-12,
                   program),
-      scene::near("maximum by 32 elements, 0.38 in", "lb", c.frames[5].low.maximum, 33.1251939340, 4e-12,
+      scene::near("maximum by 32 elements, 0.38 in", "lb", c.frames.at(5).low.maximum, 33.1251939340, 4e-12,
                   program),
-      scene::near("minimum by 32 elements, 0.38 in", "lb", c.frames[5].low.minimum, 31.1081922157, 4e-12,
+      scene::near("minimum by 32 elements, 0.38 in", "lb", c.frames.at(5).low.minimum, 31.1081922157, 4e-12,
                   program),
       // An S is its own mirror image: the middle of a member carries no moment, and one element is exact
       // there.
-      scene::near("maximum by 2 elements, 0.44 in", "lb", c.frames[1].high.maximum, c.frames[0].high.maximum,
-                  1e-12, "by symmetry what one element gives")};
+      scene::near("maximum by 2 elements, 0.44 in", "lb", c.frames.at(1).high.maximum,
+                  c.frames[0].high.maximum, 1e-12, "by symmetry what one element gives")};
   const auto coarse = errors(c, 4), fine = errors(c, 5);
   for (std::size_t i = 0; i < names.size(); ++i)
     list.push_back(

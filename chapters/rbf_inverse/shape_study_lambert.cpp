@@ -51,7 +51,7 @@ scene::Showing show(const scene::Run<Study>& run, Workshop& w) {
   for (std::size_t i = 0; i < s.shapes.size(); ++i) add(s.shapes[i], s.solved[i]);
   curves.begin("stable", "b2");
   for (std::size_t i = 0; i < s.shapes.size(); ++i) add(s.shapes[i], s.stable[i]);
-  curves.with("logy", "1").with("key", "top center");
+  curves.with("logy", "1").with("yrange", "[1e-7:1e5]").with("key", "bottom right");
   curves.panel("nodes N", "miss (m)", "polynomials");
   curves.begin("", "b3");
   for (std::size_t i = 0; i < s.nodes.size(); ++i) add(s.nodes[i], s.polynomial[i]);

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace nlmech::comparison {
 namespace {
@@ -114,8 +117,9 @@ TEST(CostCurves, AreFoundByName) {
   }
 }
 
-// The flow of the saddle stretches x by e^T, in units of the amplitude e^T by one for a begin changed by one:
-// exactly linear, so that differences of 1e-6 leave eps / 1e-6 of either.
+// The flow of the saddle is linear: x(3) is e^3 times x(0), so the quotient of differences has no error but
+// rounding. That is the integrator's, some ten eps of e^3 in either end state, over the change of 1e-6 at the
+// begin.
 TEST(Condition, IsTheGrowthOfADifference) {
   const auto series = ivp::named_integrator<2>("series", {.tolerance = 1e-16});
   Example<2> c = saddle(3);

@@ -1,8 +1,6 @@
 // adaptive-collocation where equations are stiff.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "nlmech/ivp/adaptive_collocation.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
@@ -12,25 +10,16 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
-#include "tests/places.hpp"
+#include "tests/ivp/test_set.hpp"
 
 namespace nlmech::ivp {
 namespace {
 
+using oracle::published_end_state;
 using testing::eps;
 
 AdaptiveCollocation to(double relative, double absolute) {
   return {.relative_tolerance = relative, .absolute_tolerance = absolute};
-}
-
-/// End state of a problem of the test set, as published.
-std::vector<double> published(const std::string& problem) {
-  std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/ivp_test_set.csv");
-  std::vector<double> values;
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind(problem + ",", 0) == 0) values.push_back(std::stod(line.substr(line.rfind(',') + 1)));
-  }
-  return values;
 }
 
 /// Digits of the largest error relative to each component.
@@ -45,7 +34,7 @@ double digits(const X& x, const std::vector<double>& exact) {
 // Published to 16 digits. Asked: the digits of the tolerance less two, which stiff problems of many steps
 // cost every code of the test set's tables.
 TEST(StiffAdaptiveCollocation, Robertson) {
-  const auto exact = published("Robertson");
+  const auto exact = published_end_state("Robertson");
   ASSERT_EQ(exact.size(), 3U);
   for (int d = 4; d <= 12; ++d) {
     const double tolerance = std::pow(10., -d);
@@ -58,7 +47,7 @@ TEST(StiffAdaptiveCollocation, Robertson) {
 }
 
 TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
-  auto exact = published("van der Pol");
+  auto exact = published_end_state("van der Pol");
   ASSERT_EQ(exact.size(), 2U);
   exact[1] /= 1000;  // the test set's time is t/mu
   for (int d = 4; d <= 13; ++d) {
@@ -74,7 +63,7 @@ TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
 
 // Components of 1e-4 to 1e-2 under an absolute tolerance a hundredth of the smallest.
 TEST(StiffAdaptiveCollocation, Hires) {
-  const auto exact = published("HIRES");
+  const auto exact = published_end_state("HIRES");
   ASSERT_EQ(exact.size(), 8U);
   for (int d = 4; d <= 12; ++d) {
     const double tolerance = std::pow(10., -d);

@@ -86,6 +86,25 @@ TEST(DeHoog, SaysWhereTwoPeriodsDoNotAgree) {
   EXPECT_GT(failures, 0) << "the comparison measures nothing";
 }
 
+// 1 - cos(wt) at t = 1, where all depends on wt and the degree alone: the highest frequency is M pi. Where
+// that is four times w and more, a success is right; below, the mean may come out (degree 20, w = 100).
+TEST(DeHoog, SeesAnOscillationAboutAMeanWellBelowItsFrequencies) {
+  const auto about_one = [](double w, int degree) {
+    return de_hoog([w](Complex s) { return w * w / (s * (s * s + w * w)); }, 1, {.degree = degree});
+  };
+  int right = 0;
+  for (const int degree : {10, 20, 40, 80, 120, 240}) {
+    for (double w = degree * std::numbers::pi / 4; w > 1; w /= 1.05) {
+      const Inverted f = about_one(w, degree);
+      if (!f.status.ok()) continue;
+      EXPECT_NEAR(f.value, 1 - std::cos(w), 1e-3) << degree << " and " << w;
+      ++right;
+    }
+  }
+  EXPECT_GT(right, 200) << "of 390 or so";
+  EXPECT_NEAR(about_one(100, 20).value, 1, 1e-3) << "the limit that the header names";
+}
+
 // Where f is zero no two sums agree relative to it, unless the difference is said to be negligible.
 TEST(DeHoog, TakesWhatIsNegligibleForZero) {
   const Transform sine = [](Complex s) { return 1. / (s * s + 1.); };

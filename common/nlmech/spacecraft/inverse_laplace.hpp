@@ -56,10 +56,12 @@ struct DeHoogOptions {
 ///
 /// A second sum, with T a tenth longer, shows most failures: its frequencies and its rounding are others.
 /// Where both do not agree, the status is `not_converged`, the value that of the first. What neither sees
-/// stays unseen: a fast oscillation about a mean, above all 2M + 1 frequencies.
+/// stays unseen: of an oscillation about a mean, 1 - cos(wt), the mean comes out, with success, unless the
+/// frequencies reach well beyond w, four times as far for degrees up to 240. And right values may be refused,
+/// above all those near a zero of f, as the agreement is relative.
 ///
 /// Tests hold smooth functions to 1e-8, and to that status sines of 100 rad/s that come out wrong for
-/// degrees 20 to 240.
+/// degrees 20 to 240; 1 - cos(wt) with success to 1e-3 where frequencies reach 4 w.
 /// @throws std::invalid_argument for a time that is not positive and finite or options out of range
 [[nodiscard]] Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& options = {});
 

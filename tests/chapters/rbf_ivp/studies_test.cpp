@@ -2,18 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_ivp/extended.hpp"
 #include "chapters/rbf_ivp/stiff_problems.hpp"
-#include "tests/places.hpp"
+#include "tests/ivp/test_set.hpp"
 
 namespace nlmech::chapters {
 namespace {
 
 using collocation::NodeFamily;
+using oracle::published_end_state;
 
 // One unknown node at the end: backward Euler, R(z) = 1/(1 - z).
 TEST(StabilityFunction, OfTwoNodes) {
@@ -113,16 +113,6 @@ TEST(StiffProblems, CountDigits) {
   EXPECT_EQ(duffing.digits(Vector<double, 2>(NAN, 0)), 0);
 }
 
-/// The digits that the file of references has for a problem.
-std::vector<double> published(const std::string& problem) {
-  std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/ivp_test_set.csv");
-  std::vector<double> values;
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind(problem + ",", 0) == 0) values.push_back(std::stod(line.substr(line.rfind(',') + 1)));
-  }
-  return values;
-}
-
 TEST(StiffProblems, EndWhereTheTestSetSays) {
   const auto expect = [](const auto& problem, std::vector<double> exact) {
     ASSERT_EQ(problem.truth.size(), static_cast<Eigen::Index>(exact.size()));
@@ -130,9 +120,9 @@ TEST(StiffProblems, EndWhereTheTestSetSays) {
       EXPECT_DOUBLE_EQ(static_cast<double>(problem.truth[i]), exact[static_cast<std::size_t>(i)])
           << problem.name;
   };
-  expect(robertson(), published("Robertson"));
-  expect(hires(), published("HIRES"));
-  auto creep = published("van der Pol");
+  expect(robertson(), published_end_state("Robertson"));
+  expect(hires(), published_end_state("HIRES"));
+  auto creep = published_end_state("van der Pol");
   ASSERT_EQ(creep.size(), 2U);
   creep[1] /= 1000;  // the test set's time is t/mu
   expect(van_der_pol_of_the_test_set(), creep);
