@@ -94,7 +94,7 @@ struct Study {
 };
 
 Study study(bool quick) {
-  const int grid = quick ? 165 : 1650, fine = quick ? 215 : 430, starts = quick ? 2000 : 20'000;
+  const int grid = quick ? 110 : 1650, fine = quick ? 86 : 430, starts = quick ? 1000 : 20'000;
   Study s;
   for (const PrintedRow& row : printed_rows()) {
     const bool williams = row.model == Model::williams;

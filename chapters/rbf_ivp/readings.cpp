@@ -114,7 +114,7 @@ scene::Showing show(const Questions& questions) {
 void add_readings(scene::Chapter& chapter) {
   const auto& tried = chapter.add_run<Questions>(
       "readings-tried", "every option of every question that the text leaves open, one question at a time",
-      {}, [](Workshop&) { return try_readings(); });
+      {}, [](Workshop& w) { return try_readings(w.quick()); });
   chapter.add({.name = "readings",
                .title = "How many readings were tried, and how many printed errors each explains",
                .place = "our own",

@@ -37,8 +37,8 @@ struct Question {
   [[nodiscard]] const Option& option(const std::string& text) const;
 };
 
-/// Tries every option of every question.
-[[nodiscard]] std::vector<Question> try_readings();
+/// Tries every option of every question. @param quick of long lists of numbers only a few
+[[nodiscard]] std::vector<Question> try_readings(bool quick);
 
 /// The unit of the last digit of a number as printed: 1e-6 for "1.18e-4", 1e-4 for "0.0025".
 [[nodiscard]] double last_digit(const std::string& printed);

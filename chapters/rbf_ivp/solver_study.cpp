@@ -52,13 +52,14 @@ void add_rows(std::vector<Row>& rows, const Case<n>& c, int nodes, double h, dou
 std::vector<Row> rows_of(bool quick) {
   const double P = duffing_period();
   const Effort effort = {.steps = quick ? 500 : 10'000};
+  const int many = quick ? 3 : 10;  // intervals
   std::vector<Row> rows;
-  add_rows(rows, free_duffing_case(), 7, P / 10, 0.77, 10, effort);
-  add_rows(rows, free_duffing_case(), 35, P, 34 / (4 * P), 10, effort);
-  add_rows(rows, impact_case(), 7, 0.1, 2.5, 10, effort);
+  add_rows(rows, free_duffing_case(), 7, P / 10, 0.77, many, effort);
+  add_rows(rows, free_duffing_case(), 35, P, 34 / (4 * P), many, effort);
+  add_rows(rows, impact_case(), 7, 0.1, 2.5, many, effort);
   add_rows(rows, impact_case(), 35, 0.5, 34 / (4 * 0.5), 2, effort);
-  add_rows(rows, three_mass_case(), 7, 0.625, 0.35, 10, effort);
-  add_rows(rows, three_mass_case(), 35, 20, 0.39, 10, effort);
+  add_rows(rows, three_mass_case(), 7, 0.625, 0.35, many, effort);
+  add_rows(rows, three_mass_case(), 35, 20, 0.39, many, effort);
   return rows;
 }
 

@@ -7,6 +7,7 @@
 #include "nlmech/bvp/continuation.hpp"
 #include "nlmech/bvp/direct_start.hpp"
 #include "nlmech/bvp/dual_control.hpp"
+#include "nlmech/bvp/duffing.hpp"
 #include "tests/bvp/problems.hpp"
 
 namespace nlmech::bvp {
@@ -31,6 +32,29 @@ ExtremalProblem mass(ControlTask task, double price = 0) {
 
 Start zeros(const ExtremalProblem& problem) {
   return constant_start(VectorXd::Zero(4), problem.own_parameters());
+}
+
+// Of x1' = x2, x2' = f - w^2 x1 - beta x1^3 and H = f^2/2 + lambda1 x2 + lambda2 x2', by hand.
+TEST(DualControl, DifferentiatesTheDuffingOscillator) {
+  const DualControl<ControlledDuffing> model(ControlledDuffing{.frequency = 3});
+  const double beta = 0.7, x1 = 1.25, x2 = -2, f = 0.5, l1 = 1.5, l2 = -0.25;
+  const VectorXd x = Vector2d(x1, x2), u = VectorXd::Constant(1, f), lambda = Vector2d(l1, l2);
+  const double acceleration = f - 9 * x1 - beta * x1 * x1 * x1, slope = -9 - 3 * beta * x1 * x1;
+  // A few roundings of numbers below 20.
+  const double few = 8 * 20 * 2.2e-16;
+  LinearDynamics linear;
+  model.linearise(0, x, u, beta, linear);
+  const HamiltonianExpansion e = model.expand(0, x, u, lambda, beta, {});
+  EXPECT_LE((linear.g - Vector2d(x2, acceleration)).norm(), few);
+  EXPECT_LE((linear.g_x - (Eigen::Matrix2d() << 0, 1, slope, 0).finished()).norm(), few);
+  EXPECT_LE((linear.g_u - Vector2d(0, 1)).norm(), few);
+  EXPECT_EQ(e.g, linear.g);
+  EXPECT_EQ(e.g_x, linear.g_x);
+  EXPECT_EQ(e.g_u, linear.g_u);
+  EXPECT_NEAR(e.value, f * f / 2 + l1 * x2 + l2 * acceleration, few);
+  EXPECT_LE((e.gradient - Eigen::Vector3d(l2 * slope, l1, f + l2)).norm(), few);
+  const Eigen::Matrix3d hessian = Eigen::Vector3d(-6 * l2 * beta * x1, 0, 1).asDiagonal();
+  EXPECT_LE((e.hessian - hessian).norm(), few);
 }
 
 TEST(Extremal, OfAMassIsTheKnownParabola) {

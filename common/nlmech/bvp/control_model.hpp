@@ -38,6 +38,13 @@ struct HamiltonianExpansion {
   Eigen::MatrixXd hessian;   ///< by x, then u
 };
 
+/// dx/dt = g(t, x, u) with its derivatives by x and u.
+struct LinearDynamics {
+  Eigen::VectorXd g;    ///< dx/dt
+  Eigen::MatrixXd g_x;  ///< its derivatives by x
+  Eigen::MatrixXd g_u;  ///< and by u
+};
+
 /// phi(x(t_0), x(t_F), t_F) with its derivatives by x(t_0), x(t_F), t_F in this order.
 struct EndCost {
   double value = 0;          ///< phi
@@ -78,6 +85,9 @@ class ControlModel {
   [[nodiscard]] virtual HamiltonianExpansion expand(double t, const Eigen::VectorXd& x,
                                                     const Eigen::VectorXd& u, const Eigen::VectorXd& lambda,
                                                     double mu, const Constraints& constraints) const = 0;
+  /// g and its derivatives alone.
+  virtual void linearise(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
+                         LinearDynamics& linear) const = 0;
   /// g(t, x, u) alone, and L, which is returned without penalties.
   virtual double dynamics(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                           Eigen::VectorXd& g) const = 0;

@@ -114,14 +114,15 @@ class Descent {
   /// Derivatives of next() by x and u, stage by stage.
   void linearise(Index k, MatrixXd& a, MatrixXd& b) const {
     const double t = time(k);
-    const VectorXd u = now_.u.col(k), zero = VectorXd::Zero(n_);
+    const VectorXd u = now_.u.col(k);
+    LinearDynamics e;
     VectorXd x = now_.x.col(k);
     MatrixXd by_x = MatrixXd::Identity(n_, n_), by_u = MatrixXd::Zero(n_, q_);
     a = by_x;
     b = by_u;
     const double ahead[4] = {h_ / 2, h_ / 2, h_, 0}, weight[4] = {1, 2, 2, 1}, at[4] = {0, 0.5, 0.5, 1};
     for (int stage = 0; stage < 4; ++stage) {
-      const auto e = model_.expand(t + at[stage] * h_, x, u, zero, task_.mu, task_.constraints);
+      model_.linearise(t + at[stage] * h_, x, u, task_.mu, e);
       const MatrixXd kx = e.g_x * by_x, ku = e.g_x * by_u + e.g_u;
       a += h_ / 6 * weight[stage] * kx;
       b += h_ / 6 * weight[stage] * ku;

@@ -114,6 +114,25 @@ class DualControl final : public ControlModel {
   }
 
   /// See ControlModel.
+  void linearise(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
+                 LinearDynamics& linear) const override {
+    using First = Dual<double, n + q>;
+    Vector<First, n> at, g;
+    Vector<First, q> v;
+    for (int i = 0; i < n; ++i) at[i] = First::variable(x[i], i);
+    for (int i = 0; i < q; ++i) v[i] = First::variable(u[i], n + i);
+    problem_.dynamics(First(t), at, v, First(mu), g);
+    linear.g.resize(n);
+    linear.g_x.resize(n, n);
+    linear.g_u.resize(n, q);
+    for (int i = 0; i < n; ++i) {
+      linear.g[i] = g[i].value;
+      for (int k = 0; k < n; ++k) linear.g_x(i, k) = g[i].partial[static_cast<std::size_t>(k)];
+      for (int k = 0; k < q; ++k) linear.g_u(i, k) = g[i].partial[static_cast<std::size_t>(n + k)];
+    }
+  }
+
+  /// See ControlModel.
   double dynamics(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                   Eigen::VectorXd& g) const override {
     const Vector<double, n> at = x;

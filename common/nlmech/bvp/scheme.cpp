@@ -26,9 +26,23 @@ VectorXd slope_nodes(const Scheme& scheme) {
   return scheme.family == Family::radau ? VectorXd(scheme.nodes.tail(scheme.nodes.size() - 1)) : scheme.nodes;
 }
 
-RowVectorXd cardinal_row(const VectorXd& nodes, double tau) {
+/// What does not depend on the place of an interpolation.
+void set_interpolation(Scheme& scheme) {
+  scheme.interpolated = by_slopes(scheme.family) ? slope_nodes(scheme) : scheme.nodes;
+  scheme.barycentric = collocation::barycentric_weights(scheme.interpolated);
+  const int points = static_cast<int>(scheme.interpolated.size() + 1) / 2;
+  const VectorXd gauss = collocation::legendre_gauss(points);
+  scheme.gauss = (gauss.array() + 1) / 2;
+  scheme.gauss_weights.resize(points);
+  for (Index i = 0; i < points; ++i) {
+    const double x = gauss[i], slope = collocation::jacobi(points, 0, 0, x).derivative;
+    scheme.gauss_weights[i] = 1 / ((1 - x * x) * slope * slope);
+  }
+}
+
+RowVectorXd cardinal_row(const Scheme& scheme, double tau) {
   RowVectorXd row;
-  collocation::polynomial_row(nodes, collocation::barycentric_weights(nodes), tau, row);
+  collocation::polynomial_row(scheme.interpolated, scheme.barycentric, tau, row);
   return row;
 }
 
@@ -40,14 +54,10 @@ RowVectorXd spread(const RowVectorXd& row, Index size) {
 }
 
 /// Integrals of the cardinal polynomials from 0 to tau, by the Gauss rule that is exact for them.
-RowVectorXd integral_row(const VectorXd& nodes, double tau) {
-  const int points = static_cast<int>(nodes.size() + 1) / 2;
-  const VectorXd gauss = collocation::legendre_gauss(points);
-  RowVectorXd sum = RowVectorXd::Zero(nodes.size());
-  for (const double x : gauss) {
-    const double slope = collocation::jacobi(points, 0, 0, x).derivative;
-    sum += tau / ((1 - x * x) * slope * slope) * cardinal_row(nodes, tau * (x + 1) / 2);
-  }
+RowVectorXd integral_row(const Scheme& scheme, double tau) {
+  RowVectorXd sum = RowVectorXd::Zero(scheme.interpolated.size());
+  for (Index i = 0; i < scheme.gauss.size(); ++i)
+    sum += tau * scheme.gauss_weights[i] * cardinal_row(scheme, tau * scheme.gauss[i]);
   return sum;
 }
 
@@ -119,9 +129,9 @@ void Scheme::row(double tau, RowVectorXd& of_value, RowVectorXd& of_slope) const
   const Index n = nodes.size();
   if (by_slopes(family)) {
     of_value = RowVectorXd::Unit(n, 0);
-    of_slope = spread(integral_row(slope_nodes(*this), tau), n);
+    of_slope = spread(integral_row(*this, tau), n);
   } else {
-    of_value = cardinal_row(nodes, tau);
+    of_value = cardinal_row(*this, tau);
     of_slope = RowVectorXd::Zero(n);
   }
 }
@@ -130,10 +140,10 @@ void Scheme::row_dot(double tau, RowVectorXd& of_value, RowVectorXd& of_slope) c
   const Index n = nodes.size();
   if (by_slopes(family)) {
     of_value = RowVectorXd::Zero(n);
-    of_slope = spread(cardinal_row(slope_nodes(*this), tau), n);
+    of_slope = spread(cardinal_row(*this, tau), n);
   } else {
     // The derivative of a polynomial is the polynomial through its derivatives at the nodes.
-    of_value = cardinal_row(nodes, tau) * collocation::polynomial_differentiation_matrix(nodes);
+    of_value = cardinal_row(*this, tau) * collocation::polynomial_differentiation_matrix(nodes);
     of_slope = RowVectorXd::Zero(n);
   }
 }
@@ -163,7 +173,9 @@ SchemeOrStatus make_scheme(Family family, int nodes, double relative_shape, bool
     result.status = set_derivative_equations(scheme, relative_shape, keep_ill_conditioned);
     scheme.order = scheme.end_order = nodes - 1;
   }
-  if (result.status.ok()) set_probes(scheme);
+  if (!result.status.ok()) return result;
+  set_interpolation(scheme);
+  set_probes(scheme);
   return result;
 }
 

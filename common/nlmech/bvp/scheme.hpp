@@ -41,6 +41,10 @@ struct Scheme {
   Eigen::MatrixXd probe_slope;      ///< see probe_value
   Eigen::MatrixXd probe_value_dot;  ///< u'(probes) = probe_value_dot X/h + probe_slope_dot F
   Eigen::MatrixXd probe_slope_dot;  ///< see probe_value_dot
+  Eigen::VectorXd interpolated;     ///< where slopes (lobatto, radau) or values are interpolated
+  Eigen::VectorXd barycentric;      ///< weights of the polynomial through these
+  Eigen::VectorXd gauss;            ///< nodes on [0, 1] of the Gauss rule that integrates it exactly
+  Eigen::VectorXd gauss_weights;    ///< of that rule
 
   /// Rows of the interpolant: u(t_0 + tau h) = of_value X + h of_slope F for values X and slopes F at nodes.
   /// lobatto, radau: the collocation polynomial itself; else the polynomial through the values.

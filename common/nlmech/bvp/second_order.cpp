@@ -70,19 +70,21 @@ class Variation {
     const VectorXd z = solution_.at(t), u = control_at(problem_, solution_, t);
     const Constraints& c = problem_.task().constraints;
     const auto e = model_.expand(problem_.true_time(t, p), z.head(n_), u, z.tail(n_), problem_.mu(p), c);
-    // v of this piece, as rows of du.
-    MatrixXd du = MatrixXd::Zero(q_, size_);
+    // Later controls change nothing yet: only the first columns of S. v of this piece are rows of du.
+    const Index live = static_cast<Index>(free_.size()) + Index{piece + 1} * q_;
+    MatrixXd du = MatrixXd::Zero(q_, live);
     for (int i = 0; i < q_; ++i) {
       const bool clipped = std::abs(u[i]) > 0.999 * c.control_limit;
       if (!clipped) du(i, static_cast<Index>(free_.size()) + Index{piece} * q_ + i) = 1 / std::sqrt(length);
     }
     const MatrixXd one = MatrixXd::Identity(n_, n_);
     const Eigen::PartialPivLU<MatrixXd> left(one - h / 2 * e.g_x);
-    const MatrixXd next = left.solve((one + h / 2 * e.g_x) * state_ + h * e.g_u * du);
-    MatrixXd both(n_ + q_, size_);
-    both << (state_ + next) / 2, du;
-    hessian_.noalias() += h * both.transpose() * (e.hessian * both);
-    state_ = next;
+    auto state = state_.leftCols(live);
+    const MatrixXd next = left.solve((one + h / 2 * e.g_x) * state + h * e.g_u * du);
+    MatrixXd both(n_ + q_, live);
+    both << (state + next) / 2, du;
+    hessian_.topLeftCorner(live, live).noalias() += h * both.transpose() * (e.hessian * both);
+    state = next;
   }
 
   void hold_waypoints(double t) {

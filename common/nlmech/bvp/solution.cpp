@@ -6,8 +6,6 @@ namespace nlmech::bvp {
 
 using Eigen::Index;
 
-namespace {}  // namespace
-
 Eigen::VectorXd Solution::at(double t, Side side) const {
   const auto& all = unknowns.intervals;
   const auto later = [side](double time, const Interval& i) {

@@ -17,15 +17,14 @@ using D = Dual<Real, 3>;  // by H, V, M(0)
 using Three = Eigen::Matrix<Real, 3, 1>;
 using Section = std::array<D, 4>;  // x, y, theta, M
 
-Section operator+(const Section& a, const Section& b) {
-  Section sum = a;
-  for (std::size_t i = 0; i < 4; ++i) sum[i] = sum[i] + b[i];
+/// s + h slope
+Section ahead(const Section& s, Real h, const Section& slope) {
+  Section sum = s;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sum[i].value += h * slope[i].value;
+    for (std::size_t k = 0; k < 3; ++k) sum[i].partial[k] += h * slope[i].partial[k];
+  }
   return sum;
-}
-Section operator*(Real a, const Section& b) {
-  Section product = b;
-  for (D& d : product) d = a * d;
-  return product;
 }
 
 struct Rod {
@@ -57,9 +56,9 @@ ElasticaPoint Elastica::at(double drop, const ElasticaPoint& near) const {
     const Rod rod{D::variable(u[0], 0), D::variable(u[1], 1), toggle_.ea, toggle_.ei};
     Section s{D(Real(0)), D(Real(0)), D(angle), D::variable(u[2], 2)};
     for (int k = 0; k < steps_; ++k) {
-      const Section a = rod.slope(s), b = rod.slope(s + h / 2 * a), c = rod.slope(s + h / 2 * b),
-                    d = rod.slope(s + h * c);
-      s = s + h / 6 * (a + 2 * b + 2 * c + d);
+      const Section a = rod.slope(s), b = rod.slope(ahead(s, h / 2, a)), c = rod.slope(ahead(s, h / 2, b)),
+                    d = rod.slope(ahead(s, h, c));
+      s = ahead(ahead(ahead(ahead(s, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
     }
     const Three rest(s[0].value - half_span, s[1].value - (height - static_cast<Real>(drop)),
                      s[2].value - angle);

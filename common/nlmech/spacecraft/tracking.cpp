@@ -47,7 +47,8 @@ double SmoothTurn::polynomial(double time, int order) const {
     for (int i = 0; i < order; ++i) factor *= static_cast<double>(k) - i;
     sum = sum * x + factor;
   }
-  return sum / std::pow(duration_, order);
+  for (int i = 0; i < order; ++i) sum /= duration_;
+  return sum;
 }
 
 double SmoothTurn::value(double time, int order) const {

@@ -204,9 +204,10 @@ class Program final : public Ipopt::TNLP {
   }
   template <class M>
   [[nodiscard]] MatrixXd slopes(const M& at, int k) const {
-    const auto e = expand(at, k, zero_);
+    bvp::LinearDynamics linear;
+    model_.linearise(time(k), at.col(k).head(n_), at.col(k).tail(q_), task_.mu, linear);
     MatrixXd both(n_, block());
-    both << e.g_x, e.g_u;
+    both << linear.g_x, linear.g_u;
     return both;
   }
 
