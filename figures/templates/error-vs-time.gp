@@ -78,6 +78,11 @@ if (exists("floor_digits")) {
 
 of(k, value) = int(column("number")) == k ? value : NaN
 best_of(k, value) = int(column("number")) == k && int(column("best")) == 1 ? value : NaN
+# Our own methods last, over the others.
+drawn = ""
+do for [group in "3 5 4 2 1 6 7 8"] {
+  do for [k = 1:count] {if (kind(k) == int(group)) {drawn = drawn . sprintf(" %d", k)}}
+}
 set style textbox opaque noborder fillcolor "#ffffff" margins 0.3,0.3
 # Numbers stand at four places about their points, so that neighbours keep apart.
 array right[4] = [1.1, 0.3, -0.9, -0.3]
@@ -89,10 +94,10 @@ do for [panel = 1:2] {
   set margins screen panel_left[panel], screen panel_left[panel] + 0.31, screen 0.15, screen 0.93
   set xlabel axis_label[panel] offset 0,0.4
   name_of_cost = cost[panel]
-  plot for [group in "3 5 4 2 1 6 7 8"] for [k = 1:count] \
-         data using (kind(k) == int(group) ? of(k, column(name_of_cost)) : NaN):"digits" with linespoints \
-         linecolor rgb kind_colour[int(group)] linewidth kind_width[int(group)] dashtype solid \
-         pointtype kind_point[int(group)] pointsize 0.55 notitle, \
+  plot for [m in drawn] \
+         data using (of(int(m), column(name_of_cost))):"digits" with linespoints \
+         linecolor rgb kind_colour[kind(int(m))] linewidth kind_width[kind(int(m))] dashtype solid \
+         pointtype kind_point[kind(int(m))] pointsize 0.55 notitle, \
        for [k = 1:count] data using (best_of(k, column(name_of_cost))):"digits":(sprintf("%d", k)) with labels boxed \
          offset right[k % 4 + 1],up[k % 4 + 1] font small textcolor rgb kind_colour[kind(k)] notitle
   if (panel == 1) {

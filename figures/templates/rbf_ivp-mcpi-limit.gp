@@ -28,7 +28,7 @@ set logscale y
 set format y power_of_ten
 set xrange [0:36]
 set yrange [1e-13:1e20]
-set ytics 1e8
+set ytics (1e-8, 1, 1e8, 1e16)
 set mytics 1
 set key top right samplen 2 spacing 1.05
 plot for [i = 1:words(steps)] data using (on("sweeps", real(word(steps, i)))):"ordinate" with lines linestyle i \
