@@ -112,7 +112,7 @@ Measured measure(bool quick) {
   const std::vector<Method> all = methods();
   for (const Case& c : cases()) {
     for (const Method& method : all) {
-      // A multi-step peer does not get through a thousand orbits in ten times as many either.
+      // Peers do not get through a thousand orbits in ten times as many either.
       const std::int64_t fewer =
           peers::is_peer(method.name.substr(0, method.name.find(','))) ? 20'000 : 200'000;
       m.answers.push_back(answer(c, method, quick ? fewer : 2'000'000));

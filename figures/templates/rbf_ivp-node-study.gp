@@ -6,7 +6,7 @@
 # Variables: data (required), heading (title; optional).
 #
 # Data: CSV with the header `panel,problem,variant,abscissa,end,largest`. panel is
-#   shape   abscissa: c h; errors relative to the amplitudes at the end and anywhere, 20 nodes
+#   shape   abscissa: c h; errors relative to the amplitudes at the end and anywhere, 20 nodes (12 with --quick)
 #   growth  abscissa: number of nodes; end: the greatest residual; largest: the error anywhere
 
 if (!exists("heading")) heading = "Variants of radial collocation with equally many unknowns"
