@@ -128,7 +128,8 @@ class DualControl final : public ControlModel {
     for (int i = 0; i < n; ++i) {
       linear.g[i] = g[i].value;
       for (int k = 0; k < n; ++k) linear.g_x(i, k) = g[i].partial[static_cast<std::size_t>(k)];
-      for (int k = 0; k < q; ++k) linear.g_u(i, k) = g[i].partial[static_cast<std::size_t>(n + k)];
+      for (int k = 0; k < q; ++k)
+        linear.g_u(i, k) = g[i].partial[std::size_t{n} + static_cast<std::size_t>(k)];
     }
   }
 

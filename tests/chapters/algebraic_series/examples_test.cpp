@@ -37,7 +37,7 @@ TEST(References, OfTheOscillatorIsGoodEnough) {
   using Digits35 =
       boost::multiprecision::number<boost::multiprecision::cpp_bin_float<35>, boost::multiprecision::et_off>;
   using Problem = problems::BasicStrongOscillator<Digits35>;
-  const Digits35 begin = boost::math::constants::pi<Digits35>();
+  const Digits35& begin = boost::math::constants::pi<Digits35>();
   const problems::ReferenceTrajectory<Digits35, Problem> exact(
       Problem{}, problems::BasicStrongOscillator<double>::initial_state().cast<Digits35>(), begin,
       begin + 751);
