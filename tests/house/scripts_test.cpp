@@ -39,16 +39,21 @@ class AffectedTests : public ::testing::Test {
     return folders("HEAD~1");
   }
   [[nodiscard]] std::vector<std::string> folders(const std::string& base) const {
-    const scene::Finished done =
-        scene::run_program({"scripts/affected-tests", base, "components.txt"}, folder_.path());
+    const scene::Finished done = run_here({"scripts/affected-tests", base, "components.txt"});
     EXPECT_EQ(done.exit_code, 0) << done.errors;
     return words_of(done.output);
   }
 
  private:
+  /// Without what git tells the programs of a hook: it would be another repository.
+  [[nodiscard]] scene::Finished run_here(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(),
+                     {"env", "-u", "GIT_DIR", "-u", "GIT_WORK_TREE", "-u", "GIT_INDEX_FILE"});
+    return scene::run_program(arguments, folder_.path());
+  }
   void git(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "git");
-    const scene::Finished done = scene::run_program(arguments, folder_.path());
+    arguments.insert(arguments.begin(), {"git", "-c", "commit.gpgsign=false"});
+    const scene::Finished done = run_here(arguments);
     ASSERT_EQ(done.exit_code, 0) << done.errors;
   }
 

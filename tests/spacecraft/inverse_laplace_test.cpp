@@ -101,7 +101,7 @@ TEST(DeHoog, SeesAnOscillationAboutAMeanWellBelowItsFrequencies) {
       ++right;
     }
   }
-  EXPECT_GT(right, 200) << "of 390 or so";
+  EXPECT_GT(right, 200) << "of 450 or so";
   EXPECT_NEAR(about_one(100, 20).value, 1, 1e-3) << "the limit that the header names";
 }
 
