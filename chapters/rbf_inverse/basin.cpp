@@ -112,7 +112,7 @@ Basin compute(bool quick) {
     for (const DuffingSubject& subject : duffing_subjects()) {
       auto& row = basin[t].emplace_back();
       for (std::size_t s = 0; s < solvers.size(); ++s)
-        row[s] = count(solvers[s], printed_settings(subject.which, final_times[t]), quick ? 5 : 100);
+        row[s] = count(solvers[s], printed_settings(subject.which, final_times[t]), quick ? 3 : 100);
       double lowest = HUGE_VAL;
       for (const Shares& shares : row) lowest = std::min(lowest, shares.lowest);
       for (Shares& shares : row)

@@ -41,7 +41,7 @@ PorkchopProblem earth_to_mars(bool quick) {
   p.mu = mu;
   p.from = planet(mu, 1.00000261 * au, 0.01671123, -0.00001531, 100.46457166, 102.93768193, 0);
   p.to = planet(mu, 1.52371034 * au, 0.09339410, 1.84969142, -4.55343205, -23.94362959, 49.55953891);
-  const int count = quick ? 101 : 201;
+  const int count = quick ? 51 : 201;
   p.departures = {1150 * day, 1400 * day, count};
   p.arrivals = {1350 * day, 1750 * day, count};
   return p;
@@ -59,7 +59,7 @@ PorkchopProblem low_to_geostationary(bool quick) {
   p.from = {{{low, 0, 0}, {0, v1, 0}}, leave};
   p.to = {{{-high, 0, 0}, {0, -v2, 0}}, leave + half};
   p.most_revolutions = 2;
-  const int count = quick ? 101 : 241;
+  const int count = quick ? 61 : 241;
   p.departures = {0, 6 * hour, count};
   p.arrivals = {3 * hour, 15 * hour, count};
   return p;

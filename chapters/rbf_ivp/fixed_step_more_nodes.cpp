@@ -53,7 +53,8 @@ void add_curves(std::vector<Curve>& curves, const Case<n>& c, double step, doubl
 
 std::vector<Curve> all_curves(bool quick) {
   std::vector<Curve> curves;
-  add_curves(curves, free_duffing_case(), duffing_period(), 10 * duffing_period(), 80, quick ? 10 : 5);
+  add_curves(curves, free_duffing_case(), duffing_period(), 10 * duffing_period(), quick ? 60 : 80,
+             quick ? 10 : 5);
   add_curves(curves, three_mass_case(), 20, 200, 60, quick ? 10 : 5);
   return curves;
 }

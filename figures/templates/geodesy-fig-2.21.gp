@@ -30,13 +30,13 @@ if (!exists("heading")) heading = \
 if (!exists("azimuth"))   azimuth = 28
 if (!exists("elevation")) elevation = 20
 
-# Each one-row element becomes three variables: ground_x, ground_y, ground_z.
-do for [name in "semi_axes satellite ground foot below normal_tip east_tip"] {
-  do for [axis in "x y z"] {
-    stats data using (strcol("element") eq name ? column(axis) : NaN) nooutput
-    eval sprintf("%s_%s = %.17g", name, axis, STATS_mean)
-  }
-}
+# Each one-row element becomes three variables: ground_x, ground_y, ground_z. One pass over the data writes them down.
+alone = " semi_axes satellite ground foot below normal_tip east_tip "
+values = ""
+noted(name, x, y, z) = strstrt(alone, " " . name . " ") == 0 ? 0 : strlen(values = values \
+    . sprintf("%s_x = %.17g; %s_y = %.17g; %s_z = %.17g; ", name, x, name, y, name, z))
+stats data using (noted(strcol("element"), column("x"), column("y"), column("z"))) nooutput
+eval values
 a = semi_axes_x
 b = semi_axes_z
 

@@ -89,6 +89,9 @@ TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
   const std::vector<Contender> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), euler, false).front().costs.size(), 3u);
   EXPECT_EQ(cost_curves(saddle(1), euler, true).front().costs.size(), 1u);
+  const double enough = 1.0 / (1.1 * static_cast<double>(enough_for_a_look));
+  const std::vector<Contender> seen = {by_steps("euler", {}, Kind::classical, 2.2 * enough, halves, true)};
+  EXPECT_EQ(cost_curves(saddle(1), seen, true).front().costs.size(), 2u) << "a half of that, then twice";
   // Runs of a tenth of that at first, doubled: the fifth is the first dear one, and all are wanted.
   const std::vector<Contender> cheap = {by_steps("euler", {}, Kind::classical, 10 * dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), cheap, false).front().costs.size(), 5u);

@@ -35,21 +35,28 @@ template <class T>
 }
 
 /// d phi/dt at r = t - t_k; 1/time.
-/// @param c shape, 1/time
-/// @param r time since the source t_k, of either sign
+/// @param c     shape, 1/time
+/// @param r     time since the source t_k, of either sign
+/// @param value phi(kernel, c, r), where it is known: that of the Gaussian is used again
 ///
 /// Accuracy: 8 units in the last place in double, times 1 + (c r)^2 for the Gaussian.
 template <class T>
-[[nodiscard]] T phi_dot(Kernel kernel, const T& c, const T& r) {
-  using std::exp, std::sqrt;
+[[nodiscard]] T phi_dot(Kernel kernel, const T& c, const T& r, const T& value) {
+  using std::sqrt;
   const T u = c * r, q = 1 + u * u;
   switch (kernel) {
-    case Kernel::gaussian: return -2 * c * u * exp(-u * u);
+    case Kernel::gaussian: return -2 * c * u * value;
     case Kernel::inverse_quadratic: return -2 * c * u / (q * q);
     case Kernel::multiquadric: return c * u / sqrt(q);
     case Kernel::inverse_multiquadric: return -c * u / (q * sqrt(q));
   }
   throw std::invalid_argument("phi_dot: no such kernel");
+}
+
+/// The same without a known value.
+template <class T>
+[[nodiscard]] T phi_dot(Kernel kernel, const T& c, const T& r) {
+  return phi_dot(kernel, c, r, kernel == Kernel::gaussian ? phi(kernel, c, r) : T(0));
 }
 
 /// As on a command line: "inverse-multiquadric".

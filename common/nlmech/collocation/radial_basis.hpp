@@ -41,7 +41,8 @@ class RadialBasis {
     const Eigen::Index n = times_.size();
     values_.resize(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
-      for (Eigen::Index k = 0; k < n; ++k) values_(j, k) = phi(kernel_, shape_, T(times_[j] - times_[k]));
+      for (Eigen::Index k = 0; k <= j; ++k)
+        values_(k, j) = values_(j, k) = phi(kernel_, shape_, T(times_[j] - times_[k]));
     }
     factorise();
   }
@@ -60,7 +61,8 @@ class RadialBasis {
     const Eigen::Index n = times_.size();
     Matrix<T> result(n, n);
     for (Eigen::Index j = 0; j < n; ++j) {
-      for (Eigen::Index k = 0; k < n; ++k) result(j, k) = phi_dot(kernel_, shape_, T(times_[j] - times_[k]));
+      for (Eigen::Index k = 0; k < n; ++k)
+        result(j, k) = phi_dot(kernel_, shape_, T(times_[j] - times_[k]), values_(j, k));
     }
     return result;
   }

@@ -51,12 +51,14 @@ template <int n>
 /// No curve goes on after a run of more right-hand sides: those after it took most of the time of a
 /// comparison.
 inline constexpr std::int64_t enough_right_hand_sides = 300'000;
+/// The same of a quick look.
+inline constexpr std::int64_t enough_for_a_look = 100'000;
 
 /// Fewer runs show no slope, so that a full comparison has them whatever they take.
 inline constexpr std::size_t least_runs = 3;
 
 /// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
-/// @param quick to the first dear run, even without least_runs
+/// @param quick to enough_for_a_look, even without least_runs
 template <int n>
 [[nodiscard]] std::vector<Curve> cost_curves(const Example<n>& c, const std::vector<Contender>& contenders,
                                              bool quick) {
@@ -65,8 +67,10 @@ template <int n>
     Curve curve{contender.label(), contender.kind, {}};
     for (const Setting& setting : contender.settings) {
       curve.costs.push_back(cost_of(c, setting.text, integrator<n>(contender, setting), quick));
-      const bool dear = curve.costs.back().work.right_hand_sides > enough_right_hand_sides;
-      if (dear && (quick || curve.costs.size() >= least_runs)) break;
+      const std::int64_t right_hand_sides = curve.costs.back().work.right_hand_sides;
+      if (quick ? right_hand_sides > enough_for_a_look
+                : right_hand_sides > enough_right_hand_sides && curve.costs.size() >= least_runs)
+        break;
     }
     curves.push_back(std::move(curve));
   }

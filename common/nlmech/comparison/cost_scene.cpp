@@ -16,8 +16,8 @@ void add_cost_scene(scene::Chapter& chapter, const CostScene& what) {
   const auto& run = chapter.add_run<Costs>(
       "times" + suffix,
       fmt::format("{}; error: median over 16 ends of steps in the last tenth; one thread, median of repeats; "
-                  "a curve ends with its first run of more than {} right-hand sides",
-                  what.reading, enough_right_hand_sides),
+                  "a curve ends with its first run of more than {} right-hand sides, {} with --quick",
+                  what.reading, enough_right_hand_sides, enough_for_a_look),
       {}, [measure = what.measure](scene::Workshop& w) { return measure(w.quick()); });
   chapter.add(
       {.name = "error-vs-time" + suffix,
