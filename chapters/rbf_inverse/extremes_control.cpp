@@ -83,7 +83,7 @@ struct Extremes {
 Extremes compute(bool quick) {
   Extremes all;
   for (const Hard& h : hard_cases()) {
-    if (quick && (h.beta > 10 || h.final_time > 10)) continue;
+    if (quick && (h.beta > 10 || h.final_time > 2)) continue;
     bvp::DuffingSettings settings = printed_settings(h.which, h.final_time);
     settings.beta = h.beta;
     all.hard.push_back({h, duffing_extremals(settings, h.own, {}, {})});

@@ -28,21 +28,18 @@ struct Constraints {
   double penalty_smoothing = 1e-3;      ///< d of the states' bounds
 };
 
-/// H(t, x, u, lambda) = L + lambda^T g with its derivatives by x and u, and the dynamics.
-struct HamiltonianExpansion {
-  double value = 0;          ///< H
-  Eigen::VectorXd g;         ///< dx/dt
-  Eigen::MatrixXd g_x;       ///< its derivatives by x
-  Eigen::MatrixXd g_u;       ///< and by u
-  Eigen::VectorXd gradient;  ///< by x, then u
-  Eigen::MatrixXd hessian;   ///< by x, then u
-};
-
 /// dx/dt = g(t, x, u) with its derivatives by x and u.
 struct LinearDynamics {
   Eigen::VectorXd g;    ///< dx/dt
   Eigen::MatrixXd g_x;  ///< its derivatives by x
   Eigen::MatrixXd g_u;  ///< and by u
+};
+
+/// H(t, x, u, lambda) = L + lambda^T g with its derivatives by x and u, beside those of the dynamics.
+struct HamiltonianExpansion : LinearDynamics {
+  double value = 0;          ///< H
+  Eigen::VectorXd gradient;  ///< by x, then u
+  Eigen::MatrixXd hessian;   ///< by x, then u
 };
 
 /// phi(x(t_0), x(t_F), t_F) with its derivatives by x(t_0), x(t_F), t_F in this order.

@@ -91,19 +91,10 @@ class DualControl final : public ControlModel {
     Second h = cost(Second(t), at, v, Second(mu), c);
     for (int i = 0; i < n; ++i) h += lambda[i] * g[i];
     HamiltonianExpansion e;
+    read_off([&](int i) { return g[i].value; }, e);
     e.value = h.value.value;
-    e.g.resize(n);
-    e.g_x.resize(n, n);
-    e.g_u.resize(n, q);
     e.gradient.resize(n + q);
     e.hessian.resize(n + q, n + q);
-    for (int i = 0; i < n; ++i) {
-      e.g[i] = g[i].value.value;
-      for (int k = 0; k < n; ++k) e.g_x(i, k) = g[i].value.partial[static_cast<std::size_t>(k)];
-      for (int k = 0; k < q; ++k) {
-        e.g_u(i, k) = g[i].value.partial[std::size_t{n} + static_cast<std::size_t>(k)];
-      }
-    }
     for (std::size_t i = 0; i < n + q; ++i) {
       e.gradient[static_cast<int>(i)] = h.value.partial[i];
       for (std::size_t k = 0; k < n + q; ++k) {
@@ -122,15 +113,7 @@ class DualControl final : public ControlModel {
     for (int i = 0; i < n; ++i) at[i] = First::variable(x[i], i);
     for (int i = 0; i < q; ++i) v[i] = First::variable(u[i], n + i);
     problem_.dynamics(First(t), at, v, First(mu), g);
-    linear.g.resize(n);
-    linear.g_x.resize(n, n);
-    linear.g_u.resize(n, q);
-    for (int i = 0; i < n; ++i) {
-      linear.g[i] = g[i].value;
-      for (int k = 0; k < n; ++k) linear.g_x(i, k) = g[i].partial[static_cast<std::size_t>(k)];
-      for (int k = 0; k < q; ++k)
-        linear.g_u(i, k) = g[i].partial[std::size_t{n} + static_cast<std::size_t>(k)];
-    }
+    read_off([&](int i) { return g[i]; }, linear);
   }
 
   /// See ControlModel.
@@ -167,6 +150,21 @@ class DualControl final : public ControlModel {
 
  private:
   using Outer = Dual<double, 2 * n + 2>;  // by z, mu and t
+
+  /// @param g of i: the i-th component of the dynamics with its derivatives by x, then u
+  template <class Component>
+  static void read_off(const Component& g, LinearDynamics& linear) {
+    linear.g.resize(n);
+    linear.g_x.resize(n, n);
+    linear.g_u.resize(n, q);
+    for (int i = 0; i < n; ++i) {
+      const Dual<double, n + q> component = g(i);
+      const Eigen::Map<const Eigen::RowVector<double, n + q>> partial(component.partial.data());
+      linear.g[i] = component.value;
+      linear.g_x.row(i) = partial.head(n);
+      linear.g_u.row(i) = partial.tail(q);
+    }
+  }
 
   /// L with the penalties on the states.
   template <class T>
