@@ -25,9 +25,4 @@ Status hermitian::wrong_branch(std::string_view method, double t, double step, d
                   method, step, t, estimate));
 }
 
-template struct Integrator<System<2>, Hermitian>;
-template struct Integrator<System<4>, Hermitian>;
-template struct Integrator<System<6>, Hermitian>;
-template struct Integrator<System<Eigen::Dynamic>, Hermitian>;
-
 }  // namespace nlmech::ivp

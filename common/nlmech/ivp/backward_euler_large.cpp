@@ -2,9 +2,6 @@
 
 namespace nlmech::ivp {
 
-template struct Integrator<System<1>, BackwardEuler>;
-template struct Integrator<System<2>, BackwardEuler>;
-template struct Integrator<System<3>, BackwardEuler>;
 template struct Integrator<System<4>, BackwardEuler>;
 template struct Integrator<System<6>, BackwardEuler>;
 template struct Integrator<System<Eigen::Dynamic>, BackwardEuler>;
