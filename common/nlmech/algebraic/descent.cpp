@@ -10,8 +10,6 @@ namespace nlmech::algebraic {
 namespace {
 
 constexpr int halvings = 60;  // further ones do not move x
-// |F| sinks by 1 - cos^2/2 at the most for an angle between F and what a step can change; less is rounding.
-constexpr double least_cosine_squared = 1e-15;
 
 class Descent {
  public:

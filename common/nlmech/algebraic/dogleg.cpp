@@ -11,8 +11,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double least_cosine_squared = 1e-15;  // F cannot be made shorter but for rounding
-
 class Hybrid {
  public:
   Hybrid(const Dogleg& method, SolverRun& run)

@@ -15,6 +15,10 @@ namespace nlmech::algebraic {
 void require_option(std::string_view method, bool good, std::string_view option, double value,
                     std::string_view range);
 
+/// |F| sinks by 1 - cos^2/2 at the most for an angle between F and what a step can change. Below this cos^2
+/// it cannot be made shorter but for rounding.
+inline constexpr double least_cosine_squared = 1e-15;
+
 /// One solve under way: the iterate, a trial point, and the report. A solver calls begin(), then makes steps
 /// while go_on(), and ends with finish(). Nothing is allocated between.
 class SolverRun {
