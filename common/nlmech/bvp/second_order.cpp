@@ -1,12 +1,10 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "nlmech/bvp/extremal.hpp"
+#include "nlmech/bvp/second_variation.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -41,7 +39,7 @@ class Variation {
     const MatrixXd start = state_;
     march();
     end_cost(start);
-    return classify();
+    return classify(hessian_, held_);
   }
 
  private:
@@ -102,28 +100,6 @@ class Variation {
     for (int i = 0; i < n_; ++i) {
       if (problem_.task().end[static_cast<std::size_t>(i)]) held_.push_back(state_.row(i));
     }
-  }
-
-  SecondOrder classify() {
-    MatrixXd reduced = hessian_;
-    const auto held = static_cast<Index>(held_.size());
-    if (held > 0) {
-      MatrixXd rows(held, size_);
-      for (Index i = 0; i < held; ++i) rows.row(i) = held_[static_cast<std::size_t>(i)];
-      const MatrixXd q = Eigen::HouseholderQR<MatrixXd>(rows.transpose()).householderQ();
-      const MatrixXd null = q.rightCols(size_ - held);
-      reduced = null.transpose() * hessian_ * null;
-    }
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reduced, Eigen::EigenvaluesOnly);
-    const VectorXd& values = eigen.eigenvalues();
-    SecondOrder result;
-    result.least = values.minCoeff();
-    result.tolerance = 1e-6 * std::max(1.0, values.maxCoeff());
-    result.negative = static_cast<int>((values.array() < -result.tolerance).count());
-    result.kind = result.negative > 0               ? Kind::saddle
-                  : result.least > result.tolerance ? Kind::minimum
-                                                    : Kind::degenerate;
-    return result;
   }
 
   const ExtremalProblem& problem_;
