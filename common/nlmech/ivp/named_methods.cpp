@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "nlmech/collocation/matrix.hpp"
@@ -22,16 +20,14 @@
 #include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/named_integrators.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/ivp/series.hpp"
-#include "nlmech/ivp/step_search.hpp"
 
 namespace nlmech::ivp {
 namespace {
-
-constexpr std::string_view lgl_name = "lgl-coll", radau_name = "radau-coll";
 
 /// A row of Hermitian operators: steps by an estimate of their error, or as given.
 constexpr MethodInfo hermitian_info(const HermitianPair& pair, int order, std::string_view meaning) {
@@ -85,14 +81,14 @@ constexpr std::array methods = {
                false,
                true,
                true},
-    MethodInfo{lgl_name,
+    MethodInfo{named::lgl_name,
                true,
                {},
                "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1",
                false,
                true,
                false},
-    MethodInfo{radau_name,
+    MethodInfo{named::radau_name,
                true,
                {},
                "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3",
@@ -134,169 +130,12 @@ void check(const MethodInfo& method, const Settings& settings) {
     refuse(fmt::format("the nodes must be from 2 to {}, not {}", collocation::max_nodes, *settings.nodes));
 }
 
-/// Relative error of the rate at which a method of fixed step moves along x' = const, for a step; empty if
-/// there is none.
-using RateError = std::function<double(double step)>;
-
-/// Radial functions do not contain the linear ones. With N unknowns D x = h g and g = 1 the state should grow
-/// by h; by how much of h does it miss?
-double rate_error(const RbfCollocation& method) {
-  const collocation::Basis basis = basis_of(method);
-  if (!basis.status().ok()) return HUGE_VAL;
-  const Eigen::Index inner = basis.nodes().size() - 1;
-  const Eigen::VectorXd growth =
-      basis.derivative().bottomRightCorner(inner, inner).lu().solve(Eigen::VectorXd::Ones(inner));
-  return std::abs(growth[inner - 1] - 1);
-}
-
-/// Failure if a wrong rate alone makes an error beyond the tolerance: near the end x a time wrong by
-/// rate (t1 - t0) moves the state by that times f. Halving the step does not show it, if the shape follows
-/// the step.
-template <int n>
-Status check_rate(std::string_view name, const System<n>& system, double rate, double t0, double t,
-                  const State<n>& x, double t1, double tolerance) {
-  State<n> f(x.size());
-  system.rhs(t, x, f);
-  const double drift = rate * std::abs(t1 - t0) * (f.array().abs() / (1 + x.array().abs())).maxCoeff();
-  if (drift <= tolerance) return {};
-  return Status::failure(
-      Outcome::not_converged,
-      fmt::format(
-          "{}: no step meets the tolerance {:.6g}: with this shape a constant rate is wrong by {:.2g} "
-          "of itself, which adds up to {:.2g} at t = {:.6g}; take another shape or more nodes, a larger "
-          "tolerance, or polynomials (lgl-coll, radau-coll)",
-          name, tolerance, rate, drift, t1));
-}
-
-/// A method of fixed step in search of its step.
-template <int n, class Make>
-NamedIntegrator<n> searching(const StepSearch& search, Make make, const RateError& rate, bool rate_is_fixed) {
-  return [=](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
-             const Limits& limits) {
-    const Stopwatch watch;
-    double last = 1;
-    const FixedStepRun<n> run = [&](double step, const Observer<n>& seen, const Limits& left) {
-      last = step;
-      return integrate(system, x0, t0, t1, make(step), seen, left);
-    };
-    // Nothing to be found on an interval without length, or from a state that is not finite.
-    if (t0 == t1 || !x0.allFinite() || !std::isfinite(t1 - t0)) return run(last, observer, limits);
-    Solution<n> s{t0, x0, {}, {}};
-    if (rate_is_fixed) s.status = check_rate(search.name, system, rate(1), t0, t0, x0, t1, search.tolerance);
-    if (s.status.ok()) s = search_step<n>(search, run, t0, x0, t1, observer, limits);
-    if (s.status.ok() && rate)
-      s.status = check_rate(search.name, system, rate(last), t0, s.t, s.x, t1, search.tolerance);
-    s.statistics.seconds = watch.seconds();
-    return s;
-  };
-}
-
-/// A method of fixed step. @param make the aggregate for a step
-template <int n, class Make>
-NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, std::optional<int> order,
-                              Make make, const RateError& rate = {}) {
-  if (settings.step) {
-    return [method = make(*settings.step)](const System<n>& system, const State<n>& x0, double t0, double t1,
-                                           const Observer<n>& observer, const Limits& limits) {
-      return integrate(system, x0, t0, t1, method, observer, limits);
-    };
-  }
-  StepSearch search{std::string(info.name), order, settings.tolerance.value_or(default_tolerance)};
-  // The step of a collocation costs as many steps of another method as there are unknowns in its matrix.
-  if (info.has_nodes)
-    search.most_steps /= std::int64_t{1} * settings.nodes.value_or(7) * settings.nodes.value_or(7);
-  return searching<n>(search, make, rate, rate && !settings.shape);
-}
-
-/// A method that chooses its steps; @p method has all else.
-template <int n, class Method>
-NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
-  method.relative_tolerance = settings.tolerance.value_or(default_tolerance);
-  method.absolute_tolerance = settings.absolute_tolerance.value_or(method.relative_tolerance);
-  check_options(method);
-  return
-      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
-               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
-}
-
-/// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
-template <int n>
-NamedIntegrator<n> by_operators(const HermitianPair& pair, const Settings& settings) {
-  if (!settings.step) return by_tolerance<n>(settings, Hermitian{.operators = pair});
-  const Hermitian method{.operators = pair, .step = *settings.step};
-  return
-      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
-               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
-}
-
-template <int n>
-NamedIntegrator<n> nystroem(const Settings& settings) {
-  const double tolerance = settings.tolerance.value_or(default_tolerance);
-  const Rkn1210 method{.relative_tolerance = tolerance,
-                       .absolute_tolerance = settings.absolute_tolerance.value_or(tolerance)};
-  check_options(method);
-  return
-      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
-               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
-}
-
 template <int n>
 NamedIntegrator<n> transversal(const MethodInfo& info, const Settings& settings) {
   const int points = settings.points.value_or(Mtl{}.points);
   const auto make = [points](double step) { return Mtl{.step = step, .points = points}; };
   check_options(make(1));
-  return fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points), make);
-}
-
-/// Methods with nodes; nothing for another name.
-template <int n>
-NamedIntegrator<n> collocation_by_name(const MethodInfo& info, const Settings& settings) {
-  const double shape = settings.shape.value_or(0);
-  if (info.name == AdaptiveCollocation::name)
-    return by_tolerance<n, AdaptiveCollocation>(settings,
-                                                {.nodes = settings.nodes.value_or(0), .shape = shape});
-  if (info.name == Mcpi::name) {
-    const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
-    return fixed_step<n>(info, settings, {},
-                         [order](double step) { return Mcpi{.step = step, .order = order}; });
-  }
-  const int nodes = settings.nodes.value_or(PolynomialCollocation{}.nodes);
-  if (info.name == RbfCollocation::name) {
-    const auto make = [nodes, shape](double step) {
-      return RbfCollocation{.step = step, .nodes = nodes, .shape = shape};
-    };
-    return fixed_step<n>(info, settings, {}, make, [make](double step) { return rate_error(make(step)); });
-  }
-  const auto polynomials = [&](collocation::NodeFamily points, int order) {
-    return fixed_step<n>(info, settings, order, [nodes, points](double step) {
-      return PolynomialCollocation{.step = step, .nodes = nodes, .points = points};
-    });
-  };
-  if (info.name == lgl_name) return polynomials(collocation::NodeFamily::legendre_gauss_lobatto, nodes - 1);
-  if (info.name == radau_name) return polynomials(collocation::NodeFamily::left_end_and_radau, 2 * nodes - 3);
-  return {};
-}
-
-/// Methods for accelerations; nothing for another name.
-template <int n>
-NamedIntegrator<n> second_order_by_name(const MethodInfo& info, const Settings& settings) {
-  if constexpr (has_halves<n>) {
-    const auto with = [&](auto make) { return fixed_step<n>(info, settings, info.order, make); };
-    if (info.name == Rkn1210::name) return nystroem<n>(settings);
-    if (info.name == CentralDifference::name)
-      return with([](double step) { return CentralDifference{.step = step}; });
-    if (info.name == Newmark::name) return with([](double step) { return Newmark{.step = step}; });
-    if (info.name == Hht::name) return with([](double step) { return Hht{.step = step}; });
-    if (info.name == GeneralizedAlpha::name)
-      return with([](double step) { return GeneralizedAlpha{.step = step}; });
-    for (const HermitianPair& pair : {laier, argyris, hoff, bazzi}) {
-      if (info.name == pair.name) return by_operators<n>(pair, settings);
-    }
-  } else if (info.second_order_only) {
-    throw std::invalid_argument(fmt::format(
-        "{}: it needs positions and as many velocities; a state of {} components has none", info.name, n));
-  }
-  return {};
+  return named::fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points), make);
 }
 
 }  // namespace
@@ -317,7 +156,8 @@ template <int n>
 NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings) {
   const MethodInfo& info = method_info(name);
   check(info, settings);
-  const auto with = [&](auto make) { return fixed_step<n>(info, settings, info.order, make); };
+  using named::by_tolerance;
+  const auto with = [&](auto make) { return named::fixed_step<n>(info, settings, info.order, make); };
   if (info.name == Euler::name) return with([](double step) { return Euler{.step = step}; });
   if (info.name == BackwardEuler::name) return with([](double step) { return BackwardEuler{.step = step}; });
   if (info.name == Rk4::name) return with([](double step) { return Rk4{.step = step}; });
@@ -329,8 +169,8 @@ NamedIntegrator<n> named_integrator(std::string_view name, const Settings& setti
     return by_tolerance<n, Series>(settings, {.order = order, .step = step});
   }
   if (info.name == Mtl::name) return transversal<n>(info, settings);
-  if (auto method = collocation_by_name<n>(info, settings)) return method;
-  return second_order_by_name<n>(info, settings);
+  if (auto method = named::by_collocation<n>(info, settings)) return method;
+  return named::for_accelerations<n>(info, settings);
 }
 
 template NamedIntegrator<1> named_integrator<1>(std::string_view, const Settings&);
