@@ -1,53 +1,9 @@
 #include "chapters/algebraic_series/examples.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <memory>
-#include <numbers>
-#include <string>
-#include <type_traits>
-
-#include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/support/errors.hpp"
+#include "chapters/algebraic_series/example_of.hpp"
 
 namespace nlmech::chapters {
 namespace {
-
-// Lorenz's motion loses sixteen digits in 40 units of time. The strong oscillator loses six in 750; 64 bits
-// are left with 4e-14 there, a thousandth of what double can reach, in a twentieth of the time.
-using Digits35 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<35>, boost::multiprecision::et_off>;
-
-/// @tparam Problem the equation; its parameters are taken in the precision of the reference
-/// @tparam Extended precision of the reference
-/// @param t0 begin, @param duration of the example, @param beyond how far the reference goes on
-template <template <class> class Problem, class Extended = Digits35, int n = Problem<double>::dimension>
-comparison::Example<n> make(const std::type_identity_t<Extended>& t0, double duration, double beyond) {
-  using Trajectory = problems::ReferenceTrajectory<Extended, Problem<Extended>>;
-  constexpr int size = Problem<double>::dimension;
-  const auto x0 = Problem<double>::initial_state();
-  const auto trajectory = std::make_shared<const Trajectory>(
-      Problem<Extended>{}, Vector<Extended, size>(x0.template cast<Extended>()), t0, t0 + duration + beyond);
-  if (!trajectory->status().ok()) throw Failure(trajectory->status());
-  // Times are doubles; that of the begin is not pi but the double next to it.
-  const auto begin = static_cast<double>(t0);
-  const auto at = [trajectory, t0, begin](double t) -> Vector<long double, n> {
-    const Extended exact = t == begin ? t0 : Extended(t);
-    return (*trajectory)(exact).template cast<long double>();
-  };
-  ivp::State<n> amplitude = at(begin).template cast<double>().cwiseAbs();
-  constexpr int samples = 4000;
-  for (int i = 1; i <= samples; ++i) {
-    const Vector<long double, n> x = at(begin + duration * i / samples);
-    amplitude = amplitude.cwiseMax(x.template cast<double>().cwiseAbs());
-  }
-  return {.name = std::string(Problem<double>::name),
-          .system = ivp::System<n>(Problem<double>{}),
-          .x0 = x0,
-          .t0 = begin,
-          .t1 = begin + duration,
-          .amplitude = amplitude,
-          .reference = at};
-}
 
 template <class Real>
 using FourBodies = problems::BasicBodies<Real, 4>;
@@ -55,23 +11,12 @@ using FourBodies = problems::BasicBodies<Real, 4>;
 }  // namespace
 
 const comparison::Example<3>& lorenz_example() {
-  static const auto example = make<problems::BasicLorenz>(0, 20, 20);
-  return example;
-}
-
-const comparison::Example<2>& forced_duffing_example() {
-  static const auto example = make<problems::BasicForcedDuffing>(0, 50, 50);
-  return example;
-}
-
-const comparison::Example<2>& oscillator_example() {
-  static const auto example =
-      make<problems::BasicStrongOscillator, long double>(std::numbers::pi_v<long double>, 375, 375);
+  static const auto example = example_of<problems::BasicLorenz>(0, 20, 20);
   return example;
 }
 
 const comparison::Example<Eigen::Dynamic>& bodies_example() {
-  static const auto example = make<FourBodies, Digits35, Eigen::Dynamic>(0, 3000, 0);
+  static const auto example = example_of<FourBodies, Digits35, Eigen::Dynamic>(0, 3000, 0);
   return example;
 }
 

@@ -16,6 +16,15 @@
 #include "nlmech/problems/strong_oscillator.hpp"
 #include "nlmech/scene/csv.hpp"
 
+namespace nlmech::comparison {
+
+// In own_problems.cpp.
+extern template std::unique_ptr<OwnProblem> own_problem<problems::Lorenz>();
+extern template std::unique_ptr<OwnProblem> own_problem<problems::Projectile>();
+extern template std::unique_ptr<OwnProblem> own_problem<problems::FourBodies>();
+
+}  // namespace nlmech::comparison
+
 namespace nlmech::chapters {
 namespace {
 

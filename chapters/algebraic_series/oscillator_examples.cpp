@@ -1,0 +1,19 @@
+#include <numbers>
+
+#include "chapters/algebraic_series/example_of.hpp"
+#include "chapters/algebraic_series/examples.hpp"
+
+namespace nlmech::chapters {
+
+const comparison::Example<2>& forced_duffing_example() {
+  static const auto example = example_of<problems::BasicForcedDuffing>(0, 50, 50);
+  return example;
+}
+
+const comparison::Example<2>& oscillator_example() {
+  static const auto example =
+      example_of<problems::BasicStrongOscillator, long double>(std::numbers::pi_v<long double>, 375, 375);
+  return example;
+}
+
+}  // namespace nlmech::chapters
