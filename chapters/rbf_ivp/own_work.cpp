@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "chapters/rbf_ivp/chapter.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
@@ -8,6 +10,16 @@
 #include "nlmech/problems/robertson.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+
+namespace nlmech::comparison {
+
+// In own_problems.cpp.
+extern template std::unique_ptr<OwnProblem> own_problem<problems::VanDerPol>();
+extern template std::unique_ptr<OwnProblem> own_problem<problems::BlowUp>();
+extern template std::unique_ptr<OwnProblem> own_problem<problems::Robertson>();
+extern template std::unique_ptr<OwnProblem> own_problem<problems::Hires>();
+
+}  // namespace nlmech::comparison
 
 namespace nlmech::chapters {
 

@@ -1,6 +1,11 @@
-#include "chapters/rbf_ivp/collocation_equations.hpp"
+/// @file
+/// Members of CollocationEquations. Included where it is instantiated, once a size.
+#pragma once
 
 #include <Eigen/LU>
+#include <utility>
+
+#include "chapters/rbf_ivp/collocation_equations.hpp"
 
 namespace nlmech::chapters {
 
@@ -123,8 +128,5 @@ void CollocationEquations<n>::slopes(const Eigen::VectorXd& x) {
   states_ = as_states(x);
   system_.rhs(times_, states_, slopes_);
 }
-
-template class CollocationEquations<2>;
-template class CollocationEquations<6>;
 
 }  // namespace nlmech::chapters
