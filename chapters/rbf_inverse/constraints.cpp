@@ -101,7 +101,8 @@ struct Through {
 };
 
 std::vector<Through> through(bool quick) {
-  const bvp::DuffingStarts fewer = {.unforced = 6, .direct = 4, .random = 0};
+  const bvp::DuffingStarts fewer = {
+      .constants = false, .unforced = 6, .pumps = 1, .direct = 3, .random = 0, .driven = 0};
   std::vector<Through> all;
   for (const double value : {0.0, 1.0, -1.0}) {
     bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed, end_time);

@@ -60,7 +60,8 @@ std::string time_label(double final_time) { return fmt::format("T = {:g}", final
 namespace {
 
 Extremals find_all(double final_time, bool quick) {
-  const bvp::DuffingStarts fewer = {.unforced = 6, .direct = 4, .random = 1};
+  const bvp::DuffingStarts fewer = {
+      .constants = false, .unforced = 6, .pumps = 1, .direct = 3, .random = 1, .driven = 0};
   Extremals all;
   for (const DuffingCase which : bvp::duffing_cases())
     all.push_back(
