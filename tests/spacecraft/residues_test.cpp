@@ -43,6 +43,19 @@ TEST(ExponentialSum, SamplesAreItsValues) {
   }
 }
 
+// Terms turn four at a time; the rest turn alone.
+TEST(ExponentialSum, SamplesTakeAnyNumberOfTerms) {
+  std::vector<Complex> poles, weights;
+  for (int k = 1; k <= 9; ++k) {
+    poles.emplace_back(-0.1 * k, k);
+    weights.emplace_back(1.0 / k, 0.5);
+    const ExponentialSum f{{1, 0, 0}, poles, weights};
+    const std::vector<double> samples = f.samples(0, 0.05, 130);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      EXPECT_NEAR(samples[i], f.value(0.05 * static_cast<double>(i)), 1e-13 * f.envelope(0)) << k;
+  }
+}
+
 TEST(ExponentialSum, RefusesBadInput) {
   EXPECT_THROW(ExponentialSum({}, {1.}, {}), std::invalid_argument);
   EXPECT_THROW(ExponentialSum({std::nan(""), 0, 0}, {}, {}), std::invalid_argument);

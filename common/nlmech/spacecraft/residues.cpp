@@ -78,9 +78,9 @@ double largest_of(const std::vector<double>& values, double sign) {
 
 /// The largest value of sign * f in an interval: the terms that matter say near which samples it lies, terms
 /// down to 1e-7 which of those, and the whole sum where.
-Extreme maximum(const ExponentialSum& f, double sign, double from, double until) {
+/// @param coarse samples of the terms that matter
+Extreme maximum(const ExponentialSum& f, const Sampled& coarse, double sign, double from, double until) {
   const double size = f.envelope(from);
-  const Sampled coarse = sampled(f, 2e-4 * size, from, until, 4e6);
   const double enough = largest_of(coarse.values, sign) - 2 * coarse.slack;
   std::vector<Extreme> candidates = {{from, f.value(from)}, {until, f.value(until)}};
   double largest = std::max(sign * candidates[0].value, sign * candidates[1].value), slack = 0, width = 0;
@@ -164,25 +164,45 @@ double ExponentialSum::value(double time, int order) const {
   return 2 * sum + (order > 2 ? 0 : smooth);
 }
 
+template <std::size_t together>
+void ExponentialSum::add_terms(std::size_t end, double first, double step,
+                               std::vector<double>& values) const {
+  constexpr std::size_t block = 64;  // a turn's rounding grows no further
+  std::array<double, together> re, im, turn_re, turn_im;
+  for (std::size_t j = 0; j < together; ++j) {
+    const Complex turn = std::exp(poles_[end - 1 - j] * step);
+    turn_re[j] = turn.real();
+    turn_im[j] = turn.imag();
+  }
+  for (std::size_t begin = 0; begin < values.size(); begin += block) {
+    const double t = first + static_cast<double>(begin) * step;
+    for (std::size_t j = 0; j < together; ++j) {
+      const Complex term = 2. * weights_[end - 1 - j] * std::exp(poles_[end - 1 - j] * t);
+      re[j] = term.real();
+      im[j] = term.imag();
+    }
+    for (std::size_t i = begin; i < std::min(begin + block, values.size()); ++i) {
+      for (std::size_t j = 0; j < together; ++j) {
+        values[i] += re[j];
+        // Written out: the library's product looks for infinities.
+        const double real = re[j] * turn_re[j] - im[j] * turn_im[j];
+        im[j] = re[j] * turn_im[j] + im[j] * turn_re[j];
+        re[j] = real;
+      }
+    }
+  }
+}
+
 std::vector<double> ExponentialSum::samples(double first, double step, std::size_t count) const {
-  constexpr std::size_t block = 64;
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = first + static_cast<double>(i) * step;
     values[i] = polynomial_[0] + t * (polynomial_[1] + t * polynomial_[2]);
   }
-  for (std::size_t k = poles_.size(); k-- > 0;) {
-    const Complex turn = std::exp(poles_[k] * step);
-    Complex term;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i % block == 0)
-        term = 2. * weights_[k] * std::exp(poles_[k] * (first + static_cast<double>(i) * step));
-      values[i] += term.real();
-      // Written out: the library's product looks for infinities.
-      term = {term.real() * turn.real() - term.imag() * turn.imag(),
-              term.real() * turn.imag() + term.imag() * turn.real()};
-    }
-  }
+  constexpr std::size_t together = 4;  // one term waits for its last product; four keep the processor busy
+  std::size_t left = poles_.size();
+  for (; left >= together; left -= together) add_terms<together>(left, first, step, values);
+  for (; left > 0; --left) add_terms<1>(left, first, step, values);
   return values;
 }
 
@@ -234,7 +254,8 @@ Extremes extremes(const ExponentialSum& f, double from, double until) {
   if (!(from >= 0 && until > from && std::isfinite(until)))
     throw std::invalid_argument(
         fmt::format("extremes: from {:g} until {:g} s is no interval of times", from, until));
-  return {maximum(f, -1, from, until), maximum(f, 1, from, until)};
+  const Sampled coarse = sampled(f, 2e-4 * f.envelope(from), from, until, 4e6);
+  return {maximum(f, coarse, -1, from, until), maximum(f, coarse, 1, from, until)};
 }
 
 Settling settling_time(const ExponentialSum& f, double final_value, double band, double latest) {

@@ -89,47 +89,68 @@ Tracking::Tracking(const ClosedLoop& loop, const SmoothTurn& turn, TrackingLaw l
   }
 }
 
-Complex Tracking::convolution(Complex p, double time, int order) const {
-  const double end = std::min(time, turn_.duration());
+struct Tracking::Course {
+  static constexpr int pieces = 8;
+
+  Course(const SmoothTurn& turn, double at) : time(at), end(std::min(at, turn.duration())) {
+    for (std::size_t i = 0; i < turn.coefficients_.size(); ++i) {
+      at_begin.push_back(turn.polynomial(0, static_cast<int>(i)));
+      at_end.push_back(turn.polynomial(end, static_cast<int>(i)));
+    }
+    const double half = end / pieces / 2;
+    points.reserve(2 * pieces * gauss_rule.size());
+    for (int i = 0; i < pieces; ++i) {
+      for (const GaussPair& g : gauss_rule) {
+        for (const double side : {-g.place, g.place}) {
+          const double tau = (2 * i + 1 + side) * half;
+          points.push_back({tau, g.weight * half, turn.polynomial(tau, 1)});
+        }
+      }
+    }
+  }
+
+  /// r' at a point of Gauss's rule.
+  struct Point {
+    double tau, weight, rate;
+  };
+  double time, end;                      ///< the turn ends before, or is cut there
+  std::vector<double> at_begin, at_end;  ///< r and its derivatives
+  std::vector<Point> points;
+};
+
+Complex Tracking::convolution(Complex p, const Course& course, int order) const {
+  const double end = course.end;
   Complex sum = 0;
   if (std::abs(p) * end > 20) {
     // By parts: a polynomial's derivatives end.
     const Complex decay = std::exp(p * end);
     Complex power = p;
-    for (int i = order; i < static_cast<int>(turn_.coefficients_.size()); ++i) {
-      sum += (decay * turn_.polynomial(0, i) - turn_.polynomial(end, i)) / power;
+    for (auto i = static_cast<std::size_t>(order); i < course.at_end.size(); ++i) {
+      sum += (decay * course.at_begin[i] - course.at_end[i]) / power;
       power *= p;
     }
   } else {
     // Gauss's rule with 10 points on 8 pieces, |p h| <= 2.5: the remainder is below rounding. Of r', which
     // has one sign: higher derivatives would cancel for a short turn. Their integrals follow by parts.
-    constexpr int pieces = 8;
-    const double half = end / pieces / 2;
-    for (int i = 0; i < pieces; ++i) {
-      for (const GaussPair& g : gauss_rule) {
-        for (const double side : {-g.place, g.place}) {
-          const double tau = (2 * i + 1 + side) * half;
-          sum += g.weight * half * std::exp(p * (end - tau)) * turn_.polynomial(tau, 1);
-        }
-      }
-    }
+    for (const Course::Point& g : course.points) sum += g.weight * std::exp(p * (end - g.tau)) * g.rate;
     for (int i = 1; i < order; ++i) sum = turn_.value(end, i) + p * sum;
   }
-  return time > end ? sum * std::exp(p * (time - end)) : sum;
+  return course.time > end ? sum * std::exp(p * (course.time - end)) : sum;
 }
 
 TrackedMotion Tracking::at(double time) const {
   if (!(time >= 0) || !std::isfinite(time))
     throw std::invalid_argument(fmt::format("Tracking: time {:g}; it must be at least 0", time));
+  const Course course(turn_, time);
   double error = 0, rate = 0;
   std::vector<double> y(quasi_static_.size(), 0);
   for (std::size_t k = terms_.size(); k-- > 0;) {
     const Term& term = terms_[k];
-    const Complex driven = convolution(term.pole, time, error_order_);
+    const Complex driven = convolution(term.pole, course, error_order_);
     error += 2 * (term.error * driven).real();
     rate += 2 * (term.error * term.pole * driven).real();
     const Complex bending =
-        deflection_order_ == error_order_ ? driven : convolution(term.pole, time, deflection_order_);
+        deflection_order_ == error_order_ ? driven : convolution(term.pole, course, deflection_order_);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += 2 * (term.deflection[i] * bending).real();
   }
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += quasi_static_[i] * turn_.value(time, 2);

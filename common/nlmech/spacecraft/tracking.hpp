@@ -32,7 +32,7 @@ class SmoothTurn {
   [[nodiscard]] double value(double time, int order = 0) const;
 
  private:
-  friend class Tracking;
+  friend class Tracking;  // and its Course
   [[nodiscard]] double polynomial(double time, int order) const;
   double angle_, duration_;
   int smoothness_;
@@ -84,7 +84,9 @@ class Tracking {
     Complex pole, error;
     std::vector<Complex> deflection;
   };
-  [[nodiscard]] Complex convolution(Complex pole, double time, int order) const;
+  /// What the integrals of all poles want of the turn up to one time.
+  struct Course;
+  [[nodiscard]] Complex convolution(Complex pole, const Course& course, int order) const;
 
   SmoothTurn turn_;
   int error_order_, deflection_order_;  ///< the derivative of r that drives each
