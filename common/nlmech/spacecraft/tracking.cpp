@@ -98,7 +98,7 @@ struct Tracking::Course {
       at_end.push_back(turn.polynomial(end, static_cast<int>(i)));
     }
     const double half = end / pieces / 2;
-    points.reserve(2 * pieces * gauss_rule.size());
+    points.reserve(std::size_t{2} * pieces * gauss_rule.size());
     for (int i = 0; i < pieces; ++i) {
       for (const GaussPair& g : gauss_rule) {
         for (const double side : {-g.place, g.place}) {
