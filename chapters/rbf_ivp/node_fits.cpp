@@ -1,5 +1,5 @@
-#include <Eigen/QR>
 #include <algorithm>
+#include <utility>
 
 #include "chapters/rbf_ivp/collocation_equations.hpp"
 #include "chapters/rbf_ivp/node_variants.hpp"
@@ -28,11 +28,8 @@ Eigen::MatrixXd detail::residual_columns(const Arc<n>& arc, const TrialSpace& sp
   return r;
 }
 
-namespace {
-
-/// Errors, residuals and curvature of a solution.
 template <int n>
-Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
+Fit detail::judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
   Fit fit;
   const auto size = [&](const ivp::State<n>& x) {
     return x.cwiseQuotient(arc.example->amplitude).cwiseAbs().maxCoeff();
@@ -40,7 +37,7 @@ Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
   const auto error = [&](double tau, const Eigen::RowVectorXd& x) {
     return size(ivp::State<n>(x.transpose()) - reference_state(arc, tau));
   };
-  const Eigen::MatrixXd x = space.values * states, r = detail::residual_columns(arc, space, states),
+  const Eigen::MatrixXd x = space.values * states, r = residual_columns(arc, space, states),
                         bend = space.slopes * (space.derivative * states);
   fit.largest_error = 0;
   fit.residuals.resize(x.rows());
@@ -58,8 +55,6 @@ Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
   return fit;
 }
 
-}  // namespace
-
 template <int n>
 Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
   CollocationEquations<n> equations(arc.example->system, space.nodes, space.derivative, Form::printed);
@@ -72,43 +67,14 @@ Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
   states.row(0) = x0.transpose();
   states.bottomRows(states.rows() - 1) =
       Eigen::Map<const Eigen::MatrixXd>(x.data(), x0.size(), states.rows() - 1).transpose();
-  return judged(arc, space, std::move(states));
-}
-
-template <int n>
-Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
-  Fit start = collocate(arc, space);
-  if (!start.converged) return start;
-  const Eigen::Index m = space.checks.size(), s = space.nodes.size() - 1, d = arc.example->x0.size();
-  const Eigen::VectorXd root_weights = gauss_weights(m).cwiseSqrt();
-  Eigen::MatrixXd states = start.states, b(m * d, s * d);
-  ivp::Jacobian<n> j = ivp::Jacobian<n>::Zero(d, d);
-  for (int k = 0; k < 20; ++k) {
-    Eigen::MatrixXd r = detail::residual_columns(arc, space, states);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const ivp::State<n> x = (space.values.row(i) * states).transpose();
-      arc.example->system.jacobian(arc.t0 + arc.h * space.checks[i], x, j);
-      for (Eigen::Index c = 0; c < s; ++c) {
-        auto block = b.block(i * d, c * d, d, d);
-        block = -arc.h * space.values(i, c + 1) * j;
-        block.diagonal().array() += space.slopes(i, c + 1);
-        block *= root_weights[i];
-      }
-      r.col(i) *= root_weights[i];
-    }
-    const Eigen::VectorXd update =
-        b.householderQr().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
-    states.bottomRows(s) -= Eigen::Map<const Eigen::MatrixXd>(update.data(), d, s).transpose();
-    if (!update.allFinite()) return {};
-    if (update.cwiseAbs().maxCoeff() < 1e-12) return judged(arc, space, std::move(states));
-  }
-  return {};
+  return detail::judged(arc, space, std::move(states));
 }
 
 template Eigen::MatrixXd detail::residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
+template Eigen::MatrixXd detail::residual_columns(const Arc<6>&, const TrialSpace&, const Eigen::MatrixXd&);
 template Fit collocate(const Arc<2>&, const TrialSpace&);
 template Fit collocate(const Arc<6>&, const TrialSpace&);
-template Fit least_squares(const Arc<2>&, const TrialSpace&);
-template Fit least_squares(const Arc<6>&, const TrialSpace&);
+template Fit detail::judged(const Arc<2>&, const TrialSpace&, Eigen::MatrixXd);
+template Fit detail::judged(const Arc<6>&, const TrialSpace&, Eigen::MatrixXd);
 
 }  // namespace nlmech::chapters

@@ -78,6 +78,10 @@ namespace detail {
 template <int n>
 Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space, const Eigen::MatrixXd& states);
 
+/// Errors, residuals and curvature of a solution. @param states a row for each node
+template <int n>
+Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states);
+
 }  // namespace detail
 
 /// Collocation (Eq. 4.16) at the nodes but the first, by damped Newton iteration from the constant state.

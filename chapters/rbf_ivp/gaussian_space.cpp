@@ -5,7 +5,6 @@
 
 #include "chapters/rbf_ivp/extended.hpp"
 #include "chapters/rbf_ivp/node_variants.hpp"
-#include "nlmech/collocation/barycentric.hpp"
 
 namespace nlmech::chapters {
 
@@ -39,18 +38,6 @@ TrialSpace gaussians(const VectorXd& nodes, const VectorXd& shapes) {
   const Square rows = Square(phi.transpose()).partialPivLu().solve(right);
   const MatrixXd all = rows.transpose().cast<double>();
   return {nodes, all.topRows(n), checks, all.middleRows(n, m), all.bottomRows(m)};
-}
-
-TrialSpace polynomials(const VectorXd& nodes) {
-  const VectorXd checks = check_points(nodes.size()), weights = collocation::barycentric_weights(nodes);
-  MatrixXd values(checks.size(), nodes.size());
-  collocation::RowVector<double> row;
-  for (Index i = 0; i < checks.size(); ++i) {
-    collocation::polynomial_row(nodes, weights, checks[i], row);
-    values.row(i) = row;
-  }
-  const MatrixXd derivative = collocation::polynomial_differentiation_matrix(nodes);
-  return {nodes, derivative, checks, values, values * derivative};
 }
 
 }  // namespace nlmech::chapters
