@@ -9,7 +9,7 @@
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "tests/ivp/methods.hpp"
-#include "tests/ivp/mtl.hpp"
+#include "tests/ivp/mtl_run.hpp"
 
 namespace nlmech::ivp {
 namespace {

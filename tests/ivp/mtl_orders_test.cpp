@@ -8,7 +8,7 @@
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/methods.hpp"
-#include "tests/ivp/mtl.hpp"
+#include "tests/ivp/mtl_run.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::ivp {

@@ -10,7 +10,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/two_dof.hpp"
 #include "tests/ivp/methods.hpp"
-#include "tests/ivp/mtl.hpp"
+#include "tests/ivp/mtl_run.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::ivp {
