@@ -203,7 +203,8 @@ scene::Showing show(const Measured& m, bool quick) {
   };
   // A decade says less than two.
   const double scatter = quick ? 0.45 : 0.25;
-  const char* walk = "Brouwer's law; root mean squares of eight walks scatter by a quarter";
+  const char* walk =
+      "Brouwer's law; root mean squares of eight walks scatter by a quarter, of four by a third";
   const char* line = "the same share in every step; the walk of rounding is still felt at 100 orbits";
   const auto end = [&](double e, const std::string& name) { return m.of(e, name).energy.back(); };
   const std::string division = "division", compensated = "division, compensated",
@@ -250,7 +251,8 @@ scene::Showing show(const Measured& m, bool quick) {
 void add_drift(scene::Chapter& chapter) {
   const auto& run = chapter.add_run<Measured>(
       "drift",
-      "units a = 1, mu = 1; root mean square over 8 starts along the orbit, and for rounded reciprocals, "
+      "units a = 1, mu = 1; root mean square over 8 starts along the orbit, 4 with --quick, and for rounded "
+      "reciprocals, "
       "whose drift is systematic and whose plain loops are slow, 2 at e = 0.1 and 1 at e = 0.7; states after "
       "whole orbits; fixed steps are rounded to 30 bits, so that times are exact",
       {}, [](Workshop& w) { return measure(w.quick()); });
