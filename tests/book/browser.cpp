@@ -13,7 +13,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
+#include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace nlmech::tests {
@@ -56,10 +58,25 @@ void wait_for(int descriptor, short what, Deadline deadline) {
   }
 }
 
-pid_t start(const std::vector<std::string>& words, int commands, int answers) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
+/// As the kernel wants lists of words.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Our environment, but for the folder of temporary files.
+std::vector<std::string> environment_with_temporary_files_in(const std::string& folder) {
+  std::vector<std::string> settings = {"TMPDIR=" + folder};
+  for (char** setting = environ; *setting != nullptr; ++setting) {
+    if (!std::string_view(*setting).starts_with("TMPDIR=")) settings.emplace_back(*setting);
+  }
+  return settings;
+}
+
+pid_t start(std::vector<std::string> words, std::vector<std::string> settings, int commands, int answers) {
+  const std::vector<char*> arguments = pointers_to(words), environment = pointers_to(settings);
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&actions);
@@ -72,7 +89,8 @@ pid_t start(const std::vector<std::string>& words, int commands, int answers) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // a group of its own, to be ended as one
   posix_spawnattr_setpgroup(&attributes, 0);
   pid_t process = -1;
-  const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+  const int error =
+      ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) fail("cannot start " + words.front(), error);
@@ -108,7 +126,7 @@ Browser::Browser(const std::string& program) {
        "--remote-debugging-pipe", "--user-data-dir=" + name, "--no-first-run", "--disable-extensions",
        "--disable-sync", "--disable-component-update", "--disable-background-networking",
        "--host-resolver-rules=MAP * ~NOTFOUND", "--no-proxy-server", "about:blank"},
-      commands_end, answers_end);
+      environment_with_temporary_files_in(name), commands_end, answers_end);
   ::close(commands_end);
   ::close(answers_end);
 }
@@ -118,8 +136,11 @@ Browser::~Browser() {
   ::close(from_);
   ::kill(-process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
-  std::error_code ignored;  // a process that is still ending may hold a file
-  fs::remove_all(folder_, ignored);
+  // The browser's other processes are not our children: one that is still ending may write a last file.
+  const Deadline deadline = in_seconds(10);
+  std::error_code error;
+  while (fs::remove_all(folder_, error), error && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 void Browser::write_message(const std::string& text, Deadline deadline) {

@@ -31,8 +31,8 @@ using Deadline = std::chrono::steady_clock::time_point;
 /// The program of an installed Chromium, or nothing.
 [[nodiscard]] std::optional<std::string> find_chromium();
 
-/// A running browser, with a folder of its own for its data. Nothing that it does reaches the network; it is
-/// gone, with all its processes, when this object is.
+/// A running browser, with a folder of its own for its data and temporary files. Nothing that it does reaches
+/// the network; it is gone, with all its processes, when this object is.
 ///
 /// Commands go to the descriptor 3 of its process and answers and events come from its descriptor 4, as JSON
 /// that ends with a zero byte (option --remote-debugging-pipe).

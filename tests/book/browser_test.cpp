@@ -1,14 +1,14 @@
 /// The check of the book's pages finds what it is there for: each page of the folder fixture/ is broken in
 /// one way.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "tests/book/browser.hpp"
 #include "tests/book/page_check.hpp"
 #include "tests/places.hpp"
+#include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::tests {
 namespace {
@@ -21,26 +21,21 @@ class PageCheck : public testing::Test {
   void SetUp() override {
     program_ = find_chromium();
     if (!program_) GTEST_SKIP() << "no Chromium is installed (Debian package chromium)";
-    folder_ = fs::temp_directory_path() / ("nlmech-pages-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     for (const char* name : {"good.html", "a picture.svg"}) copy(name);
   }
-  void TearDown() override {
-    if (!folder_.empty()) fs::remove_all(folder_);
-  }
   void copy(const std::string& name) {
-    fs::copy_file(fs::path(NLMECH_SOURCE_DIR) / "tests/book/fixture" / name, folder_ / name);
+    fs::copy_file(fs::path(NLMECH_SOURCE_DIR) / "tests/book/fixture" / name, pages_ / name);
   }
   [[nodiscard]] std::set<Finding> findings(double seconds = 30) const {
-    return check_pages(*program_, folder_, {.seconds = seconds}).findings;
+    return check_pages(*program_, pages_.path(), {.seconds = seconds}).findings;
   }
 
   std::optional<std::string> program_;
-  fs::path folder_;
+  TemporaryFolder pages_;
 };
 
 TEST_F(PageCheck, FindsNothingOnAGoodPage) {
-  const Checked checked = check_pages(*program_, folder_);
+  const Checked checked = check_pages(*program_, pages_.path());
   EXPECT_EQ(checked.pages, std::vector<std::string>{"good.html"});
   EXPECT_TRUE(checked.findings.empty()) << summary(checked.findings);
 }
@@ -49,7 +44,7 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
   const std::map<std::string, std::pair<std::string, std::vector<std::string>>> broken = {
       {"link.html",
        {"link",
-        {"leads out of the book: " + fs::canonical(folder_).parent_path().string() + "/outside.html",
+        {"leads out of the book: " + fs::canonical(pages_.path()).parent_path().string() + "/outside.html",
          "leads to no file: no-such-page.html", "leads to no place on its page: good.html#no-such-place"}}},
       // Friends and nested classes that Doxygen gives no place are no findings, all others are.
       {"friends.html",
@@ -69,7 +64,7 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
   for (const auto& [page, what] : broken) {
     for (const std::string& text : what.second) expected.insert({page, what.first, text});
   }
-  const std::string at = "file://" + fs::canonical(folder_).string() + "/";
+  const std::string at = "file://" + fs::canonical(pages_.path()).string() + "/";
   const std::string missing = "Failed to load resource: net::ERR_FILE_NOT_FOUND " + at;
   expected.insert({"console.html", "error", "console: \"said on purpose\""});
   expected.insert({"image.html", "image", "no-such-picture.svg"});
@@ -87,18 +82,33 @@ TEST_F(PageCheck, GivesUpAPageThatHangsAndGoesOn) {
   EXPECT_EQ(std::next(found.begin())->page, "width.html");
 }
 
+/// Command lines of running processes in which a text stands. One that has ended has none.
+std::vector<std::string> commands_with(const std::string& text) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string command = bytes_of(entry.path() / "cmdline");
+    if (command.find(text) != std::string::npos) found.push_back(command);
+  }
+  return found;
+}
+
 TEST_F(PageCheck, LeavesNoBrowserBehind) {
-  const fs::path temporary = fs::temp_directory_path();
-  const auto browsers = [&temporary] {
-    std::ptrdiff_t count = 0;
-    for (const auto& entry : fs::directory_iterator(temporary)) {
-      if (entry.path().filename().string().starts_with("nlmech-browser-")) ++count;
-    }
-    return count;
-  };
-  const std::ptrdiff_t before = browsers();
+  const TemporaryFolder own;  // what tests beside this one start is elsewhere
+  const TemporaryFilesIn there(own.path());
+  {
+    Browser browser(*program_);
+    browser.call("Browser.getVersion", nlohmann::json::object(), "", in_seconds(60));
+    EXPECT_FALSE(fs::is_empty(own.path()));
+    EXPECT_FALSE(commands_with(own.string()).empty());
+  }
+  EXPECT_TRUE(fs::is_empty(own.path()));
   (void)findings();
-  EXPECT_EQ(browsers(), before);
+  EXPECT_TRUE(fs::is_empty(own.path()));
+  // Nobody waits for the processes of the killed group: they need a moment to end.
+  const Deadline deadline = in_seconds(20);
+  while (!commands_with(own.string()).empty() && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(commands_with(own.string()), std::vector<std::string>{});
 }
 
 TEST(Browser, IsLostIfItsProgramEnds) {
@@ -107,15 +117,13 @@ TEST(Browser, IsLostIfItsProgramEnds) {
 }
 
 TEST(Browser, IsLostIfItDoesNotAnswer) {
-  const fs::path script = fs::temp_directory_path() / ("nlmech-mute-" + std::to_string(::getpid()));
-  std::ofstream(script) << "#!/bin/sh\nexec sleep 60\n";
+  const TemporaryFolder folder;
+  const fs::path script = folder / "mute";
+  put(script, "#!/bin/sh\nexec sleep 60\n");
   fs::permissions(script, fs::perms::owner_all);
-  {
-    Browser browser(script.string());
-    EXPECT_THROW(browser.call("Browser.getVersion", nlohmann::json::object(), "", in_seconds(0.5)),
-                 BrowserLost);
-  }
-  fs::remove(script);
+  Browser browser(script.string());
+  EXPECT_THROW(browser.call("Browser.getVersion", nlohmann::json::object(), "", in_seconds(0.5)),
+               BrowserLost);
 }
 
 TEST(Summary, SaysOnHowManyPages) {

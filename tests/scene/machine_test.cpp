@@ -21,16 +21,6 @@ using tests::TemporaryFolder;
 /// A lock of the test's own, and another program that leaves a file where it ends.
 class TheMachine : public ::testing::Test {
  protected:
-  TheMachine() {
-    if (const char* folder = std::getenv("TMPDIR")) before_ = folder;
-    ::setenv("TMPDIR", folder_.string().c_str(), 1);
-  }
-  ~TheMachine() override {
-    if (before_)
-      ::setenv("TMPDIR", before_->c_str(), 1);
-    else
-      ::unsetenv("TMPDIR");
-  }
   /// Returns once @p hold has given the other program what it holds; that goes on for a while.
   pid_t other(const std::function<void(const std::function<void()>&)>& hold) const {
     std::array<int, 2> pipe{};
@@ -52,7 +42,7 @@ class TheMachine : public ::testing::Test {
   [[nodiscard]] bool other_ended() const { return std::filesystem::exists(folder_ / "ended"); }
 
   TemporaryFolder folder_;
-  std::optional<std::string> before_;
+  tests::TemporaryFilesIn there_{folder_.path()};
 };
 
 TEST_F(TheMachine, LetsAProgramComputeForEachProcessor) {
@@ -129,7 +119,7 @@ TEST_F(TheMachine, IsKeptByAWorkshopWithMuchToDo) {
 }
 
 TEST_F(TheMachine, IsNotWaitedForWhereThereIsNoFolder) {
-  ::setenv("TMPDIR", (folder_ / "absent").string().c_str(), 1);
+  const tests::TemporaryFilesIn absent(folder_ / "absent");
   Machine machine(1), beside(1);
   const Machine::Processor processor(machine), second(beside);
   SUCCEED();
