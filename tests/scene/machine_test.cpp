@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -21,15 +22,16 @@ using tests::TemporaryFolder;
 /// A lock of the test's own, and another program that leaves a file where it ends.
 class TheMachine : public ::testing::Test {
  protected:
-  /// Returns once @p hold has given the other program what it holds; that goes on for a while.
-  pid_t other(const std::function<void(const std::function<void()>&)>& hold) const {
+  /// Returns once @p hold has given the other program what it holds; that goes on for @p time.
+  pid_t other(const std::function<void(const std::function<void()>&)>& hold,
+              std::chrono::milliseconds time = std::chrono::milliseconds(200)) const {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
     const pid_t child = ::fork();
     if (child == 0) {
       hold([&] {
         static_cast<void>(::write(pipe[1], "x", 1) + 1);
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        std::this_thread::sleep_for(time);
         tests::put(folder_ / "ended", "");
       });
       ::_exit(0);
@@ -46,14 +48,17 @@ class TheMachine : public ::testing::Test {
 };
 
 TEST_F(TheMachine, LetsAProgramComputeForEachProcessor) {
-  const pid_t child = other([](const auto& compute) {
-    Machine machine(2);
-    const Machine::Processor processor(machine);
-    compute();
-  });
+  const pid_t child = other(
+      [](const auto& compute) {
+        Machine machine(2);
+        const Machine::Processor processor(machine);
+        compute();
+      },
+      std::chrono::seconds(30));  // longer than any pause of this program on a busy machine
   Machine machine(2);
   const Machine::Processor processor(machine);
   EXPECT_FALSE(other_ended()) << "the second processor is free";
+  ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
 }
 
