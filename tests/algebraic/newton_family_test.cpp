@@ -267,13 +267,15 @@ RC_GTEST_PROP(OptimalIterative, EndsTwoLinearEquationsInOneStep, ()) {
   const MatrixXd a = random_matrix(2, 2);
   const VectorXd root = random_vector(2), f = a * root, g = a.transpose() * f;
   const Eigen::JacobiSVD<MatrixXd> svd(a);
-  RC_PRE(svd.singularValues()[1] > 0.01 * svd.singularValues()[0]);
-  RC_PRE(std::abs(f[0] * g[1] - f[1] * g[0]) > 0.01 * f.norm() * g.norm());
+  const double condition = svd.singularValues()[0] / svd.singularValues()[1];
+  const double area = std::abs(f[0] * g[1] - f[1] * g[0]);
+  RC_PRE(condition < 100 && area > 0.01 * f.norm() * g.norm());
   DenseEquations equations = linear(a, root);
   VectorXd x = VectorXd::Zero(2);
   static_cast<void>(find_root(OptimalIterative{.gamma = 0, .tolerance = 0, .iterations = 1}, equations, x));
-  // Condition of the matrix and angles of the two directions, 100 each at most, and of B times them.
-  RC_ASSERT((x - root).norm() <= 1e6 * eps * root.norm());
+  // The sine of the angle of B F and B B^T F divides twice: its rounding is in their difference and in u.
+  const double sine = std::abs(a.determinant()) * area / ((a * f).norm() * (a * g).norm());
+  RC_ASSERT((x - root).norm() <= 16 * eps * condition / (sine * sine) * root.norm());
 }
 
 RC_GTEST_PROP(OptimalIterative, IsDampedNewtonInOneVariable, ()) {
