@@ -11,6 +11,11 @@ namespace {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
+orbit::BasicState<Digits50> propagated(const orbit::State& start, double time, double mu) {
+  const orbit::BasicState<Digits50> s{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};
+  return orbit::kepler_state<Digits50>(s, Digits50(time), Digits50(mu));
+}
+
 }  // namespace
 
 orbit::State on_ellipse(double eccentricity, double anomaly) {
@@ -20,11 +25,14 @@ orbit::State on_ellipse(double eccentricity, double anomaly) {
   return {moved.position.cast<double>(), moved.velocity.cast<double>()};
 }
 
+orbit::BasicState<long double> state_in_50_digits(const orbit::State& start, double time, double mu) {
+  const auto end = propagated(start, time, mu);
+  return {end.position.cast<long double>(), end.velocity.cast<long double>()};
+}
+
 double position_error(const orbit::State& start, double time, double mu,
                       const orbit::Vector3<double>& position) {
-  const orbit::BasicState<Digits50> s{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};
-  const orbit::Vector3<Digits50> d =
-      position.cast<Digits50>() - orbit::kepler_state<Digits50>(s, Digits50(time), Digits50(mu)).position;
+  const orbit::Vector3<Digits50> d = position.cast<Digits50>() - propagated(start, time, mu).position;
   return static_cast<double>(d.cast<long double>().norm());
 }
 

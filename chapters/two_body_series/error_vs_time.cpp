@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,8 +19,6 @@ using comparison::Cost;
 using comparison::Curve;
 using comparison::Example;
 using comparison::Kind;
-using Digits50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 constexpr int orbits = 20;
 const char* const ours = "analytic-continuation";
@@ -40,14 +37,10 @@ struct Subject {
 /// Twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
 Example<6> example_of(const Subject& subject) {
   const orbit::State start = on_ellipse(subject.eccentricity);
-  const orbit::BasicState<Digits50> exact{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};
-  const auto reference = [exact](double t) -> Vector<long double, 6> {
-    const auto s = orbit::kepler_state<Digits50>(exact, Digits50(t), Digits50(1));
+  const auto reference = [start](double t) -> Vector<long double, 6> {
+    const auto exact = state_in_50_digits(start, t, 1);
     Vector<long double, 6> x;
-    for (int i = 0; i < 3; ++i) {
-      x[i] = static_cast<long double>(s.position[i]);
-      x[3 + i] = static_cast<long double>(s.velocity[i]);
-    }
+    x << exact.position, exact.velocity;
     return x;
   };
   const double greatest_speed = start.velocity.norm();
