@@ -53,9 +53,9 @@ void add_curves(std::vector<Curve>& curves, const Case<n>& c, double step, doubl
 
 std::vector<Curve> all_curves(bool quick) {
   std::vector<Curve> curves;
-  add_curves(curves, free_duffing_case(), duffing_period(), 10 * duffing_period(), quick ? 60 : 80,
-             quick ? 10 : 5);
-  add_curves(curves, three_mass_case(), 20, 200, 60, quick ? 10 : 5);
+  const int by = quick ? 25 : 5;
+  add_curves(curves, free_duffing_case(), duffing_period(), 10 * duffing_period(), quick ? 60 : 80, by);
+  add_curves(curves, three_mass_case(), 20, 200, 60, by);
   return curves;
 }
 

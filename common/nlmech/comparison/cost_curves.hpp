@@ -52,7 +52,7 @@ template <int n>
 /// comparison.
 inline constexpr std::int64_t enough_right_hand_sides = 300'000;
 /// The same of a quick look.
-inline constexpr std::int64_t enough_for_a_look = 100'000;
+inline constexpr std::int64_t enough_for_a_look = 50'000;
 
 /// Fewer runs show no slope, so that a full comparison has them whatever they take.
 inline constexpr std::size_t least_runs = 3;
