@@ -2,7 +2,6 @@
 /// one way.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <thread>
 
 #include "tests/book/browser.hpp"
