@@ -77,6 +77,19 @@ TEST(NamedMethods, UnknownNameListsTheKnownOnes) {
   for (const MethodInfo& m : named_methods()) EXPECT_NE(words.find(m.name), std::string::npos) << words;
 }
 
+// What a success says of the end: nothing with a step, else errors of steps or the difference of runs.
+TEST(NamedMethods, SayWhatTheyControl) {
+  for (const MethodInfo& m : named_methods()) {
+    EXPECT_EQ(controlled(m, {.step = 0.1}), Controlled::step_size) << m.name;
+    EXPECT_EQ(controlled(m, {.tolerance = 1e-6}),
+              m.fixed_step ? Controlled::difference_of_runs : Controlled::local_error)
+        << m.name;
+  }
+  EXPECT_EQ(to_string(Controlled::step_size), "step_size");
+  EXPECT_EQ(to_string(Controlled::local_error), "local_error");
+  EXPECT_EQ(to_string(Controlled::difference_of_runs), "difference_of_runs");
+}
+
 // Each name with a step is the aggregate of that method: the same doubles.
 TEST(NamedMethods, StepIsPassedOn) {
   const System system(Duffing{});

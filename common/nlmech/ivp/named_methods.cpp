@@ -152,6 +152,20 @@ const MethodInfo& method_info(std::string_view name) {
       fmt::format("there is no method '{}'; there is {}", name, fmt::join(known, ", ")));
 }
 
+std::string_view to_string(Controlled controlled) {
+  switch (controlled) {
+    case Controlled::step_size: return "step_size";
+    case Controlled::local_error: return "local_error";
+    case Controlled::difference_of_runs: break;
+  }
+  return "difference_of_runs";
+}
+
+Controlled controlled(const MethodInfo& method, const Settings& settings) {
+  if (settings.step) return Controlled::step_size;
+  return method.fixed_step ? Controlled::difference_of_runs : Controlled::local_error;
+}
+
 template <int n>
 NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings) {
   const MethodInfo& info = method_info(name);

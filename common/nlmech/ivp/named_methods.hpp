@@ -53,11 +53,25 @@ struct MethodInfo {
   bool takes_step = false;   ///< chooses its steps, but takes one that is given
 };
 
+/// What a run was held to, and so what its `success` says of the end of the integration.
+enum class Controlled {
+  step_size,          ///< nothing: the step was given, and the error is what it makes of it
+  local_error,        ///< the error of each step: errors of the steps add up, and the problem's condition
+                      ///< multiplies them; the end is right to about steps x tolerance x condition
+  difference_of_runs  ///< the difference of whole runs with steps of several lengths: the end itself
+};
+
+/// "step_size", "local_error", "difference_of_runs".
+[[nodiscard]] std::string_view to_string(Controlled controlled);
+
 /// All methods, simple ones first.
 [[nodiscard]] std::span<const MethodInfo> named_methods();
 
 /// The method of that name. @throws std::invalid_argument listing the known names
 [[nodiscard]] const MethodInfo& method_info(std::string_view name);
+
+/// What named_integrator() holds the method to with these settings.
+[[nodiscard]] Controlled controlled(const MethodInfo& method, const Settings& settings);
 
 /// The method @p name for systems of n components: 1, 2, 3, 4, 6 or Eigen::Dynamic.
 ///
