@@ -5,6 +5,7 @@
 
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
@@ -103,6 +104,24 @@ struct OwnJacobian {
   }
   void jacobian(double, const State<1>&, Jacobian<1>& j) const { j(0, 0) = 42; }
 };
+
+TEST(System, PassesOnWhatAProblemSaysOfItsSolutions) {
+  Eigen::VectorXd kept;
+  State<2> lower2, upper2;
+  const System<2> duffing(problems::Duffing{});
+  EXPECT_TRUE(duffing.invariants(0, {1, 0}, kept));
+  EXPECT_EQ(kept, Eigen::VectorXd::Constant(1, 0.75));
+  EXPECT_FALSE(duffing.bounds(lower2, upper2));
+  const System<6> chain(problems::ThreeMassChain{});
+  EXPECT_FALSE(chain.invariants(0, State<6>::Zero(), kept));
+  const System<Eigen::Dynamic> hires(problems::Hires{});
+  State<Eigen::Dynamic> lower, upper;
+  EXPECT_TRUE(hires.bounds(lower, upper));
+  EXPECT_EQ(lower, Eigen::VectorXd::Zero(8));
+  EXPECT_EQ(upper, Eigen::VectorXd::Constant(8, std::numeric_limits<double>::infinity()));
+  EXPECT_TRUE(hires.invariants(0, problems::Hires::initial_state(), kept));
+  EXPECT_EQ(kept, Eigen::VectorXd::Constant(1, 0.0057));
+}
 
 TEST(System, AProblemsOwnJacobianIsUsed) {
   Jacobian<1> j;

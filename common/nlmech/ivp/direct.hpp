@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -72,6 +73,24 @@ concept GivesLinearPart = requires(const Problem& problem, Jacobian<Problem::dim
   problem.linear_part(a);
 };
 
+/// True if the problem knows quantities that stay constant along its solutions.
+template <class Problem>
+concept GivesInvariants = requires(const Problem& problem, double t, const State<Problem::dimension>& x) {
+  problem.invariants(t, x);
+};
+
+/// True if the problem says what its components cannot fall below.
+template <class Problem>
+concept GivesLowerBounds = requires(const Problem& problem) {
+  problem.lower_bounds();
+};
+
+/// True if the problem says what its components cannot exceed.
+template <class Problem>
+concept GivesUpperBounds = requires(const Problem& problem) {
+  problem.upper_bounds();
+};
+
 /// True if the problem says which of its terms are harmonic loads.
 template <class Problem>
 concept GivesLoad = requires(const Problem& problem) {
@@ -96,7 +115,9 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
 ///    travel. Methods step onto them. At such a time f is the limit from the right;
 ///  - `linear_part(a)` in double: the constant matrix of its linear terms;
-///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone.
+///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone;
+///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
+///  - `lower_bounds()`, `upper_bounds()`: what a component cannot leave at later times.
 /// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic
 template <class Problem, int n = Problem::dimension>
 class Direct {
@@ -265,6 +286,38 @@ class Direct {
       return problem_.load();
     } else {
       return {};
+    }
+  }
+
+  /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
+  /// the problem names none.
+  [[nodiscard]] bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const {
+    if constexpr (detail::GivesInvariants<Problem>) {
+      if constexpr (n == m) {
+        values = problem_.invariants(t, x);
+      } else {
+        values = problem_.invariants(t, State<m>(x));
+      }
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
+  /// there is no bound. False, and nothing is written, if the problem names none.
+  [[nodiscard]] bool bounds(State<n>& lower, State<n>& upper) const {
+    constexpr bool has_lower = detail::GivesLowerBounds<Problem>,
+                   has_upper = detail::GivesUpperBounds<Problem>;
+    if constexpr (has_lower || has_upper) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      lower = State<n>::Constant(size(), -infinity);
+      upper = State<n>::Constant(size(), infinity);
+      if constexpr (has_lower) lower = problem_.lower_bounds();
+      if constexpr (has_upper) upper = problem_.upper_bounds();
+      return true;
+    } else {
+      return false;
     }
   }
 

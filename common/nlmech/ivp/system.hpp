@@ -82,6 +82,14 @@ class System {
   [[nodiscard]] bool linear_part(Jacobian<n>& a) const { return face_->linear_part(a); }
   /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
   [[nodiscard]] std::vector<Harmonic> load() const { return face_->load(); }
+  /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
+  /// the problem names none.
+  [[nodiscard]] bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const {
+    return face_->invariants(t, x, values);
+  }
+  /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
+  /// there is no bound. False, and nothing is written, if the problem names none.
+  [[nodiscard]] bool bounds(State<n>& lower, State<n>& upper) const { return face_->bounds(lower, upper); }
   /// The right-hand side as a tape: called once, at (t, x). @throws std::invalid_argument as Direct::record()
   [[nodiscard]] Tape record(double t, const State<n>& x) const { return face_->record(t, x); }
   /// The Taylor coefficients of solutions, to the order @p order >= 1, through the tape: an object that
@@ -107,6 +115,8 @@ class System {
     virtual std::vector<double> discontinuities(double, double) const = 0;
     virtual bool linear_part(Jacobian<n>&) const = 0;
     virtual std::vector<Harmonic> load() const = 0;
+    virtual bool invariants(double, const State<n>&, Eigen::VectorXd&) const = 0;
+    virtual bool bounds(State<n>&, State<n>&) const = 0;
     virtual Tape record(double, const State<n>&) const = 0;
   };
   template <class D>
@@ -137,6 +147,10 @@ class System {
     }
     bool linear_part(Jacobian<n>& a) const override { return direct.linear_part(a); }
     std::vector<Harmonic> load() const override { return direct.load(); }
+    bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const override {
+      return direct.invariants(t, x, values);
+    }
+    bool bounds(State<n>& lower, State<n>& upper) const override { return direct.bounds(lower, upper); }
     Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
     D direct;
   };

@@ -21,6 +21,9 @@ struct BlowUp {
   static constexpr double final_time = 1;              ///< twice the life of the solution
   double strength = 1;                                 ///< s
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation = "y' = s y^3; s strength";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<BlowUp>{"strength", &BlowUp::strength}};
 

@@ -32,6 +32,10 @@ struct BasicBodies {
   Real gravity = Real(1) / 1000000;
   std::array<Real, static_cast<std::size_t>(n)> mass = default_masses();  ///< m_i
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x_i'' = G sum_k m_k (x_k - x_i)/|x_k - x_i|^3; G gravity, m = 1, 1, 5, 1";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<BasicBodies, Real>{"gravity", &BasicBodies::gravity}};
 

@@ -25,6 +25,11 @@ struct DrivenDuffing {
   double force = 1;                                    ///< f
   double frequency = 1;                                ///< w, rad/time
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x'' + c x' + k x + m x^3 = f cos(w t); c damping, k stiffness, m hardening, f "
+      "force, w frequency";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<DrivenDuffing>{"damping", &DrivenDuffing::damping},
                                             Parameter<DrivenDuffing>{"stiffness", &DrivenDuffing::stiffness},

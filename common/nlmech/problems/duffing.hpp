@@ -25,6 +25,10 @@ struct Duffing {
   double natural_frequency = 1;                        ///< w, of the linear oscillator, rad/time
   double hardening = 1;                                ///< eta, cubic stiffness; negative: softening
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x'' + w^2 x + eta x^3 = 0; w natural-frequency, eta hardening";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<Duffing>{"natural-frequency", &Duffing::natural_frequency},

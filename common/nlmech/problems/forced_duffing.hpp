@@ -29,6 +29,10 @@ struct BasicForcedDuffing {
   Real force = 15 / Real(2);    ///< B*
   Real frequency = 1;           ///< omega, rad/time
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "u'' + P u' + Q u^3 = B cos(w t); P damping, Q hardening, B force, w frequency";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<BasicForcedDuffing, Real>{"damping", &BasicForcedDuffing::damping},

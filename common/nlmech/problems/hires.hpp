@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "nlmech/problems/parameters.hpp"
@@ -20,8 +21,26 @@ struct Hires {
   static constexpr double final_time = 321.8122;     ///< of the test set
   double k_plus = 280;                               ///< rate of the only nonlinear reaction
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "y1' = -1.71 y1 + 0.43 y2 + 8.32 y3 + 0.0007, y2' = 1.71 y1 - 8.75 y2, y3' = "
+      "-10.03 y3 + 0.43 y4 + 0.035 y5, y4' = 8.32 y2 + 1.71 y3 - 1.12 y4, y5' = -1.745 "
+      "y5 + 0.43 (y6 + y7), y6' = -K y6 y8 + 0.69 y4 + 1.71 y5 - 0.43 y6 + 0.69 y7, y7' "
+      "= K y6 y8 - 1.81 y7, y8' = -y7'; K k-plus";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<Hires>{"k-plus", &Hires::k_plus}};
+
+  /// Concentrations are not negative, if the rate is not.
+  [[nodiscard]] Vector<double, 8> lower_bounds() const {
+    return Vector<double, 8>::Constant(k_plus >= 0 ? 0 : -std::numeric_limits<double>::infinity());
+  }
+
+  /// The sum of the last two, which only turn into each other.
+  template <class T>
+  [[nodiscard]] Vector<T, 1> invariants(const T& /*t*/, const Vector<T, 8>& y) const {
+    return Vector<T, 1>(T(y[6] + y[7]));
+  }
 
   /// Of the test set.
   [[nodiscard]] static Vector<double, 8> initial_state() {

@@ -29,6 +29,11 @@ struct ImpactDuffing {
   double slope = 2;                                   ///< a, of the rising force; its peak is a t1/2
   double duration = 1;                                ///< t1, of the force; 0 or less: no force
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x'' + w^2 x + eta x^3 = a t to t = t1/2, a (t1 - t) to t1, then 0; w "
+      "natural-frequency, eta hardening, a slope, t1 duration";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<ImpactDuffing>{"natural-frequency", &ImpactDuffing::natural_frequency},

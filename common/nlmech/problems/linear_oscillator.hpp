@@ -24,6 +24,11 @@ struct LinearOscillator {
   double force = 0;                                   ///< F
   double frequency = 1;                               ///< W of the force, rad/time
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x'' + 2 z w x' + w^2 x = F cos(W t); w natural-frequency, z damping-ratio, F "
+      "force, W frequency";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<LinearOscillator>{"natural-frequency", &LinearOscillator::natural_frequency},

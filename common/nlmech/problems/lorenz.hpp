@@ -29,6 +29,9 @@ struct BasicLorenz {
   Real r = 28;           ///< Rayleigh number over its critical value
   Real b = Real(8) / 3;  ///< shape of the rolls
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation = "u' = sigma (v - u), v' = r u - v - u w, w' = u v - b w";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<BasicLorenz, Real>{"sigma", &BasicLorenz::sigma},
                                             Parameter<BasicLorenz, Real>{"r", &BasicLorenz::r},

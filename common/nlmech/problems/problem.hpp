@@ -16,6 +16,10 @@
 /// - `linear_part(a)`: writes the constant matrix A of a semi-linear problem dx/dt = A x + ...
 /// - `load()`: the harmonics (series/harmonic.hpp) that stand in dx/dt beside what depends on the state.
 /// - `invariants(t, x)`: a vector of quantities that stay constant along every solution.
+/// - `lower_bounds()`, `upper_bounds()`: a number for each component, infinite where there is none. A
+///   solution that begins within them stays within them at all later times (not at earlier ones).
+/// - `equation`: the equation in ASCII, then a semicolon and which letter is which parameter, where names
+///   differ.
 /// - `state_names()`: names of the components of its state, for the heads of columns.
 /// - `initial_state()`, `initial_time`, `final_time`: the data of the publication.
 #pragma once

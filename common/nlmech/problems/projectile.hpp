@@ -35,6 +35,11 @@ struct BasicProjectile {
   Real wind_x = 1000;         ///< a, 1/s, growth of the wind along x with height
   Real wind_y = 500;          ///< b, 1/s, growth of the wind along y with height
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "r'' = -beta exp(-z/h) (r' - (a z, b z, 0)) - (0, 0, g); beta drag, g gravity, h "
+      "scale-height, a wind-x, b wind-y";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<BasicProjectile, Real>{"drag", &BasicProjectile::drag},

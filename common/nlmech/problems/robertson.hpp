@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "nlmech/problems/parameters.hpp"
@@ -24,10 +25,26 @@ struct Robertson {
   double k2 = 1e4;                                       ///< fast reaction, 1/s
   double k3 = 3e7;                                       ///< very fast reaction, 1/s
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "y1' = -k1 y1 + k2 y2 y3, y2' = k1 y1 - k2 y2 y3 - k3 y2^2, y3' = k3 y2^2";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<Robertson>{"k1", &Robertson::k1},
                                             Parameter<Robertson>{"k2", &Robertson::k2},
                                             Parameter<Robertson>{"k3", &Robertson::k3}};
+
+  /// Concentrations are not negative, if the rates are not.
+  [[nodiscard]] Vector<double, 3> lower_bounds() const {
+    const bool is_bounded = k1 >= 0 && k2 >= 0 && k3 >= 0;
+    return Vector<double, 3>::Constant(is_bounded ? 0 : -std::numeric_limits<double>::infinity());
+  }
+
+  /// The sum of the species.
+  template <class T>
+  [[nodiscard]] Vector<T, 1> invariants(const T& /*t*/, const Vector<T, 3>& y) const {
+    return Vector<T, 1>(T(y[0] + y[1] + y[2]));
+  }
 
   /// All of the first species.
   [[nodiscard]] static Vector<double, 3> initial_state() { return {1, 0, 0}; }

@@ -30,6 +30,9 @@ struct BasicStrongOscillator {
   Real stiffness = Real(306) / 1000;  ///< omega^2
   Real epsilon = 5;                   ///< strength of the nonlinear term
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation = "x'' + w2 x + e x' x^2 sin 2t = 0; w2 stiffness, e epsilon";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<BasicStrongOscillator, Real>{"stiffness", &BasicStrongOscillator::stiffness},

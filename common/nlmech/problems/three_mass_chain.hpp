@@ -45,6 +45,12 @@ struct BasicThreeMassChain {
   Real force = Real(1) / 5;      ///< F, amplitude of the load
   Real frequency = root_half();  ///< Omega, angular frequency of the load, rad/time
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "m1 x1'' = -e1 - e2, m2 x2'' = e2 - e3 + F cos(W t), m3 x3'' = e3 - e4; spring j "
+      "has e_j = kj d + lj d^3 + cj d' with d = x1, x1 - x2, x2 - x3, x3; F force, W "
+      "frequency";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<BasicThreeMassChain, Real>{"m1", &BasicThreeMassChain::m1},

@@ -20,6 +20,9 @@ struct TwoBody {
   static constexpr double final_time = 124363.0;        ///< twenty of the low orbits, in seconds
   double mu = 3.986004418e14;                           ///< gravitational parameter, positive
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation = "q'' = -mu q/|q|^3";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<TwoBody>{"mu", &TwoBody::mu}};
 

@@ -33,6 +33,12 @@ struct TwoDof {
   double force = 1;                                    ///< f
   double frequency = 1;                                ///< w, rad/time
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation =
+      "x1'' + c x1' + k x1 + m x1^3 + s (x1 - x2) = f cos(w t), x2'' + c x2' + k x2 + m "
+      "x2^3 - s (x1 - x2) = 0; c damping, k stiffness, m hardening, s coupling, f "
+      "force, w frequency";
+
   /// By name.
   static constexpr std::array parameters = {
       Parameter<TwoDof>{"damping", &TwoDof::damping},     Parameter<TwoDof>{"stiffness", &TwoDof::stiffness},

@@ -22,6 +22,9 @@ struct VanDerPol {
   static constexpr double final_time = 20;                 ///< four leaps for mu = 10 lie in between
   double mu = 10;                                          ///< strength of the damping; 0 or more
 
+  /// The equation as one types it.
+  static constexpr std::string_view equation = "x'' - mu (1 - x^2) x' + x = 0";
+
   /// By name.
   static constexpr std::array parameters = {Parameter<VanDerPol>{"mu", &VanDerPol::mu}};
 
