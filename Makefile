@@ -13,7 +13,7 @@ DRAWN = $(CHAPTERS:%=figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test check bench book book-test gallery clean
+.PHONY: help deps configure build programs figures tables test adversary check bench book book-test gallery clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -23,6 +23,7 @@ help:
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
 	@echo "make gallery         the pictures of README drawn anew"
+	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md"
 	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install missing Debian packages (packages.txt)"
@@ -77,6 +78,12 @@ chapter-%: programs
 
 test: build
 	@ctest --preset $(PRESET) -j2
+
+# All random cases; the tests of `make test` run a seeded share of them.
+adversary: build
+	@rm -rf $(BUILD)/adversary
+	@missed=0; ctest --test-dir $(BUILD) -L '^adversary$$' -j2 --output-on-failure || missed=1; \
+	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$missed
 
 # All chapters are checked before the command says whether one missed a promise. A chapter that kept its promises is
 # checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
