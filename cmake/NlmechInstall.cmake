@@ -12,7 +12,7 @@ else()
 endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/nlmechConfig.cmake.in ${PROJECT_BINARY_DIR}/nlmechConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
-# From 1.0 on only a new major version may break interfaces.
+# Only a new major version may break interfaces.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/nlmechConfig.cmake ${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake
         DESTINATION ${package_dir})
