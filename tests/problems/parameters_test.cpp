@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "nlmech/problems/blow_up.hpp"
@@ -53,6 +54,29 @@ TYPED_TEST(Parameters, AreListedWhenOneIsUnknown) {
         EXPECT_NE(text.find(known), std::string::npos) << text << " lacks " << known;
     }
   }
+}
+
+template <class Problem>
+void expect_refused(std::string_view name, double value, const std::string& words) {
+  Problem problem;
+  const auto before = parameter(problem, name);
+  try {
+    set_parameter(problem, name, value);
+    FAIL() << "took " << value << " for " << name;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_EQ(parameter(problem, name), before);
+  }
+}
+
+TEST(SetParameter, RefusesWhatTheEquationHasNoMeaningFor) {
+  expect_refused<ThreeMassChain>("m1", -1, "three-dof: m1 must be positive, not -1");
+  expect_refused<ThreeMassChain>("m3", 0, "three-dof: m3 must be positive, not 0");
+  expect_refused<ImpactDuffing>("duration", -1, "impact: duration must not be negative, is -1");
+  expect_refused<Duffing>("hardening", NAN, "duffing: hardening must be finite, not nan");
+  ImpactDuffing none;
+  set_parameter(none, "duration", 0);
+  EXPECT_EQ(none.duration, 0);
 }
 
 TEST(StateNames, ArePositionsThenVelocities) {

@@ -29,7 +29,7 @@ struct Hires {
       "= K y6 y8 - 1.81 y7, y8' = -y7'; K k-plus";
 
   /// By name.
-  static constexpr std::array parameters = {Parameter<Hires>{"k-plus", &Hires::k_plus}};
+  static constexpr std::array parameters = {Parameter<Hires>{"k-plus", &Hires::k_plus, Range::not_negative}};
 
   /// Concentrations are not negative, if the rate is not.
   [[nodiscard]] Vector<double, 8> lower_bounds() const {

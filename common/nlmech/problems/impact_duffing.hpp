@@ -27,7 +27,7 @@ struct ImpactDuffing {
   double natural_frequency = 1;                       ///< w, of the linear oscillator, rad/time
   double hardening = 1;                               ///< eta, cubic stiffness
   double slope = 2;                                   ///< a, of the rising force; its peak is a t1/2
-  double duration = 1;                                ///< t1, of the force; 0 or less: no force
+  double duration = 1;                                ///< t1, of the force; 0: no force
 
   /// The equation as one types it.
   static constexpr std::string_view equation =
@@ -39,7 +39,7 @@ struct ImpactDuffing {
       Parameter<ImpactDuffing>{"natural-frequency", &ImpactDuffing::natural_frequency},
       Parameter<ImpactDuffing>{"hardening", &ImpactDuffing::hardening},
       Parameter<ImpactDuffing>{"slope", &ImpactDuffing::slope},
-      Parameter<ImpactDuffing>{"duration", &ImpactDuffing::duration}};
+      Parameter<ImpactDuffing>{"duration", &ImpactDuffing::duration, Range::not_negative}};
 
   /// Table 4.3: at rest.
   [[nodiscard]] static Vector<double, 2> initial_state() { return {0, 0}; }

@@ -1,5 +1,8 @@
 #include "nlmech/problems/parameters.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace nlmech::problems {
@@ -14,6 +17,15 @@ void throw_unknown_parameter(std::string_view problem, std::string_view name,
     separator = ", ";
   }
   throw std::invalid_argument(text);
+}
+
+void check_range(std::string_view problem, std::string_view name, Range range, double value) {
+  if (!std::isfinite(value))
+    throw std::invalid_argument(fmt::format("{}: {} must be finite, not {}", problem, name, value));
+  if (range == Range::positive && !(value > 0))
+    throw std::invalid_argument(fmt::format("{}: {} must be positive, not {}", problem, name, value));
+  if (range == Range::not_negative && !(value >= 0))
+    throw std::invalid_argument(fmt::format("{}: {} must not be negative, is {}", problem, name, value));
 }
 
 }  // namespace nlmech::problems

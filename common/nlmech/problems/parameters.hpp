@@ -11,16 +11,28 @@
 
 namespace nlmech::problems {
 
+/// For which values of a parameter the equation has a meaning.
+enum class Range {
+  any,           ///< all finite ones
+  not_negative,  ///< a duration, a rate of a reaction
+  positive       ///< a mass, a length that divides
+};
+
 /// A parameter of a problem: its name in lower case with hyphens, and where it stands in the problem.
 template <class Problem, class Real = double>
 struct Parameter {
-  std::string_view name;  ///< as it is given on a command line
-  Real Problem::*member;  ///< place of the value
+  std::string_view name;     ///< as it is given on a command line
+  Real Problem::*member;     ///< place of the value
+  Range range = Range::any;  ///< of the value
 };
 
 /// @throws std::invalid_argument: @p problem has no parameter @p name; the text lists @p known ones
 [[noreturn]] void throw_unknown_parameter(std::string_view problem, std::string_view name,
                                           std::span<const std::string_view> known);
+
+/// @throws std::invalid_argument naming problem, parameter, value and range, if @p value lies outside @p
+/// range
+void check_range(std::string_view problem, std::string_view name, Range range, double value);
 
 /// The names of the parameters of a problem, in the order of its list.
 template <class Problem>
@@ -30,25 +42,32 @@ template <class Problem>
   return names;
 }
 
+/// The entry of the parameter @p name.
+/// @throws std::invalid_argument listing the known names, if there is none of that name
+template <class Problem>
+[[nodiscard]] const auto& parameter_entry(std::string_view name) {
+  const auto& all = Problem::parameters;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [name](const auto& known) { return known.name == name; });
+  if (found == all.end()) throw_unknown_parameter(Problem::name, name, parameter_names<Problem>());
+  return *found;
+}
+
 /// The value of the parameter @p name.
 /// @throws std::invalid_argument listing the known names, if there is none of that name
 template <class Problem>
 [[nodiscard]] auto& parameter(Problem& problem, std::string_view name) {
-  const auto& all = std::remove_const_t<Problem>::parameters;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [name](const auto& known) { return known.name == name; });
-  if (found == all.end()) {
-    throw_unknown_parameter(Problem::name, name, parameter_names<std::remove_const_t<Problem>>());
-  }
-  return problem.*(found->member);
+  return problem.*(parameter_entry<std::remove_const_t<Problem>>(name).member);
 }
 
-/// Sets the parameter @p name to @p value. Any number is accepted: whether the equation makes sense with it
-/// is for its user to judge.
-/// @throws std::invalid_argument listing the known names, if there is none of that name
+/// Sets the parameter @p name to @p value.
+/// @throws std::invalid_argument listing the known names, if there is none of that name; naming the value, if
+/// the equation has no meaning with it (a mass that is not positive)
 template <class Problem>
 void set_parameter(Problem& problem, std::string_view name, double value) {
-  parameter(problem, name) = value;
+  const auto& entry = parameter_entry<Problem>(name);
+  check_range(Problem::name, name, entry.range, value);
+  problem.*(entry.member) = value;
 }
 
 }  // namespace nlmech::problems

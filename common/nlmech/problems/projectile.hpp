@@ -44,7 +44,7 @@ struct BasicProjectile {
   static constexpr std::array parameters = {
       Parameter<BasicProjectile, Real>{"drag", &BasicProjectile::drag},
       Parameter<BasicProjectile, Real>{"gravity", &BasicProjectile::gravity},
-      Parameter<BasicProjectile, Real>{"scale-height", &BasicProjectile::scale_height},
+      Parameter<BasicProjectile, Real>{"scale-height", &BasicProjectile::scale_height, Range::positive},
       Parameter<BasicProjectile, Real>{"wind-x", &BasicProjectile::wind_x},
       Parameter<BasicProjectile, Real>{"wind-y", &BasicProjectile::wind_y}};
 

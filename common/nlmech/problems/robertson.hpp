@@ -30,9 +30,9 @@ struct Robertson {
       "y1' = -k1 y1 + k2 y2 y3, y2' = k1 y1 - k2 y2 y3 - k3 y2^2, y3' = k3 y2^2";
 
   /// By name.
-  static constexpr std::array parameters = {Parameter<Robertson>{"k1", &Robertson::k1},
-                                            Parameter<Robertson>{"k2", &Robertson::k2},
-                                            Parameter<Robertson>{"k3", &Robertson::k3}};
+  static constexpr std::array parameters = {Parameter<Robertson>{"k1", &Robertson::k1, Range::not_negative},
+                                            Parameter<Robertson>{"k2", &Robertson::k2, Range::not_negative},
+                                            Parameter<Robertson>{"k3", &Robertson::k3, Range::not_negative}};
 
   /// Concentrations are not negative, if the rates are not.
   [[nodiscard]] Vector<double, 3> lower_bounds() const {

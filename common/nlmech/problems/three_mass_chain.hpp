@@ -53,9 +53,9 @@ struct BasicThreeMassChain {
 
   /// By name.
   static constexpr std::array parameters = {
-      Parameter<BasicThreeMassChain, Real>{"m1", &BasicThreeMassChain::m1},
-      Parameter<BasicThreeMassChain, Real>{"m2", &BasicThreeMassChain::m2},
-      Parameter<BasicThreeMassChain, Real>{"m3", &BasicThreeMassChain::m3},
+      Parameter<BasicThreeMassChain, Real>{"m1", &BasicThreeMassChain::m1, Range::positive},
+      Parameter<BasicThreeMassChain, Real>{"m2", &BasicThreeMassChain::m2, Range::positive},
+      Parameter<BasicThreeMassChain, Real>{"m3", &BasicThreeMassChain::m3, Range::positive},
       Parameter<BasicThreeMassChain, Real>{"c1", &BasicThreeMassChain::c1},
       Parameter<BasicThreeMassChain, Real>{"c2", &BasicThreeMassChain::c2},
       Parameter<BasicThreeMassChain, Real>{"c3", &BasicThreeMassChain::c3},
