@@ -61,7 +61,7 @@ $(INPUTS): $(BUILD)/inputs/%: $(BUILD)/bin/% figures/style.gp figures/templates/
 	@cat $^ | sha256sum | cmp -s - $@ || cat $^ | sha256sum > $@
 
 figures/%/.complete: $(BUILD)/inputs/%
-	@$(BUILD)/bin/$* run --all --out $(OUT)
+	@$(BUILD)/bin/$* run --all --quiet --out $(OUT)
 	@touch $@
 
 tables: programs
@@ -70,7 +70,7 @@ tables: programs
 .PHONY: all-numbers
 all-numbers: $(CHAPTERS:%=numbers-%)
 numbers-%:
-	@$(BUILD)/bin/$* run --all --no-plots --out $(OUT)
+	@$(BUILD)/bin/$* run --all --no-plots --quiet --out $(OUT)
 
 chapter-%: programs
 	@$(BUILD)/bin/$* check --draw --out $(OUT)
@@ -122,7 +122,7 @@ gallery: programs
 	@for picture in docs/gallery/*.svg; do \
 	  name=$$(basename $$picture .svg); \
 	  for c in $(CHAPTERS); do case $$name in $$c-*) \
-	    $(BUILD)/bin/$$c run $${name#$$c-} --out $(BUILD)/gallery && cp $(BUILD)/gallery/figures/$$c/$${name#$$c-}.svg $$picture || exit 1;; \
+	    $(BUILD)/bin/$$c run $${name#$$c-} --quiet --out $(BUILD)/gallery && cp $(BUILD)/gallery/figures/$$c/$${name#$$c-}.svg $$picture || exit 1;; \
 	  esac; done; done
 
 clean:

@@ -1,5 +1,6 @@
 /// Exit codes and words of the command line that all chapters share.
 #include <algorithm>
+#include <sstream>
 
 #include "nlmech/scene/csv.hpp"
 #include "tests/places.hpp"
@@ -47,6 +48,11 @@ TEST_F(CommandLine, EndsWithTwoAtWrongUse) {
       {{"run", "fig-1", "--out"}, "--out"},
       {{"list", "fig-1"}, "fig-1"},
       {{"check", "--png"}, "--png"},
+      {{"run", "fig-1", "--no-plots", "--png"}, "--png draws what --no-plots leaves out"},
+      {{"run", "fig-1", "--out", "a", "--out", "b"}, "--out: At Most 1 required but received 2"},
+      {{"run", "fig-1", "--quick", "--quick"}, "--quick: At Most 1 required but received 2"},
+      {{"run", "fig-1", "--out", ""}, "--out: an empty text"},
+      {{"run", ""}, "scenes: an empty text"},
       {{"double", "none.csv"}, "none.csv: No such file or directory"},
       {{"double", "."}, "is a folder"}};
   for (const auto& [arguments, said] : wrong) {
@@ -100,15 +106,66 @@ TEST_F(CommandLine, SurvivesClosedStreams) {
   const Finished no_output = shell("$fixture list >&-");
   EXPECT_EQ(no_output.exit_code, 1);
   expect_sentence(no_output.errors, "standard output: cannot be written: Bad file descriptor");
-  EXPECT_EQ(shell("$fixture run fig-1 >&- 2>&- <&-").exit_code, 0);
+  EXPECT_EQ(shell("$fixture run fig-1 --quiet >&- 2>&- <&-").exit_code, 0);
   EXPECT_EQ(written().size(), 3U) << "gnuplot draws with all three streams closed";
+  EXPECT_EQ(shell("$fixture run both >&- 2>&- <&-").exit_code, 1) << "nobody was told";
+  EXPECT_EQ(written().size(), 8U);
 }
 
 TEST_F(CommandLine, IsSilentInAPipe) {
-  const Finished done = fixture({"run", "--all", "--quick"});
+  const Finished done = fixture({"run", "--all", "--quick", "--quiet"});
   EXPECT_EQ(done.exit_code, 0);
   EXPECT_EQ(done.output, "");
   EXPECT_EQ(done.errors, "");
+}
+
+TEST_F(CommandLine, NamesTheFilesOfARun) {
+  const Finished done = fixture({"run", "--all", "--quick", "--out", "a"});
+  EXPECT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_EQ(done.errors, "");
+  std::vector<std::string> lines;
+  std::istringstream text(done.output);
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  std::sort(lines.begin(), lines.end());
+  std::vector<std::string> files;
+  for (const auto& [name, bytes] : written("a")) files.push_back(name);
+  EXPECT_EQ(lines, files);
+  EXPECT_EQ(fixture({"run", "--all", "--quick", "--out", "a"}).output, done.output)
+      << "unchanged files are named too";
+}
+
+TEST_F(CommandLine, ListsInAlignedColumnsOnATerminal) {
+  for (const std::size_t columns : {50U, 80U, 200U}) {
+    const Finished list =
+        shell("COLUMNS=" + std::to_string(columns) + " script -qec '$fixture list' /dev/null");
+    EXPECT_EQ(list.exit_code, 0);
+    EXPECT_EQ(list.output.find('|'), std::string::npos) << list.output;
+    std::istringstream text(list.output);
+    for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), columns + 1) << line;  // and CR
+  }
+}
+
+// A token of ten million bytes, and one that would clear the screen.
+TEST_F(CommandLine, EchoesLittleOfWhatWasTyped) {
+  const std::vector<std::string> commands = {
+      "head -c 10000000 /dev/zero | tr '\\0' 1 | tr -d '\\n' | $fixture double",
+      "$fixture run \"$(head -c 100000 /dev/zero | tr '\\0' a)\"",
+      "$fixture run fig-1 --$(head -c 100000 /dev/zero | tr '\\0' a)",
+      "$fixture double \"$(head -c 100000 /dev/zero | tr '\\0' a)\"",
+      "$fixture run fig-1 --quick=$(head -c 100000 /dev/zero | tr '\\0' a)",
+      "printf '\\033[2J\\033]0;title\\007\\n' | $fixture double",
+      "$fixture run \"$(printf '\\033[2J')\"",
+      "$fixture \"$(printf '\\033[2J')\"",
+      "$fixture double \"$(printf '\\033[2J')\"",
+      "$fixture spin --limit \"$(printf '\\033[2J')\""};
+  for (const std::string& command : commands) {
+    const Finished done = shell(command);
+    EXPECT_EQ(done.exit_code, 2) << command;
+    EXPECT_EQ(done.output, "") << command;
+    EXPECT_LT(done.errors.size(), 1000U) << command;
+    EXPECT_EQ(done.errors.find_first_of("\x1b\x07"), std::string::npos) << command;
+    EXPECT_GT(done.errors.size(), 10U) << command;
+  }
 }
 
 /// The data of the fixture with other published values.

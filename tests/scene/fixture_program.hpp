@@ -27,8 +27,9 @@ class FixtureProgram : public ::testing::Test {
   }
   /// The same through a shell, in which $fixture stands for the program: "$fixture list > /dev/full".
   Finished shell(const std::string& command) const {
-    return scene::run_program({"sh", "-c", command}, folder_.path(),
-                              {"NLMECH_DATA=" + data_.string(), std::string("fixture=") + NLMECH_FIXTURE});
+    return scene::run_program(
+        {"sh", "-c", command}, folder_.path(),
+        {"NLMECH_DATA=" + data_.string(), std::string("fixture=").append(NLMECH_FIXTURE)});
   }
   /// What the fixture wrote, by the paths from the folder.
   std::map<std::string, std::string> written(const std::string& out = ".") const {

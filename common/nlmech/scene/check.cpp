@@ -11,6 +11,7 @@
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
+#include "nlmech/scene/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -117,6 +118,7 @@ namespace {
 std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop,
                                          const std::optional<Publishing>& how) {
   std::vector<CheckedQuantity> quantities;
+  const Doing doing("computing " + scene.name);
   try {
     const Performance performance = perform(scene, workshop);
     for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});

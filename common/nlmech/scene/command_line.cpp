@@ -4,29 +4,26 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <optional>
-#include <sstream>
-#include <system_error>
 
 #include "nlmech/scene/build_info.hpp"
 #include "nlmech/scene/check.hpp"
+#include "nlmech/scene/command.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/publish.hpp"
+#include "nlmech/scene/terminal.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::scene {
 namespace {
 
-constexpr int failed = 1, wrong_usage = 2;
+constexpr int failed = 1;
 
 struct Options {
   std::vector<std::string> scenes;
-  bool all = false, quick = false, no_plots = false, png = false, csv = false, draw = false;
+  bool all = false, quick = false, no_plots = false, png = false, csv = false, draw = false, quiet = false;
   std::string out = ".";
 };
 
@@ -37,7 +34,10 @@ void list(const Chapter& chapter, bool csv) {
     for (const AnyRun* run : s.needs) runs.push_back(run->name());
     table.add({s.name, s.place, s.title, fmt::format("{}", fmt::join(runs, " ")), s.seconds});
   }
-  print_result(csv ? table.csv() : fmt::format("{}\n\n{}", chapter.title(), table.markdown()));
+  const std::optional<std::size_t> width = csv ? std::nullopt : terminal_width(STDOUT_FILENO);
+  print_result(csv     ? table.csv()
+               : width ? fmt::format("{}\n\n{}", chapter.title(), aligned(table, *width))
+                       : fmt::format("{}\n\n{}", chapter.title(), table.markdown()));
 }
 
 std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options) {
@@ -63,16 +63,25 @@ double seconds_of(const std::vector<const Scene*>& scenes, std::size_t first) {
 
 /// On a terminal one line a scene; silence in a pipe.
 void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
-  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "[{}/{}] {} {:.1f} s\n", done, all, scene, seconds);
+  if (::isatty(STDERR_FILENO) == 1) tell(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
 }
 
 void report_missed(const std::string& scene, const Quantity& q) {
-  fmt::print(stderr, "MISSED {}: {} = {} {}, promised {} to {} ({})\n", scene, q.name,
-             format_number(q.value, 6), q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason);
+  tell(fmt::format("MISSED {}: {} = {} {}, promised {} to {} ({})", scene, q.name, format_number(q.value, 6),
+                   q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason));
+}
+
+/// A line a file, as seen from the folder that gets them all.
+std::string lines_of(const std::vector<std::filesystem::path>& files) {
+  std::string lines;
+  for (const std::filesystem::path& file : files) lines += file.string() + '\n';
+  return lines;
 }
 
 /// Goes on after a scene that failed or could not be drawn: the others are not to suffer from it.
 int run(const Chapter& chapter, const Options& options) {
+  if (options.no_plots && options.png)
+    throw InputError("run: --png draws what --no-plots leaves out; give one of them");
   const std::vector<const Scene*> scenes = chosen(chapter, options);
   const Publishing how{options.out, !options.no_plots, options.png};
   Workshop workshop(options.quick);
@@ -81,10 +90,12 @@ int run(const Chapter& chapter, const Options& options) {
   for (const Scene* scene : scenes) {
     workshop.take_turn(seconds_of(scenes, done));
     const Stopwatch watch;
+    const Doing doing("computing " + scene->name);
     try {
-      publish(chapter, *scene, perform(*scene, workshop), options.quick, how);
+      const auto files = publish(chapter, *scene, perform(*scene, workshop), options.quick, how);
+      if (!options.quiet) print_result(lines_of(files));
     } catch (const Failure& failure) {
-      fmt::print(stderr, "{}: {}: {}\n", chapter.name(), scene->name, failure.what());
+      tell(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
       code = failed;
     }
     tell_progress(++done, scenes.size(), scene->name, watch.seconds());
@@ -109,22 +120,7 @@ int check(const Chapter& chapter, const Options& options) {
   return result.kept() ? 0 : failed;
 }
 
-/// Help and version go where results go, complaints to standard error.
-int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
-  std::ostringstream help;
-  if (app.exit(error, help, std::cerr) != 0) return wrong_usage;
-  print_result(help.str());
-  return 0;
-}
-
 }  // namespace
-
-void print_result(std::string_view text) {
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw Failure("standard output: cannot be written: " + std::generic_category().message(errno));
-  }
-}
 
 int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, const char* const* argv) {
   CLI::App app(chapter.title(), chapter.name());
@@ -137,11 +133,15 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   lister->add_flag("--csv", options.csv, "as CSV");
   lister->callback([&] { list(chapter, options.csv); });
 
-  CLI::App* runner = app.add_subcommand("run", "Compute scenes: numbers, tables and figures");
+  CLI::App* runner = app.add_subcommand(
+      "run",
+      "Compute scenes: numbers, tables and figures. Names the files that hold them, a line each, as seen "
+      "from --out");
   runner->add_option("scenes", options.scenes, "names of scenes");
   runner->add_flag("--all", options.all, "every scene");
   runner->add_flag("--no-plots", options.no_plots, "numbers and tables only");
   runner->add_flag("--png", options.png, "a PNG image beside each SVG");
+  runner->add_flag("--quiet", options.quiet, "name no files");
   runner->callback([&] { code = run(chapter, options); });
 
   CLI::App* checker =
@@ -155,21 +155,7 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
     sub->add_flag("--quick", options.quick, "fewer samples and shorter timings, never other methods");
   }
   own_work(app);
-
-  try {
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return end_of_parsing(app, error);
-    }
-  } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", chapter.name(), error.what());
-    return wrong_usage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", chapter.name(), error.what());
-    return failed;
-  }
-  return code;
+  return run_command(app, argc, argv, code, {lister, runner, checker});
 }
 
 }  // namespace nlmech::scene

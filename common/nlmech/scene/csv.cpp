@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -48,7 +49,7 @@ bool is_header(std::string_view line, const std::vector<std::string>& names) {
 [[noreturn]] void complain(const std::string& name, std::size_t line, std::size_t column,
                            const std::string& column_name, std::string_view cell) {
   throw InputError(fmt::format("{}: line {}, column {} ({}): '{}' is not a finite number", name, line,
-                               column + 1, column_name, cell));
+                               column + 1, column_name, echoed(cell)));
 }
 
 }  // namespace
@@ -88,7 +89,8 @@ NumberColumns parse_numbers(std::string_view text, const std::string& name,
     }
     if (more) {
       throw InputError(fmt::format("{}: line {}, column {}: '{}' is beyond the {} columns {}", name, number,
-                                   names.size() + 1, trim(line), names.size(), fmt::join(names, ",")));
+                                   names.size() + 1, echoed(trim(line)), names.size(),
+                                   fmt::join(names, ",")));
     }
     out.line.push_back(number);
   }

@@ -10,9 +10,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "nlmech/scene/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -85,6 +88,37 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
   return child;
 }
 
+/// A program at work, which is ended if this process is.
+class Child {
+ public:
+  Child(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+        const std::vector<std::string>& settings, const std::array<Pipe, 2>& pipes) {
+    const WholeAct act;
+    id_ = start(arguments, folder, settings, pipes[0].end[1], pipes[1].end[1]);
+    trace_.emplace(act, [this] { ::kill(id_, SIGKILL); });
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    if (trace_) static_cast<void>(wait());
+  }
+  /// Waits for its end. @returns its status, or none with errno set if the system has thrown that away
+  std::optional<int> wait() {
+    siginfo_t ended{};  // its number is not given to another one before the trace is gone
+    while (::waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    const WholeAct act;
+    trace_->gone(act);
+    trace_.reset();
+    int status = 0;
+    return ::waitpid(id_, &status, 0) == id_ ? std::optional(status) : std::nullopt;
+  }
+
+ private:
+  pid_t id_ = 0;
+  std::optional<Trace> trace_;
+};
+
 /// Reads both pipes as they fill, so that a program which writes much to one of them is never stuck.
 void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
   std::array<char, 65536> buffer{};
@@ -107,20 +141,17 @@ void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
 Finished run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                      const std::vector<std::string>& settings) {
   std::array<Pipe, 2> pipes;
-  const pid_t child = start(arguments, folder, settings, pipes[0].end[1], pipes[1].end[1]);
+  Child child(arguments, folder, settings, pipes);
   pipes[0].close(1);
   pipes[1].close(1);
   Finished finished;
   drain(pipes, {&finished.output, &finished.errors});
-  int status = 0;
-  pid_t ended = 0;
-  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
-  }
-  if (ended != child) {  // SIGCHLD is ignored: the system has thrown the exit code away
+  const std::optional<int> status = child.wait();
+  if (!status) {  // SIGCHLD is ignored
     throw Failure(fmt::format("{}: how it ended is not known: {}", arguments[0],
                               std::generic_category().message(errno)));
   }
-  finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  finished.exit_code = WIFEXITED(*status) ? WEXITSTATUS(*status) : 128 + WTERMSIG(*status);
   return finished;
 }
 

@@ -65,18 +65,28 @@ void draw_figure(const std::string& chapter, const std::string& scene, const Fig
 
 }  // namespace
 
-void publish(const Chapter& chapter, const Scene& scene, const Performance& performance, bool quick,
-             const Publishing& how) {
+std::vector<fs::path> publish(const Chapter& chapter, const Scene& scene, const Performance& performance,
+                              bool quick, const Publishing& how) {
   const Showing& showing = performance.showing;
-  const fs::path results = how.out / "results" / chapter.name() / scene.name;
-  const fs::path tables = how.out / "tables" / chapter.name() / scene.name;
-  if (showing.figure) write_whole(results.string() + ".csv", showing.figure->data.csv());
+  std::vector<fs::path> files;
+  const auto put = [&](const char* folder, const char* extension, const std::string& text) {
+    files.push_back(fs::path(folder) / chapter.name() / (scene.name + extension));
+    write_whole(how.out / files.back(), text);
+  };
+  if (showing.figure) put("results", ".csv", showing.figure->data.csv());
   if (showing.table) {
-    write_whole(tables.string() + ".csv", showing.table->csv());
-    write_whole(tables.string() + ".md", showing.table->markdown());
+    put("tables", ".csv", showing.table->csv());
+    put("tables", ".md", showing.table->markdown());
   }
-  write_whole(results.string() + ".json", provenance(chapter, scene, performance, quick));
-  if (showing.figure && how.plots) draw_figure(chapter.name(), scene.name, *showing.figure, how);
+  put("results", ".json", provenance(chapter, scene, performance, quick));
+  if (showing.figure && how.plots) {
+    draw_figure(chapter.name(), scene.name, *showing.figure, how);
+    for (const char* extension : {".svg", ".png"}) {
+      if (extension == std::string_view(".svg") || how.png)
+        files.push_back(fs::path("figures") / chapter.name() / (scene.name + extension));
+    }
+  }
+  return files;
 }
 
 }  // namespace nlmech::scene

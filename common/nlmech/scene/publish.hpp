@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "nlmech/scene/scene.hpp"
 
@@ -18,8 +19,10 @@ struct Publishing {
 /// Writes `results/<chapter>/<scene>.csv` and `.json`, `tables/<chapter>/<scene>.csv` and `.md`, and
 /// `figures/<chapter>/<scene>.svg`, as far as the scene has them; the data first, so that they are kept if
 /// drawing fails.
+/// @returns these files as seen from Publishing::out, in the order of writing, whether or not their bytes
+/// have changed
 /// @throws Failure naming the figure that was not drawn and why, or the file that could not be written
-void publish(const Chapter& chapter, const Scene& scene, const Performance& performance, bool quick,
-             const Publishing& how);
+std::vector<std::filesystem::path> publish(const Chapter& chapter, const Scene& scene,
+                                           const Performance& performance, bool quick, const Publishing& how);
 
 }  // namespace nlmech::scene

@@ -20,17 +20,19 @@
 #include <sstream>
 
 #include "nlmech/scene/check.hpp"
-#include "nlmech/scene/command_line.hpp"
+#include "nlmech/scene/command.hpp"
 #include "nlmech/scene/completeness.hpp"
 #include "nlmech/scene/errata.hpp"
 #include "nlmech/scene/files.hpp"
+#include "nlmech/scene/this_process.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace {
 
 using namespace nlmech::scene;
 
-constexpr int kept = 0, missed = 1, wrong_usage = 2, skipped = 77;
+constexpr int kept = 0, missed = 1, skipped = 77;
 
 struct Options {
   std::string chapters, out = ".", page, name;
@@ -54,7 +56,7 @@ std::vector<std::string> built_owner(const Options& options) {
     std::erase_if(built, [&](const std::string& chapter) { return chapter != owner(value, places); });
     return built;
   }
-  throw nlmech::InputError(fmt::format("no source prints '{}'", options.name));
+  throw nlmech::InputError(fmt::format("no source prints '{}'", nlmech::echoed(options.name)));
 }
 
 bool is_miss(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.kept; }
@@ -85,10 +87,10 @@ int completeness(const Options& options) {
   for (const Shown& s : shown) {
     if (s.complete()) continue;
     ++incomplete;
-    fmt::print(stderr, "INCOMPLETE {} {}: {}\n", s.place.source, s.place.name,
-               !s.drawn         ? "nothing is drawn"
-               : s.checked == 0 ? "nothing is checked"
-                                : "a quantity is missed");
+    tell(fmt::format("INCOMPLETE {} {}: {}", s.place.source, s.place.name,
+                     !s.drawn         ? "nothing is drawn"
+                     : s.checked == 0 ? "nothing is checked"
+                                      : "a quantity is missed"));
   }
   print_result(fmt::format("{} figures and tables, {} incomplete\n", shown.size(), incomplete));
   return incomplete == 0 ? kept : missed;
@@ -147,18 +149,7 @@ int main(int argc, char** argv) {
     sub->add_option("--chapters", options.chapters, "file with the names of the chapters built")->required();
     sub->add_option("--out", options.out, "folder in which the chapters' checks left results/");
   }
-  app.add_subcommand("tests", "names of all values, one a line")->callback(list_names);
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kept : wrong_usage;
-  } catch (const nlmech::InputError& error) {
-    fmt::print(stderr, "reproduction: {}\n", error.what());
-    return wrong_usage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "reproduction: {}\n", error.what());
-    return missed;
-  }
-  return code;
+  CLI::App* names = app.add_subcommand("tests", "names of all values, one a line");
+  names->callback(list_names);
+  return run_command(app, argc, argv, code, {reporter, overview, misprints, judge, names});
 }

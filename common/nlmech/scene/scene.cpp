@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -62,7 +63,8 @@ const Scene& Chapter::scene(const std::string& name) const {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  throw InputError(fmt::format("{} has no scene '{}'; it has {}", name_, name, fmt::join(names, ", ")));
+  throw InputError(
+      fmt::format("{} has no scene '{}'; it has {}", name_, echoed(name), fmt::join(names, ", ")));
 }
 
 Performance perform(const Scene& scene, Workshop& workshop) {

@@ -31,11 +31,6 @@ std::string markdown_text(std::string_view text) {
   return out;
 }
 
-bool is_numeric(const std::vector<std::vector<Cell>>& rows, std::size_t column) {
-  return std::all_of(rows.begin(), rows.end(),
-                     [column](const auto& row) { return !std::holds_alternative<std::string>(row[column]); });
-}
-
 }  // namespace
 
 Cell to_cell(const std::optional<double>& value) {
@@ -53,6 +48,17 @@ void Table::add(std::vector<Cell> row) {
         fmt::format("Table: a row of {} cells for {} columns", row.size(), columns_.size()));
   }
   rows_.push_back(std::move(row));
+}
+
+std::string Table::text(std::size_t row, std::size_t column) const {
+  return show(
+      rows_.at(row).at(column), [&](double x) { return format_number(x, columns_[column].digits); },
+      [](const std::string& words) { return words; });
+}
+
+bool Table::numeric(std::size_t column) const {
+  return std::all_of(rows_.begin(), rows_.end(),
+                     [column](const auto& row) { return !std::holds_alternative<std::string>(row[column]); });
 }
 
 std::string Table::csv() const {
@@ -77,7 +83,7 @@ std::string Table::markdown() const {
   std::string out = "|";
   for (const Column& c : columns_) out += fmt::format(" {} |", markdown_text(c.name));
   out += "\n|";
-  for (std::size_t i = 0; i < columns_.size(); ++i) out += is_numeric(rows_, i) ? " ---: |" : " :--- |";
+  for (std::size_t i = 0; i < columns_.size(); ++i) out += numeric(i) ? " ---: |" : " :--- |";
   out += '\n';
   for (const auto& row : rows_) {
     out += '|';

@@ -39,6 +39,11 @@ class Table {
   /// In the order in which they were added.
   [[nodiscard]] const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
+  /// A cell in words, real numbers with the digits of their column.
+  [[nodiscard]] std::string text(std::size_t row, std::size_t column) const;
+  /// Are there only numbers in the column, or nothing?
+  [[nodiscard]] bool numeric(std::size_t column) const;
+
   /// Header and rows; real numbers with 17 significant digits, so that reading gives back the same number.
   [[nodiscard]] std::string csv() const;
   /// A table of GitHub's Markdown; real numbers with the digits of their column.

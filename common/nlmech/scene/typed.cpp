@@ -7,26 +7,29 @@
 #include <cstddef>
 
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
 
 double typed_number(std::string_view option, const std::string& text) {
   double value = 0;
-  if (!parse_number(text, value)) throw InputError(fmt::format("{} {}: not a finite number", option, text));
+  if (!parse_number(text, value))
+    throw InputError(fmt::format("{} {}: not a finite number", option, echoed(text)));
   return value;
 }
 
 double typed_positive(std::string_view option, const std::string& text) {
   const double value = typed_number(option, text);
-  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, text));
+  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, echoed(text)));
   return value;
 }
 
 int typed_whole(std::string_view option, const std::string& text, int least, int most) {
   const double value = typed_number(option, text);
   if (!(value >= least && value <= most && value == std::floor(value)))
-    throw InputError(fmt::format("{} {}: must be a whole number from {} to {}", option, text, least, most));
+    throw InputError(
+        fmt::format("{} {}: must be a whole number from {} to {}", option, echoed(text), least, most));
   return static_cast<int>(value);
 }
 
@@ -45,7 +48,7 @@ std::vector<std::string> typed_words(std::string_view option, const std::string&
   for (const std::string& word : all) {
     double value = 0;
     if (!parse_number(word, value))
-      throw InputError(fmt::format("{} {}: '{}' is not a finite number", option, text, word));
+      throw InputError(fmt::format("{} {}: '{}' is not a finite number", option, echoed(text), echoed(word)));
   }
   return all;
 }

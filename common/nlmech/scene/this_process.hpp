@@ -1,0 +1,75 @@
+/// @file
+/// What a process has only one of: its standard streams, what it leaves lying about while it works, and its
+/// end. A time limit ends the process from a thread of its own (time_limit.hpp); what is to be in order then
+/// is kept here.
+#pragma once
+
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace nlmech::scene {
+
+/// While one lives, no other thread ends the process: for a short act that is done whole or not at all (a
+/// result printed, a file renamed, a child started and noted). Acts do not nest.
+class WholeAct {
+ public:
+  WholeAct();
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+};
+
+/// Something that is to be cleared away if the process is ended early: a temporary file, a child. Made and
+/// given up within a WholeAct, so that it is noted exactly as long as it is there.
+class Trace {
+ public:
+  /// @param clear removes it; called at most once, by the thread that ends the process
+  Trace(const WholeAct& /*act*/, std::function<void()> clear);
+  Trace(const Trace&) = delete;
+  Trace& operator=(const Trace&) = delete;
+  /// It is gone, or in its place.
+  void gone(const WholeAct& act);
+
+ private:
+  std::list<std::function<void()>>::iterator place_;
+};
+
+/// What the process is doing, in words for its user, until this goes: "reading standard input".
+class Doing {
+ public:
+  /// @param what instead of what was said before, which holds again afterwards
+  explicit Doing(std::string what);
+  Doing(const Doing&) = delete;
+  Doing& operator=(const Doing&) = delete;
+  ~Doing();
+
+ private:
+  std::string before_;
+};
+
+/// What is being done now; "computing" if nobody has said.
+[[nodiscard]] std::string doing_now();
+
+/// Writes a result to standard output, whole. @throws Failure if it could not be written (a full disk, a
+/// closed pipe)
+void print_result(std::string_view text);
+
+/// Writes a message to standard error: printable_message(), and a line end if it has none. A line of progress
+/// is wiped away first.
+void tell(std::string_view message);
+
+/// Shows one line of progress on standard error in place of the last one, as long as nothing is being
+/// printed. To be called for terminals only.
+void show_progress(std::string_view line);
+
+/// Wipes the line of progress away, if there is one.
+void wipe_progress();
+
+/// Waits for the act under way, clears all traces away, says @p message and ends the process: at once, with
+/// no destructor run, since other threads are still at work.
+[[noreturn]] void end_process(int exit_code, std::string_view message);
+
+}  // namespace nlmech::scene
