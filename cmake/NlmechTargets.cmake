@@ -34,6 +34,7 @@ function(nlmech_component name)
   set_property(GLOBAL APPEND PROPERTY NLMECH_COMPONENTS "${name}: ${uses}")
   if(NOT arg_INTERNAL)
     install(TARGETS nlmech_${name} EXPORT nlmech)
+    set_property(GLOBAL APPEND PROPERTY NLMECH_INSTALLED ${name})
     install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nlmech/${name}
             FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels" EXCLUDE)
   endif()

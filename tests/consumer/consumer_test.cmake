@@ -1,4 +1,5 @@
-# Installs into an empty folder, builds a project that finds the package there, runs it, and runs an installed program.
+# Installs into an empty folder, builds a project that finds the package there, with a program for each of its components, runs
+# them, and runs an installed program.
 # Then the lines of README that install the library and build on it, as a reader would type them.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
@@ -21,6 +22,22 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${PROJECT} -B ${WORK}/build-consumer -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} ${flags})
 run(${CMAKE_COMMAND} --build ${WORK}/build-consumer)
 run(${WORK}/build-consumer/consumer)
+
+file(GLOB_RECURSE config ${WORK}/prefix/lib*/nlmechConfig.cmake)
+file(READ ${config} text)
+string(REGEX MATCH "set.nlmech_COMPONENTS ([a-z_;]+)" line "${text}")
+set(components ${CMAKE_MATCH_1})
+list(JOIN components "," listed)
+if(NOT listed MATCHES "geodesy")
+  message(FATAL_ERROR "the package names no components: '${listed}'")
+endif()
+run(${CMAKE_COMMAND} -S ${COMPONENTS} -B ${WORK}/build-components -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER}
+    -DCOMPONENTS=${listed} ${flags})
+run(${CMAKE_COMMAND} --build ${WORK}/build-components --parallel 2)
+foreach(component IN LISTS components)
+  run(${WORK}/build-components/${component}/use_${component})
+endforeach()
+
 if(EXISTS ${WORK}/build-consumer/pendulum)  # the floors for integration are part of this build
   run(${WORK}/build-consumer/pendulum)
 
@@ -33,6 +50,10 @@ if(EXISTS ${WORK}/build-consumer/pendulum)  # the floors for integration are par
   foreach(line IN LISTS lines)
     run(sh -c "${line}")
   endforeach()
+  file(STRINGS ${WORK}/build-mine/CMakeCache.txt build_type REGEX "^CMAKE_BUILD_TYPE:")
+  if(NOT build_type MATCHES "=Release$")
+    message(FATAL_ERROR "README's lines build without optimising: ${build_type}")
+  endif()
   list(LENGTH lines typed)
   if(typed LESS 4)
     message(FATAL_ERROR "README does not say how to install the library and build on it")
