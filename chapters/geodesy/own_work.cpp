@@ -71,11 +71,11 @@ class CsvWriter {
 /// A result that misses its point by more than a metre is worth a word.
 void warn_of_miss(double miss, std::size_t line, const Request& request) {
   if (miss <= 1) return;
-  fmt::print(stderr,
-             "geodesy: warning: the series of order {} misses the point of line {} by {:.2g} m; a higher "
-             "order misses by "
-             "less\n",
-             request.order, line, miss);
+  scene::tell(
+      fmt::format("geodesy: warning: the series of order {} misses the point of line {} by {:.2g} m; a "
+                  "higher order misses "
+                  "by less",
+                  request.order, line, miss));
 }
 
 /// The points of the user's file by column, and what to call the file.

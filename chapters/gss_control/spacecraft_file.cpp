@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "nlmech/scene/files.hpp"
+#include "nlmech/scene/toml_text.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -42,7 +44,7 @@ std::string names_of_keys() {
 std::string text_of(const toml::node& node) {
   std::ostringstream out;
   node.visit([&out](const auto& value) { out << value; });
-  return out.str();
+  return echoed(out.str());
 }
 
 /// The number behind a key. @throws InputError
@@ -62,6 +64,7 @@ double number(const toml::node& node, const Key& key, const std::string& where) 
 
 spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string& name) {
   Parameters parameters = spacecraft::table_3_1();
+  scene::require_shallow_toml(text, name);
   try {
     const toml::table table = toml::parse(text, name);
     for (const auto& [key, node] : table) {
@@ -71,13 +74,13 @@ spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string
         if (k.name == key.str()) known = &k;
       }
       if (known == nullptr)
-        throw InputError(fmt::format("{}: {} = {}: no such key; there are {}", where, key.str(),
+        throw InputError(fmt::format("{}: {} = {}: no such key; there are {}", where, echoed(key.str()),
                                      text_of(node), names_of_keys()));
       parameters.*(known->field) = number(node, *known, where);
     }
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}, line {}, column {}: {}", name, error.source().begin.line,
-                                 error.source().begin.column, error.description()));
+                                 error.source().begin.column, echoed(error.description(), 400)));
   }
   try {
     spacecraft::require_physical(parameters);

@@ -15,6 +15,8 @@
 
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/toml_text.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -65,8 +67,8 @@ class Reader {
   void only(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
-        refuse(&node,
-               fmt::format("{} means nothing here; there are {}", full(key.str()), fmt::join(known, ", ")));
+        refuse(&node, fmt::format("{} means nothing here; there are {}", full(echoed(key.str())),
+                                  fmt::join(known, ", ")));
     }
   }
   [[nodiscard]] const toml::node* at(std::string_view key) const { return table_.get(key); }
@@ -77,7 +79,7 @@ class Reader {
     if (!value || !node->is_number() || !std::isfinite(*value)) {
       std::ostringstream shown;
       shown << toml::node_view<const toml::node>(node);
-      refuse(node, fmt::format("{} = {} is not a finite number", full(key), shown.str()));
+      refuse(node, fmt::format("{} = {} is not a finite number", full(key), echoed(shown.str())));
     }
     return *value;
   }
@@ -175,8 +177,8 @@ Label label_of(const PorkchopPart& part) {
     throw InputError(
         fmt::format("{}, line 1: '{}' does not say which part of which grid this is; merge joins what "
                     "porkchop --shard i/n writes",
-                    part.name, line));
-  label.grid = fmt::format("{} x {} problem {}", down, across, number);
+                    part.name, echoed(line)));
+  label.grid = echoed(fmt::format("{} x {} problem {}", down, across, number), 200);
   return label;
 }
 
@@ -209,11 +211,13 @@ std::vector<const PorkchopPart*> in_order(const std::vector<PorkchopPart>& parts
 }  // namespace
 
 orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name) {
+  scene::require_shallow_toml(text, name);
   toml::table table;
   try {
     table = toml::parse(std::string_view(text), name);
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+    throw InputError(
+        fmt::format("{}, line {}: {}", name, error.source().begin.line, echoed(error.description(), 400)));
   }
   const Reader whole(table, name, "");
   whole.only({"mu", "from", "to", "departures", "arrivals", "revolutions"});

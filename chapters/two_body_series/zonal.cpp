@@ -101,9 +101,10 @@ Study study(const ZonalDay& d, int samples) {
   return s;
 }
 
-std::vector<Study> studies(bool quick) {
+std::vector<Study> studies() {
+  constexpr int samples = 720;  // some fifty a revolution; with a few, an orbit would have corners
   std::vector<Study> all;
-  for (const ZonalDay& d : zonal_days()) all.push_back(study(d, quick ? 72 : 720));
+  for (const ZonalDay& d : zonal_days()) all.push_back(study(d, samples));
   return all;
 }
 
@@ -208,7 +209,7 @@ void add_zonal(scene::Chapter& chapter) {
                                           "R = 6378137 m, J2 = 1.08262668e-3; adaptive continuation in its "
                                           "default setting; in quadruple precision "
                                           "order 30 and tolerance 1e-21",
-                                          {}, [](Workshop& w) { return studies(w.quick()); });
+                                          {}, [](Workshop&) { return studies(); });
   chapter.add({.name = "zonal",
                .title = "Orbits of a day with zonal harmonics, and their difference to Kepler",
                .place = "our own",

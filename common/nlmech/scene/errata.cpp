@@ -10,6 +10,7 @@
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/table.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -42,15 +43,16 @@ Erratum to_erratum(const CsvRecord& record, const std::string& chapter, const st
   refuse(c.size() != header.size(), where, fmt::format("{} of {} cells", c.size(), header.size()));
   Erratum e{chapter, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], words(c[8]), c[9], c[10]};
   refuse(!e.id.starts_with(chapter + "-"), where,
-         fmt::format("'{}' does not begin with '{}-'", e.id, chapter));
+         fmt::format("'{}' does not begin with '{}-'", echoed(e.id), chapter));
   const bool computed = e.kind == "formula" || e.kind == "number" || e.kind == "claim";
-  refuse(!computed && e.kind != "wording", where, fmt::format("'{}' is no kind of misprint", e.kind));
-  refuse(e.scan != "no" && e.scan != "perhaps", where, fmt::format("'{}' is neither no nor perhaps", e.scan));
-  refuse(computed != !e.tests.empty(), where, fmt::format("{}: a test for all but wording", e.id));
+  refuse(!computed && e.kind != "wording", where, fmt::format("'{}' is no kind of misprint", echoed(e.kind)));
+  refuse(e.scan != "no" && e.scan != "perhaps", where,
+         fmt::format("'{}' is neither no nor perhaps", echoed(e.scan)));
+  refuse(computed != !e.tests.empty(), where, fmt::format("{}: a test for all but wording", echoed(e.id)));
   refuse(!std::all_of(e.tests.begin(), e.tests.end(), is_test), where,
-         fmt::format("'{}' is not of the form program:Suite.Name", c[8]));
+         fmt::format("'{}' is not of the form program:Suite.Name", echoed(c[8])));
   refuse(computed == (e.misses.empty() || e.within.empty()), where,
-         fmt::format("{}: misses and within for all but wording", e.id));
+         fmt::format("{}: misses and within for all but wording", echoed(e.id)));
   return e;
 }
 
@@ -95,17 +97,26 @@ Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
 
 }  // namespace
 
-std::vector<Erratum> read_errata(const fs::path& data_folder) {
+std::vector<Erratum> parse_errata(std::string_view text, const std::string& chapter,
+                                  const std::string& file) {
   std::vector<Erratum> errata;
   std::set<std::string> ids;
+  const auto records = parse_csv(text, file);
+  refuse(records.empty() || records[0].cells != header, file, "the header is another one");
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    errata.push_back(to_erratum(records[i], chapter, file));
+    refuse(!ids.insert(errata.back().id).second, fmt::format("{}: line {}", file, records[i].line),
+           fmt::format("'{}' is there twice", echoed(errata.back().id)));
+  }
+  return errata;
+}
+
+// Each id begins with its chapter's name, which is the file's: one file cannot repeat an id of another.
+std::vector<Erratum> read_errata(const fs::path& data_folder) {
+  std::vector<Erratum> errata;
   for (const fs::path& file : files_with(data_folder / "tables" / "errata", ".csv")) {
-    const auto records = parse_csv(read_whole(file), file.string());
-    refuse(records.empty() || records[0].cells != header, file.string(), "the header is another one");
-    for (std::size_t i = 1; i < records.size(); ++i) {
-      errata.push_back(to_erratum(records[i], file.stem().string(), file.string()));
-      refuse(!ids.insert(errata.back().id).second, fmt::format("{}: line {}", file.string(), records[i].line),
-             fmt::format("'{}' is there twice", errata.back().id));
-    }
+    for (Erratum& e : parse_errata(read_whole(file), file.stem().string(), file.string()))
+      errata.push_back(std::move(e));
   }
   return errata;
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nlmech::scene {
@@ -23,6 +24,11 @@ struct Erratum {
   std::string misses;              ///< how far the printed form is from the oracle, as the test says
   std::string within;              ///< how close to it the test holds the corrected form
 };
+
+/// The entries of one chapter's list. @param file what complaints call it
+/// @throws InputError naming file, line and cell: an unknown kind, an id twice, an entry without its test
+[[nodiscard]] std::vector<Erratum> parse_errata(std::string_view text, const std::string& chapter,
+                                                const std::string& file);
 
 /// All entries of `<data>/tables/errata/*.csv`, files in alphabetical order.
 /// @throws InputError naming file, line and cell: an unknown kind, an id twice, an entry without its test

@@ -9,6 +9,7 @@
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {
@@ -43,7 +44,7 @@ Verdict parse_verdict(const std::string& text, const std::string& where) {
   for (const Verdict v : verdicts) {
     if (to_string(v) == text) return v;
   }
-  throw InputError(fmt::format("{}: '{}' is no verdict", where, text));
+  throw InputError(fmt::format("{}: '{}' is no verdict", where, echoed(text)));
 }
 
 bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range>& reference) {
@@ -92,7 +93,8 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
   PublishedValue p{source, c[0], c[1], c[2], c[3], 0, c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
                    c[9],   c[10]};
   if (!parse_number(p.printed, p.value)) {
-    throw InputError(fmt::format("{}, column 4 (value): '{}' is not a finite number", where, p.printed));
+    throw InputError(
+        fmt::format("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed)));
   }
   try {
     static_cast<void>(Tolerance(p.tolerance));
@@ -137,7 +139,7 @@ Tolerance::Tolerance(std::string_view words) {
     number = words.substr(prefix.size());
   }
   if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
-    throw InputError(fmt::format("'{}' is no tolerance", words));
+    throw InputError(fmt::format("'{}' is no tolerance", echoed(words)));
   }
 }
 
@@ -161,29 +163,38 @@ bool Tolerance::allows(double ours, double low, double high) const {
 
 std::string PublishedValue::name() const { return fmt::format("{}/{}/{}/{}", source, place, row, quantity); }
 
+std::vector<PublishedValue> parse_published(std::string_view text, const std::string& source,
+                                            const std::string& file) {
+  std::vector<PublishedValue> values;
+  const auto records = parse_csv(text, file);
+  for (std::size_t i = 1; i < records.size(); ++i) values.push_back(to_value(records[i], source, file));
+  return values;
+}
+
 std::vector<PublishedValue> read_published(const fs::path& data_folder) {
   std::vector<PublishedValue> values;
   for (const fs::path& file : files_with(data_folder / "tables" / "published", ".csv")) {
-    const auto records = parse_csv(read_whole(file), file.string());
-    for (std::size_t i = 1; i < records.size(); ++i) {
-      values.push_back(to_value(records[i], file.stem().string(), file.string()));
-    }
+    for (PublishedValue& value : parse_published(read_whole(file), file.stem().string(), file.string()))
+      values.push_back(std::move(value));
   }
   return values;
 }
 
-std::vector<Place> read_places(const fs::path& data_folder) {
-  const fs::path file = data_folder / "tables" / "places.csv";
-  const auto records = parse_csv(read_whole(file), file.string());
+std::vector<Place> parse_places(std::string_view text, const std::string& file) {
+  const auto records = parse_csv(text, file);
   std::vector<Place> places;
   for (std::size_t i = 1; i < records.size(); ++i) {
     const auto& c = records[i].cells;
-    if (c.size() != 5) {
-      throw InputError(fmt::format("{}: line {}: {} of 5 cells", file.string(), records[i].line, c.size()));
-    }
+    if (c.size() != 5)
+      throw InputError(fmt::format("{}: line {}: {} of 5 cells", file, records[i].line, c.size()));
     places.push_back({c[0], c[1], c[2], c[3], c[4]});
   }
   return places;
+}
+
+std::vector<Place> read_places(const fs::path& data_folder) {
+  const fs::path file = data_folder / "tables" / "places.csv";
+  return parse_places(read_whole(file), file.string());
 }
 
 const std::string& owner(const PublishedValue& value, const std::vector<Place>& places) {

@@ -76,6 +76,14 @@ struct Place {
 /// @throws InputError naming file, line and cell
 [[nodiscard]] std::vector<PublishedValue> read_published(const std::filesystem::path& data_folder);
 
+/// The values of one such file. @param source its name without the ending @param file what complaints call it
+/// @throws InputError naming file, line and cell
+[[nodiscard]] std::vector<PublishedValue> parse_published(std::string_view text, const std::string& source,
+                                                          const std::string& file);
+
+/// The rows of a list of places. @throws InputError naming file and line
+[[nodiscard]] std::vector<Place> parse_places(std::string_view text, const std::string& file);
+
 /// All rows of `<data>/tables/places.csv`. @throws InputError naming file and line
 [[nodiscard]] std::vector<Place> read_places(const std::filesystem::path& data_folder);
 

@@ -1,0 +1,229 @@
+/// Whatever a file or an option holds, its reader gives back what stands there or says in a sentence what is
+/// wrong. Under the sanitizers this is a fuzzer of all readers of the common layer.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nlmech/scene/command.hpp"
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/errata.hpp"
+#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/table.hpp"
+#include "nlmech/scene/this_process.hpp"
+#include "nlmech/scene/typed.hpp"
+#include "nlmech/support/errors.hpp"
+#include "tests/adversary/mutation.hpp"
+
+namespace nlmech::adversary {
+namespace {
+
+constexpr std::int64_t all_of_them = 1'000'000;
+
+const std::vector<std::string>& points() {
+  static const std::vector<std::string> all = {
+      "x,y,z\n1,2,3\n-4.5e3,0.25,1e-3\n",        "6378137,0,0\n",
+      "# a comment\nx,y,z\n+1, 2 ,3\n\n7,8,9",   "x,y,z\r\n1,2,3\r\n",
+      "\xEF\xBB\xBFx,y,z\n0,0,6356752.314245\n", "1,2,3\n4,5,6\n7,8,9\n10,11,12\n"};
+  return all;
+}
+
+// As many rows as lines with something on them; every number finite; what is printed reads back the same.
+TEST(AdversaryReaders, ColumnsOfNumbers) {
+  const std::vector<std::string> names = {"x", "y", "z"};
+  hunt({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+    return read_or_refused(damaged(draw, points()), [&](const std::string& text) {
+      const scene::NumberColumns read = scene::parse_numbers(text, "points.csv", names);
+      std::string again;
+      for (std::size_t i = 0; i < read.rows(); ++i) {
+        for (const auto& column : read.column) {
+          if (column.size() != read.rows() || !std::isfinite(column[i])) return false;
+        }
+        again +=
+            fmt::format("{:.17g},{:.17g},{:.17g}\n", read.column[0][i], read.column[1][i], read.column[2][i]);
+      }
+      const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+      return read.rows() <= lines && scene::parse_numbers(again, "again", names).column == read.column;
+    });
+  });
+}
+
+// Records written again as CSV are the same records.
+TEST(AdversaryReaders, RecordsOfTexts) {
+  static const std::vector<std::string> examples = {
+      source_lines("tables/places.csv", 12), source_lines("tables/published/laier.csv", 6),
+      "a,b\n\"1,2\",\"say \"\"x\"\"\"\n", "a\n\"two\nlines\"\n,\n", "\"\",x\n"};
+  hunt({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+    return read_or_refused(damaged(draw, examples), [](const std::string& text) {
+      const auto read = scene::parse_csv(text, "file.csv");
+      std::string again;
+      for (const scene::CsvRecord& record : read) {
+        std::string line;
+        for (const std::string& cell : record.cells) {
+          line += line.empty() && &cell == record.cells.data() ? "" : ",";
+          line += cell.empty() ? "\"\"" : scene::csv_field(cell);
+        }
+        again += line + '\n';
+      }
+      const auto twice = scene::parse_csv(again, "again");
+      // A record of one blank cell is a blank line; only those may be lost.
+      std::vector<std::vector<std::string>> a, b;
+      const auto counts = [](const scene::CsvRecord& r) {
+        return r.cells.size() > 1 || r.cells[0].find_first_not_of(" \t\r") != std::string::npos;
+      };
+      for (const auto& r : read) {
+        if (counts(r)) a.push_back(r.cells);
+      }
+      for (const auto& r : twice) {
+        if (counts(r)) b.push_back(r.cells);
+      }
+      return a == b;
+    });
+  });
+}
+
+TEST(AdversaryReaders, PublishedTables) {
+  static const std::vector<std::string> examples = {source_lines("tables/published/laier.csv", 8),
+                                                    source_lines("tables/published/roy.csv", 8)};
+  hunt({.quick = 500, .full = all_of_them, .least_right = 0.005}, [&](Draw& draw) {
+    return read_or_refused(damaged(draw, examples), [](const std::string& text) {
+      for (const scene::PublishedValue& value : scene::parse_published(text, "laier", "laier.csv")) {
+        if (!std::isfinite(value.value)) return false;
+      }
+      return true;
+    });
+  });
+}
+
+TEST(AdversaryReaders, PlacesAndErrata) {
+  static const std::vector<std::string> places = {source_lines("tables/places.csv", 20)};
+  static const std::vector<std::string> errata = {source_lines("tables/errata/hermitian.csv", 8)};
+  hunt({.quick = 500, .full = all_of_them, .least_right = 0.01}, [&](Draw& draw) {
+    if (draw.chance(0.5)) {
+      return read_or_refused(damaged(draw, places), [](const std::string& text) {
+        static_cast<void>(scene::parse_places(text, "places.csv"));
+        return true;
+      });
+    }
+    return read_or_refused(damaged(draw, errata), [](const std::string& text) {
+      static_cast<void>(scene::parse_errata(text, "hermitian", "hermitian.csv"));
+      return true;
+    });
+  });
+}
+
+TEST(AdversaryReaders, NumbersAndListsAsTyped) {
+  static const std::vector<std::string> examples = {"1",       "-0.5",     "1e-9", "1,2,3",
+                                                    "7e6,0,0", "0.01,100", "12",   "+3"};
+  hunt({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+    const int kind = draw.whole(0, 3);
+    return read_or_refused(damaged(draw, examples), [kind](const std::string& text) {
+      if (kind == 0) return std::isfinite(scene::typed_number("--x", text));
+      if (kind == 1) return scene::typed_positive("--x", text) > 0;
+      if (kind == 2) {
+        const int n = scene::typed_whole("--x", text, -3, 1000);
+        return n >= -3 && n <= 1000;
+      }
+      const std::vector<double> all = scene::typed_numbers("--x", text);
+      return std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); }) &&
+             all.size() == static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+    });
+  });
+}
+
+/// What a program writes to its two streams, read as it goes.
+class Streams {
+ public:
+  Streams() {
+    for (const int stream : {1, 2}) {
+      int ends[2] = {-1, -1};
+      EXPECT_EQ(::pipe2(ends, O_CLOEXEC | O_NONBLOCK), 0);
+      before_[stream - 1] = ::dup(stream);
+      ::dup2(ends[1], stream);
+      ::close(ends[1]);
+      read_[stream - 1] = ends[0];
+    }
+  }
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+  ~Streams() {
+    for (const int stream : {1, 2}) {
+      ::dup2(before_[stream - 1], stream);
+      ::close(before_[stream - 1]);
+      ::close(read_[stream - 1]);
+    }
+  }
+  std::string written(int stream) {
+    std::array<char, 65536> buffer{};
+    const ssize_t count = ::read(read_[stream - 1], buffer.data(), buffer.size());
+    return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  }
+
+ private:
+  std::array<int, 2> before_{}, read_{};
+};
+
+/// A program with an option of each kind.
+int program(const std::vector<std::string>& words) {
+  CLI::App app("a program", "program");
+  app.set_version_flag("--version", "1");
+  app.require_subcommand(1);
+  std::string number, positive, whole = "3", list, file;
+  std::vector<std::string> set;
+  bool flag = false;
+  CLI::App* work = app.add_subcommand("work", "all kinds of options");
+  work->add_option("--number", number, "a number");
+  work->add_option("--positive", positive, "a positive number")->required();
+  work->add_option("--whole", whole, "a whole number")->capture_default_str();
+  work->add_option("--list", list, "numbers");
+  work->add_option("--set", set, "name=value")->allow_extra_args(false);
+  work->add_option("file", file, "a file");
+  work->add_flag("--flag", flag, "a flag");
+  work->callback([&] {
+    const double p = scene::typed_positive("--positive", positive);
+    const double x = number.empty() ? 0 : scene::typed_number("--number", number);
+    const int n = scene::typed_whole("--whole", whole, 1, 9);
+    const std::size_t m = list.empty() ? 0 : scene::typed_numbers("--list", list).size();
+    for (const std::string& s : set) {
+      if (s.find('=') == std::string::npos) throw InputError(fmt::format("--set {}: say name=value", s));
+    }
+    scene::print_result(fmt::format("{},{},{},{},{}\n", p, x, n, m, flag));
+  });
+  std::vector<const char*> argv = {"program"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  return scene::run_command(app, static_cast<int>(argv.size()), argv.data(), 0, {});
+}
+
+// Exit code 0 with a result and not a word, or 2 with a short printable message and no result.
+TEST(AdversaryReaders, CommandLines) {
+  static const std::vector<std::string> examples = {"work --positive 1",
+                                                    "work --positive 1e-3 --number -2 --whole 4 file.csv",
+                                                    "work --positive 2 --list 1,2,3 --flag",
+                                                    "work --positive=5 --set a=1 --set b=2",
+                                                    "--help",
+                                                    "work --help",
+                                                    "--version",
+                                                    "work --limit 5 --positive 1 --",
+                                                    "work --positive 1 --number 1 --number 2",
+                                                    "work --limit 0 --positive 1"};
+  hunt({.quick = 1000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+    const std::string line = damaged(draw, examples);
+    Streams streams;
+    const int code = program(scene::split(line, ' '));
+    const std::string result = streams.written(1), said = streams.written(2);
+    if (code == 0 && !result.empty() && said.empty()) return Case::judged(0, 1, shown(line));
+    std::string text = said;  // its line ends are no characters of a sentence
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    if (code == 2 && result.empty() && is_sentence(text)) return Case::refused(shown(line));
+    return Case::wrong(fmt::format("exit code {}, result {}, message {}; {}", code, shown(result),
+                                   shown(said), shown(line)));
+  });
+}
+
+}  // namespace
+}  // namespace nlmech::adversary
