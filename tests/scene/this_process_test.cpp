@@ -102,8 +102,13 @@ TEST(TimeLimit, ShowsProgressOnATerminalAndWipesItAway) {
   EXPECT_EQ(terminal.shown(), "\r\x1b[Kgss_control poles: looking for poles, 0 s (--limit 50)\r\x1b[K");
 }
 
-TEST(TimeLimit, IsSilentBeforeAndInAPipe) {
+TEST(TimeLimit, IsSilentBeforeAndInAPipeAndWhileTheUserTypes) {
   ErrorsOnATerminal terminal;
+  {
+    const Doing typing("reading standard input", true);
+    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   { const TimeLimit limit({"gss_control", "poles", 50.}); }
   EXPECT_EQ(terminal.shown(), "");
   ::testing::internal::CaptureStderr();

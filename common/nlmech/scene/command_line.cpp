@@ -129,7 +129,9 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   Options options;
   int code = 0;
 
-  CLI::App* lister = app.add_subcommand("list", "Scenes, what they show and need, and their time in seconds");
+  CLI::App* lister = app.add_subcommand("list",
+                                        "Scenes, what they show and need, and their time in seconds: columns "
+                                        "on a terminal, Markdown in a pipe");
   lister->add_flag("--csv", options.csv, "as CSV");
   lister->callback([&] { list(chapter, options.csv); });
 

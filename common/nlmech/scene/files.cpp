@@ -89,7 +89,7 @@ class TemporaryFile {
 
 std::string read_whole(const fs::path& path) {
   if (path == "-") {
-    const Doing reading("reading standard input");
+    const Doing reading("reading standard input", ::isatty(STDIN_FILENO) == 1);
     return read_to_end(stdin, "standard input");
   }
   const std::string name = echoed_path(path.string());

@@ -17,6 +17,7 @@ struct State {
   std::mutex mutex;
   std::list<std::function<void()>> traces;
   std::string doing = "computing";
+  bool silent = false;
   bool progress_shown = false;
 };
 
@@ -53,14 +54,16 @@ Trace::Trace(const WholeAct& /*act*/, std::function<void()> clear)
 
 void Trace::gone(const WholeAct& /*act*/) { state().traces.erase(place_); }
 
-Doing::Doing(std::string what) {
+Doing::Doing(std::string what, bool silent) {
   const WholeAct act;
   before_ = std::exchange(state().doing, std::move(what));
+  silent_before_ = std::exchange(state().silent, silent);
 }
 
 Doing::~Doing() {
   const WholeAct act;
   state().doing = std::move(before_);
+  state().silent = silent_before_;
 }
 
 std::string doing_now() {
@@ -86,7 +89,7 @@ void tell(std::string_view message) {
 
 void show_progress(std::string_view line) {
   const std::unique_lock lock(state().mutex, std::try_to_lock);
-  if (!lock) return;
+  if (!lock || state().silent) return;
   write_error(std::string(wipe).append(line));
   state().progress_shown = true;
 }

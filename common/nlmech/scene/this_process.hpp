@@ -41,13 +41,15 @@ class Trace {
 class Doing {
  public:
   /// @param what instead of what was said before, which holds again afterwards
-  explicit Doing(std::string what);
+  /// @param silent no progress is shown meanwhile: the user is typing on the same terminal
+  explicit Doing(std::string what, bool silent = false);
   Doing(const Doing&) = delete;
   Doing& operator=(const Doing&) = delete;
   ~Doing();
 
  private:
   std::string before_;
+  bool silent_before_;
 };
 
 /// What is being done now; "computing" if nobody has said.
@@ -61,8 +63,8 @@ void print_result(std::string_view text);
 /// is wiped away first.
 void tell(std::string_view message);
 
-/// Shows one line of progress on standard error in place of the last one, as long as nothing is being
-/// printed. To be called for terminals only.
+/// Shows one line of progress on standard error in place of the last one, unless something is being printed
+/// or the user is typing. To be called for terminals only.
 void show_progress(std::string_view line);
 
 /// Wipes the line of progress away, if there is one.
