@@ -14,7 +14,9 @@
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/projectile.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/scene/command.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/typed.hpp"
 
 namespace nlmech::comparison {
 
@@ -30,7 +32,7 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string sections, initial;
+  std::string sections, initial, limit = scene::usual_limit;
   std::vector<std::string> set;
 };
 
@@ -45,10 +47,11 @@ std::string section_rows(const Words& words) {
     throw InputError(
         fmt::format("--sections {}: must be a whole number from 1 to 10 million", words.sections));
   comparison::OwnProblemOf<problems::StrongOscillator> problem;
-  for (const std::string& assignment : words.set) comparison::apply_setting(problem, assignment);
+  comparison::apply_settings(problem, words.set);
   const std::vector<double> x0 = comparison::initial_state(problem, words.initial);
   const auto all =
-      sections(problem.problem(), {x0[0], x0[1]}, problem.initial_time(), static_cast<std::int64_t>(count));
+      sections(problem.problem(), {x0[0], x0[1]}, problem.initial_time(), static_cast<std::int64_t>(count),
+               {.seconds = scene::typed_positive("--limit", words.limit)});
   std::string text = "section,x,v\n";
   for (std::size_t k = 0; k < all.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{:.17g},{:.17g}\n", k, all[k][0], all[k][1]);
@@ -62,8 +65,9 @@ void add_poincare_command(CLI::App& app) {
   command->add_option("--sections", words->sections, "how many, the first of them the initial state")
       ->required();
   command->add_option("--initial", words->initial, "initial state x,v; -0.5,0 without it");
-  command->add_option("--set", words->set, "name=value of stiffness or epsilon; may be repeated")
-      ->allow_extra_args(false);
+  command->add_option("--set", words->set,
+                      "name=value of stiffness or epsilon; more of them with blanks between");
+  command->add_option("--limit", words->limit, "wall time in seconds, at most")->capture_default_str();
   command->callback([words] { scene::print_result(section_rows(*words)); });
 }
 

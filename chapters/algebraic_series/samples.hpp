@@ -18,10 +18,12 @@ struct Sample {
 };
 
 /// States at t0, t0 + dt, t0 + 2 dt, ... up to the end of an integration. @throws Failure if it fails
+/// @param limits bounds on its work
 /// @tparam Method any of the library's
 template <int n, class Method>
 [[nodiscard]] std::vector<Sample<n>> sampled(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
-                                             double t1, const Method& method, double dt) {
+                                             double t1, const Method& method, double dt,
+                                             const ivp::Limits& limits = {}) {
   std::vector<Sample<n>> samples = {{t0, x0}};
   // Rounding of k dt loses no sample at the end.
   const auto next = [&] { return t0 + dt * static_cast<double>(samples.size()); };
@@ -33,7 +35,7 @@ template <int n, class Method>
     }
     return true;
   };
-  const auto solution = ivp::integrate(system, x0, t0, t1, method, observe);
+  const auto solution = ivp::integrate(system, x0, t0, t1, method, observe, limits);
   if (!solution.status.ok()) throw Failure(solution.status);
   return samples;
 }

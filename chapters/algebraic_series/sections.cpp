@@ -7,9 +7,10 @@
 namespace nlmech::chapters {
 
 std::vector<ivp::State<2>> sections(const problems::StrongOscillator& problem, const ivp::State<2>& x0,
-                                    double t0, std::int64_t count) {
+                                    double t0, std::int64_t count, const ivp::Limits& limits) {
   const double t1 = t0 + std::numbers::pi * static_cast<double>(count - 1);
-  const auto samples = sampled<2>(ivp::System<2>(problem), x0, t0, t1, accurate_series(), std::numbers::pi);
+  const auto samples =
+      sampled<2>(ivp::System<2>(problem), x0, t0, t1, accurate_series(), std::numbers::pi, limits);
   std::vector<ivp::State<2>> states;
   states.reserve(samples.size());
   for (const Sample<2>& s : samples) states.push_back(s.x);

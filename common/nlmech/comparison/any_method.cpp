@@ -16,6 +16,18 @@ std::vector<std::string> any_method_names() {
   return names;
 }
 
+std::vector<std::string> built_method_names() {
+  std::vector<std::string> names;
+  for (const ivp::MethodInfo& info : ivp::named_methods()) names.emplace_back(info.name);
+  for (const std::string& peer : peers::peer_names()) names.push_back(peer);
+  return names;
+}
+
+ivp::Controlled controlled(const AnyMethod& method, const ivp::Settings& settings) {
+  return method.peer ? ivp::Controlled::local_error
+                     : ivp::controlled(ivp::method_info(method.name), settings);
+}
+
 AnyMethod any_method(std::string_view name) {
   if (peers::is_peer(name)) return {.name = std::string(name), .peer = true};
   const auto names = any_method_names();

@@ -24,8 +24,14 @@ struct AnyMethod {
 /// @throws std::invalid_argument listing all methods and peers, if there is none of that name
 [[nodiscard]] AnyMethod any_method(std::string_view name);
 
+/// What its tolerance or step holds. Peers hold the error of a step.
+[[nodiscard]] ivp::Controlled controlled(const AnyMethod& method, const ivp::Settings& settings);
+
 /// Names of ours, then of the peers, built or not.
 [[nodiscard]] std::vector<std::string> any_method_names();
+
+/// Names of ours, then of the peers that this build has.
+[[nodiscard]] std::vector<std::string> built_method_names();
 
 /// Ready to run. Settings of @p settings that the method does not have are refused.
 /// @throws std::invalid_argument for settings that cannot be meant, and for a peer that this build lacks

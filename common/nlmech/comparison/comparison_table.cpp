@@ -2,24 +2,69 @@
 
 #include <fmt/format.h>
 
-namespace nlmech::comparison {
+#include <algorithm>
 
-ComparisonTable::ComparisonTable(std::string_view program, const Status& truth)
-    : program_(program), has_reference_(truth.ok()) {
-  if (!has_reference_)
-    fmt::print(stderr, "{}: no digits, because there is no reference: {}\n", program_, truth.text());
+#include "nlmech/comparison/reference_end.hpp"
+#include "nlmech/scene/this_process.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// A cell in quotes.
+std::string quoted(std::string_view sentence) {
+  std::string cell = "\"";
+  for (const char c : sentence) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
+}
+
+}  // namespace
+
+ComparisonTable::ComparisonTable(std::string_view program, const Reference& truth, const Eigen::VectorXd& x0)
+    : program_(program), truth_(truth), size_(x0.cwiseAbs()) {
+  if (truth.status.ok()) {
+    size_ = size_.cwiseMax(truth.size);
+    scene::tell(fmt::format("{}: reference: {}", program_, truth.text()));
+  } else {
+    scene::tell(fmt::format("{}: no digits, because there is no reference: {}", program_, truth.text()));
+  }
+}
+
+void ComparisonTable::say(const Choice& choice, std::string_view sentence) const {
+  // Most sentences begin with the method.
+  const bool named = sentence.find(choice.method.name + ":") != std::string_view::npos;
+  scene::tell(fmt::format("{}: {}{}", program_, named ? "" : choice.method.name + ": ", sentence));
+}
+
+double ComparisonTable::error_of(const Eigen::VectorXd& x) const {
+  const Eigen::VectorX<long double> end = truth_.states.col(truth_.states.cols() - 1);
+  return relative_error<Eigen::Dynamic>(x, end, size_);
 }
 
 void ComparisonTable::add(const Choice& choice, const Status& status, const Statistics& statistics,
-                          double error, double seconds) {
+                          const Eigen::VectorXd& x, double seconds) {
+  some_ = true;
   std::string digits;
   if (!status.ok()) {
-    fmt::print(stderr, "{}: {}: {}\n", program_, choice.method.name, status.text());
-  } else if (has_reference_) {
-    digits = fmt::format("{:.3f}", digits_of(error));
+    say(choice, status.text());
+  } else if (truth_.status.ok()) {
+    digits = fmt::format("{:.3f}", digits_of(std::max(error_of(x), truth_.uncertainty())));
   }
-  text_ += fmt::format("{},{},{},{},{:.4g},{}\n", choice.method.name, choice.setting(),
-                       to_string(status.outcome()), digits, seconds, statistics.right_hand_sides);
+  text_ += fmt::format("{},{},{},{},{:.4g},{},{},{}\n", choice.method.name, choice.setting(),
+                       to_string(status.outcome()), digits, seconds, statistics.right_hand_sides,
+                       to_string(controlled(choice.method, choice.settings)),
+                       status.ok() ? "" : quoted(status.sentence()));
+}
+
+void ComparisonTable::add_unsuitable(const Choice& choice, const std::string& why) {
+  unsuitable_ += (unsuitable_.empty() ? "" : "; ") + why;
+  say(choice, why);
+  text_ += fmt::format("{},{},unsuitable,,,,,{}\n", choice.method.name, choice.setting(), quoted(why));
+}
+
+const std::string& ComparisonTable::text() const {
+  if (!some_) throw InputError("--methods: none of them is for this: " + unsuitable_);
+  return text_;
 }
 
 }  // namespace nlmech::comparison

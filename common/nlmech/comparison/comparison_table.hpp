@@ -1,34 +1,49 @@
 /// @file
-/// What `compare` prints: a row a method, and on standard error why one has no digits.
+/// What `compare` prints: a row a method, and on standard error what the digits are measured by and why a row
+/// has none.
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <string_view>
 
 #include "nlmech/comparison/own_problem.hpp"
+#include "nlmech/comparison/reference.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
 
-/// Rows `method,setting,status,digits,seconds,rhs_evaluations`.
+/// Rows `method,setting,status,digits,seconds,rhs_evaluations,controlled,note`.
+///
+/// The digits are those of the end state, but no more than the reference knows. `controlled` says what the
+/// tolerance or step was held to; `note` is the sentence of a failure.
 class ComparisonTable {
  public:
   /// @param program begins what is said on standard error
-  /// @param truth status of the reference; without one there are no digits, which is said
-  ComparisonTable(std::string_view program, const Status& truth);
+  /// @param truth the reference, its last time the end; without one there are no digits, which is said
+  /// @param x0 initial state
+  ComparisonTable(std::string_view program, const Reference& truth, const Eigen::VectorXd& x0);
 
-  /// A row. @param error against the reference; without a meaning if the method or the reference failed
-  void add(const Choice& choice, const Status& status, const Statistics& statistics, double error,
+  /// A run that ended with @p status at the state @p x.
+  void add(const Choice& choice, const Status& status, const Statistics& statistics, const Eigen::VectorXd& x,
            double seconds);
+  /// A method that is not for this problem or these settings: the status is `unsuitable`.
+  void add_unsuitable(const Choice& choice, const std::string& why);
 
-  /// All of it.
-  [[nodiscard]] const std::string& text() const { return text_; }
+  /// All of it. @throws InputError naming `--methods` if there are unsuitable ones alone
+  [[nodiscard]] const std::string& text() const;
 
  private:
+  void say(const Choice& choice, std::string_view sentence) const;
+  [[nodiscard]] double error_of(const Eigen::VectorXd& x) const;
+
   std::string_view program_;
-  bool has_reference_;
-  std::string text_ = "method,setting,status,digits,seconds,rhs_evaluations\n";
+  const Reference& truth_;
+  Eigen::VectorXd size_;
+  bool some_ = false;
+  std::string unsuitable_;
+  std::string text_ = "method,setting,status,digits,seconds,rhs_evaluations,controlled,note\n";
 };
 
 }  // namespace nlmech::comparison

@@ -8,8 +8,9 @@
 #include <optional>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/scene/command_line.hpp"
+#include "nlmech/scene/command.hpp"
 #include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/this_process.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -19,8 +20,9 @@ namespace {
 /// What was typed.
 struct Words {
   std::string problem, initial, until, from, method, step, tolerance, absolute, nodes, shape, order, points,
-      every, limit = "60";
+      every, limit = scene::usual_limit;
   std::vector<std::string> set;
+  bool no_verify = false;
 };
 
 std::optional<double> positive(const char* option, const std::string& text) {
@@ -34,7 +36,7 @@ std::optional<int> whole(const char* option, const std::string& text, int least,
 }
 
 Request understand(const Words& words, OwnProblem& problem) {
-  for (const std::string& assignment : words.set) apply_setting(problem, assignment);
+  apply_settings(problem, words.set);
   Request r;
   r.x0 = initial_state(problem, words.initial);
   r.t0 = words.from.empty() ? problem.initial_time() : scene::typed_number("--from", words.from);
@@ -53,20 +55,37 @@ Request understand(const Words& words, OwnProblem& problem) {
   if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
     throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
   r.limits.seconds = *positive("--limit", words.limit);
+  r.verify = !r.settings.step && !words.no_verify;
   return r;
 }
 
-void integrate(const Words& words, const OwnProblems& problems) {
+void integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_by_name(problems, words.problem);
   const Request r = understand(words, *problem);
   const AnyMethod method = about("--method", [&] { return any_method(words.method); });
-  scene::print_result(problem->trajectory(r, method));
+  const Trajectory run = problem->trajectory(r, method);
+  if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
+  scene::print_result(run.rows);
+}
+
+std::string trimmed(std::string text) {
+  text.erase(0, text.find_first_not_of(" \t"));
+  text.erase(text.find_last_not_of(" \t") + 1);
+  return text;
+}
+
+/// The names of a list, blanks beside its commas aside. "all": those of ours and of the peers in this build.
+std::vector<std::string> names_of(const std::string& list) {
+  if (trimmed(list) == "all") return built_method_names();
+  std::vector<std::string> names;
+  for (const std::string& name : scene::split(list, ',')) names.push_back(trimmed(name));
+  return names;
 }
 
 /// The methods of a list, each with those of the settings that it has.
 std::vector<Choice> choices(const std::string& list, const ivp::Settings& settings) {
   std::vector<Choice> all;
-  for (const std::string& name : scene::split(list, ',')) {
+  for (const std::string& name : names_of(list)) {
     const AnyMethod method = about("--methods", [&] { return any_method(name); });
     all.push_back({method, settings});
     if (method.fixed_step) all.back().settings.absolute_tolerance.reset();
@@ -98,8 +117,7 @@ void compare(const Words& words, const OwnProblems& problems, const std::string&
 
 void add_common(CLI::App& command, Words& words) {
   command.add_option("--problem", words.problem, "which equation: see below")->required();
-  command.add_option("--set", words.set, "name=value of a parameter; may be repeated")
-      ->allow_extra_args(false);
+  command.add_option("--set", words.set, "name=value of a parameter; more of them with blanks between");
   command.add_option("--initial", words.initial,
                      "initial state: positions, then velocities, as in 1,-0.5; the problem's own without it");
   command.add_option("--from", words.from, "time at which it begins; the problem's own without it");
@@ -110,8 +128,6 @@ void add_common(CLI::App& command, Words& words) {
                      "two runs agree");
   command.add_option("--absolute-tolerance", words.absolute,
                      "for components that become small; --tolerance without it. Not for fixed steps");
-  command.add_option("--limit", words.limit, "wall time in seconds, at most, for a method")
-      ->capture_default_str();
 }
 
 /// What some methods have and others have not: options for those that at least one of @p methods has.
@@ -154,21 +170,33 @@ void add_integrate_command(CLI::App& app, const OwnProblems& problems,
   command->footer(methods.empty() ? describe_all(problems) : describe_problems(problems));
   command->add_option("--every", words->every,
                       "rows at this distance in time; without it the first and the last");
-  command->callback([words, problems, methods] {
+  command->add_flag(
+      "--no-verify", words->no_verify,
+      "print the run without holding it to an independent one, which every run by a tolerance is");
+  command->add_option("--limit", words->limit, "wall time in seconds, at most")->capture_default_str();
+  const std::string program = app.get_name();
+  command->callback([words, problems, methods, program] {
     if (!methods.empty() && std::find(methods.begin(), methods.end(), words->method) == methods.end())
       throw InputError(fmt::format("--method {}: there is no such method here; there is {}", words->method,
                                    fmt::join(methods, ", ")));
-    integrate(*words, problems);
+    integrate(*words, problems, program);
   });
 }
 
 void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::string& program) {
   const auto words = std::make_shared<Words>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations as CSV");
+      "compare",
+      "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations,controlled,note as CSV");
   add_common(*command, *words);
-  command->add_option("--methods", words->method, "methods with commas between: rbf-coll,ode45,cvode-adams")
+  command
+      ->add_option("--methods", words->method,
+                   "methods with commas between: rbf-coll,ode45,cvode-adams; or all")
       ->required();
+  command
+      ->add_option("--limit", words->limit,
+                   "wall time in seconds, at most; each method gets its share of what those before it leave")
+      ->capture_default_str();
   add_method_settings(*command, *words, any_method_names());
   command->footer(describe_all(problems));
   command->callback([words, problems, program] { compare(*words, problems, program); });

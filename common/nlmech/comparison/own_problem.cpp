@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/typed.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
@@ -34,18 +36,25 @@ std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::s
       fmt::format("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", ")));
 }
 
-void apply_setting(OwnProblem& problem, const std::string& assignment) {
-  const auto refuse = [&](std::string_view why) {
-    return InputError(fmt::format("--set {}: {}", assignment, why));
-  };
-  const auto sign = assignment.find('=');
-  if (sign == std::string::npos) throw refuse("say name=value");
-  double value = 0;
-  if (!scene::parse_number(assignment.substr(sign + 1), value)) throw refuse("the value is not a number");
-  try {
-    problem.set_parameter(assignment.substr(0, sign), value);
-  } catch (const std::invalid_argument& error) {
-    throw refuse(error.what());
+void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments) {
+  std::map<std::string, std::string> seen;
+  for (const std::string& assignment : assignments) {
+    const auto refuse = [&](std::string_view why) {
+      return InputError(fmt::format("--set {}: {}", echoed(assignment), why));
+    };
+    const auto sign = assignment.find('=');
+    if (sign == std::string::npos) throw refuse("say name=value");
+    const std::string name = assignment.substr(0, sign);
+    const auto [before, is_new] = seen.emplace(name, assignment);
+    if (!is_new)
+      throw refuse(fmt::format("{} is set twice, by {} too", echoed(name), echoed(before->second)));
+    double value = 0;
+    if (!scene::parse_number(assignment.substr(sign + 1), value)) throw refuse("the value is not a number");
+    try {
+      problem.set_parameter(name, value);
+    } catch (const std::invalid_argument& error) {
+      throw refuse(error.what());
+    }
   }
 }
 
@@ -54,8 +63,9 @@ std::vector<double> initial_state(const OwnProblem& problem, const std::string& 
   const std::vector<std::string> names = problem.state_names();
   std::vector<double> x = scene::typed_numbers("--initial", text);
   if (x.size() != names.size())
-    throw InputError(fmt::format("--initial {}: {} numbers for the {} components {} of {}", text, x.size(),
-                                 names.size(), fmt::join(names, ","), problem.name()));
+    throw InputError(fmt::format("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(text),
+                                 x.size(), names.size(), fmt::join(names, ","), problem.name(),
+                                 problem.equation()));
   return x;
 }
 
@@ -66,8 +76,8 @@ std::string describe_problems(const OwnProblems& all) {
     std::vector<std::string> settings;
     for (const auto& [name, value] : problem->parameters())
       settings.push_back(fmt::format("{}={:.6g}", name, value));
-    text += fmt::format("  {}: {}; state {}\n", problem->name(), fmt::join(settings, " "),
-                        fmt::join(problem->state_names(), ","));
+    text += fmt::format("  {}: {}\n    {}; state {}\n", problem->name(), problem->equation(),
+                        fmt::join(settings, " "), fmt::join(problem->state_names(), ","));
   }
   return text;
 }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/support/errors.hpp"
@@ -35,7 +34,14 @@ struct Request {
   double t1 = 0;                ///< end
   ivp::Settings settings;       ///< of the method
   std::optional<double> every;  ///< distance of the rows in time; nothing: first and last alone
-  ivp::Limits limits;           ///< when to give up
+  ivp::Limits limits;           ///< when to give up, all in all
+  bool verify = false;          ///< hold the run to a reference: for runs by a tolerance
+};
+
+/// A run as it is printed.
+struct Trajectory {
+  std::string rows;    ///< CSV
+  std::string remark;  ///< of its verification, for standard error; may be empty
 };
 
 /// A method of a list, with those of the settings that it has.
@@ -67,12 +73,16 @@ class OwnProblem {
   [[nodiscard]] virtual std::vector<double> initial_state() const = 0;
   /// Where the publication begins.
   [[nodiscard]] virtual double initial_time() const = 0;
+  /// The equation in text, and which letter is which parameter.
+  [[nodiscard]] virtual std::string_view equation() const = 0;
   /// Rows `t,...` as CSV: the first, those at Request::every, and the last at t1 exactly.
-  /// @throws Failure if the method fails, InputError naming `--method` for settings that cannot be meant
-  [[nodiscard]] virtual std::string trajectory(const Request& request, const AnyMethod& method) const = 0;
-  /// Rows `method,setting,status,digits,seconds,rhs_evaluations` as CSV. Methods that fail keep their row and
-  /// say why on standard error, after the name of the @p program.
-  /// @throws InputError naming `--methods` for settings that cannot be meant
+  /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot
+  /// be meant
+  [[nodiscard]] virtual Trajectory trajectory(const Request& request, const AnyMethod& method) const = 0;
+  /// Rows as ComparisonTable makes them. Methods that fail, and those that are not for the problem or the
+  /// settings, keep their row and say why, also on standard error after the name of the @p program. Wall time
+  /// is shared: each method gets its part of what those before it have left.
+  /// @throws InputError naming `--methods` if none of the methods is for the problem and the settings
   [[nodiscard]] virtual std::string comparison(const Request& request, const std::vector<Choice>& methods,
                                                std::string_view program) const = 0;
 };
@@ -88,14 +98,15 @@ using OwnProblems = std::vector<std::unique_ptr<OwnProblem> (*)()>;
 /// @throws InputError naming `--problem`, the name, and the known ones
 [[nodiscard]] std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::string& name);
 
-/// Applies "name=value". @throws InputError naming `--set`, the text, and the known parameters
-void apply_setting(OwnProblem& problem, const std::string& assignment);
+/// Applies texts "name=value". @throws InputError naming `--set`, the text, and the known parameters; for a
+/// parameter that is set twice, both texts
+void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments);
 
 /// The initial state: the publication's for an empty text, else numbers with commas between.
 /// @throws InputError naming `--initial`, and how many numbers of which name there must be
 [[nodiscard]] std::vector<double> initial_state(const OwnProblem& problem, const std::string& text);
 
-/// For the help: each problem with its parameters and their values.
+/// For the help: each problem with its equation, its parameters and their values.
 [[nodiscard]] std::string describe_problems(const OwnProblems& all);
 
 }  // namespace nlmech::comparison

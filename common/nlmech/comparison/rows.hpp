@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "nlmech/comparison/own_problem.hpp"
+#include "nlmech/comparison/verification.hpp"
 
 namespace nlmech::comparison {
 
-/// Collects the rows of a run: the first, those at equal distances, the last. Numbers with 17 digits.
+/// Collects the rows of a run: the first, those at equal distances, the last. Numbers with 17 digits. Keeps
+/// the states of some of them, at most most_verified at equal distances and the last, for their verification.
 class Rows {
  public:
   /// With the header `t,name,...`.
@@ -39,8 +41,15 @@ class Rows {
   }
   /// All of it.
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// The rows kept, and times between where these are few. The last row must be there.
+  [[nodiscard]] Verified verified(const Tolerance& tolerance) const;
 
  private:
+  /// A row that is kept.
+  struct Kept {
+    double t;
+    Eigen::VectorXd x;
+  };
   void add(double t, const double* x, std::size_t size);
   [[nodiscard]] double next() const {
     return request_.t0 +
@@ -54,7 +63,8 @@ class Rows {
 
   const Request& request_;
   std::string text_;
-  std::int64_t count_ = 1;
+  std::int64_t count_ = 1, stride_ = 1, added_ = 0;
+  std::vector<Kept> kept_;  // and always the latest row, in its last place
 };
 
 }  // namespace nlmech::comparison

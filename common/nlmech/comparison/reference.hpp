@@ -1,0 +1,87 @@
+/// @file
+/// What runs are judged by: the states of a solution by two independent computations, and how far these
+/// agree.
+///
+/// Where the Taylor series in extended precision arrives within bounded work, two of different order are
+/// taken. Elsewhere, for stiff and for long problems, methods of ours and peers run at tolerances far below
+/// those asked until two agree. What they agree to is what the reference knows, and no more is concluded from
+/// it.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::comparison {
+
+/// States at several times, one a column, in extended precision.
+using StatesAt = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// How finely a reference should know a component x: to absolute + relative |x|, with |x| at least a
+/// thousandth of the component's greatest value. A reference that knows less is given all the same, and says
+/// so.
+struct Needed {
+  double relative = 1e-13;  ///< positive
+  double absolute = 1e-13;  ///< positive
+};
+
+/// Bounds on the work for a reference.
+struct Effort {
+  /// In steps and evaluations, so that a result does not depend on the speed of the machine: 1 is about a
+  /// second.
+  double work = 1;
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
+};
+
+/// A state in extended precision.
+using ExtendedState = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+/// Where a solution begins and where it is wanted.
+struct Way {
+  ExtendedState x0;  ///< initial state
+  double t0 = 0;     ///< begin
+  std::vector<double>
+      times;  ///< in the direction of travel from t0, each other than the one before; the last is the end
+};
+
+/// One way to compute the states of a solution.
+struct Candidate {
+  std::string name;       ///< "adaptive-collocation"
+  std::string family;     ///< if one of a family fails, the others are not tried; may be empty
+  bool extended = false;  ///< works in extended precision
+  /// Fills the states at the asked times, within that wall time in seconds.
+  std::function<Status(const Way&, double seconds, StatesAt&)> compute;
+};
+
+/// A solution at several times, as far as it is known.
+struct Reference {
+  Status status;              ///< success, or why there is none
+  bool undetermined = false;  ///< none, because two computations in extended precision part: their rounding
+                              ///< is multiplied to the size of the solution
+  Candidate first, second;    ///< the two computations that agree best
+  StatesAt states;            ///< of the first of them
+  Eigen::MatrixXd doubt;      ///< |difference| of the two, for each component and time
+  Eigen::VectorXd size;       ///< greatest |x_i| at these times
+
+  /// How wrong the last state may be: the greatest difference of a component there, relative to the component
+  /// or, where that is below a thousandth of its size, to its size.
+  [[nodiscard]] double uncertainty() const;
+  /// "adaptive-collocation and cvode-bdf agree to 11.2 digits", or why there is none.
+  [[nodiscard]] std::string text() const;
+};
+
+/// Runs the candidates in turn until two agree as finely as needed; else the two are taken that agree best,
+/// if they agree to two digits at all times.
+/// @param seconds wall time for all of them
+[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Needed& needed,
+                              double seconds);
+
+/// The times at which a way from @p t0 to @p t1 is looked at: @p count equidistant ones, the last of them the
+/// end.
+[[nodiscard]] std::vector<double> look_at(double t0, double t1, int count);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,173 @@
+/// `rbf_ivp integrate` holds runs by a tolerance to an independent one, and `compare` measures all methods by
+/// one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/process.hpp"
+#include "tests/ivp/oracle.hpp"
+#include "tests/places.hpp"
+
+namespace nlmech {
+namespace {
+
+using scene::Finished;
+
+/// Runs the program with words separated by blanks; "_" stands for a blank within a word.
+Finished rbf_ivp(const std::string& words) {
+  std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/rbf_ivp"};
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    arguments.push_back(words.substr(begin, end - begin));
+    std::replace(arguments.back().begin(), arguments.back().end(), '_', ' ');
+    begin = end + 1;
+  }
+  return scene::run_program(arguments, {});
+}
+
+bool is_absent(const Finished& f) { return f.errors.find("is not in this build") != std::string::npos; }
+
+void expect_says(const Finished& f, const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    EXPECT_NE(f.errors.find(word), std::string::npos) << "no '" << word << "' in: " << f.errors;
+}
+
+// Runs that end with success and are far off: multistep formulas and extrapolation that underrate the errors
+// of their steps. The right ends: cn of the Duffing oscillator, cos 1e4 = -0.9521, and the leap of van der
+// Pol's equation, each by two methods of other kinds.
+TEST(IntegrateVerified, RefusesWhatIsFarOff) {
+  for (const std::string words :
+       {"--problem van-der-pol --set mu=266.85 --until 200 --tolerance 4.2e-10 --method gsl-msadams",
+        "--problem duffing --set natural-frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
+        "gsl-bsimp",
+        "--problem duffing --until 20 --method gsl-msbdf"}) {
+    const Finished f = rbf_ivp("integrate " + words);
+    if (is_absent(f)) continue;
+    EXPECT_EQ(f.exit_code, 1) << words << f.output;
+    EXPECT_EQ(f.output, "") << words;
+    expect_says(f, {"not_converged", "verified by integration", "times the tolerance",
+                    "the error of each step", "--tolerance 1e-", "another method", "--no-verify"});
+  }
+}
+
+// The runaway of Robertson's reaction: its absolute tolerance is too coarse, and a component becomes
+// negative.
+TEST(IntegrateVerified, NoRunawayIsASuccess) {
+  const Finished f =
+      rbf_ivp("integrate --problem robertson --until 1e11 --method adaptive-collocation --tolerance 1e-6");
+  EXPECT_EQ(f.exit_code, 1) << f.output;
+  EXPECT_EQ(f.output, "");
+}
+
+TEST(IntegrateVerified, PrintsTheRunAsItIsIfAsked) {
+  const Finished f = rbf_ivp("integrate --problem duffing --until 20 --method gsl-msbdf --no-verify");
+  if (is_absent(f)) GTEST_SKIP() << f.errors;
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  EXPECT_EQ(f.errors, "");
+  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x1", "v1"});
+  EXPECT_NEAR(rows.column[1].back(), oracle::duffing(20)[0], 1e-4);
+}
+
+// A step is the user's own, and its error what he asked for.
+TEST(IntegrateVerified, LeavesFixedStepsAlone) {
+  const Finished f = rbf_ivp("integrate --problem duffing --until 20 --method newmark --step 0.1");
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  EXPECT_EQ(f.errors, "");
+}
+
+// The rows too: the cubic between the steps of ARKODE is off by more than its tolerance, the ends of its
+// steps are not.
+TEST(IntegrateVerified, LooksAtRows) {
+  const std::string words = "integrate --problem duffing --until 20 --method arkode-erk --tolerance 1e-6";
+  const Finished ends = rbf_ivp(words);
+  if (is_absent(ends)) GTEST_SKIP() << ends.errors;
+  EXPECT_EQ(ends.exit_code, 0) << ends.errors;
+  const Finished rows = rbf_ivp(words + " --every 0.37");
+  double worst = 0;
+  if (rows.exit_code == 0) {
+    const auto all = scene::parse_numbers(rows.output, "output", {"t", "x1", "v1"});
+    for (std::size_t i = 0; i < all.rows(); ++i)
+      worst = std::max(worst, std::abs(all.column[1][i] - oracle::duffing(all.column[0][i])[0]));
+  }
+  EXPECT_LE(worst, 2e-3)
+      << rows.errors;  // a hundred tolerances, or ten of what the shear makes of one: 10 x 20
+}
+
+struct Row {
+  std::string method, status, digits, note;
+};
+
+std::vector<Row> comparison(const std::string& words, std::string& errors) {
+  const Finished f = rbf_ivp("compare " + words);
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  errors = f.errors;
+  std::vector<Row> rows;
+  const auto records = scene::parse_csv(f.output, "output");
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const auto& c = records[i].cells;
+    rows.push_back({c.at(0), c.at(2), c.at(3), c.at(7)});
+  }
+  return rows;
+}
+
+TEST(CompareAll, AnUnsuitableMethodKeepsItsRow) {
+  std::string errors;
+  const auto rows = comparison("--problem van-der-pol --until 1 --methods rkn1210,_rk4_,_ode45", errors);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].status, "unsuitable");
+  EXPECT_NE(rows[0].note.find("depend on velocities"), std::string::npos) << rows[0].note;
+  EXPECT_EQ(rows[1].method, "rk4");
+  EXPECT_EQ(rows[1].status, "success");
+  EXPECT_EQ(rows[2].status, "success");
+  EXPECT_GT(std::stod(rows[2].digits), 6);
+}
+
+TEST(CompareAll, TakesAllMethodsOfThisBuild) {
+  std::string errors;
+  const auto rows = comparison("--problem duffing --until 1 --methods all --tolerance 1e-4", errors);
+  EXPECT_GE(rows.size(), 21U);  // ours
+  for (const std::string name : {"euler", "rkn1210", "mtl", "adaptive-collocation"})
+    EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.method == name; }))
+        << name;
+  for (const Row& r : rows) {
+    if (r.status == "success") {
+      EXPECT_GT(std::stod(r.digits), 1) << r.method;
+    } else {
+      EXPECT_NE(r.note, "") << r.method;
+    }
+  }
+}
+
+// No Taylor series in extended precision gets through these; the digits come from two methods that agree, and
+// are no more than these have in common. Stored: the test set's end of Robertson's reaction (Hairer and
+// Wanner II, IV.10).
+TEST(CompareReference, StiffProblemsHaveDigits) {
+  std::string errors;
+  const auto robertson = comparison(
+      "--problem robertson --until 1e11 --methods adaptive-collocation --tolerance 1e-8 --absolute-tolerance "
+      "1e-16",
+      errors);
+  ASSERT_EQ(robertson.size(), 1U);
+  if (errors.find("no two methods") != std::string::npos)
+    GTEST_SKIP() << "this build has one stiff method alone";
+  EXPECT_NE(errors.find(" agree to "), std::string::npos) << errors;
+  EXPECT_GT(std::stod(robertson[0].digits), 6) << errors;
+  EXPECT_LT(std::stod(robertson[0].digits), 13) << errors;
+}
+
+TEST(CompareReference, TheLimitIsThatOfTheWholeCommand) {
+  std::string errors;
+  const auto rows = comparison(
+      "--problem three-dof --until 2000 --methods euler,backward-euler,newmark,hht --tolerance 1e-9 --limit "
+      "2",
+      errors);
+  ASSERT_EQ(rows.size(), 4U);
+  for (const Row& r : rows) EXPECT_TRUE(r.status == "time_limit" || r.status == "not_converged") << r.status;
+}
+
+}  // namespace
+}  // namespace nlmech

@@ -1,0 +1,120 @@
+/// References against closed forms and stored digits: what they know, and that they say no more.
+#include "nlmech/comparison/reference_of.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// A computation that gives these states, or none.
+Candidate giving(const std::string& name, double value, bool arrives = true) {
+  return {name, "", false, [=](const Way& way, double, StatesAt& states) {
+            states = StatesAt::Constant(way.x0.size(), static_cast<Eigen::Index>(way.times.size()), value);
+            return arrives ? Status() : Status::failure(Outcome::step_limit, name + ": too many steps");
+          }};
+}
+
+const Way one_step = {ExtendedState::Constant(1, 1.0L), 0, {1}};
+
+TEST(Agree, KnowsNoMoreThanTheTwoHaveInCommon) {
+  const Reference r = agree({giving("a", 1), giving("b", 1 + 1e-5)}, one_step, {}, 1);
+  ASSERT_TRUE(r.status.ok());
+  EXPECT_NEAR(r.uncertainty() / 1e-5, 1, 1e-9);  // rounding of 1 + 1e-5 is 1e-16
+  EXPECT_EQ(r.text(), "a and b agree to 5.0 digits");
+}
+
+TEST(Agree, AThirdDecides) {
+  const Reference r = agree({giving("a", 1), giving("wrong", 0), giving("c", 1 + 1e-12)}, one_step, {}, 1);
+  ASSERT_TRUE(r.status.ok());
+  EXPECT_EQ(r.first.name, "a");
+  EXPECT_EQ(r.second.name, "c");
+  EXPECT_EQ(static_cast<double>(r.states(0, 0)), 1);
+}
+
+TEST(Agree, StopsAtTheFirstTwoThatSuffice) {
+  const Reference r = agree({giving("a", 1), giving("b", 1 + 1e-9), giving("c", 1)}, one_step,
+                            {.relative = 1e-8, .absolute = 1e-8}, 1);
+  EXPECT_EQ(r.second.name, "b");
+}
+
+TEST(Agree, SaysWhyThereIsNone) {
+  const Reference apart = agree({giving("a", 1), giving("b", 2)}, one_step, {}, 1);
+  EXPECT_EQ(apart.status.outcome(), Outcome::not_converged);
+  EXPECT_NE(apart.text().find("a and b, differ by"), std::string::npos) << apart.text();
+  EXPECT_FALSE(apart.undetermined);
+  const Reference alone = agree({giving("a", 1), giving("b", 1, false)}, one_step, {}, 1);
+  EXPECT_FALSE(alone.status.ok());
+  EXPECT_NE(alone.text().find("b (step_limit)"), std::string::npos) << alone.text();
+}
+
+// cn and sn dn in 50 digits at 16 times, forwards and backwards. A double of the oracle rounds by 1e-16.
+TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
+  for (const double end : {20.0, -20.0}) {
+    const std::vector<double> times = look_at(0, end, 16);
+    ASSERT_EQ(times.size(), 16U);
+    EXPECT_EQ(times.back(), end);
+    const Reference r = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+    ASSERT_TRUE(r.status.ok()) << r.text();
+    EXPECT_TRUE(r.first.extended && r.second.extended) << r.text();
+    EXPECT_LT(r.doubt.maxCoeff(), 1e-16);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      const Vector<double, 2> truth = oracle::duffing(times[k]);
+      for (int i = 0; i < 2; ++i)
+        EXPECT_NEAR(static_cast<double>(r.states(i, static_cast<Eigen::Index>(k))), truth[i], 3e-16);
+    }
+  }
+}
+
+// The test set's digits at 1e11 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.10),
+// which no series reaches.
+TEST(ReferenceOf, RobertsonByTwoMethods) {
+  const Reference r =
+      reference_of(problems::Robertson{}, {1, 0, 0}, 0, {1e11}, {.relative = 1e-9, .absolute = 1e-18}, {});
+  ASSERT_TRUE(r.status.ok()) << r.text();
+  EXPECT_FALSE(r.first.extended) << r.text();
+  const Vector<double, 3> truth = {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050};
+  for (int i = 0; i < 3; ++i) {
+    const double error = std::abs(static_cast<double>(r.states(i, 0)) - truth[i]);
+    // The two may err in the same direction, each by a few times what they differ by; 16 digits are stored.
+    EXPECT_LE(error, 10 * r.doubt(i, 0) + 1e-15 * truth[i]) << i;
+    EXPECT_LT(r.doubt(i, 0), 1e-7 * truth[i]) << i;
+  }
+}
+
+// The test set's digits for eps = 1e-6 at tau = 2 (E. Hairer, G. Wanner, Solving Ordinary Differential
+// Equations II, IV.10): mu = 1000, t = mu tau, v = (dx/dtau)/mu. Two leaps lie on the way.
+TEST(ReferenceOf, StiffVanDerPolByTwoMethods) {
+  const Reference r = reference_of(problems::VanDerPol{1000}, {2, 0}, 0, look_at(0, 2000, 8), {}, {});
+  if (!r.status.ok()) GTEST_SKIP() << "this build has one stiff method alone: " << r.text();
+  EXPECT_LT(r.uncertainty(), 1e-9) << r.text();
+  EXPECT_NEAR(static_cast<double>(r.states(0, 7)), 1.706167732170483, 1e-9);
+  EXPECT_NEAR(static_cast<double>(r.states(1, 7)), -0.8928097010247975e-3, 1e-12);
+}
+
+// Lyapunov exponent 0.906: an error of 1e-19 grows by exp(54) = 3e23 to t = 60.
+TEST(ReferenceOf, ChaosBeyondExtendedPrecisionIsSaid) {
+  const Reference r = reference_of(problems::Lorenz{}, {0, 1, 0}, 0, {60}, {}, {});
+  EXPECT_FALSE(r.status.ok());
+  EXPECT_TRUE(r.undetermined) << r.text();
+  const Reference half = reference_of(problems::Lorenz{}, {0, 1, 0}, 0, {25}, {}, {});
+  ASSERT_TRUE(half.status.ok()) << half.text();
+  EXPECT_GT(half.uncertainty(), 1e-18);  // exp(22) = 4e9 times some 1e-20
+}
+
+TEST(ReferenceOf, GivesUpWithinItsWork) {
+  const Reference r =
+      reference_of(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 0, {1}, {}, {.work = 0.01});
+  EXPECT_FALSE(r.status.ok());
+  EXPECT_NE(r.text().find("step_limit"), std::string::npos) << r.text();
+}
+
+}  // namespace
+}  // namespace nlmech::comparison

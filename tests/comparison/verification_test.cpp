@@ -1,0 +1,161 @@
+/// Verdicts on runs, against problems whose condition has a closed form.
+#include "nlmech/comparison/verification.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nlmech/comparison/judgement.hpp"
+#include "nlmech/comparison/reference_of.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+using Verdict = Verification::Verdict;
+
+/// x'' = x: from (1, -1) it decays as exp(-t), and every error grows as exp(t).
+struct Saddle {
+  static constexpr int dimension = 2;
+  template <class T>
+  void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = q[0];
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+/// A run of a problem that is off by @p error in its first component at the end.
+template <class Problem>
+Verification verdict(const Problem& problem, const Vector<double, Problem::dimension>& x0, double end,
+                     double error, const Tolerance& tolerance, const Effort& effort = {}) {
+  const std::vector<double> times = look_at(0, end, 16);
+  const Reference truth = reference_of(problem, x0, 0, times, needed_for(tolerance), effort);
+  Verified run{times, Eigen::MatrixXd(x0.size(), 16), tolerance};
+  if (truth.status.ok()) run.states = truth.states.template cast<double>();
+  run.states(0, 15) += error;
+  return verify<Problem::dimension>(ivp::System<Problem::dimension>(problem), x0, 0, run, truth, {});
+}
+
+TEST(Verify, CountsTolerances) {
+  const Tolerance tolerance{1e-9, 1e-9};
+  const Vector<double, 2> end = oracle::duffing(3);
+  const double unit = 1e-9 * (1 + std::abs(end[0]));
+  const Verification good = verdict(problems::Duffing{}, {1, 0}, 3, 40 * unit, tolerance);
+  EXPECT_EQ(good.verdict, Verdict::right);
+  EXPECT_NEAR(good.tolerances, 40, 0.01);  // rounding of the state adds 1e-15
+  const Verification bad = verdict(problems::Duffing{}, {1, 0}, 3, 1000 * unit, tolerance);
+  EXPECT_EQ(bad.verdict, Verdict::wrong);
+  EXPECT_EQ(bad.component, 0);
+  EXPECT_EQ(bad.t, 3);
+  EXPECT_NEAR(bad.tolerances, 1000, 0.1);
+}
+
+// An error of the size a in x and v, made at the begin, becomes a (cosh t + sinh t) = a exp(t).
+TEST(Amplification, OfTheSaddleIsTheExponential) {
+  const double a = 1e-9;
+  const std::vector<double> times = look_at(0, 5, 16);
+  const Reference truth = reference_of(Saddle{}, {1, -1}, 0, times, {}, {});
+  ASSERT_TRUE(truth.status.ok());
+  const Eigen::MatrixXd weight = Eigen::MatrixXd::Constant(2, 16, a);
+  Eigen::MatrixXd moved;
+  const Way way{ExtendedState(Eigen::Vector2d(1, -1).cast<long double>()), 0, times};
+  ASSERT_TRUE(amplification(way, truth, Eigen::Vector2d(a, a), weight, 10, moved).ok());
+  for (Eigen::Index k = 0; k < 16; ++k) {
+    const double exact = a * std::exp(times[static_cast<std::size_t>(k)]);
+    for (int i = 0; i < 2; ++i) EXPECT_NEAR(moved(i, k) / exact, 1, 1e-6);  // differences over 2e-7
+  }
+}
+
+// Along x'' + x + x^3 = 0 the phase shears: the frequency depends on the amplitude, and an error e of it
+// moves the phase by omega'(A) e t. Products of sixteen matrices must not make more of it than a factor.
+TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
+  for (const double end : {100.0, 1600.0}) {
+    const std::vector<double> times = look_at(0, end, 16);
+    const Reference truth = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+    ASSERT_TRUE(truth.status.ok());
+    Eigen::MatrixXd moved;
+    const Way way{ExtendedState(Eigen::Vector2d(1, 0).cast<long double>()), 0, times};
+    ASSERT_TRUE(
+        amplification(way, truth, Eigen::Vector2d(1, 1), Eigen::MatrixXd::Ones(2, 16), 10, moved).ok());
+    const double most = moved.rightCols(1).maxCoeff();
+    EXPECT_GT(most, 0.1 * end);
+    EXPECT_LT(most, 3 * end);
+  }
+}
+
+TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
+  // At t = 8 one tolerance of the begin has become 3000.
+  const Tolerance tolerance{1e-12, 1e-12};
+  const Verification v = verdict(Saddle{}, {1, -1}, 8, 2000 * 1e-12, tolerance);
+  EXPECT_EQ(v.verdict, Verdict::right);
+  EXPECT_GT(v.tolerances, 1000);
+  EXPECT_NEAR(v.growth / std::exp(8.0), 1, 2);  // weights fall by some half on the way
+  EXPECT_EQ(verdict(Saddle{}, {1, -1}, 8, 1e6 * 1e-12, tolerance).verdict, Verdict::wrong);
+}
+
+TEST(Verify, SaysThatNothingIsDetermined) {
+  EXPECT_EQ(verdict(problems::Lorenz{}, {0, 1, 0}, 30, 5, {1e-9, 1e-9}).verdict, Verdict::undetermined);
+  EXPECT_EQ(verdict(problems::Lorenz{}, {0, 1, 0}, 60, 5, {1e-12, 1e-12}).verdict, Verdict::undetermined);
+}
+
+TEST(Verify, SaysThatItDoesNotKnow) {
+  const Verification v =
+      verdict(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 1e3, 0, {1e-9, 1e-9}, {.work = 0.02});
+  EXPECT_EQ(v.verdict, Verdict::unknown);
+  EXPECT_NE(v.reason.find("step_limit"), std::string::npos) << v.reason;
+}
+
+// A reference that knows eight digits does not find a run wrong that is off by as much.
+TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
+  const std::vector<double> times = {1};
+  Reference truth = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+  truth.doubt.setConstant(1e-6);
+  Verified run{times, truth.states.cast<double>(), {1e-9, 1e-9}};
+  run.states(0, 0) += 9e-7;
+  const ivp::System<2> system{problems::Duffing{}};
+  EXPECT_EQ(verify<2>(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::unknown);
+  run.states(0, 0) += 1e-4;
+  EXPECT_EQ(verify<2>(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::wrong);
+}
+
+// What a user reads: method, place, how far off, what the tolerance holds, what to change.
+TEST(Remark, NamesWhatToChange) {
+  const AnyMethod method = any_method("ode45");
+  Verification v;
+  v.verdict = Verdict::wrong;
+  v.t = 20;
+  v.error = 3e-5;
+  v.tolerances = 3e4;
+  const auto text_of = [&] {
+    try {
+      return remark(v, {}, method, {.tolerance = 1e-9}, {"x1", "v1"});
+    } catch (const Failure& failure) {
+      return "FAILED " + std::string(failure.what());
+    }
+  };
+  // 3e4 tolerances where 100 are let pass: 300 times less, and 3 for safety, is 1e-12.
+  for (const char* word : {"FAILED", "ode45", "x1 at t = 20", "3e-05", "3e+04 times", "1e-09",
+                           "the error of each step", "--tolerance 1e-12", "--no-verify"})
+    EXPECT_NE(text_of().find(word), std::string::npos) << word << " is not in " << text_of();
+  v.tolerances = 1e9;
+  EXPECT_EQ(text_of().find("--tolerance"), std::string::npos) << "1e-17 does not help: " << text_of();
+  v.verdict = Verdict::undetermined;
+  v.growth = 1e12;
+  EXPECT_NE(text_of().find("nothing determines x1 at t = 20"), std::string::npos) << text_of();
+  v.verdict = Verdict::unknown;
+  v.reason = "no reference";
+  EXPECT_EQ(text_of(), "not verified: no reference");
+  v.verdict = Verdict::right;
+  v.tolerances = 99;
+  EXPECT_EQ(text_of(), "");
+  v.tolerances = 2000;
+  EXPECT_NE(text_of().find("multiplies errors by up to 1e+12"), std::string::npos) << text_of();
+}
+
+}  // namespace
+}  // namespace nlmech::comparison
