@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/algebraic/path_step.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
@@ -169,6 +171,39 @@ Outcome Path::step(double length, PathPoint& next, int& count) {
   return outcome == Outcome::success ? describe(now_.tangent, next) : outcome;
 }
 
+//! [one path]
+/// Do now_ and @p next lie on one path, as far as both with their tangents can tell?
+bool Path::is_continuous(const PathPoint& next, const PathChanges& changes) {
+  const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};
+  PathVector mean{now_.tangent.y + next.tangent.y, now_.tangent.m + next.tangent.m};
+  const double size = chord.norm(), length = mean.norm();
+  mean = {mean.y / length, mean.m / length};
+  const double off = PathVector{chord.y / size - mean.y, chord.m / size - mean.m}.norm();
+  if (changes.count() == 0 && off <= 0.02) return true;
+  const PathVector middle = between_by_cubic(now_, next, 0.5);
+  if (!system_.residual(middle) || !system_.linearise(middle)) return false;
+  const auto [least, most] = std::minmax(now_.negative, next.negative);
+  const Eigen::Index negative = system_.inertia().negative;
+  if (negative < least || negative > most) return false;
+  rest_ = -system_.f();
+  return system_.solve_bordered(mean, rest_, 0, step_) && step_.norm() <= 0.01 * size;
+}
+
+/// Makes @p next the last point if it is one of the same path, and every change of a sign that of a point
+/// found between.
+bool Path::go_to(const PathPoint& next) {
+  const PathChanges changes = changes_between(now_, next, system_.equations().is_symmetric());
+  if (!is_continuous(next, changes)) return false;
+  PathPoint kept = std::exchange(before_, std::exchange(now_, next));
+  critical_.clear();
+  if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success)
+    return true;
+  critical_.clear();
+  now_ = std::exchange(before_, std::move(kept));
+  return false;
+}
+//! [one path]
+
 Status Path::advance() {
   double length = std::min(proposed(), method_.longest * first_length_);
   PathPoint next;
@@ -181,11 +216,10 @@ Status Path::advance() {
       const double angle = std::acos(std::clamp(next.tangent.dot(now_.tangent), -1., 1.));
       const double distance = chord.norm(),
                    lag = std::acos(std::clamp(chord.dot(now_.tangent) / std::max(distance, 1e-300), -1., 1.));
-      if (std::max(angle, 2 * lag) <= 1.5 * method_.turn) {
+      next.arc = now_.arc + distance;
+      if (std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
         adapt(length, std::max(angle, 2 * lag), count);
-        next.arc = now_.arc + distance;
-        previous_tangent_ = now_.tangent;
-        before_ = std::exchange(now_, next);
+        previous_tangent_ = before_.tangent;
         ++system_.statistics.steps;
         return {};
       }
@@ -195,7 +229,8 @@ Status Path::advance() {
     factor_ /= 2;
     if (length < method_.shortest * first_length_)
       return failure(outcome == Outcome::non_finite ? outcome : Outcome::step_underflow,
-                     "no step is short enough; take a smaller first step, or another method");
+                     "no step is short enough to be told from a jump to another branch: the path ends here, "
+                     "or meets others; follow it from elsewhere");
   }
 }
 

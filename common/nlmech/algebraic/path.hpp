@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "nlmech/algebraic/path_system.hpp"
@@ -24,8 +26,9 @@ namespace nlmech::algebraic {
 ///     gdc        no displacement along the displacements of the last step; the length of a step follows the
 ///                generalised stiffness parameter (Yang and Shieh 1990)
 ///
-/// In all three a step is repeated at half its length if the iteration fails or the path has turned by more
-/// than 1.5 `turn`, and steps of riks and crisfield are chosen for that turn.
+/// In all three a step is repeated at half its length if the iteration fails, the path has turned by more
+/// than 1.5 `turn`, or the new point cannot be told to lie on the same path (see Path); steps of riks and
+/// crisfield are chosen for that turn.
 struct PathMethod {
   /// Which condition.
   enum class Kind : std::uint8_t {
@@ -55,10 +58,44 @@ struct PathPoint {
   PathVector tangent;         ///< unit tangent, scaled, along the walk
 };
 
+/// A point of a path where dF/dx is singular.
+struct CriticalPoint {
+  /// What the path does there.
+  enum class Kind : std::uint8_t {
+    maximum,     ///< of the load, along the walk
+    minimum,     ///< of the load, along the walk
+    bifurcation  ///< other branches leave the path
+  };
+  Kind kind = Kind::bifurcation;  ///< which
+  PathPoint point;                ///< where; `negative` may count an eigenvalue that is zero but for rounding
+  Eigen::VectorXd direction;      ///< null vector of dF/dx there, in the units of x, of length 1
+  Eigen::Index vanishing = 1;     ///< eigenvalues of dF/dx that change their signs there, as far as is known
+};
+
+/// "maximum", "minimum", "bifurcation".
+[[nodiscard]] std::string_view to_string(CriticalPoint::Kind kind) noexcept;
+
+struct PathChanges;
+
 /// A walk along a path.
 ///
+/// A step is taken for one along the same path, and not for a jump to a neighbouring one, if
+/// - Newton's iteration converges from the predictor, not farther from it than the turn allows;
+/// - tangents at both ends differ, and the chord from the first, by no more than the turn allows;
+/// - the chord halves the angle of the tangents, within 0.02: an arc's does, and the chord of a jump to a
+///   parallel branch at a distance d is off by d over its length. Else the middle of the cubic through both
+///   points with their tangents, which is the same from either end, is within 1 % of the length of a
+///   solution, with a number of negative eigenvalues between theirs; that is asked, too, if a sign has
+///   changed;
+/// - each change in the number of negative eigenvalues of dF/dx, and of the sign of the slope, is that of a
+///   limit or branch point which is found between: dF/dx is singular there, to 1e-5 of its norm, and the
+///   path goes on through it without a gap of more than 1e-3 of the step.
+/// Else it is shortened. What none of this sees is a jump of less than 2 % of a step between branches with as
+/// many negative eigenvalues.
+///
 /// Tests hold points to F = 0 (1e-13), limit loads to 4 eps, also of two limit points within one step, and
-/// branch points to 1e-13.
+/// branch points to 1e-13; and walks past neighbouring branches, with first steps far too long, to the path
+/// that short steps follow.
 class Path {
  public:
   /// @param method how to step
@@ -99,6 +136,10 @@ class Path {
   /// @p load, if their loads are on both sides of it or one is at it. Newton's iteration at that load ends
   /// it.
   [[nodiscard]] Outcome crossing(double load, const PathPoint& begin, const PathPoint& end, PathPoint& out);
+  /// All points between them where dF/dx is singular, in order: limit points as folds() finds them, and
+  /// branch points by the number of negative eigenvalues (of equations that are not symmetric, by the sign of
+  /// the determinant). Those within 1e-7 of a step count as one.
+  [[nodiscard]] Outcome critical_points(std::vector<CriticalPoint>& out);
   /// A branch point between them, with the null vector of K there: the direction of the other branch, if K
   /// has one null vector, scaled.
   [[nodiscard]] Outcome branch(PathPoint& out, Eigen::VectorXd& direction);
@@ -126,7 +167,8 @@ class Path {
   [[nodiscard]] Outcome start_tangent(const PathVector& along);
   [[nodiscard]] double proposed() const;
   void adapt(double length, double angle, int count);
-  [[nodiscard]] PathVector guess(double part) const;
+  [[nodiscard]] bool is_continuous(const PathPoint& next, const PathChanges& changes);
+  [[nodiscard]] bool go_to(const PathPoint& next);
   /// A function of the part of a step that has different signs at two ends.
   struct Bracket {
     double low, low_value, high, high_value;
@@ -135,6 +177,20 @@ class Path {
   [[nodiscard]] Outcome narrow(const std::function<double(const PathPoint&)>& value, double width,
                                Bracket& bracket, PathPoint& out);
   [[nodiscard]] Outcome fold_in(Bracket bracket, PathPoint& out);
+  /// A part of the step where the slope has the other sign though it has the same at both ends.
+  [[nodiscard]] Outcome slope_between(std::optional<Bracket>& first);
+  [[nodiscard]] Outcome branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direction);
+  /// A place within a step, and what tells its neighbours apart.
+  struct Mark {
+    double part, slope;
+    Eigen::Index negative;
+    int sign;
+  };
+  [[nodiscard]] Mark mark(double part, const PathPoint& point) const;
+  [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
+  [[nodiscard]] Outcome add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
+                                     std::vector<CriticalPoint>& out);
+  [[nodiscard]] bool is_change_at(double part, CriticalPoint::Kind kind);
   [[nodiscard]] double part_of(const PathPoint& point) const;
   [[nodiscard]] double expected_slope(double part) const;
   [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out);
@@ -145,7 +201,17 @@ class Path {
   PathPoint now_, before_;
   PathVector step_, previous_tangent_;
   Eigen::VectorXd rest_, free_, forced_;
+  std::vector<CriticalPoint> critical_;  // between before_ and now_, but for pairs that no sign shows
   double first_length_ = 0, length_ = 0, factor_ = 1;
 };
+
+/// Walks on until @p is_done says so, asked before every step, and lists the critical points on the way.
+/// @param path started; stands at its last point afterwards
+/// @param steps at most so many
+/// @param found gets the points, in order
+/// @return success; `step_limit`; as Path::advance(); `not_converged` if a change of signs has no critical
+/// point; what the equations say of a point, `wrong_branch` for one
+[[nodiscard]] Status follow(Path& path, const std::function<bool(const Path&)>& is_done, std::int64_t steps,
+                            std::vector<CriticalPoint>& found);
 
 }  // namespace nlmech::algebraic

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/algebraic/fold.hpp"
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/path_step.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 
 namespace nlmech::algebraic {
@@ -14,9 +13,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-/// The cubic through both points with their tangents.
-PathVector Path::guess(double part) const {
-  const PathVector &a = before_.at, &b = now_.at, &s = before_.tangent, &t = now_.tangent;
+PathVector between_by_cubic(const PathPoint& begin, const PathPoint& end, double part) {
+  const PathVector &a = begin.at, &b = end.at, &s = begin.tangent, &t = end.tangent;
   const double length = PathVector{b.y - a.y, b.m - a.m}.norm(), u = part, w = 1 - part;
   const double from_a = w * w * (1 + 2 * u), from_b = u * u * (1 + 2 * w), at_a = u * w * w * length,
                at_b = -u * u * w * length;
@@ -28,7 +26,7 @@ Outcome Path::between(double part, PathPoint& out) {
   const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
   const PathVector& normal = before_.tangent;
   const double size = chord.norm();
-  out.at = guess(part);
+  out.at = between_by_cubic(before_, now_, part);
   const PathVector gone{out.at.y - before_.at.y, out.at.m - before_.at.m};
   const double missing = part * chord.dot(normal) - gone.dot(normal);
   out.at.y += missing * normal.y;
@@ -98,6 +96,11 @@ Outcome Path::fold_in(Bracket bracket, PathPoint& out) {
 
 Outcome Path::fold(PathPoint& out) {
   if (!has_passed_fold()) return Outcome::not_converged;
+  for (const CriticalPoint& point : critical_) {
+    if (point.kind == CriticalPoint::Kind::bifurcation) continue;
+    out = point.point;
+    return Outcome::success;
+  }
   return fold_in({0, before_.slope, 1, now_.slope}, out);
 }
 
@@ -108,14 +111,10 @@ double Path::expected_slope(double part) const {
   return before_.slope * (1 - u) * (1 - 3 * u) + now_.slope * u * (3 * u - 2) + mean * 6 * u * (1 - u);
 }
 
-Outcome Path::folds(std::vector<PathPoint>& out) {
-  out.clear();
-  if (has_passed_fold()) {
-    out.resize(1);
-    return fold(out[0]);
-  }
-  // A pair of limit points within the step: the slope must come down to zero and return. Look only where its
-  // parabola comes near.
+/// A pair of limit points within the step: the slope must come down to zero and return. Looks only where its
+/// parabola comes near.
+Outcome Path::slope_between(std::optional<Bracket>& first) {
+  first.reset();
   const double sign = before_.slope > 0 ? 1 : -1, a = before_.slope, b = now_.slope;
   double middle = 0;
   for (int i = 1; i < 16; ++i) {
@@ -147,10 +146,23 @@ Outcome Path::folds(std::vector<PathPoint>& out) {
     }
   }
   if (outcome != Outcome::success || (at_left >= 0 && at_right >= 0)) return outcome;
-  const double part = at_left < 0 ? left : right, value = sign * std::min(at_left, at_right);
+  first = Bracket{0, a, at_left < 0 ? left : right, sign * std::min(at_left, at_right)};
+  return Outcome::success;
+}
+
+Outcome Path::folds(std::vector<PathPoint>& out) {
+  out.clear();
+  if (has_passed_fold()) {
+    out.resize(1);
+    return fold(out[0]);
+  }
+  std::optional<Bracket> first;
+  Outcome outcome = slope_between(first);
+  if (outcome != Outcome::success || !first) return outcome;
   out.resize(2);
-  outcome = fold_in({0, a, part, value}, out[0]);
-  return outcome == Outcome::success ? fold_in({part, value, 1, b}, out[1]) : outcome;
+  outcome = fold_in(*first, out[0]);
+  return outcome == Outcome::success ? fold_in({first->high, first->high_value, 1, now_.slope}, out[1])
+                                     : outcome;
 }
 
 Outcome Path::crossing(double load, const PathPoint& begin, const PathPoint& end, PathPoint& out) {
@@ -214,78 +226,6 @@ Outcome Path::polish(PathPoint& point) {
   return Outcome::success;
 }
 
-Outcome Path::branch(PathPoint& out, Eigen::VectorXd& direction) {
-  if (!has_passed_branch()) return Outcome::not_converged;
-  // The bordered function of fold.hpp with a fixed border changes its sign with the eigenvalue.
-  PathVector border{Eigen::VectorXd(), 0}, null;
-  null.y.resize(system_.size());
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
-  const auto value = [&](const PathPoint& p) {
-    if (!system_.linearise(p.at) || !system_.solve_bordered(border.y, border, zero, 1, null))
-      return HUGE_VAL * 0;
-    return null.m;
-  };
-  // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
-  Bracket bracket{0, static_cast<double>(before_.sign), 1, static_cast<double>(now_.sign)};
-  Outcome outcome =
-      narrow([](const PathPoint& p) { return static_cast<double>(p.sign); }, 0.02, bracket, out);
-  if (outcome != Outcome::success) return outcome;
-  border.y = null_direction(system_);
-  for (const bool is_low : {true, false}) {
-    PathPoint end;
-    outcome = between(is_low ? bracket.low : bracket.high, end);
-    if (outcome != Outcome::success) return outcome;
-    (is_low ? bracket.low_value : bracket.high_value) = value(end);
-  }
-  if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
-  outcome = narrow(value, 1e-3, bracket, out);
-  if (outcome != Outcome::success) return outcome;
-  outcome = interpolate(value, out);
-  if (outcome != Outcome::success) return outcome;
-  if (!system_.linearise(out.at)) return Outcome::non_finite;
-  direction = null_direction(system_);
-  out.tangent = {direction, 0};
-  return Outcome::success;
-}
-
-/// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
-/// point itself a correction is not determined along the other branch.
-Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
-  constexpr std::array<double, 6> offsets = {-0.02, 0.02, -0.012, 0.012, -0.004, 0.004};
-  std::array<double, 6> parts{}, values{};
-  std::array<PathVector, 6> places;
-  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
-  const PathVector gone{out.at.y - before_.at.y, out.at.m - before_.at.m};
-  const double middle = gone.dot(before_.tangent) / chord.dot(before_.tangent);
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    parts[i] = middle + offsets[i];
-    if (const Outcome outcome = between(parts[i], out); outcome != Outcome::success) return outcome;
-    values[i] = value(out);
-    places[i] = out.at;
-  }
-  // Lagrange's polynomial of the part by the value, and of the place by the part.
-  const auto weight = [](const std::array<double, 6>& x, std::size_t i, double at) {
-    double product = 1;
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      if (j != i) product *= (at - x[j]) / (x[i] - x[j]);
-    }
-    return product;
-  };
-  double part = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) part += weight(values, i, 0) * parts[i];
-  if (!(std::abs(part - middle) <= 0.02)) return Outcome::not_converged;
-  out.at = {Eigen::VectorXd::Zero(system_.size()), 0};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double share = weight(parts, i, part);
-    out.at.y += share * places[i].y;
-    out.at.m += share * places[i].m;
-  }
-  out.x = system_.unscaled(out.at.y);
-  out.load = out.at.m / system_.load_scale();
-  out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
-  return Outcome::success;
-}
-
 Status Path::switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length) {
   PathPoint next = point;
   PathVector normal{direction * (length < 0 ? -1. : 1.), 0};
@@ -295,6 +235,7 @@ Status Path::switch_branch(const PathPoint& point, const Eigen::VectorXd& direct
   if (outcome == Outcome::success) outcome = describe(normal, next);
   if (outcome != Outcome::success)
     return failure(outcome, "no solution on the other branch at this distance; try another one");
+  critical_.clear();
   before_ = point;
   before_.tangent = normal;
   now_ = next;

@@ -58,6 +58,8 @@ class PathSystem {
   [[nodiscard]] const Eigen::VectorXd& load_vector() const { return q_; }
   /// out = K v.
   void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
+  /// Largest sum of |entries| in a row of K.
+  [[nodiscard]] double norm_of_matrix() const;
   /// out = K(at) v. The factors and multiply() stay those of linearise().
   void multiply_at(const PathVector& at, const Eigen::VectorXd& v, Eigen::VectorXd& out);
   /// x = K^-1 b; useless where K is singular.
@@ -82,7 +84,6 @@ class PathSystem {
 
  private:
   bool factorise();
-  [[nodiscard]] double norm_of_matrix() const;
   void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   void eliminate(const PathVector& row, double delta, double delta_transposed, const PathVector& right,
                  PathVector& out);
