@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/path_solvers.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
@@ -56,14 +57,27 @@ struct Extremes {
   double limit_load = 0, limit_drop = 0;
 };
 
+/// Energy and paths by their own criteria, which are increments to rounding; all others by a residual.
+algebraic::Report solved_by(const std::string& name, frames::Equilibrium& equations, VectorXd& x) {
+  using Kind = algebraic::PathMethod::Kind;
+  if (name == "energy-trust-region")
+    return find_root(algebraic::EnergyTrustRegion{.iterations = static_cast<int>(most)}, equations, x);
+  for (const auto& [path, kind] :
+       {std::pair{"riks", Kind::riks}, {"crisfield", Kind::crisfield}, {"gdc", Kind::gdc}}) {
+    if (name == path)
+      return find_root(algebraic::ArcLength{.path = {.kind = kind}, .steps = most}, equations, x);
+  }
+  return find_root(
+      algebraic::NamedSolver{
+          .name = name, .tolerance = 1e-10, .scale = std::abs(equations.load()) / 2, .iterations = most},
+      equations, x);
+}
+
 Trial attempt(const Extreme& e, const std::string& name) {
   const frames::ToggleFrame toggle = make_frame(e.toggle);
   frames::Equilibrium equations(toggle.frame, toggle.load, e.load);
   VectorXd x = e.start, f(x.size());
-  const algebraic::Report report = find_root(
-      algebraic::NamedSolver{
-          .name = name, .tolerance = 1e-10, .scale = std::abs(e.load) / 2, .iterations = most},
-      equations, x);
+  const algebraic::Report report = solved_by(name, equations, x);
   Trial t;
   t.outcome = report.status.outcome();
   t.iterations = report.statistics.steps + report.statistics.rejected;

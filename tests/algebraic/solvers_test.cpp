@@ -251,6 +251,46 @@ TEST_P(EverySolver, RefusesAnotherSize) {
   EXPECT_THROW(static_cast<void>(find_root(by(name()), equations, x)), std::invalid_argument);
 }
 
+// 1e20 (x^2 - 2): next to the root F is a multiple of 1e4, and no tolerance below that can be met.
+TEST(NamedSolver, NamesTheFloorOfRounding) {
+  for (const std::string_view name : {"newton", "damped-newton", "dogleg", "levenberg-marquardt", "riks"}) {
+    for (const bool to_rounding : {false, true}) {
+      DenseEquations equations =
+          scalar([](double x) { return 1e20 * (x * x - 2); }, [](double x) { return 2e20 * x; });
+      VectorXd x = vector({1});
+      NamedSolver method = by(name, 1e-10);
+      method.scale = 1e7;
+      method.to_rounding = to_rounding;
+      const Report report = find_root(method, equations, x);
+      EXPECT_NEAR(x[0], std::sqrt(2.), 1e-15) << name;
+      if (to_rounding) {
+        EXPECT_TRUE(report.status.ok()) << report.status.text();
+        EXPECT_LE(report.last, report.bound);
+        EXPECT_EQ(report.statistics.fallbacks, 1);
+      } else {
+        EXPECT_FALSE(report.status.ok()) << name;
+        EXPECT_NE(report.status.sentence().find("rounding"), std::string::npos) << report.status.text();
+      }
+    }
+  }
+}
+
+// An update that is zero, or squares that are, are no roots.
+TEST(NamedSolver, AStandstillIsNoSuccess) {
+  for (const std::string_view name : solver_names()) {
+    if (name == "energy-trust-region") continue;
+    DenseEquations still = scalar([](double) { return 1e-20; }, [](double) { return 1e308; });
+    DenseEquations small = scalar([](double) { return 1e-170; }, [](double) { return 1.; });
+    VectorXd x = vector({1});
+    NamedSolver method = by(name, 1e-30);
+    method.iterations = 50;
+    EXPECT_FALSE(find_root(method, still, x).status.ok()) << name;
+    method.tolerance = 1e-200;
+    x[0] = 1;
+    EXPECT_FALSE(find_root(method, small, x).status.ok()) << name;
+  }
+}
+
 TEST(NamedSolver, MeasuresByItsScale) {
   for (const std::string_view name : {"dogleg", "newton", "fixed-point"}) {
     DenseEquations equations = circle();

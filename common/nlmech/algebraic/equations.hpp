@@ -112,6 +112,7 @@ struct Report {
   double least = 0;       ///< the least |F| of all iterates
   double last = 0;        ///< |F| at the last iterate, which x holds
   double time = 0;        ///< fictitious time of the last iterate; 0 for methods that have none
+  double bound = 0;       ///< what `last` was held to, by held_to_tolerance(); else 0
 };
 
 /// Throws std::invalid_argument, naming @p what, unless @p x has as many components as there are equations.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "nlmech/algebraic/broyden.hpp"
 #include "nlmech/algebraic/continuous_newton.hpp"
@@ -15,6 +16,7 @@
 #include "nlmech/algebraic/first_scalar_homotopy.hpp"
 #include "nlmech/algebraic/least_squares.hpp"
 #include "nlmech/algebraic/path_solvers.hpp"
+#include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/algebraic/solver_run.hpp"
 #include "nlmech/algebraic/vector_homotopy.hpp"
@@ -76,6 +78,9 @@ Report plain(const Call& c) {
   return c(method);
 }
 
+/// What of |F| counts as its rounding, over what two changes of x show.
+constexpr double above_rounding = 4;
+
 struct Entry {
   std::string_view name;
   Report (*solve)(const Call&);
@@ -125,7 +130,71 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
   require_option(name, method.scale > 0 && std::isfinite(method.scale), "scale", method.scale, "positive");
   require_option(name, method.iterations >= 1, "iterations", static_cast<double>(method.iterations),
                  "at least 1");
-  return entry->solve({method.tolerance * method.scale, method.iterations, equations, x, observer});
+  require_option(name, std::isfinite(method.tolerance * method.scale), "tolerance times scale",
+                 method.tolerance * method.scale, "finite");
+  Report report = entry->solve({method.tolerance * method.scale, method.iterations, equations, x, observer});
+  return held_to_tolerance(method, equations, x, std::move(report));
 }
+
+namespace {
+
+/// Does the outcome say that an iteration came to an end, in place of what made it impossible?
+bool has_ended(Outcome outcome) {
+  return outcome == Outcome::success || outcome == Outcome::not_converged || outcome == Outcome::step_limit ||
+         outcome == Outcome::step_underflow || outcome == Outcome::newton_diverged;
+}
+
+/// The status of an end at F(x) = @p f, whose length is above the tolerance.
+Status missed(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
+              const Eigen::VectorXd& f, Report& report) {
+  const double rounding =
+      rounding_of_residual(equations, x, f, [](const Eigen::VectorXd& v) { return length_of(v); });
+  const double floor = above_rounding * (rounding + std::numeric_limits<double>::epsilon() * method.scale);
+  const bool is_success = report.status.ok();
+  if (!(report.last <= floor)) {
+    if (!is_success) return report.status;
+    return Status::failure(
+        Outcome::not_converged,
+        fmt::format("{}: the iteration ends with |F| = {:.3g}, above the tolerance, {:.3g}; "
+                    "start elsewhere, or take another solver",
+                    method.name, report.last, report.bound));
+  }
+  if (method.to_rounding && floor <= method.scale) {
+    report.bound = floor;
+    ++report.statistics.fallbacks;
+    return {};
+  }
+  return Status::failure(
+      is_success ? Outcome::not_converged : report.status.outcome(),
+      fmt::format("{}: |F| = {:.3g} at the end is above the tolerance, {:.3g}, and at the level of rounding: "
+                  "changes of x in its last digits alone make {:.3g} of it; take a tolerance of {:.1g} or "
+                  "more, or coarser equations",
+                  method.name, report.last, report.bound, rounding, 2 * report.last / method.scale));
+}
+
+}  // namespace
+
+//! [held to the tolerance]
+Report held_to_tolerance(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
+                         Report report) {
+  Eigen::VectorXd f(equations.size());
+  equations.residual(x, f);
+  const Status of_equations = equations.status();
+  const double norm = length_of(f);
+  report.bound = method.tolerance * method.scale;
+  if (!std::isfinite(norm) || !x.allFinite()) {
+    if (report.status.ok())
+      report.status = Status::failure(
+          Outcome::non_finite, fmt::format("{}: F is not finite at the end; start elsewhere", method.name));
+    return report;
+  }
+  report.last = norm;
+  report.least = std::min(report.least, norm);
+  if (!(norm <= report.bound) && has_ended(report.status.outcome()))
+    report.status = missed(method, equations, x, f, report);
+  if (report.status.ok() && of_equations.outcome() == Outcome::wrong_branch) report.status = of_equations;
+  return report;
+}
+//! [held to the tolerance]
 
 }  // namespace nlmech::algebraic

@@ -38,6 +38,12 @@ inline void shake(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::Vecto
   return most;
 }
 
+/// Euclid's length; not 0 where only the squares of components are too small for a double.
+[[nodiscard]] inline double length_of(const Eigen::VectorXd& f) {
+  const double length = f.norm();
+  return length < 1e-140 && f.size() > 0 ? f.stableNorm() : length;
+}
+
 /// Largest size(F(x') - F(x)) of two such changes of x.
 /// @param f F(x)
 /// @param size measures a change of F

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nlmech/algebraic/rounding.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
@@ -49,7 +51,7 @@ SolverRun::SolverRun(std::string_view name, Equations& equations, const Eigen::V
 double SolverRun::evaluate(const Eigen::VectorXd& at, Eigen::VectorXd& out) {
   equations_.residual(at, out);
   ++statistics().right_hand_sides;
-  const double length = out.norm();
+  const double length = length_of(out);
   return std::isfinite(length) ? length : HUGE_VAL;
 }
 

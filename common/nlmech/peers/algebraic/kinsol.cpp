@@ -181,7 +181,9 @@ Report find_root(const Kinsol& method, algebraic::Equations& equations, VectorXd
   equations.residual(x, calls.f);  // a check, not counted
   const double norm = calls.f.norm(), greatest = calls.f.lpNorm<Eigen::Infinity>();
   calls.report.last = norm;
-  if (!(flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK) || !(greatest <= method.tolerance)) {
+  // The greatest component of a vector with a NaN may be any of the others.
+  const bool is_done = std::isfinite(norm) && x.allFinite() && greatest <= method.tolerance;
+  if (!(flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK) || !is_done) {
     const Ending end = ending(flag, calls);
     calls.report.status = Status::failure(
         end.outcome, fmt::format("{}: at iteration {}, with |F| = {:.3g}: {} (flag {})", method.name(),
