@@ -1,15 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "chapters/homotopy/scenes.hpp"
-#include "nlmech/algebraic/path.hpp"
-#include "nlmech/frames/loaded_frame.hpp"
-#include "nlmech/frames/toggle.hpp"
+#include "nlmech/frames/toggle_path.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -21,96 +17,63 @@ struct Words {
   std::string height, model = "element", elements = "1";
 };
 
-/// The toggle under a growing load: half of it, or Williams' equation.
-struct GrowingLoad {
-  std::optional<frames::ToggleFrame> toggle;
-  std::unique_ptr<algebraic::Loaded> equations;
-  Eigen::Index apex = 0;
-  double sign = 1;  ///< of the drop
-
-  [[nodiscard]] double drop(const algebraic::PathPoint& point) const { return sign * point.x[apex]; }
-};
-
-void fill(GrowingLoad& all, const Words& words, double height) {
+frames::TogglePath path_of(const Words& words, double height) {
   const int elements = scene::typed_whole("--elements", words.elements, 1, 10'000);
-  if (words.model == "williams") {
-    if (elements != 1)
-      throw InputError(
-          fmt::format("--elements {}: Williams' equation has none; use --model element", words.elements));
-    static_cast<void>(frames::make_frame({.height = height}));  // refuses what is no toggle
-    all.equations = std::make_unique<frames::LoadedWilliams>(frames::Williams{.height = height});
-  } else if (words.model == "element") {
-    all.toggle.emplace(frames::make_frame({.height = height, .elements = static_cast<int>(elements)}));
-    all.equations = std::make_unique<frames::LoadedFrame>(all.toggle->frame, all.toggle->load);
-    all.apex = all.toggle->apex;
-    all.sign = -1;
-  } else {
+  const frames::Toggle toggle{.height = height, .elements = elements};
+  if (words.model == "element") return critical_points(toggle);
+  if (words.model != "williams")
     throw InputError(fmt::format("--model {}: there are element and williams", words.model));
-  }
+  if (elements != 1)
+    throw InputError(
+        fmt::format("--elements {}: Williams' equation has none; use --model element", words.elements));
+  static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
+  return critical_points(frames::Williams{.height = height});
 }
 
-//! [trace of the toggle]
-/// Follows the path from rest until the toggle hangs below its bases and its load rises again.
-std::vector<algebraic::PathPoint> limit_points_of(GrowingLoad& all, double height) {
-  // The first step drops the apex by about a twentieth of the height.
-  const double first = 0.05 * height * frames::Williams{.height = height}.stiffness(0.);
-  algebraic::Path path({.first = first}, *all.equations, Eigen::VectorXd::Zero(all.equations->size()), 0);
-  std::vector<algebraic::PathPoint> found, here;
-  Status status = path.start();
-  constexpr int most = 5000;
-  for (int k = 0; status.ok() && (all.drop(path.now()) < 2.2 * height || path.now().slope <= 0); ++k) {
-    if (k == most)
-      status = Status::failure(
-          Outcome::step_limit,
-          fmt::format("limit-points: after {} steps of the path the apex has dropped by {:.6g} "
-                      "and the toggle is not through; take a lower height",
-                      most, all.drop(path.now())));
-    if (status.ok()) status = path.advance();
-    // The straight branch of a buckled member is an equilibrium that no toggle would take.
-    if (status.ok()) status = all.equations->status();
-    if (!status.ok()) break;
-    if (path.folds(here) != Outcome::success) {
-      status = Status::failure(
-          Outcome::not_converged,
-          fmt::format("limit-points: none is found between the drops {:.6g} and {:.6g}, where "
-                      "one was passed; take another number of elements",
-                      all.drop(path.before()), all.drop(path.now())));
-    }
-    found.insert(found.end(), here.begin(), here.end());
-  }
-  if (!status.ok()) throw Failure(status);
-  return found;
-}
-//! [trace of the toggle]
-
+//! [rows of the toggle]
 void limit_points(const Words& words) {
   const double height = scene::typed_number("--height", words.height);
-  GrowingLoad all;
+  frames::TogglePath path;
   try {
-    fill(all, words, height);
+    path = path_of(words, height);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("--height {}: {}", words.height, error.what()));
   }
-  const std::vector<algebraic::PathPoint> found = limit_points_of(all, height);
-  std::string text = "kind,load,deflection\n";
-  // Rising before a maximum, falling after it; so maxima and minima take turns.
-  for (std::size_t i = 0; i < found.size(); ++i)
-    text += fmt::format("{},{:.12g},{:.12g}\n", i % 2 == 0 ? "maximum" : "minimum", found[i].load,
-                        all.drop(found[i]));
+  if (!path.status.ok())
+    throw Failure(Status::failure(
+        path.status.outcome(),
+        fmt::format("limit-points: the path is followed to a drop of {:.6g} in and {} critical points, no "
+                    "farther; take another number of elements a member, 4 or more: {}",
+                    path.drop, path.events.size(), path.status.sentence())));
+  std::string text = "kind,load,deflection,motion\n";
+  for (const frames::ToggleEvent& e : path.events)
+    text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
+                        e.is_symmetric ? "symmetric" : "antisymmetric");
   scene::print_result(text);
+  if (path.drop < 2.2 * height)
+    std::cerr << fmt::format(
+        "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "
+        "falls without bound; --model element goes on\n",
+        path.drop);
 }
+//! [rows of the toggle]
 
 }  // namespace
 
 void add_limit_points_command(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* const command = app.add_subcommand("limit-points",
-                                               "Limit points of a toggle on the path from rest, as CSV: "
-                                               "kind,load,deflection; only the head if there are "
-                                               "none. Members, inch and pound as in Table 2.1");
+  CLI::App* const command = app.add_subcommand(
+      "limit-points",
+      "Limit points and bifurcations of a toggle on its symmetric path from rest, as CSV: "
+      "kind,load,deflection,motion; only the head if there are none. kind: maximum, minimum, bifurcation; "
+      "motion: of the whole toggle that costs no work there, symmetric or antisymmetric. Members, inch and "
+      "pound as in Table 2.1");
   command->add_option("--height", words->height, "of the apex over the bases, inch")->required();
   command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
-  command->add_option("--elements", words->elements, "beam-columns a member")->capture_default_str();
+  command
+      ->add_option("--elements", words->elements,
+                   "beam-columns a member; above a height of 0.75 in 2 or more, to let members bow")
+      ->capture_default_str();
   command->callback([words] { limit_points(*words); });
 }
 

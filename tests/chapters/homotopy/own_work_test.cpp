@@ -1,8 +1,10 @@
 /// `homotopy limit-points` and `homotopy solve` as a user types them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "nlmech/scene/csv.hpp"
@@ -31,7 +33,7 @@ Finished homotopy(const std::string& words) { return run("homotopy", words); }
 std::vector<scene::CsvRecord> limit_points(const std::string& words) {
   const Finished f = homotopy("limit-points " + words);
   EXPECT_EQ(f.exit_code, 0) << words << ": " << f.errors;
-  EXPECT_TRUE(f.output.starts_with("kind,load,deflection\n")) << f.output;
+  EXPECT_TRUE(f.output.starts_with("kind,load,deflection,motion\n")) << f.output;
   auto rows = scene::parse_csv(f.output, "output");
   rows.erase(rows.begin());
   return rows;
@@ -63,6 +65,41 @@ TEST(LimitPoints, KnownLoads) {
   expect_pair("--height 0.38", 33.122797603353, 31.107808393235, 1e-10);
 }
 
+// The half toggle's two, and before them the one where the apex turns. Loads of a walk with short steps.
+TEST(LimitPoints, BifurcationsAreNamed) {
+  for (const auto& [words, bow, limit] : {std::tuple{"--height 2 --elements 8", 642.99, 964.03},
+                                          std::tuple{"--height 1 --elements 8", 258.7, 266.7}}) {
+    const auto rows = limit_points(words);
+    ASSERT_GE(rows.size(), 4U);
+    EXPECT_EQ(rows[0].cells.at(0), "bifurcation");
+    EXPECT_EQ(rows[0].cells.at(3), "antisymmetric");
+    EXPECT_EQ(rows[1].cells.at(0), "bifurcation");
+    EXPECT_EQ(rows[1].cells.at(3), "symmetric");
+    EXPECT_NEAR(number(rows[1].cells.at(1)), bow, 0.05);
+    const auto at =
+        std::find_if(rows.begin(), rows.end(), [](const auto& r) { return r.cells.at(0) == "maximum"; });
+    ASSERT_NE(at, rows.end());
+    EXPECT_NEAR(number(at->cells.at(1)), limit, 0.05);
+  }
+}
+
+TEST(LimitPoints, HighTogglesAndWilliamsEquationToItsEnd) {
+  const auto first = [](const std::vector<scene::CsvRecord>& rows) {
+    double load = NAN;
+    for (const auto& row : rows) {
+      if (std::isnan(load) && row.cells.at(0) == "maximum") load = number(row.cells.at(1));
+    }
+    return load;
+  };
+  EXPECT_NEAR(first(limit_points("--height 10 --elements 4")), 6698.82, 0.01);  // a walk of short steps
+  for (const char* elements : {"2", "4", "8", "16"})
+    EXPECT_NEAR(first(limit_points(std::string("--height 5 --elements ") + elements)), 3112, 8);
+  const Finished f = homotopy("limit-points --height 1 --model williams");
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  EXPECT_NE(f.errors.find("pole of d_5"), std::string::npos) << f.errors;
+  EXPECT_EQ(f.output.find("minimum"), std::string::npos) << f.output;
+}
+
 TEST(LimitPoints, NoneAtTheLowestHeight) {
   EXPECT_TRUE(limit_points("--height 0.32").empty());
   EXPECT_TRUE(limit_points("--height 0.32 --model williams").empty());
@@ -71,20 +108,26 @@ TEST(LimitPoints, NoneAtTheLowestHeight) {
 
 struct Solved {
   std::string status;
-  double deflection = NAN, residual = NAN, iterations = NAN;
+  double deflection = NAN, residual = NAN, iterations = NAN, bound = NAN;
+  std::string stability, critical_load;
   Finished finished;
 };
 
 Solved solve(const std::string& words) {
   Solved s;
   s.finished = homotopy("solve " + words);
-  if (!s.finished.output.starts_with("status,deflection,residual,iterations\n")) return s;
+  if (!s.finished.output.starts_with("status,deflection,residual,iterations,bound,stability,critical_load\n"))
+    return s;
   const auto rows = scene::parse_csv(s.finished.output, "output");
   if (rows.size() != 2) return s;
   s.status = rows[1].cells.at(0);
   s.deflection = number(rows[1].cells.at(1));
   s.residual = number(rows[1].cells.at(2));
   s.iterations = number(rows[1].cells.at(3));
+  s.bound = number(rows[1].cells.at(4));
+  s.stability = rows[1].cells.at(5);
+  s.critical_load = rows[1].cells.at(6);
+  EXPECT_LE(s.residual, s.bound) << words;
   return s;
 }
 
@@ -121,11 +164,44 @@ TEST(Solve, ElementsAMember) {
   EXPECT_NEAR(one.deflection, two.deflection, 1e-8);
 }
 
+// Stability is that of the whole toggle, and a shape beyond a bifurcation is not shown in silence.
+TEST(Solve, SaysWhatLiesBetweenRestAndTheShape) {
+  const Solved below = solve("--height 2 --elements 8 --load 300");
+  EXPECT_EQ(below.stability, "stable");
+  EXPECT_EQ(below.critical_load, "");
+  EXPECT_EQ(below.finished.errors, "");
+  const Solved between = solve("--height 2 --elements 8 --load 500");  // the half toggle has lost nothing yet
+  EXPECT_EQ(between.stability, "unstable");
+  EXPECT_NEAR(number(between.critical_load), 340.22, 0.01);
+  const Solved snapped = solve("--height 2 --elements 8 --load 660");
+  EXPECT_EQ(snapped.stability, "stable");
+  EXPECT_GT(snapped.deflection, 3);
+  EXPECT_NE(snapped.finished.errors.find("bifurcation"), std::string::npos) << snapped.finished.errors;
+  EXPECT_EQ(solve("--height 2 --elements 8 --load 660 --solver riks").stability, "unstable");
+  EXPECT_EQ(solve("--height 0.44 --load 36").critical_load, "");
+  EXPECT_NEAR(number(solve("--height 0.44 --load 43.79").critical_load), 42.435492120383, 1e-9);
+}
+
+// With 1000 elements rounding of the displacements makes more of the residual than 1e-10.
+TEST(Solve, NoResidualAboveTheToleranceIsASuccess) {
+  for (const char* solver : {"energy-trust-region", "riks"}) {
+    const std::string words = std::string("--height 0.44 --load 43.79 --elements 1000 --solver ") + solver;
+    const Solved strict = solve(words + " --tolerance 1e-10");
+    EXPECT_EQ(strict.finished.exit_code, 1);
+    EXPECT_EQ(strict.finished.output, "");
+    EXPECT_NE(strict.finished.errors.find("rounding"), std::string::npos) << strict.finished.errors;
+    const Solved loose = solve(words);
+    EXPECT_EQ(loose.status, "success") << loose.finished.errors;
+    EXPECT_GT(loose.bound, 1e-10);
+  }
+}
+
 // A solver that lets |F| fall is stuck at its minimum by the fold: it says so, and the command ends with 1.
 TEST(Solve, FailureIsSaid) {
   const Solved s = solve("--height 0.44 --load 43.79 --solver damped-newton");
   EXPECT_EQ(s.finished.exit_code, 1);
   EXPECT_FALSE(s.finished.errors.empty());
+  EXPECT_TRUE(s.finished.output.empty()) << s.finished.output;
 }
 
 TEST(OwnWork, WrongWordsAreRefused) {
