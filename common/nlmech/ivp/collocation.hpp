@@ -54,9 +54,11 @@ struct RbfCollocation {
 /// polynomials of its degree, which it solves to rounding, and to known growth at the instability window of
 /// Lobatto nodes (2e-4).
 struct PolynomialCollocation {
-  static constexpr std::string_view name = "polynomial-coll";  ///< in messages
-  double step = 0.1;                                           ///< length of a step, positive
-  int nodes = 7;                                               ///< N, from 2 to 200
+  static constexpr std::string_view name = "polynomial-coll";   ///< the family; messages name the nodes
+  static constexpr std::string_view lobatto_name = "lgl-coll";  ///< on command lines, with Lobatto nodes
+  static constexpr std::string_view radau_name = "radau-coll";  ///< with the left end and Radau nodes
+  double step = 0.1;                                            ///< length of a step, positive
+  int nodes = 7;                                                ///< N, from 2 to 200
   collocation::NodeFamily points =
       collocation::NodeFamily::legendre_gauss_lobatto;  ///< where the nodes stand
   algebraic::Newton newton = collocation_newton;        ///< the iteration for a step's equations
@@ -176,6 +178,19 @@ class CollocationStepper : public Stepper<S::dimension> {
   double t0_ = 0, h_ = 1;
 };
 
+/// What messages call a method.
+[[nodiscard]] constexpr std::string_view name_of(const RbfCollocation& /*method*/) {
+  return RbfCollocation::name;
+}
+/// The name of its nodes on command lines, "lgl-coll" or "radau-coll"; "polynomial-coll" with others.
+[[nodiscard]] constexpr std::string_view name_of(const PolynomialCollocation& method) {
+  switch (method.points) {
+    case collocation::NodeFamily::legendre_gauss_lobatto: return PolynomialCollocation::lobatto_name;
+    case collocation::NodeFamily::left_end_and_radau: return PolynomialCollocation::radau_name;
+    default: return PolynomialCollocation::name;
+  }
+}
+
 /// The basis of a method. @throws std::invalid_argument for options out of range
 [[nodiscard]] collocation::Basis basis_of(const RbfCollocation& method);
 /// The basis of a method. @throws std::invalid_argument for options out of range
@@ -184,10 +199,10 @@ class CollocationStepper : public Stepper<S::dimension> {
 namespace detail {
 template <SystemLike S, class Method>
 [[nodiscard]] Solution<S::dimension> collocate(const Task<S>& task, const Method& method) {
-  require_step(Method::name, method.step);
+  require_step(name_of(method), method.step);
   collocation::Basis basis = basis_of(method);
   if (!basis.status().ok()) return {task.t0, task.x0, basis.status(), {}};
-  CollocationStepper<S> stepper(task.system, std::move(basis), method.newton, Method::name);
+  CollocationStepper<S> stepper(task.system, std::move(basis), method.newton, name_of(method));
   return walk(task, method.step, stepper);
 }
 }  // namespace detail

@@ -11,7 +11,7 @@ Status non_finite_state(std::string_view method, double t, double step) {
   return Status::failure(
       Outcome::non_finite,
       fmt::format("{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; "
-                  "the solution may blow up there, else take a smaller step",
+                  "the solution may blow up there, else take a smaller step or tolerance",
                   method, step, t));
 }
 
@@ -25,8 +25,8 @@ Status non_finite_rhs(std::string_view method, double t) {
 Status non_finite_coefficients(std::string_view method, double t, int order) {
   return Status::failure(Outcome::non_finite,
                          fmt::format("{}: the Taylor coefficients to order {} at t = {:.17g} are not finite; "
-                                     "the solution may be singular there, else take a lower order or a "
-                                     "smaller step",
+                                     "the solution may be singular there, else take a lower order, or a "
+                                     "smaller step or tolerance",
                                      method, order, t));
 }
 
@@ -47,8 +47,8 @@ Status tolerance_missed(std::string_view method, double t, double step) {
 Status step_limit(std::string_view method, double t, std::int64_t steps) {
   return Status::failure(
       Outcome::step_limit,
-      fmt::format("{}: {} steps were used up at t = {:.17g}; allow more, or take a larger step "
-                  "or tolerance",
+      fmt::format("{}: {} steps were used up at t = {:.17g}; take a larger step or tolerance, or an earlier "
+                  "end (a program can allow more)",
                   method, steps, t));
 }
 
@@ -76,7 +76,7 @@ Status interrupted(std::string_view method, double t) {
 Status step_not_solved(std::string_view method, Outcome outcome, double t, double step, int iterations) {
   return Status::failure(outcome,
                          fmt::format("{}: the equations of the step of {:.6g} from t = {:.17g} were not "
-                                     "solved in {} iterations ({}); take a smaller step",
+                                     "solved in {} iterations ({}); take a smaller step or tolerance",
                                      method, step, t, iterations, to_string(outcome)));
 }
 
@@ -94,8 +94,9 @@ void require_within(std::string_view method, std::string_view option, double val
 
 void require_second_order(std::string_view method, bool second_order) {
   if (!second_order)
-    throw std::invalid_argument(
-        fmt::format("{}: the problem gives no acceleration(t, q, v); this method needs one", method));
+    throw std::invalid_argument(fmt::format(
+        "{}: the problem gives no acceleration(t, q, v), which this method needs; take another method",
+        method));
 }
 
 void require_derivatives(std::string_view method, bool given) {

@@ -9,14 +9,15 @@
 #include <string>
 #include <string_view>
 
+#include "nlmech/ivp/collocation.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named_methods.hpp"
 #include "nlmech/ivp/step_search.hpp"
 
 namespace nlmech::ivp::named {
 
-inline constexpr std::string_view lgl_name = "lgl-coll";      ///< polynomials at Lobatto nodes
-inline constexpr std::string_view radau_name = "radau-coll";  ///< polynomials at Radau nodes
+inline constexpr std::string_view lgl_name = PolynomialCollocation::lobatto_name;  ///< Lobatto nodes
+inline constexpr std::string_view radau_name = PolynomialCollocation::radau_name;  ///< Radau nodes
 
 /// Relative error of the rate at which a method of fixed step moves along x' = const, for a step; empty if
 /// there is none.
