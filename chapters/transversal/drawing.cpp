@@ -55,7 +55,7 @@ Block block() {
     }
     return true;
   };
-  const ivp::Mtl method{.step = h, .points = p};
+  const ivp::Mtl method{.step = h, .points = p, .error_tolerance = 0};  // as in the source
   const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, p * h, method, observe);
   if (!s.status.ok()) throw Failure(s.status);
   return b;

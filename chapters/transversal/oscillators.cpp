@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "nlmech/ivp/mtl.hpp"
+
 namespace nlmech::chapters {
 
 problems::DrivenDuffing stand_in(double e2) {
@@ -41,7 +43,12 @@ Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, d
 }
 
 ivp::NamedIntegrator<2> transversal(double step, int points) {
-  return ivp::named_integrator<2>("mtl", {.step = step, .points = points});
+  // The summary's procedure has no estimate: its long steps go on.
+  const ivp::Mtl method{.step = step, .points = points, .error_tolerance = 0};
+  return [method](const ivp::System<2>& system, const ivp::State<2>& x0, double t0, double t1,
+                  const ivp::Observer<2>& observer, const ivp::Limits& limits) {
+    return ivp::integrate(system, x0, t0, t1, method, observer, limits);
+  };
 }
 
 ivp::NamedIntegrator<2> classical(std::string_view name, double step) {

@@ -46,7 +46,7 @@ struct Course {
 [[nodiscard]] Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, double end,
                             const ivp::NamedIntegrator<2>& method, const Truth* truth);
 
-/// `mtl` with p points and a step.
+/// `mtl` with p points and a step, without an estimate, as in the source.
 [[nodiscard]] ivp::NamedIntegrator<2> transversal(double step, int points);
 /// A method by its name, with a step.
 [[nodiscard]] ivp::NamedIntegrator<2> classical(std::string_view name, double step);

@@ -70,6 +70,18 @@ TEST(MtlStiff, WrongBranchIsAStatus) {
   }
 }
 
+// Equidistant points of high degree and a long step: Newton's iteration ends far away from the solution,
+// which stays below 2. Nothing has to be asked for to learn that.
+TEST(MtlStiff, AFarRootIsAStatusByDefault) {
+  const System<2> system(DrivenDuffing{});
+  const auto blind =
+      integrate(system, State<2>(1, 0), 0, 50, Mtl{.step = 0.4, .points = 8, .error_tolerance = 0});
+  ASSERT_TRUE(blind.status.ok()) << blind.status.text();
+  EXPECT_GT(std::abs(blind.x[0]), 10);
+  const auto s = integrate(system, State<2>(1, 0), 0, 50, Mtl{.step = 0.4, .points = 8});
+  EXPECT_EQ(s.status.outcome(), Outcome::wrong_branch) << s.status.text();
+}
+
 TEST(MtlStiff, EstimateNamesTheBlock) {
   const auto s = oscillator(10, 40, {.step = 0.1, .error_tolerance = 1e-4});
   ASSERT_EQ(s.status.outcome(), Outcome::wrong_branch) << s.status.text();

@@ -31,7 +31,7 @@ Status mtl_overflow(double t, double block) {
   return Status::failure(
       Outcome::non_finite,
       fmt::format("mtl: the exponential of the linear part overflows over the block of {:.6g} from t = "
-                  "{:.17g}; take a smaller step or another linear part",
+                  "{:.17g}; take a smaller step or tolerance (a program can choose another linear part)",
                   block, t));
 }
 
@@ -40,7 +40,7 @@ Status mtl_wrong_branch(double t, double block, double estimate, double allowed)
       Outcome::wrong_branch,
       fmt::format("mtl: the equations of the block of {:.6g} from t = {:.17g} were solved, but between its "
                   "points the error is estimated as {:.2g}, above {:.2g}: the states may lie on another "
-                  "branch; take a smaller step",
+                  "branch; take a smaller step, or a tolerance in its place",
                   block, t, estimate, allowed));
 }
 

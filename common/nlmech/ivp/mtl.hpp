@@ -42,8 +42,8 @@ inline constexpr algebraic::Newton mtl_newton = {.tolerance = 1e-12, .noise = 1e
 /// the velocities. Order: mtl_order().
 ///
 /// With a fixed A symmetric in time, so that energies of oscillators do not drift; not symplectic. Not
-/// L-stable. Without an estimate a step too long for the problem may be solved by states that lie on no
-/// solution; error_tolerance turns that into a status.
+/// L-stable. A step too long for the problem may be solved by states that lie on no solution; the estimate
+/// of error_tolerance turns that into a status.
 /// Dense output: y itself, and exact on linear problems; within a block it is of the order p + 1, as its
 /// inner points are.
 ///
@@ -56,10 +56,11 @@ struct Mtl {
   int points = 3;                                  ///< p, from 1 to 8
   MtlBasis basis = MtlBasis::lagrange;             ///< phi_k
   MtlLinear linear = MtlLinear::given;             ///< A
-  /// Ends with `wrong_branch` where the estimated error of a block, max |e_i|/(1 + |x_i|), is greater; 0: no
-  /// estimate. y is put into the equation midway between the points; what is missing there, times h and
-  /// through (1 - h df/dx)^-1, is the estimate, of order h^(p+2).
-  double error_tolerance = 0;
+  /// Ends with `wrong_branch` where the estimated error of a block, max |e_i|/(1 + |x_i|), is greater: with
+  /// the default where nothing of the states is right. 0: no estimate, as in the source. y is put into the
+  /// equation midway between the points; what is missing there, times h and through (1 - h df/dx)^-1, is the
+  /// estimate, of order h^(p+2).
+  double error_tolerance = 0.1;
   algebraic::Newton newton = mtl_newton;  ///< the iteration for a block's equations
 };
 
