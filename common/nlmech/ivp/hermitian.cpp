@@ -25,4 +25,13 @@ Status hermitian::wrong_branch(std::string_view method, double t, double step, d
                   method, step, t, estimate));
 }
 
+Status hermitian::errors_add_up(std::string_view method, double t, std::int64_t steps, double sum) {
+  return Status::failure(
+      Outcome::not_converged,
+      fmt::format(
+          "{}: each of {} steps to t = {:.17g} is within the tolerance, but their errors may add up to "
+          "{:.2g} of the state; take a smaller tolerance",
+          method, steps, t, sum));
+}
+
 }  // namespace nlmech::ivp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -32,7 +33,12 @@ namespace nlmech::ivp {
 ///    change by more than 3 over it. On linear problems, where a step has one root only, it never does.
 ///  - Without, steps are chosen: accepted if max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1. The
 ///    next one is longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that
-///    is not solved is quartered.
+///    is not solved is quartered. Where h^2 |a_q| > 2, and if it is a first one or more than twice as long as
+///    the one before, a step must pass a second estimate, which vanishes on no oscillation however long the
+///    step: see HermitianTrial::unresolved(). It is the error of a step that is held
+///    (Controlled::local_error): at the end there are those of all steps, times the problem's condition.
+///    Where the estimates add up to a hundredth of the state and ten thousand tolerances, the run ends with
+///    `not_converged`.
 ///
 /// Steps end on announced discontinuities. Dense output: the quintic of both ends with accelerations, of the
 /// method's order. Statistics::right_hand_sides counts a and j apart: two a Newton iteration, three a step
@@ -58,6 +64,9 @@ namespace hermitian {
 
 /// The estimate of a converged step is of the size of the step: wrong_branch.
 [[nodiscard]] Status wrong_branch(std::string_view method, double t, double step, double estimate);
+
+/// The errors of all steps together may be far above the tolerance: not_converged.
+[[nodiscard]] Status errors_add_up(std::string_view method, double t, std::int64_t steps, double sum);
 
 /// Steps of fixed length.
 template <SystemLike S>
@@ -120,7 +129,11 @@ class Run : private ChosenSteps<S> {
 
   /// The answer; call once.
   Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
+    Solution<n> solution = this->run_by([this](double end) { return cross(end); });
+    const double sum = method_.relative_tolerance * total_;
+    if (solution.status.ok() && !(sum < most_share) && !(total_ < most_tolerances))
+      solution.status = errors_add_up(name(), solution.t, solution.statistics.steps, sum);
+    return solution;
   }
 
  private:
@@ -132,10 +145,14 @@ class Run : private ChosenSteps<S> {
 
   [[nodiscard]] std::string_view name() const { return method_.operators.name; }
 
+  // Errors of the steps that leave nothing of the tolerance: of the state, and in tolerances.
+  static constexpr double most_share = 0.01, most_tolerances = 1e4;
+
   // A stretch on which f is smooth.
   Status cross(double end) {
     if (!trial_.begin_segment(now_.t, end, now_.x, now_.statistics)) return non_finite_rhs(name(), now_.t);
     length_ = first_length(std::abs(end - now_.t));
+    before_ = 0;
     Status status;
     while (now_.t != end && status.ok()) status = step(end);
     return status;
@@ -163,14 +180,15 @@ class Run : private ChosenSteps<S> {
       const double t1 = last ? end : now_.t + std::copysign(length, end - now_.t);
       if (t1 == now_.t) return step_underflow(name(), now_.t, length_);
       const Outcome outcome = trial_.attempt(now_.t, t1 - now_.t, now_.statistics);
-      const double error = outcome == Outcome::success
-                               ? trial_.error_of(method_.absolute_tolerance, method_.relative_tolerance)
-                               : HUGE_VAL;
+      const bool is_new = std::abs(t1 - now_.t) > 2 * before_;
+      const double error = outcome == Outcome::success ? estimated_error(is_new) : HUGE_VAL;
       // An error of zero allows any step; the next but five times as long.
       const double factor =
           outcome == Outcome::success ? std::clamp(0.9 * std::pow(error, exponent_), 0.2, 5.0) : 0.25;
       const double used = std::abs(t1 - now_.t);
       if (error <= 1) {
+        total_ += error;
+        before_ = used;
         length_ = used * (rejected == 0 ? factor : std::min(factor, 1.0));
         return accept(t1);
       }
@@ -184,6 +202,17 @@ class Run : private ChosenSteps<S> {
     }
   }
 
+  // Of a trial that was solved.
+  // @param is_new of a length that has not been tried
+  [[nodiscard]] double estimated_error(bool is_new) {
+    const double atol = method_.absolute_tolerance, rtol = method_.relative_tolerance;
+    const double error = trial_.error_of(atol, rtol);
+    if (!(error <= 1)) return error;
+    // A tenth: what a stiff motion rings with, tolerances of it, neither grows nor decays.
+    const double unresolved = trial_.unresolved(atol, rtol, is_new, now_.statistics) / 10;
+    return unresolved <= error ? error : unresolved;  // keeps a NaN
+  }
+
   Status accept(double t1) {
     ++now_.statistics.steps;
     Status status = show(t1, trial_.begin_state(), trial_.end_state(), trial_);
@@ -194,7 +223,7 @@ class Run : private ChosenSteps<S> {
   }
 
   const Hermitian& method_;
-  double exponent_, length_ = 0;
+  double exponent_, length_ = 0, before_ = 0, total_ = 0;
   HermitianTrial<S> trial_;
 };
 

@@ -3,6 +3,7 @@
 /// output.
 #pragma once
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -39,6 +40,10 @@ class HermitianTrial : public DenseOutput<S::dimension> {
         middle_(x0_),
         error_(x0_),
         known_(x0_),
+        rise_(Half<n>::Zero(system.size() / 2)),
+        missing_(rise_),
+        filter_(system.size() / 2, system.size() / 2),
+        lu_(system.size() / 2),
         fx_(system.size(), system.size()),
         gx_(system.size(), system.size()),
         workspace_(system.size()) {}
@@ -100,6 +105,35 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   [[nodiscard]] double error_of(double atol, double rtol) const {
     return (error_.array().abs() / (atol + rtol * x0_.array().abs().max(x1_.array().abs()))).maxCoeff();
   }
+  /// A second estimate in the same measure, for steps that do not resolve the stiffness of the problem: the
+  /// first one holds for short steps, and for long ones there are lengths at which it vanishes on an
+  /// oscillation, which a choice of steps would find. The dense output is put into the equation at four
+  /// places without symmetry; what is missing there, h^2 (q'' - a) through (1 - h^2 a_q/12 - h a_v/2)^-1,
+  /// cannot vanish at all of them: on the linear oscillator it is 2e-3 of the amplitude for h omega = 1 and
+  /// grows with it, for every phase and Laier's and Newmark's operators (Argyris': from 5e-5). 0 where h^2
+  /// |a_q| <= 2, unless it is wanted @p always: of a first step, which may meet a load at one phase wherever
+  /// else it looks.
+  [[nodiscard]] double unresolved(double atol, double rtol, bool always, Statistics& statistics) {
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const auto stiffness = fx_.bottomLeftCorner(m, m), damping = fx_.bottomRightCorner(m, m);
+    if (!(h_ * h_ * stiffness.cwiseAbs().rowwise().sum().maxCoeff() > 2) && !always) return 0;
+    filter_ = -(h_ * h_ / 12) * stiffness - (h_ / 2) * damping;
+    filter_.diagonal().array() += 1;
+    lu_.compute(filter_);
+    ++statistics.factorisations;
+    double worst = 0;
+    for (const double s : {0.17, 0.39, 0.62, 0.86}) {
+      interpolate(s, middle_);
+      system_.rhs(segment_(t0_ + s * h_), middle_, known_);
+      ++statistics.right_hand_sides;
+      curvature(s, missing_);
+      missing_ = lu_.solve((h_ * h_) * missing_ - (h_ * h_) * velocities(known_)).eval();
+      const double part = std::max(worst_share(missing_, positions(x0_), positions(x1_), atol, rtol),
+                                   worst_share(missing_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
+      if (!(part <= worst)) worst = part;
+    }
+    return worst;
+  }
   /// The estimate as a displacement, max(|e_q|, h |e_v|), over the greatest of |q0|, |q1|, |h v0| and |h v1|.
   [[nodiscard]] double relative_displacement() const {
     const double size = std::max(displacement(x0_), displacement(x1_));
@@ -155,6 +189,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   // ends with their jerks, exact for q of degree 6, and one with the acceleration in the middle of the dense
   // output, exact for v of degree 6. The latter asks the problem where the step has not looked.
   void estimate(Statistics& statistics) {
+    measure_rise();
     interpolate(0.5, middle_);
     const double inside = segment_(t0_ + h_ / 2);
     system_.rhs(inside, middle_, known_);
@@ -166,6 +201,24 @@ class HermitianTrial : public DenseOutput<S::dimension> {
                          (h_ / 30) * (7 * (a0 + a1) + 16 * velocities(known_)) - (h_ * h_ / 60) * (j0 - j1);
   }
 
+  // (q1 - q0)/h, by whichever has less rounding: the difference has eps |q|/h; the equation of the step that
+  // of its terms, the jerk's being that of the acceleration times the damping.
+  void measure_rise() {
+    const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
+    const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const auto size = [](const auto& v) { return v.cwiseAbs().maxCoeff(); };
+    const auto norm = [](const auto& v) { return v.cwiseAbs().rowwise().sum().maxCoeff(); };
+    const double h = std::abs(h_), q = std::max(size(q0), size(q1)), v = std::max(size(v0), size(v1));
+    const double damping = norm(fx_.bottomRightCorner(m, m));
+    const double force = norm(fx_.bottomLeftCorner(m, m)) * q + damping * v;
+    if (h * (v + h * force * (1 + h * damping)) < q) {
+      rise_ = v0 + h_ * (step_.qa0 * a0 + step_.qa1 * a1 + h_ * (step_.qj0 * j0 + step_.qj1 * j1));
+    } else {
+      rise_ = (q1 - q0) / h_;
+    }
+  }
+
   void interpolate(double s, State<n>& x) const {
     const double r = 1 - s, s3 = s * s * s, r3 = r * r * r;
     const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
@@ -173,9 +226,30 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     positions(x) = q0 + (s3 * (10 - s * (15 - 6 * s))) * (q1 - q0) + (h_ * s * r3 * (1 + 3 * s)) * v0 -
                    (h_ * r * s3 * (1 + 3 * r)) * v1 + (h_ * h_ / 2 * s * s * r3) * a0 +
                    (h_ * h_ / 2 * s3 * r * r) * a1;
-    velocities(x) = (30 * s * s * r * r / h_) * (q1 - q0) + (r * r * (1 + s * (2 - 15 * s))) * v0 +
+    velocities(x) = (30 * s * s * r * r) * rise_ + (r * r * (1 + s * (2 - 15 * s))) * v0 +
                     (s * s * (1 + r * (2 - 15 * r))) * v1 + (h_ / 2 * s * r * r * (2 - 5 * s)) * a0 -
                     (h_ / 2 * r * s * s * (2 - 5 * r)) * a1;
+  }
+
+  // The second derivative of the positions of interpolate().
+  void curvature(double s, Half<n>& c) const {
+    const double r = 1 - s;
+    const auto v0 = velocities(x0_), v1 = velocities(x1_), a0 = velocities(f0_), a1 = velocities(f1_);
+    c = ((60 * s * r * (r - s)) * rise_ + (r * r * (2 - 30 * s) - 2 * r * (1 + s * (2 - 15 * s))) * v0 +
+         (2 * s * (1 + r * (2 - 15 * r)) - s * s * (2 - 30 * r)) * v1) /
+            h_ +
+        (r * r * (1 - 5 * s) - r * s * (2 - 5 * s)) * a0 + (s * s * (1 - 5 * r) - s * r * (2 - 5 * r)) * a1;
+  }
+
+  // max_i |e_i| / (atol + rtol max(|a_i|, |b_i|)); NaN if one is.
+  template <class E, class A>
+  [[nodiscard]] static double worst_share(const E& e, const A& a, const A& b, double atol, double rtol) {
+    double worst = 0;
+    for (Eigen::Index i = 0; i < e.size(); ++i) {
+      const double part = std::abs(e[i]) / (atol + rtol * std::max(std::abs(a[i]), std::abs(b[i])));
+      if (!(part <= worst)) worst = part;
+    }
+    return worst;
   }
 
   [[nodiscard]] double displacement(const State<n>& x) const {
@@ -188,6 +262,9 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   algebraic::Newton newton_;
   SmoothSegment segment_;
   State<n> x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
+  Half<n> rise_, missing_;
+  Matrix<double, half<n>> filter_;
+  Eigen::PartialPivLU<Matrix<double, half<n>>> lu_;
   Jacobian<n> fx_, gx_;
   algebraic::Workspace<State<n>, Jacobian<n>> workspace_;
   double t0_ = 0, h_ = 1;
