@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "nlmech/ivp/named_evidence.hpp"
 #include "nlmech/ivp/named_integrators.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -44,7 +45,13 @@ NamedIntegrator<n> searching(const StepSearch& search, const OfStep<n>& make, co
     if (t0 == t1 || !x0.allFinite() || !std::isfinite(t1 - t0)) return run(last, observer, limits);
     Solution<n> s{t0, x0, {}, {}};
     if (rate_is_fixed) s.status = check_rate(search.name, system, rate(1), t0, t0, x0, t1, search.tolerance);
-    if (s.status.ok()) s = search_step<n>(search, run, t0, x0, t1, observer, limits);
+    if (s.status.ok()) {
+      StepSearch asked = search;
+      asked.frequency = highest_frequency<n>(system, t0, x0);
+      asked.jumps = system.discontinuities(t0, t1);
+      const Evidence<n> evidence = evidence_of<n>(system, x0, t0, t1, search.tolerance);
+      s = search_step<n>(asked, run, evidence, t0, x0, t1, observer, limits);
+    }
     if (s.status.ok() && rate)
       s.status = check_rate(search.name, system, rate(last), t0, s.t, s.x, t1, search.tolerance);
     s.statistics.seconds = watch.seconds();
