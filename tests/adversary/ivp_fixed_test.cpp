@@ -1,0 +1,287 @@
+/// Methods of fixed step in search of their step, and Hermitian operators with steps of their choice, by
+/// name: what ends with success is held to exponentials of matrices in extended precision and to elliptic
+/// functions.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <cmath>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "tests/adversary/adversary.hpp"
+
+namespace nlmech::adversary {
+namespace {
+
+using ivp::Controlled;
+using Real = long double;
+using Square = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr std::int64_t most_steps = 120'000;  // of all runs: what asks for more is refused, and cheap
+constexpr std::array<std::int64_t, 12> counts = {16,  32,  33,  64,   68,     128,
+                                                 137, 256, 528, 1024, 35'376, 262'144};
+
+/// exp(m) by the series of m/2^k, squared k times.
+Square exponential(Square m) {
+  const Real norm = m.cwiseAbs().rowwise().sum().maxCoeff();
+  const int k = norm > 0.5L ? static_cast<int>(std::ceil(std::log2(norm))) + 1 : 0;
+  m /= std::ldexp(1.0L, k);
+  Square sum = Square::Identity(m.rows(), m.rows()), term = sum;
+  for (int i = 1; i < 24; ++i) {
+    term = (term * m / static_cast<Real>(i)).eval();
+    sum += term;
+  }
+  for (int i = 0; i < k; ++i) sum = (sum * sum).eval();
+  return sum;
+}
+
+/// A method, its tolerance, and how it is called.
+struct Asked {
+  const ivp::MethodInfo* info;
+  ivp::Settings settings;
+  [[nodiscard]] std::string words() const {
+    return fmt::format("{} --tolerance {:.17g}{}", info->name, *settings.tolerance,
+                       settings.shape ? fmt::format(" --shape {:.17g}", *settings.shape) : "");
+  }
+};
+
+/// @param halves may it be a method for accelerations?
+Asked ask(Draw& draw, bool halves, double interval) {
+  std::vector<const ivp::MethodInfo*> fit;
+  for (const ivp::MethodInfo& m : ivp::named_methods()) {
+    if ((m.fixed_step || m.takes_step) && (halves || !m.second_order_only)) fit.push_back(&m);
+  }
+  Asked a{fit[static_cast<std::size_t>(draw.whole(0, static_cast<int>(fit.size()) - 1))], {}};
+  a.settings.tolerance = draw.log_uniform(1e-10, 1e-2);
+  if (a.info->has_shape && draw.chance(0.7)) a.settings.shape = draw.log_uniform(0.1, 100) / interval;
+  return a;
+}
+
+/// A frequency that some of the runs of a search would meet at one phase, or any.
+double load_frequency(Draw& draw, double interval) {
+  if (draw.chance(0.5)) {
+    constexpr double turn = 6.283185307179586;
+    return turn * static_cast<double>(draw.one_of(counts) * draw.whole(1, 4)) / interval;
+  }
+  return draw.log_uniform(1e-2, 1e6) / interval;
+}
+
+/// The end of a run against the truth, in tolerances: of the difference of runs that is 2, and room for what
+/// samples along the way do not see; errors of steps add up, and @p condition multiplies them.
+template <int n>
+Case judge(const Asked& asked, const ivp::Solution<n>& s, const Column& truth, double sure,
+           const ivp::State<n>& condition, const std::string& what) {
+  if (!s.status.ok()) return Case::refused(s.status.text());
+  const double tolerance = *asked.settings.tolerance;
+  if (!(sure <= tolerance / 10)) return Case::undecided();
+  const bool whole = controlled(*asked.info, asked.settings) == Controlled::difference_of_runs;
+  double worst = 0;
+  for (int i = 0; i < s.x.size(); ++i) {
+    const double error = static_cast<double>(std::abs(s.x[i] - truth[i]));
+    const double steps = 3 * static_cast<double>(s.statistics.steps);
+    const double room = whole ? 2.5 * (1 + std::abs(static_cast<double>(truth[i]))) : steps * condition[i];
+    worst = std::max(worst, error / (tolerance * room));
+  }
+  return Case::judged(
+      worst, 1, what + fmt::format("; x1 = {:.9g}, right {:.9g}", s.x[0], static_cast<double>(truth[0])));
+}
+
+// x'' + 2 zeta w x' + w^2 x = F cos(W t), in the scaled state (x, v/w, cos, sin).
+Case oscillator(Draw& draw) {
+  const double interval = draw.log_uniform(1e-3, 1e4);
+  problems::LinearOscillator p;
+  p.natural_frequency = draw.chance(0.8) ? draw.log_uniform(1e-1, 1e5) / interval : draw.log_uniform(1, 1e10);
+  p.damping_ratio = draw.chance(0.5) ? 0 : draw.log_uniform(1e-6, 10);
+  p.force = draw.chance(0.5) ? 0 : draw.signed_log(1e-3, 1e6);
+  p.frequency = draw.chance(0.05) ? p.natural_frequency : load_frequency(draw, interval);
+  const ivp::State<2> x0(draw.chance(0.3) ? 0 : draw.signed_log(1e-3, 1e3),
+                         draw.chance(0.6) ? 0 : draw.signed_log(1e-3, 1e3));
+  const Asked asked = ask(draw, true, interval);
+  const double backwards = draw.chance(0.2) ? -1 : 1, end = backwards * interval;
+  const auto s = ivp::named_integrator<2>(asked.info->name, asked.settings)(
+      ivp::System<2>(p), x0, 0, end, {}, {.steps = most_steps, .seconds = 20});
+  const Real w = p.natural_frequency, W = p.frequency, z = p.damping_ratio;
+  Square m = Square::Zero(4, 4);
+  m(0, 1) = w;
+  m(1, 0) = -w;
+  m(1, 1) = -2 * z * w;
+  m(1, 2) = p.force / w;
+  m(2, 3) = -W;
+  m(3, 2) = W;
+  const Square flow = exponential(m * static_cast<Real>(end));
+  Column y(4);
+  y << x0[0], x0[1] / w, 1, 0;
+  Column truth = (flow * y).head(2);
+  truth[1] *= w;
+  // Rounding of the flow, and of w in the problem: by the angle.
+  const double radians =
+      interval * std::max({p.natural_frequency, p.frequency, 1.0 / interval}) * (1 + p.damping_ratio);
+  const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff()),
+               v = p.natural_frequency;
+  const double sure =
+      4 * eps * radians * size * std::max(1.0, v / (1 + static_cast<double>(std::abs(truth[1]))));
+  const double share = std::min(interval, 1 / v),
+               growth = std::max(1.0, static_cast<double>(flow.topLeftCorner(2, 2).cwiseAbs().maxCoeff()));
+  const double X = 1 + size, V = 1 + v * size;
+  const ivp::State<2> condition(growth * (X + V * share), growth * (V + v * X));
+  return judge<2>(
+      asked, s, truth, sure, condition,
+      fmt::format("linear --set natural-frequency={:.17g} --set damping-ratio={:.17g} --set force={:.17g} "
+                  "--set frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} --method {}",
+                  p.natural_frequency, p.damping_ratio, p.force, p.frequency, x0[0], x0[1], end,
+                  asked.words()));
+}
+
+// x'' + w^2 x + eta x^3 = 0 from X at rest: X cn.
+Case duffing(Draw& draw) {
+  const double interval = draw.log_uniform(1e-2, 1e4), amplitude = draw.signed_log(1e-3, 1e2);
+  problems::Duffing p{.natural_frequency = draw.log_uniform(0.1, 1e5) / interval};
+  p.hardening = draw.log_uniform(1e-4, 1e4) * std::pow(p.natural_frequency / amplitude, 2);
+  const Asked asked = ask(draw, true, interval);
+  const auto s = ivp::named_integrator<2>(asked.info->name, asked.settings)(
+      ivp::System<2>(p), {amplitude, 0}, 0, interval, {}, {.steps = most_steps, .seconds = 20});
+  if (!s.status.ok()) return Case::refused(s.status.text());
+  const Real X = std::abs(amplitude), w2 = Real(p.natural_frequency) * p.natural_frequency,
+             add = p.hardening * X * X;
+  const Real omega = std::sqrt(w2 + add), k = std::sqrt(add / (2 * (w2 + add)));
+  Real cn = 0, dn = 0;
+  const Real sn = boost::math::jacobi_elliptic(k, Real(omega * interval), &cn, &dn);
+  Column truth(2);
+  truth << amplitude * cn, -amplitude * omega * sn * dn;
+  const double angle = static_cast<double>(omega) * interval, size = std::abs(amplitude),
+               rate = static_cast<double>(omega);
+  const double sure =
+      8 * eps * (1 + angle) * size * std::max(1.0, rate / (1 + static_cast<double>(std::abs(truth[1]))));
+  // An error of the amplitude changes the frequency: it grows with the angle.
+  const double grown = 1 + angle, x = 1 + size, v = 1 + rate * size;
+  const ivp::State<2> condition(grown * (x + v / rate), grown * (v + rate * x));
+  return judge<2>(
+      asked, s, truth, sure, condition,
+      fmt::format("duffing --set natural-frequency={:.17g} --set hardening={:.17g} --initial {:.17g},0 "
+                  "--until {:.17g} --method {}",
+                  p.natural_frequency, p.hardening, amplitude, interval, asked.words()));
+}
+
+// The chain without its cubic spring, under a load on the second mass that it does not announce.
+Case chain(Draw& draw) {
+  const double interval = draw.log_uniform(1e-2, 1e3);
+  problems::ThreeMassChain p;
+  p.l1 = 0;
+  p.k1 = draw.log_uniform(0.1, 1e8);
+  p.k4 = draw.chance(0.5) ? 0 : draw.log_uniform(0.1, 1e4);
+  p.c1 = draw.chance(0.5) ? 0 : draw.log_uniform(1e-3, 1e3);
+  p.force = draw.log_uniform(1e-3, 1e3);
+  p.frequency = load_frequency(draw, interval);
+  ivp::State<6> x0 = ivp::State<6>::Zero();
+  if (draw.chance(0.3)) x0[draw.whole(0, 5)] = draw.signed_log(1e-3, 10);
+  const Asked asked = ask(draw, true, interval);
+  const auto s = ivp::named_integrator<6>(asked.info->name, asked.settings)(
+      ivp::System<6>(p), x0, 0, interval, {}, {.steps = most_steps / 4, .seconds = 20});
+  if (!s.status.ok()) return Case::refused(s.status.text());
+  problems::ThreeMassChain free = p;
+  free.force = 0;
+  Square m = Square::Zero(8, 8);
+  for (int i = 0; i < 6; ++i) {
+    ivp::State<6> f;
+    free(0.0, ivp::State<6>(ivp::State<6>::Unit(i)),
+         f);  // small whole numbers and parameters: exact to rounding
+    m.col(i).head(6) = f.cast<Real>();
+  }
+  m(4, 6) = p.force / p.m2;
+  m(6, 7) = -p.frequency;
+  m(7, 6) = p.frequency;
+  Column y = Column::Zero(8);
+  y.head(6) = x0.cast<Real>();
+  y[6] = 1;
+  const Real scale = std::sqrt(std::max(Real(1), Real(p.k1)));  // velocities in units of the fastest motion
+  for (int i = 3; i < 6; ++i) {
+    m.row(i) /= scale;
+    m.col(i) *= scale;
+    y[i] /= scale;
+  }
+  const Square flow = exponential(m * Real(interval));
+  Column truth = (flow * y).head(6);
+  const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff());
+  truth.tail(3) *= scale;
+  const double fast = static_cast<double>(scale), radians = interval * (fast + p.frequency + p.c1 + 1);
+  const double sure = 8 * eps * radians * size * fast;
+  const double growth = std::max(1.0, static_cast<double>(flow.topLeftCorner(6, 6).cwiseAbs().maxCoeff()));
+  ivp::State<6> condition;
+  condition.head<3>().setConstant(growth * (1 + size + (1 + fast * size) * interval));
+  condition.tail<3>().setConstant(growth * (1 + fast * size + fast * (1 + size)));
+  return judge<6>(asked, s, truth, sure, condition,
+                  fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
+                              "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
+                              p.k1, p.k4, p.c1, p.force, p.frequency, interval, asked.words(),
+                              fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
+}
+
+/// x' = A x.
+struct Linear {
+  static constexpr int dimension = 3;
+  Eigen::Matrix3d a;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 3>& x, Vector<T, 3>& dxdt) const {
+    for (int i = 0; i < 3; ++i) dxdt[i] = a(i, 0) * x[0] + a(i, 1) * x[1] + a(i, 2) * x[2];
+  }
+};
+
+// Random rates of both signs and sizes, mixed by a random basis: decay, growth, stiffness, spirals.
+Case system(Draw& draw) {
+  const double interval = draw.log_uniform(1e-3, 1e3);
+  Linear p;
+  Eigen::Matrix3d rates = Eigen::Matrix3d::Zero(), basis;
+  for (int i = 0; i < 3; ++i)
+    rates(i, i) =
+        (draw.chance(0.3) ? 1 : -1) * draw.log_uniform(1e-3, draw.chance(0.3) ? 1e6 : 30) / interval;
+  for (int i = 0; i < 3; ++i) rates(i, i) = std::min(rates(i, i), 30 / interval);
+  if (draw.chance(0.5)) {
+    rates(0, 1) = draw.log_uniform(1e-2, 1e4) / interval;
+    rates(1, 0) = -rates(0, 1);
+    rates(1, 1) = rates(0, 0);
+  }
+  for (int i = 0; i < 9; ++i) basis(i / 3, i % 3) = draw.normal() + (i % 4 == 0 ? 2 : 0);
+  p.a = basis * rates * basis.inverse();
+  ivp::State<3> x0(draw.normal(), draw.normal(), draw.normal());
+  const Asked asked = ask(draw, false, interval);
+  if (!p.a.allFinite()) return Case::undecided();
+  const auto s = ivp::named_integrator<3>(asked.info->name, asked.settings)(
+      ivp::System<3>(p), x0, 0, interval, {}, {.steps = most_steps, .seconds = 20});
+  if (!s.status.ok()) return Case::refused(s.status.text());
+  const Square m = p.a.cast<Real>() * Real(interval), flow = exponential(m);
+  const Column truth = flow * x0.cast<Real>();
+  const double norm = static_cast<double>(m.cwiseAbs().rowwise().sum().maxCoeff());
+  const double sure =
+      16 * eps * norm * static_cast<double>(flow.cwiseAbs().maxCoeff()) * x0.cwiseAbs().maxCoeff();
+  return judge<3>(
+      asked, s, truth, sure / (1 + static_cast<double>(truth.cwiseAbs().minCoeff())), ivp::State<3>::Ones(),
+      fmt::format("x' = A x, A = ({}), x0 = ({}), to {:.17g}, {}",
+                  fmt::join(std::vector<double>(p.a.data(), p.a.data() + 9), ","),
+                  fmt::join(std::vector<double>(x0.begin(), x0.end()), ","), interval, asked.words()));
+}
+
+TEST(AdversaryFixedSteps, LinearOscillators) {
+  hunt({.quick = 12, .full = 3000, .least_right = 0.1}, oscillator);
+}
+TEST(AdversaryFixedSteps, FreeDuffingOscillators) {
+  hunt({.quick = 8, .full = 2000, .least_right = 0.1}, duffing);
+}
+TEST(AdversaryFixedSteps, LoadsThatNobodyAnnounces) {
+  hunt({.quick = 8, .full = 1500, .least_right = 0.05}, chain);
+}
+TEST(AdversaryFixedSteps, LinearSystems) { hunt({.quick = 12, .full = 3000, .least_right = 0.1}, system); }
+
+}  // namespace
+}  // namespace nlmech::adversary
