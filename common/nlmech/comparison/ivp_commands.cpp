@@ -124,8 +124,8 @@ void add_common(CLI::App& command, Words& words) {
   command.add_option("--until", words.until, "time at which it ends; earlier runs backwards")->required();
   command.add_option("--step", words.step, "length of a step, for methods of fixed step and series");
   command.add_option("--tolerance", words.tolerance,
-                     "relative and absolute; 1e-9 without it. Methods of fixed step halve their step until "
-                     "two runs agree");
+                     "relative and absolute; 1e-9 without it. Methods of fixed step shorten their step until "
+                     "two runs agree with each other and with another method");
   command.add_option("--absolute-tolerance", words.absolute,
                      "for components that become small; --tolerance without it. Not for fixed steps");
 }
