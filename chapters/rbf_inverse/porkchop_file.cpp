@@ -276,7 +276,12 @@ std::string merged(const std::vector<PorkchopPart>& parts) {
                         "and {:.17g}",
                         part->name, n.line[i], times.first, times.second, before.first, before.second));
       before = times;
-      add_row(text, times.first, times.second, n.column[2][i], n.column[3][i], n.column[4][i]);
+      const double v1 = n.column[2][i], v2 = n.column[3][i], revolutions = n.column[4][i];
+      if (v1 < 0 || v2 < 0 || revolutions < 0 || revolutions != std::floor(revolutions))
+        throw InputError(
+            fmt::format("{}, line {}: speeds {:.17g} and {:.17g} and {:.17g} revolutions are no transfer",
+                        part->name, n.line[i], v1, v2, revolutions));
+      add_row(text, times.first, times.second, v1, v2, revolutions);
     }
   }
   return text;

@@ -100,5 +100,20 @@ TEST(AdversaryReaders, PartsOfAGrid) {
   });
 }
 
+TEST(AdversaryReaders, RowsThatAreNoTransfer) {
+  for (const std::string row :
+       {"5,20,-1.75,2.25,0", "5,20,1.75,-1,0", "5,20,1.75,2.25,0.5", "5,20,1.75,2.25,-1"}) {
+    const std::string text =
+        "# shard 1 / 1 grid 1 x 1 rows 1 problem 0123456789abcdef\n"
+        "departure,arrival,v_departure,v_arrival,revolutions\n" +
+        row + "\n";
+    const Case c = read_or_refused(text, [](const std::string& t) {
+      static_cast<void>(chapters::merged({{t, "part.csv"}}));
+      return true;
+    });
+    EXPECT_EQ(c.verdict, Case::Verdict::refused) << row;
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::adversary
