@@ -119,7 +119,7 @@ class Field {
           "Talbot", fmt::format("{} nodes", nodes),
           [&] {
             return inverted([nodes](const spacecraft::Transform& f, double t) {
-              return spacecraft::talbot(f, t, nodes).value;
+              return spacecraft::talbot_sum(f, t, nodes);
             });
           },
           5);
@@ -130,7 +130,7 @@ class Field {
           "de Hoog", fmt::format("degree {}", degree),
           [&] {
             return inverted([degree](const spacecraft::Transform& f, double t) {
-              return spacecraft::de_hoog(f, t, {.degree = degree}).value;
+              return spacecraft::de_hoog_sum(f, t, {.degree = degree});
             });
           },
           3);

@@ -137,9 +137,8 @@ void response(const Words& words) {
 CLI::App* add(CLI::App& app, const std::string& name, const std::string& what,
               const std::shared_ptr<Words>& words, void (*work)(const Words&)) {
   CLI::App* const command = app.add_subcommand(name, what);
-  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without it");
-  command->add_option("--gains", words->gains,
-                      "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
+  command->add_option("--spacecraft", words->craft, spacecraft_help);
+  command->add_option("--gains", words->gains, gains_help);
   command->callback([words, work] { work(*words); });
   return command;
 }
@@ -165,7 +164,7 @@ void add_zeros_command(CLI::App& app) {
           "or more, by modulus, 1/s; gains move none",
           words, zeros);
   command->add_option("--count", words->count, "how many")->capture_default_str();
-  command->add_option("--at", words->at, "place on the appendage, ft from the rim");
+  command->add_option("--at", words->at, "place on the appendage, from the rim, in units of its length");
 }
 
 void add_response_command(CLI::App& app) {
@@ -177,7 +176,8 @@ void add_response_command(CLI::App& app) {
           words, response);
   command->add_option("--omega", words->omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s")
       ->required();
-  command->add_option("--at", words->at, "places on the appendage x1,x2,..., ft from the rim");
+  command->add_option("--at", words->at,
+                      "places on the appendage x1,x2,..., from the rim, in units of its length");
 }
 
 }  // namespace nlmech::chapters

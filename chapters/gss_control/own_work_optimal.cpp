@@ -44,9 +44,9 @@ void add_optimal_gains_command(CLI::App& app) {
       "optimal-gains",
       "Gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt of a turn by 1 rad, as CSV: "
       "k1,k2,k3,cost");
-  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without it");
-  command->add_option("--deflection-weight", words->deflection, "W, 1/ft^2; 0 or more")->required();
-  command->add_option("--torque-weight", words->torque, "R, 1/(ft lb)^2; positive")->required();
+  command->add_option("--spacecraft", words->craft, spacecraft_help);
+  command->add_option("--deflection-weight", words->deflection, "W, 1/length^2; 0 or more")->required();
+  command->add_option("--torque-weight", words->torque, "R, 1/torque^2; positive")->required();
   command->add_flag("--pd", words->pd, "with k2 = 0: no feedback of the root load");
   command->callback([words] { optimise(*words); });
 }

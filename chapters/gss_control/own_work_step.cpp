@@ -44,6 +44,7 @@ void step(const Words& words) {
   const spacecraft::TimeResponse r = respond(words, craft, x);
   if (!r.status.ok()) throw Failure(r.status);
   for (const double t : times) {
+    if (const Status certain = certain_at(r, t); !certain.ok()) throw Failure(certain);
     text += fmt::format("{:.17g},{:.17g},{:.17g}", t, r.theta.value(t), r.theta_dot.value(t));
     for (std::size_t i = 0; i < x.size(); ++i)
       text += fmt::format(",{:.17g},{:.17g}", r.deflection[i].value(t), r.deflection_dot[i].value(t));
@@ -59,14 +60,15 @@ void add_step_command(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "step",
       "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
-      "t,theta,theta_dot,y@X,ydot@X; s, rad, ft");
-  command->add_option("--spacecraft", words->craft, "TOML file, - for standard input; Table 3.1 without it");
-  command->add_option("--gains", words->gains, "k1,k2,k3");
+      "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1");
+  command->add_option("--spacecraft", words->craft, spacecraft_help);
+  command->add_option("--gains", words->gains, gains_help);
   command->add_option("--final-angle", words->angle, "theta_f, rad; 1 without it");
-  command->add_option("--until", words->until, "last time, s")->required();
+  command->add_option("--until", words->until, "last time")->required();
   command->add_option("--every", words->every,
-                      "rows at this distance in time, s; without it the first and the last");
-  command->add_option("--at", words->at, "places on the appendage x1,x2,..., ft from the rim");
+                      "rows at this distance in time; without it the first and the last");
+  command->add_option("--at", words->at,
+                      "places on the appendage x1,x2,..., from the rim, in units of its length");
   command->callback([words] { step(*words); });
 }
 

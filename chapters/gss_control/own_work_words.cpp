@@ -39,7 +39,7 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
   for (const std::string& word : scene::typed_words(option, text)) {
     const double x = scene::typed_number(option, word);
     if (x < 0 || x > craft.length)
-      throw InputError(fmt::format("{} {}: {} lies off the appendage, which reaches from 0 to {:.17g} ft",
+      throw InputError(fmt::format("{} {}: {} lies off the appendage, which reaches from 0 to {:.17g}",
                                    option, text, word, craft.length));
     all.push_back({word, x});
   }

@@ -10,6 +10,16 @@
 
 namespace nlmech::chapters {
 
+/// Of the option --spacecraft, on every command.
+inline constexpr const char* spacecraft_help =
+    "TOML file, - for standard input, with hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, "
+    "second_moment, tip_mass, tip_inertia in any consistent units, which are those of all options and "
+    "results; "
+    "without it, and for a key that is missing, Table 3.1 in slug, ft, lb, s";
+/// Of the option --gains.
+inline constexpr const char* gains_help =
+    "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'";
+
 /// Frequencies: "w1,w2,..." or "LO:HI:N", N of them from LO to HI, spaced logarithmically.
 /// @throws InputError
 [[nodiscard]] std::vector<double> typed_frequencies(const char* option, const std::string& text);
@@ -17,7 +27,7 @@ namespace nlmech::chapters {
 /// A place on an appendage, with the text that headers repeat.
 struct Place {
   std::string text;  ///< as typed
-  double x = 0;      ///< ft from the hub's rim
+  double x = 0;      ///< from the hub's rim
 };
 
 /// Places "x1,x2,..."; none for an empty text. @throws InputError for one off the appendage

@@ -55,6 +55,7 @@ struct LoopResponse {
 /// What residues need at a simple pole, or on a circle round several. All share one positive factor.
 struct LoopTerms {
   Jet characteristic;           ///< Q = D_0 P, entire, with its slope
+  Complex inertia;              ///< (I_hub + (2 + k2) B) D_0
   Complex determinant;          ///< D_0
   Complex open_loop;            ///< (I_hub + 2B) D_0
   std::vector<Complex> shapes;  ///< g_3(x) D_0/s^2, one a place
@@ -64,6 +65,13 @@ struct LoopTerms {
 struct LoopPoles {
   std::vector<Complex> s;  ///< Im s >= 0, by modulus; s = 0 is not listed
   Status status;           ///< success: none of modulus up to the last one's is missing
+};
+
+/// Which poles make a list whole.
+enum class PoleOrder : std::uint8_t {
+  modulus,   ///< none is missing whose modulus is at most the last one's
+  frequency  ///< as many, and all others whose imaginary part is at most their largest: however fast they
+             ///< decay
 };
 
 /// Plant and controller:
@@ -101,14 +109,19 @@ class ClosedLoop {
   [[nodiscard]] LoopTerms terms(Complex s, std::span<const double> x) const;
 
   /// The first @p count poles by modulus, counted band by band by the argument principle; to 12 digits of
-  /// their modulus (tests/spacecraft).
+  /// their modulus (tests/spacecraft). Poles far to the left, as one near -k3/I_hub, are found by themselves:
+  /// there no wave comes back from the tip, and P is a polynomial.
+  /// @returns with PoleOrder::frequency more than count if some decay too fast to be among the first by
+  /// modulus
   /// @throws std::invalid_argument if count is not 1 to 5000
-  [[nodiscard]] LoopPoles poles(int count) const;
+  [[nodiscard]] LoopPoles poles(int count, PoleOrder order = PoleOrder::modulus) const;
 
  private:
   [[nodiscard]] double least_real_part(double top) const;
-  [[nodiscard]] Roots band(double bottom, double& top, double next) const;
+  [[nodiscard]] std::vector<Complex> fast_poles() const;
+  [[nodiscard]] Roots band(double bottom, double& top, double next, double& left) const;
   [[nodiscard]] Complex on_real_axis(Complex s) const;
+  [[nodiscard]] std::vector<Complex> settled(const std::vector<Complex>& roots) const;
   Plant plant_;
   Gains gains_;
 };

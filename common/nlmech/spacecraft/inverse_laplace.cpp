@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "nlmech/spacecraft/jet.hpp"
+#include "nlmech/spacecraft/missed_residues.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -40,13 +41,35 @@ Inverted checked(const char* method, double time, double value) {
                                       method, time))};
 }
 
-Status not_agreed(double time, double first, double second) {
+Status not_agreed(const char* method, double time, double first, double second) {
   return Status::failure(
       Outcome::not_converged,
-      fmt::format("de_hoog at t = {:g}: sums with two periods give {:.6g} and {:.6g}; use a degree whose "
-                  "frequencies reach beyond the modes, another inversion for late times of a lightly damped "
-                  "structure, or say which differences are negligible",
-                  time, first, second));
+      fmt::format(
+          "{} at t = {:g}: two sums give {:.6g} and {:.6g}; use a degree or nodes whose frequencies "
+          "reach beyond the modes, residues for late times of a lightly damped structure, or say which "
+          "differences are negligible",
+          method, time, first, second));
+}
+
+/// Is nothing left out beyond the frequencies of a sum?
+Status nothing_missed(const char* method, double time, const Transform& transform,
+                      const SectorBoundary& boundary, double allowed) {
+  const MissedResidues missed = missed_residues(transform, boundary);
+  if (missed.amplitude <= allowed) return {};
+  if (std::isnan(missed.amplitude)) {
+    return Status::failure(
+        Outcome::not_converged,
+        fmt::format(
+            "{} at t = {:g}: the transform is not finite at s = {:g}{:+g}i, beyond the frequencies of the "
+            "sum, so that the value cannot be verified; use residues",
+            method, time, missed.near.real(), missed.near.imag()));
+  }
+  return Status::failure(
+      Outcome::not_converged,
+      fmt::format(
+          "{} at t = {:g}: residues of up to {:.3g} lie beyond the frequencies of the sum, about |s| = "
+          "{:.1g}; use more nodes or a higher degree, or residues",
+          method, time, missed.amplitude, std::abs(missed.near)));
 }
 
 /// The quotient-difference table's first row, the coefficients d of the continued fraction.
@@ -84,7 +107,7 @@ Complex fraction(const std::vector<Complex>& d, Complex z) {
 }
 
 /// With the half period @p scale times the time.
-Inverted de_hoog_sum(const Transform& transform, double time, const DeHoogOptions& options, double scale) {
+Inverted de_hoog_by(const Transform& transform, double time, const DeHoogOptions& options, double scale) {
   const double half_period = scale * time;
   const double shift = options.abscissa - std::log(options.tolerance) / (2 * half_period);
   std::vector<Complex> a(2 * static_cast<std::size_t>(options.degree) + 1);
@@ -100,9 +123,9 @@ Inverted de_hoog_sum(const Transform& transform, double time, const DeHoogOption
 
 }  // namespace
 
-Inverted talbot(const Transform& transform, double time, int nodes) {
-  require_time("talbot", time);
-  require(nodes >= 2 && nodes <= 200, "talbot", "2 to 200 nodes are possible; nodes", nodes);
+namespace {
+
+Inverted talbot_by(const Transform& transform, double time, int nodes) {
   const double r = 2. * nodes / (5 * time);
   const Complex first = transform(r);
   if (!is_finite(first)) return not_finite("talbot", time, r);
@@ -118,7 +141,12 @@ Inverted talbot(const Transform& transform, double time, int nodes) {
   return checked("talbot", time, sum * r / nodes);
 }
 
-Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& options) {
+void require_nodes(double time, int nodes) {
+  require_time("talbot", time);
+  require(nodes >= 2 && nodes <= 200, "talbot", "2 to 200 nodes are possible; nodes", nodes);
+}
+
+void require_options(double time, const DeHoogOptions& options) {
   require_time("de_hoog", time);
   require(options.degree >= 1 && options.degree <= 1000, "de_hoog", "the degree must be 1 to 1000; degree",
           options.degree);
@@ -131,15 +159,56 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
   require(options.agreement > 0, "de_hoog", "the agreement must be positive; agreement", options.agreement);
   require(options.negligible >= 0, "de_hoog", "what is negligible must not be below zero; negligible",
           options.negligible);
-  Inverted first = de_hoog_sum(transform, time, options, options.scale);
-  if (!first.status.ok()) return first;
-  Inverted second = de_hoog_sum(transform, time, options, 1.1 * options.scale);
-  if (!second.status.ok()) return second;
+}
+
+/// The first sum, with the status of both and of what lies beyond them.
+Inverted verified(const char* method, const Transform& transform, double time, Inverted first,
+                  const Inverted& second, double agreement, double negligible,
+                  const SectorBoundary& boundary) {
   const double largest = std::max(std::abs(first.value), std::abs(second.value));
-  const double difference = std::abs(first.value - second.value);
-  if (difference > std::max(options.negligible, options.agreement * largest))
-    first.status = not_agreed(time, first.value, second.value);
+  const double allowed = std::max(negligible, agreement * largest);
+  if (!second.status.ok())
+    first.status = second.status;
+  else if (!(std::abs(first.value - second.value) <= allowed))
+    first.status = not_agreed(method, time, first.value, second.value);
+  else
+    first.status = nothing_missed(method, time, transform, boundary, allowed);
   return first;
+}
+
+}  // namespace
+
+double talbot_sum(const Transform& transform, double time, int nodes) {
+  require_nodes(time, nodes);
+  return talbot_by(transform, time, nodes).value;
+}
+
+Inverted talbot(const Transform& transform, double time, const TalbotOptions& options) {
+  require_nodes(time, options.nodes);
+  require(options.agreement > 0, "talbot", "the agreement must be positive; agreement", options.agreement);
+  require(options.negligible >= 0, "talbot", "what is negligible must not be below zero; negligible",
+          options.negligible);
+  Inverted first = talbot_by(transform, time, options.nodes);
+  if (!first.status.ok()) return first;
+  // Of other nodes, and on a contour that is wider by a quarter.
+  const Inverted second = talbot_by(transform, time, options.nodes + std::max(2, options.nodes / 4));
+  return verified("talbot", transform, time, std::move(first), second, options.agreement, options.negligible,
+                  {.centre = 0, .radius = 2. * options.nodes / (5 * time), .talbot = true});
+}
+
+double de_hoog_sum(const Transform& transform, double time, const DeHoogOptions& options) {
+  require_options(time, options);
+  return de_hoog_by(transform, time, options, options.scale).value;
+}
+
+Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& options) {
+  require_options(time, options);
+  Inverted first = de_hoog_by(transform, time, options, options.scale);
+  if (!first.status.ok()) return first;
+  const Inverted second = de_hoog_by(transform, time, options, 1.1 * options.scale);
+  const double highest = 2 * options.degree * pi / (options.scale * time);
+  return verified("de_hoog", transform, time, std::move(first), second, options.agreement, options.negligible,
+                  {.centre = options.abscissa, .radius = highest / 4, .talbot = false});
 }
 
 std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
@@ -150,6 +219,7 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
   require(std::isfinite(options.shift), "bromwich", "the shift must be finite; shift", options.shift);
   require(options.frequency * half_period >= pi && options.frequency * half_period < 1e9, "bromwich",
           "the highest frequency must hold 1 to 3e8 multiples of pi/T; frequency", options.frequency);
+  require(options.agreement > 0, "bromwich", "the agreement must be positive; agreement", options.agreement);
   for (const double t : times)
     require(t > 0 && t < 2 * half_period, "bromwich", "times lie between 0 and twice the half period; time",
             t);
@@ -167,9 +237,31 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
     }
   }
   std::vector<Inverted> inverted;
+  double largest = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double factor = std::exp(options.shift * times[i]) / half_period;
     inverted.push_back(checked("bromwich", times[i], factor * sums[i]));
+    largest = std::max(largest, std::abs(inverted.back().value));
+  }
+  if (times.empty()) return inverted;
+  const double allowed = options.agreement * largest;
+  const Status beyond = nothing_missed("bromwich", times[0], transform,
+                                       {.centre = 0, .radius = options.frequency, .talbot = false}, allowed);
+  const double last =
+      std::abs(transform(Complex(options.shift, static_cast<double>(terms) * pi / half_period)));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!inverted[i].status.ok()) continue;
+    const double rest = last * std::exp(options.shift * times[i]) / (pi * times[i]);
+    const double aliased = std::exp(-2 * options.shift * half_period) * largest;
+    inverted[i].status = beyond;
+    if (beyond.ok() && !(rest + aliased <= allowed)) {
+      inverted[i].status = Status::failure(
+          Outcome::not_converged,
+          fmt::format(
+              "bromwich at t = {:g}: what is left out may be {:.3g} beyond the highest frequency, and "
+              "{:.3g} by aliasing; raise the frequency, or the shift times the half period",
+              times[i], rest, aliased));
+    }
   }
   return inverted;
 }

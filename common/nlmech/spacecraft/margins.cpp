@@ -176,8 +176,17 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
     // Predicted along ds/dtau = -(dQ/dtau)/(dQ/ds), in steps short against a period, and corrected.
     Complex s = first;
     double tau = 0, step = delay;
-    bool followed = true;
-    for (int steps = 0; tau < delay; ++steps) {
+    // Each step is at most a twentieth of a radian of this pole, which moves little compared to it.
+    bool followed = 20 * std::abs(first) * delay < 1e5;
+    if (!followed) {
+      result.status = Status::failure(
+          Outcome::step_limit,
+          fmt::format(
+              "delayed_poles: a delay of {:g} s is {:g} radians of the pole {:g}{:+g}i; ask for fewer "
+              "modes or a shorter delay",
+              delay, std::abs(first) * delay, first.real(), first.imag()));
+    }
+    for (int steps = 0; followed && tau < delay; ++steps) {
       Complex by_delay;
       const Jet q = characteristic(s, tau, by_delay);
       const Complex slope = -by_delay / q.slope;

@@ -22,6 +22,19 @@ void require_weights(const CostWeights& w) {
                     w.torque));
 }
 
+/// Weights and data whose optimum is beyond the range of double.
+OptimalGains finite(const OptimalGains& best, const CostWeights& w) {
+  const Gains& g = best.gains;
+  const bool inside = std::isfinite(g.k1) && std::isfinite(g.k2) && std::isfinite(g.k3) &&
+                      std::isfinite(best.cost) && g.k1 > 0 && g.k3 > 0;
+  if (!inside)
+    throw std::invalid_argument(
+        fmt::format("cost: with the weights {:g} and {:g} the optimal gains of this "
+                    "spacecraft, or their cost, leave the range of double",
+                    w.deflection, w.torque));
+  return best;
+}
+
 }  // namespace
 
 double cost(const Parameters& parameters, const Gains& gains, const CostWeights& weights) {
@@ -43,7 +56,7 @@ OptimalGains optimal_gains(const Parameters& parameters, const CostWeights& weig
   const double q = added / r;
   best.gains.k2 = 2 * q / (std::sqrt(1 + q) + 1);
   best.gains.k3 = best.gains.k1 * best.cost;
-  return best;
+  return finite(best, weights);
 }
 
 OptimalGains optimal_pd_gains(const Parameters& parameters, const CostWeights& weights) {
@@ -55,7 +68,7 @@ OptimalGains optimal_pd_gains(const Parameters& parameters, const CostWeights& w
   best.cost = std::sqrt(2 * std::sqrt(inertia * price));
   best.gains.k1 = std::sqrt(inertia / price);
   best.gains.k3 = best.gains.k1 * best.cost;
-  return best;
+  return finite(best, weights);
 }
 
 }  // namespace nlmech::spacecraft

@@ -31,7 +31,8 @@ struct OptimalGains {
 ///
 /// Tests hold the gains to published digits, their cost to a quadrature (2e-8) and to be the least among
 /// random gains (1e-13).
-/// @throws std::invalid_argument naming a weight out of range, or as require_physical()
+/// @throws std::invalid_argument naming a weight out of range, or both where the optimum leaves the range of
+/// double, or as require_physical()
 [[nodiscard]] OptimalGains optimal_gains(const Parameters& parameters, const CostWeights& weights);
 
 /// The minimum over k1 and k3 with k2 = 0, J_2 the total inertia:

@@ -46,6 +46,22 @@ void require_physical(const Parameters& p) {
   require("second_moment", p.second_moment, false);
   require("tip_mass", p.tip_mass, true);
   require("tip_inertia", p.tip_inertia, true);
+  // Squares and products of these have to stay numbers.
+  const auto within = [](const char* what, double value, double least, double largest) {
+    if (!(value >= least && value <= largest))
+      throw std::invalid_argument(
+          fmt::format("spacecraft: {} = {:g} is outside {:g} to {:g}: no computation in "
+                      "double precision is possible",
+                      what, value, least, largest));
+  };
+  const double l = p.length, mass = p.mass_per_length * l, inertia = mass * l * l, ei = p.bending_stiffness();
+  within("mass_per_length length^3", inertia, 1e-150, 1e150);
+  within("youngs_modulus second_moment", ei, 1e-150, 1e150);
+  within("mass_per_length length^4/(youngs_modulus second_moment)", inertia * l / ei, 1e-150, 1e150);
+  within("hub_inertia/(mass_per_length length^3)", p.hub_inertia / inertia, 0, 1e75);
+  within("hub_radius/length", p.hub_radius / l, 0, 1e75);
+  within("tip_mass/(mass_per_length length)", p.tip_mass / mass, 0, 1e75);
+  within("tip_inertia/(mass_per_length length^3)", p.tip_inertia / inertia, 0, 1e75);
 }
 
 }  // namespace nlmech::spacecraft

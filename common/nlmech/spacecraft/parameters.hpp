@@ -33,7 +33,9 @@ struct Parameters {
 /// The same spacecraft with tip_mass = tip_inertia = 0.
 [[nodiscard]] Parameters without_tip(Parameters parameters);
 
-/// @throws std::invalid_argument naming field and value, if one is not finite or outside its range
+/// @throws std::invalid_argument naming field and value, if one is not finite or outside its range, or fields
+/// together if they leave double's: the appendage's unit of time sqrt(rho L^4/EI) has to lie within 1e-75 to
+/// 1e75, its inertia rho L^3 and EI within 1e-150 to 1e150, and hub and tip may be up to 1e75 times as large
 void require_physical(const Parameters& parameters);
 
 }  // namespace nlmech::spacecraft

@@ -227,6 +227,15 @@ double ExponentialSum::envelope(double time) const {
   return 2 * sum;
 }
 
+double ExponentialSum::uncertainty(double time) const {
+  const double unit = 4 * std::numeric_limits<double>::epsilon() * time;
+  double sum = 0;
+  for (std::size_t k = poles_.size(); k-- > 0;)
+    sum +=
+        std::abs(weights_[k]) * std::exp(poles_[k].real() * time) * std::min(1., unit * std::abs(poles_[k]));
+  return 2 * sum;
+}
+
 ExponentialSum ExponentialSum::without_small(double remainder) const {
   std::vector<std::size_t> order(poles_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

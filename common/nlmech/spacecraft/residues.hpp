@@ -59,7 +59,10 @@ class ExponentialSum {
   [[nodiscard]] ExponentialSum scaled(double factor) const;
   /// 2 sum_k |w_k| e^(Re p_k t): a bound of the oscillating part from then on if all real parts are negative.
   [[nodiscard]] double envelope(double time) const;
-  /// The same without its smallest terms, as many as add up to at most @p remainder, counting 2 |w_k| each.
+  /// By how much value() may be off because the poles are rounded: the sum of 2 |w_k| e^(Re p_k t) times the
+  /// error of the exponent, 4 eps |p_k| t, which is taken for 1 at the most: then the phase is anything.
+  [[nodiscard]] double uncertainty(double time) const;
+  /// f without its smallest terms, as many as add up to at most @p remainder, counting 2 |w_k| each.
   [[nodiscard]] ExponentialSum without_small(double remainder) const;
 
   /// c0, c1, c2.

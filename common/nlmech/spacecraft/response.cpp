@@ -9,19 +9,11 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/loop_residues.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
-
-/// Weights of all signals for one exponential: theta, torque, then y at each place.
-using Weights = std::vector<Complex>;
-
-/// Exponentials common to all signals.
-struct Terms {
-  std::vector<Complex> poles;
-  std::vector<Weights> weights;  ///< one a pole
-};
 
 void require_options(const ResidueOptions& o) {
   if (o.pairs < 0 || o.pairs > 5000 || o.most < 1 || o.most > 5000)
@@ -37,8 +29,8 @@ void require_places(const Plant& plant, std::span<const double> places, double a
 }
 
 /// Bound of what the terms after the last leave out, if moduli fall like a power of their number that is at
-/// least 1.5 and at most @p order.
-double remainder(const std::vector<double>& moduli, double order) {
+/// least 1.5 and at most @p order; if they do not fall yet, they may stay up to number @p modes.
+double remainder(const std::vector<double>& moduli, double order, double modes) {
   const std::size_t n = moduli.size();
   if (n < 8) {
     double sum = 0;
@@ -56,162 +48,118 @@ double remainder(const std::vector<double>& moduli, double order) {
   const double power = std::clamp(seen, 1.5, order);
   // later * (3n/4)^power is at least the law's constant.
   const double last = later * std::pow(0.75, power);
-  return 2 * 2 * last * static_cast<double>(n) / (power - 1);
+  const double falling = 2 * 2 * last * static_cast<double>(n) / (power - 1);
+  return seen < 1.5 ? falling + 2 * 2 * later * modes : falling;
 }
 
-/// Moduli of one signal's weights, times |p|^order.
-std::vector<double> moduli(const Terms& terms, std::size_t signal, int order) {
+/// What each pole, or group of nearly coincident ones, adds to one signal at t = 0, or to its rate.
+std::vector<double> moduli(const ResidueTerms& terms, std::size_t signal, bool rate = false) {
   std::vector<double> m;
-  for (std::size_t k = 0; k < terms.poles.size(); ++k)
-    m.push_back(std::abs(terms.weights[k][signal]) * std::pow(std::abs(terms.poles[k]), order));
+  for (const ResidueTerms::Group& g : terms.groups) m.push_back(std::abs((rate ? g.rate : g.value)[signal]));
   return m;
 }
 
-ResidueBounds bounds_of(const Terms& terms, std::size_t places) {
+ResidueBounds bounds_of(const ResidueTerms& terms, std::size_t places) {
   ResidueBounds b;
-  b.theta = remainder(moduli(terms, 0, 0), 6);
-  b.theta_dot = remainder(moduli(terms, 0, 1), 4);
-  b.torque = remainder(moduli(terms, 1, 0), 4);
+  b.theta = remainder(moduli(terms, 0), 6, terms.modes);
+  b.theta_dot = remainder(moduli(terms, 0, true), 4, terms.modes);
+  b.torque = remainder(moduli(terms, 1), 4, terms.modes);
   for (std::size_t i = 0; i < places; ++i) {
-    b.deflection.push_back(remainder(moduli(terms, 2 + i, 0), 5));
-    b.deflection_dot.push_back(remainder(moduli(terms, 2 + i, 1), 3));
+    b.deflection.push_back(remainder(moduli(terms, 2 + i), 5, terms.modes));
+    b.deflection_dot.push_back(remainder(moduli(terms, 2 + i, true), 3, terms.modes));
   }
   return b;
 }
 
-ExponentialSum sum_of(const Terms& terms, std::size_t signal, const std::array<double, 3>& polynomial) {
+ExponentialSum sum_of(const ResidueTerms& terms, std::size_t signal,
+                      const std::array<double, 3>& polynomial) {
   std::vector<Complex> weights;
   weights.reserve(terms.poles.size());
   for (const Weights& w : terms.weights) weights.push_back(w[signal]);
   return {polynomial, terms.poles, std::move(weights)};
 }
 
-/// Is what is left out of theta and of every y small enough?
-bool enough(const ResidueBounds& bounds, const Terms& terms, double tolerance) {
-  const auto small = [&](double bound, std::size_t signal) {
-    const std::vector<double> m = moduli(terms, signal, 0);
-    return m.empty() || bound <= tolerance * *std::max_element(m.begin(), m.end());
+/// Is what is left out of theta and of every y small enough, and of their rates?
+bool enough(const ResidueBounds& bounds, const ResidueTerms& terms, double tolerance, double of_rates) {
+  const auto small = [&](double bound, std::size_t signal, bool rate) {
+    const std::vector<double> m = moduli(terms, signal, rate);
+    return m.empty() || bound <= (rate ? of_rates : tolerance) * *std::max_element(m.begin(), m.end());
   };
-  bool all = small(bounds.theta, 0);
-  for (std::size_t i = 0; i < bounds.deflection.size(); ++i) all = all && small(bounds.deflection[i], 2 + i);
+  bool all = small(bounds.theta, 0, false) && small(bounds.theta_dot, 0, true);
+  for (std::size_t i = 0; i < bounds.deflection.size(); ++i)
+    all = all && small(bounds.deflection[i], 2 + i, false) && small(bounds.deflection_dot[i], 2 + i, true);
   return all;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Of sums that end with the most terms that are allowed: fewer digits than asked for, but some.
+Status few_digits(const ResidueTerms& terms, const TimeResponse& response, double tolerance) {
+  if (enough(response.bounds, terms, std::max(tolerance, 1e-6), 1e-2)) return {};
+  return Status::failure(
+      Outcome::not_converged,
+      fmt::format(
+          "residues: what {} poles leave out is up to {:g} of theta and {:g} of theta'; the spacecraft's "
+          "hub is too light, or k2 or k3 too large, for its motion to be summed mode by mode",
+          terms.groups.size(), response.bounds.theta, response.bounds.theta_dot));
 }
 
 /// Terms for more and more pairs until the bounds are met.
 template <class Make>
-Terms enough_terms(const ResidueOptions& options, std::size_t places, TimeResponse& response,
-                   const Make& make) {
+ResidueTerms enough_terms(const ResidueOptions& options, std::size_t places, TimeResponse& response,
+                          const Make& make) {
   for (int pairs = options.pairs > 0 ? options.pairs : std::min(16, options.most);;
        pairs = std::min(2 * pairs, options.most)) {
-    Terms terms = make(pairs, response.status);
+    ResidueTerms terms = make(pairs, response.status);
     response.bounds = bounds_of(terms, places);
-    if (options.pairs > 0 || pairs >= options.most || !response.status.ok() ||
-        enough(response.bounds, terms, options.tolerance))
+    if (options.pairs > 0 || !response.status.ok() ||
+        enough(response.bounds, terms, options.tolerance, infinite))
       return terms;
-  }
-}
-
-/// The weights at a simple pole: residues of k1/(s P), k1 s (I_hub + 2B)/P, k1 g_3/(s P).
-Weights at_pole(const ClosedLoop& loop, Complex p, std::span<const double> places, double scale) {
-  const LoopTerms t = loop.terms(p, places);
-  const Complex factor = scale * loop.gains().k1 / t.characteristic.slope;
-  Weights w = {factor * t.determinant / p, factor * p * t.open_loop};
-  for (const Complex& shape : t.shapes) w.push_back(factor * p * shape);
-  return w;
-}
-
-/// How a pole lies among all poles of the step response, conjugates and s = 0 included.
-struct Neighbours {
-  Complex nearest;
-  double first = std::numeric_limits<double>::infinity();   ///< distance of the nearest
-  double second = std::numeric_limits<double>::infinity();  ///< of the next one
-  std::size_t index = 0;  ///< of the nearest, itself if it is its own conjugate
-  /// Two poles that nearly coincide: simple residues would cancel.
-  [[nodiscard]] bool pair() const { return first < 0.02 * second; }
-};
-
-Neighbours neighbours(const std::vector<Complex>& poles, std::size_t k) {
-  Neighbours n;
-  const auto consider = [&](Complex other, std::size_t index) {
-    const double distance = std::abs(other - poles[k]);
-    if (distance < n.first) {
-      n.second = n.first;
-      n.first = distance;
-      n.nearest = other;
-      n.index = index;
-    } else {
-      n.second = std::min(n.second, distance);
+    if (pairs >= options.most) {
+      response.status = few_digits(terms, response, options.tolerance);
+      return terms;
     }
-  };
-  consider(0, k);
-  // By modulus: others that could be near are near in the list.
-  const std::size_t begin = k > 40 ? k - 40 : 0, end = std::min(poles.size(), k + 40);
-  for (std::size_t j = begin; j < end; ++j) {
-    if (j != k) consider(poles[j], j);
-    if (poles[j].imag() != 0) consider(std::conj(poles[j]), j);
-  }
-  return n;
-}
-
-/// A pair by the trapezoidal rule on a circle round it, which converges geometrically.
-void add_pair(const ClosedLoop& loop, Complex pole, const Neighbours& n, double scale,
-              std::span<const double> places, Terms& terms) {
-  constexpr int points = 48;
-  Complex centre = (pole + n.nearest) / 2.;
-  // On the real axis, or of two conjugates, it is its own conjugate.
-  const bool own = std::abs(centre.imag()) <= n.first / 2;
-  if (own) centre = centre.real();
-  const double half = own ? 0.5 : 1;
-  const double radius = std::min(0.4 * n.second, std::max(0.8 * std::abs(centre.real()), 3 * n.first));
-  for (int k = 0; k < points; ++k) {
-    const Complex from_centre = std::polar(radius, std::numbers::pi * (2 * k + 1) / points);
-    const Complex s = centre + from_centre;
-    const LoopTerms t = loop.terms(s, places);
-    const Complex factor =
-        half * scale * loop.gains().k1 * from_centre / (static_cast<double>(points) * t.characteristic.value);
-    Weights w = {factor * t.determinant / s, factor * s * t.open_loop};
-    for (const Complex& shape : t.shapes) w.push_back(factor * s * shape);
-    terms.poles.push_back(s);
-    terms.weights.push_back(std::move(w));
   }
 }
 
-Terms loop_terms(const ClosedLoop& loop, int pairs, double scale, std::span<const double> places,
-                 Status& status) {
-  const LoopPoles poles = loop.poles(pairs);
-  status = poles.status;
-  Terms terms;
-  std::vector<bool> done(poles.s.size(), false);
-  for (std::size_t k = 0; k < poles.s.size(); ++k) {
-    if (done[k]) continue;
-    const Complex p = poles.s[k];
-    if (const Neighbours n = neighbours(poles.s, k); n.pair()) {
-      done[n.index] = true;
-      add_pair(loop, p, n, scale, places, terms);
-      continue;
-    }
-    Weights w = at_pole(loop, p, places, p.imag() == 0 ? scale / 2 : scale);
-    terms.poles.push_back(p);
-    terms.weights.push_back(std::move(w));
-  }
-  return terms;
-}
-
-Terms plant_terms(const Plant& plant, int pairs, double torque, std::span<const double> places,
-                  Status& status) {
+ResidueTerms plant_terms(const Plant& plant, int pairs, double torque, std::span<const double> places,
+                         Status& status) {
   const Frequencies f = poles(plant, pairs);
   status = f.status;
-  Terms terms;
+  ResidueTerms terms;
   for (const double omega : f.omega) {
     const Complex p(0, omega);
     const Motion<Jet> motion = plant.appendage().motion_with_slope(p);
     const Complex factor = torque / plant.effective_inertia(motion).slope;
     Weights w = {factor * motion.determinant.value / (p * p * p), 0.};
     for (const double x : places) w.push_back(factor * plant.appendage().deflection(motion, x).value / p);
-    terms.poles.push_back(p);
-    terms.weights.push_back(std::move(w));
+    terms.add(p, std::move(w));
   }
   return terms;
+}
+
+/// Is a signal that begins with 0 right at the start? What is left out there is within the bound, and the
+/// rest the rounding of its terms. A pole that is missing, or counts twice, shows here.
+Status closes(const char* what, const ExponentialSum& sum, double bound) {
+  const double start = sum.value(0), allowed = bound + 1e-9 * sum.envelope(0);
+  if (std::abs(start) <= allowed) return {};
+  return Status::failure(
+      Outcome::not_converged,
+      fmt::format(
+          "step response: {} begins with {:g}, where 0 is right to {:g}; poles are missing, or so near "
+          "to each other that rounding decides; change a gain a little",
+          what, start, allowed));
+}
+
+/// All signals that begin with 0.
+Status closed_at_start(const TimeResponse& r) {
+  Status status = closes("theta", r.theta, r.bounds.theta);
+  if (status.ok()) status = closes("theta'", r.theta_dot, r.bounds.theta_dot);
+  for (std::size_t i = 0; i < r.deflection.size() && status.ok(); ++i) {
+    status = closes("y", r.deflection[i], r.bounds.deflection[i]);
+    if (status.ok()) status = closes("y'", r.deflection_dot[i], r.bounds.deflection_dot[i]);
+  }
+  return status;
 }
 
 void finish(TimeResponse& response, std::span<const double> places) {
@@ -219,6 +167,7 @@ void finish(TimeResponse& response, std::span<const double> places) {
   response.places.assign(places.begin(), places.end());
   for (std::size_t i = 0; i < places.size(); ++i)
     response.deflection_dot.push_back(response.deflection[i].derivative());
+  if (response.status.ok()) response.status = closed_at_start(response);
 }
 
 /// Gauss's rule with 4 points on [a, b]: exact for polynomials of degree 7.
@@ -240,11 +189,12 @@ TimeResponse step_response(const ClosedLoop& loop, double final_angle, std::span
   require_places(loop.plant(), places, final_angle);
   TimeResponse response;
   const bool moves = loop.gains().k1 > 0;
-  const Terms terms = moves ? enough_terms(options, places.size(), response,
-                                           [&](int pairs, Status& status) {
-                                             return loop_terms(loop, pairs, final_angle, places, status);
-                                           })
-                            : Terms{};
+  const ResidueTerms terms =
+      moves ? enough_terms(options, places.size(), response,
+                           [&](int pairs, Status& status) {
+                             return loop_residues(loop, pairs, final_angle, places, status);
+                           })
+            : ResidueTerms{};
   if (!moves) response.bounds = bounds_of(terms, places.size());
   response.theta = sum_of(terms, 0, {moves ? final_angle : 0, 0, 0});
   response.torque = sum_of(terms, 1, {});
@@ -258,7 +208,7 @@ TimeResponse torque_response(const Plant& plant, double torque, std::span<const 
   require_options(options);
   require_places(plant, places, torque);
   TimeResponse response;
-  const Terms terms = enough_terms(options, places.size(), response, [&](int pairs, Status& status) {
+  const ResidueTerms terms = enough_terms(options, places.size(), response, [&](int pairs, Status& status) {
     return plant_terms(plant, pairs, torque, places, status);
   });
   const double gain = plant.rigid_gain();
@@ -270,6 +220,40 @@ TimeResponse torque_response(const Plant& plant, double torque, std::span<const 
     response.deflection.push_back(sum_of(terms, 2 + i, {torque * plant.static_deflection(places[i]), 0, 0}));
   finish(response, places);
   return response;
+}
+
+Status certain_at(const TimeResponse& response, double time) {
+  if (!(time >= 0) || !std::isfinite(time))
+    throw std::invalid_argument(fmt::format("certain_at: time {:g}; it must be at least 0", time));
+  const auto judged = [time](const std::string& what, const ExponentialSum& f) -> Status {
+    const auto [c0, c1, c2] = f.polynomial();
+    const double smooth = std::abs(c0 + time * (c1 + time * c2));
+    double largest = smooth, fastest = 0;
+    for (std::size_t k = 0; k < f.poles().size(); ++k) {
+      largest = std::max(largest, 2 * std::abs(f.weights()[k]));
+      fastest = std::max(fastest, std::abs(f.poles()[k]));
+    }
+    if (!std::isfinite(smooth))
+      return Status::failure(
+          Outcome::non_finite,
+          fmt::format("step: {} is not finite at t = {:g} s; ask for an earlier time", what, time));
+    // Below a phase of 1e12 no sum of them can be off by as much.
+    if (fastest * time < 1e10 || f.uncertainty(time) <= 1e-3 * largest) return {};
+    return Status::failure(
+        Outcome::outside_validity,
+        fmt::format(
+            "step: at t = {:g} s rounding leaves the phase of the oscillations of {} open, {:g} of {:g}; "
+            "ask for an earlier time",
+            time, what, f.uncertainty(time), largest));
+  };
+  Status status = judged("theta", response.theta);
+  if (status.ok()) status = judged("theta'", response.theta_dot);
+  for (std::size_t i = 0; i < response.deflection.size() && status.ok(); ++i) {
+    status = judged(fmt::format("y at {:g}", response.places[i]), response.deflection[i]);
+    if (status.ok())
+      status = judged(fmt::format("y' at {:g}", response.places[i]), response.deflection_dot[i]);
+  }
+  return status;
 }
 
 double pulse(const ExponentialSum& step, double time, double duration) {

@@ -10,10 +10,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/spacecraft/zero_cluster.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Of one region: more than hundred times what a dozen zeros of a closed loop take.
+constexpr std::size_t most_evaluations = 400'000;
 
 void require_region(const Rectangle& r) {
   const bool finite =
@@ -29,6 +34,14 @@ Status on_boundary(Complex s) {
                          fmt::format("argument principle: a zero lies on the boundary near {} + {} i, or the "
                                      "function is not analytic there; choose another region",
                                      s.real(), s.imag()));
+}
+
+Status too_many(const Rectangle& r) {
+  return Status::failure(
+      Outcome::step_limit,
+      fmt::format("find_roots: more than {} values of the function were needed from {} to {}, {} to {} i; "
+                  "choose a smaller region",
+                  most_evaluations, r.left, r.right, r.bottom, r.top));
 }
 
 /// Follows the phase of F along a line. False if it cannot.
@@ -68,6 +81,12 @@ struct Task {
 };
 
 double diagonal(const Rectangle& r) { return std::hypot(r.right - r.left, r.top - r.bottom); }
+
+/// The largest modulus of a corner.
+double reach(const Rectangle& r) {
+  return std::hypot(std::max(std::abs(r.left), std::abs(r.right)),
+                    std::max(std::abs(r.bottom), std::abs(r.top)));
+}
 
 Complex centre(const Rectangle& r) { return {(r.left + r.right) / 2, (r.bottom + r.top) / 2}; }
 
@@ -111,21 +130,28 @@ RootCount count_roots(const AnalyticFunction& f, const Rectangle& region) {
   return {static_cast<int>(std::lround(phase / (2 * std::numbers::pi))), {}};
 }
 
-Roots find_roots(const AnalyticFunction& f, const Rectangle& region) {
+Roots find_roots(const AnalyticFunction& function, const Rectangle& region) {
   Roots found;
+  std::size_t evaluations = 0;
+  // Beyond the limit there is no value, which ends everything below.
+  const AnalyticFunction f = [&](Complex s) {
+    return ++evaluations > most_evaluations ? Jet(Complex(std::nan(""))) : function(s);
+  };
   const RootCount all = count_roots(f, region);
   found.count = all.count;
   found.status = all.status;
-  if (!all.status.ok() || all.count == 0) return found;
-  const double smallest = 1e-10 * diagonal(region);
-  std::vector<Task> tasks = {{region, all.count}};
+  std::vector<Task> tasks;
+  if (all.status.ok() && all.count > 0) tasks.push_back({region, all.count});
+  // Relative to the place: near 0 a box is small only if 0 is not in it, or nearly nothing else.
+  const double whole = diagonal(region), least = 1e-250 * whole;
   while (!tasks.empty()) {
     const Task task = tasks.back();
     tasks.pop_back();
-    const bool point = diagonal(task.region) < smallest;
+    const double size = diagonal(task.region);
+    const bool point = size < std::max(1e-10 * std::min(whole, reach(task.region)), least);
     if (task.count == 1 || point) {
       const Root root = refine_root(f, centre(task.region));
-      const bool near = std::abs(root.s - centre(task.region)) < 2 * smallest;
+      const bool near = std::abs(root.s - centre(task.region)) < 2 * size;
       if (root.status.ok() && (task.region.contains(root.s) || (point && near))) {
         found.roots.insert(found.roots.end(), static_cast<std::size_t>(task.count), root.s);
         continue;
@@ -135,12 +161,21 @@ Roots find_roots(const AnalyticFunction& f, const Rectangle& region) {
         found.roots.insert(found.roots.end(), static_cast<std::size_t>(task.count), centre(task.region));
         continue;
       }
+    } else if (size < 1e-3 * reach(task.region)) {
+      // Several, close to each other: their power sums say where, also where they coincide.
+      const ZeroCluster cluster = zeros_in_circle(f, centre(task.region), size);
+      if (cluster.status.ok() && static_cast<int>(cluster.zeros.size()) == task.count) {
+        for (const Complex& z : cluster.zeros) found.roots.push_back(cluster.centre + z);
+        continue;
+      }
     }
     if (!divide(f, task, tasks)) {
       found.status = on_boundary(centre(task.region));
       break;
     }
   }
+  found.evaluations = evaluations;
+  if (evaluations > most_evaluations) found.status = too_many(region);
   std::sort(found.roots.begin(), found.roots.end(), [](const Complex& a, const Complex& b) {
     return a.imag() != b.imag() ? a.imag() < b.imag() : a.real() < b.real();
   });
@@ -154,7 +189,7 @@ Root refine_root(const AnalyticFunction& f, Complex start) {
     const Jet here = f(s);
     if (here.value == Complex(0)) return {s, {}};
     const Complex step = here.value / here.slope;
-    const double size = std::abs(step), scale = std::max(std::abs(s), 1e-6 * std::abs(start));
+    const double size = std::abs(step), scale = std::max(std::abs(s - step), 1e-6 * std::abs(start));
     if (!std::isfinite(size)) {
       return {
           s, Status::failure(Outcome::non_finite,
@@ -163,7 +198,7 @@ Root refine_root(const AnalyticFunction& f, Complex start) {
     }
     s -= step;
     // Once small, steps that no longer shrink are the rounding of F.
-    if (size <= 4 * eps * scale || (size <= 1e-10 * scale && size >= before / 2)) return {s, {}};
+    if (size <= 4 * eps * std::abs(s) || (size <= 1e-10 * scale && size >= before / 2)) return {s, {}};
     before = size;
   }
   return {s, Status::failure(Outcome::not_converged,

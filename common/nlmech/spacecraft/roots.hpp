@@ -3,6 +3,7 @@
 /// refined by Newton's method.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -41,13 +42,16 @@ struct RootCount {
 
 /// Zeros of a region.
 struct Roots {
-  std::vector<Complex> roots;  ///< by imaginary part, then real part; a multiple one as often as it counts
-  int count = 0;               ///< by the argument principle
-  Status status;               ///< success: as many were found as counted
+  std::vector<Complex> roots;   ///< by imaginary part, then real part; a multiple one as often as it counts
+  int count = 0;                ///< by the argument principle
+  std::size_t evaluations = 0;  ///< values of F that were taken
+  Status status;                ///< success: as many were found as counted
 };
 
-/// All zeros inside @p region, each to the rounding of F.
-/// @return not_converged if a zero lies on the boundary, or zeros could not be separated
+/// All zeros inside @p region, each to the rounding of F; zeros so close to each other that F vanishes
+/// between them to rounding, to what their power sums along a circle say (zeros_in_circle()).
+/// @return not_converged if a zero lies on the boundary, or zeros could not be separated; step_limit after
+/// 400 000 values of F
 /// @throws std::invalid_argument if the region is empty or not finite
 [[nodiscard]] Roots find_roots(const AnalyticFunction& f, const Rectangle& region);
 
@@ -57,7 +61,7 @@ struct Root {
   Status status;  ///< success, not_converged (steps did not become small in 50), or non_finite
 };
 
-/// Newton's iteration from @p start until a step is below 4 eps |s| or no longer shrinks below 1e-13 |s|; a
+/// Newton's iteration from @p start until a step is below 4 eps |s|, or is small and no longer shrinks; a
 /// last step is always made.
 [[nodiscard]] Root refine_root(const AnalyticFunction& f, Complex start);
 

@@ -1,0 +1,299 @@
+/// Wrong successes of the spacecraft: motion against finite elements and the numerical inverse, poles and
+/// margins against 110 digits, inverse Laplace transforms against partial fractions.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "nlmech/spacecraft/inverse_laplace.hpp"
+#include "nlmech/spacecraft/margins.hpp"
+#include "nlmech/spacecraft/optimal_gains.hpp"
+#include "nlmech/spacecraft/parseval.hpp"
+#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/response.hpp"
+#include "tests/adversary/adversary.hpp"
+#include "tests/spacecraft/oracle.hpp"
+#include "tests/spacecraft/time_oracle.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+using adversary::Case;
+using adversary::Draw;
+using adversary::hunt;
+
+Parameters drawn_craft(Draw& draw, double decades) {
+  Parameters p = table_3_1();
+  for (double Parameters::*const field :
+       {&Parameters::hub_inertia, &Parameters::mass_per_length, &Parameters::length, &Parameters::hub_radius,
+        &Parameters::second_moment, &Parameters::tip_mass, &Parameters::tip_inertia})
+    p.*field *= std::pow(10, draw.uniform(-decades, decades));
+  if (draw.chance(0.3)) p = without_tip(p);
+  if (draw.chance(0.1)) p.hub_radius = 0;
+  if (draw.chance(0.05)) p.hub_inertia = 0;
+  return p;
+}
+
+/// The appendage's frequency.
+double rate_of(const Parameters& p) {
+  return std::sqrt(p.bending_stiffness() / (p.mass_per_length * std::pow(p.length, 4)));
+}
+
+/// Gains from sluggish to overdamped; or such that two real poles coincide, or nearly.
+Gains drawn_gains(Draw& draw, const Parameters& p) {
+  const double j = p.total_inertia(), rate = rate_of(p);
+  Gains g{j * rate * rate * draw.log_uniform(1e-8, 1e4), draw.chance(0.5) ? 0. : draw.uniform(-1.9, 5),
+          j * rate * draw.log_uniform(1e-4, 1e4)};
+  if (draw.chance(0.1)) g.k2 = draw.log_uniform(1, 1e4);
+  if (!draw.chance(0.4)) return g;
+  // P = P' = 0 at s = -a: k3 and k1 follow from k2.
+  const double a = rate * draw.log_uniform(1e-2, 1e2), h = 1e-4 * a;
+  const Appendage appendage(p);
+  const auto inertia = [&](double s) {
+    return s * s * (p.hub_inertia + (2 + g.k2) * appendage.inertia(Complex(s)).real());
+  };
+  const double k3 = (inertia(a + h) - inertia(a - h)) / (2 * h), k1 = k3 * a - inertia(a);
+  if (!(k1 > 0) || !(k3 > 0)) return g;
+  const double off = draw.chance(0.3) ? 0. : draw.signed_log(1e-14, 1e-1);
+  return {k1 * (1 + off), g.k2, k3};
+}
+
+std::string text_of(const Parameters& p, const Gains& g) {
+  return fmt::format(
+      "hub {:.17g} rho {:.17g} E {:.17g} L {:.17g} r {:.17g} I {:.17g} m {:.17g} j {:.17g} gains "
+      "{:.17g},{:.17g},{:.17g}",
+      p.hub_inertia, p.mass_per_length, p.youngs_modulus, p.length, p.hub_radius, p.second_moment, p.tip_mass,
+      p.tip_inertia, g.k1, g.k2, g.k3);
+}
+
+TEST(AdversarySpacecraft, StepsAgreeWithElements) {
+  hunt({.quick = 40, .full = 6000, .least_right = 0.3}, [](Draw& draw) {
+    const Parameters p = drawn_craft(draw, 1);
+    const Gains g = drawn_gains(draw, p);
+    const double x = p.length * draw.uniform(0.1, 1);
+    const double t = draw.log_uniform(1e-2, 1e3) / rate_of(p);
+    const std::array<double, 1> places = {x};
+    const TimeResponse r = step_response(ClosedLoop(p, g), 1, places);
+    if (!r.status.ok()) return Case::refused(r.status.text());
+    if (const Status s = certain_at(r, t); !s.ok()) return Case::refused(s.text());
+    const oracle::Moved a = oracle::StepByElements(p, g, x, 4).at(t),
+                        b = oracle::StepByElements(p, g, x, 8).at(t);
+    const double doubt = std::abs(a.theta - b.theta), value = r.theta.value(t);
+    // Finite elements know it to a thirtieth of what doubling them changes, if they converge at all.
+    if (!(doubt < 0.02 * std::abs(b.theta))) return Case::undecided();
+    const double start = std::max(std::abs(r.theta.value(0)) / 1e-8,
+                                  std::abs(r.theta_dot.value(0)) / (1e-2 * r.theta_dot.envelope(0) + 1e-300));
+    const double y = r.deflection[0].value(t), bend = std::abs(a.deflection - b.deflection);
+    const double scale = 1e-9 * r.deflection[0].envelope(0);
+    const double ratio =
+        std::max({std::abs(value - b.theta) / (3 * doubt + 1e-9), start,
+                  std::abs(y - b.deflection) / (10 * bend + scale + 1e-3 * std::abs(b.deflection))});
+    return Case::judged(
+        ratio, 1,
+        fmt::format("{} x {:.17g} t {:.17g}: theta {:.10g}, elements {:.10g}; y {:.6g}, {:.6g}",
+                    text_of(p, g), x, t, value, b.theta, y, b.deflection));
+  });
+}
+
+// Poles are zeros of a characteristic function in 110 digits.
+TEST(AdversarySpacecraft, ClosedLoopPolesAreZeros) {
+  hunt({.quick = 30, .full = 4000, .least_right = 0.5}, [](Draw& draw) {
+    const Parameters p = drawn_craft(draw, 1.5);
+    const Gains g = drawn_gains(draw, p);
+    const ClosedLoop loop(p, g);
+    const int count = draw.whole(1, 12);
+    const LoopPoles poles = loop.poles(count, draw.chance(0.5) ? PoleOrder::frequency : PoleOrder::modulus);
+    if (!poles.status.ok()) return Case::refused(poles.status.text());
+    const Complex s = poles.s[static_cast<std::size_t>(draw.whole(0, static_cast<int>(poles.s.size()) - 1))];
+    const auto characteristic = [&](Complex z) {
+      const Complex load = 1. / oracle::by_exponentials(p, z, p.length).theta;  // z^2 (I_hub + 2B)
+      const Complex doubled = load - z * z * p.hub_inertia;
+      return z * z * p.hub_inertia + (1 + g.k2 / 2) * doubled + g.k3 * z + g.k1;
+    };
+    const Complex value = characteristic(s);
+    // The least of the slope and the curvature: next to a double pole half of the digits are there.
+    const double h = 1e-4 * std::abs(s);
+    const Complex ahead = characteristic(s + h), behind = characteristic(s - h);
+    const double slope = std::abs(ahead - behind) / (2 * h),
+                 bend = std::abs(ahead - 2. * value + behind) / (h * h);
+    const double size = std::abs(s * s) * p.hub_inertia + std::abs(g.k3 * s) + g.k1 +
+                        std::abs((ahead - behind) * s / (2 * h));
+    const double off = std::min(std::abs(value) / slope, std::sqrt(2 * std::abs(value) / bend));
+    const double allowed = std::max(2e-11 * std::abs(s), 4 * std::sqrt(1e-13 * size / bend));
+    return Case::judged(s.real() > 1e-12 * std::abs(s) ? HUGE_VAL : off, allowed,
+                        fmt::format("{} pole {:.17g}{:+.17g}i", text_of(p, g), s.real(), s.imag()));
+  });
+}
+
+// Natural frequencies against twelve and twenty-four elements.
+TEST(AdversarySpacecraft, FrequenciesAreThoseOfElements) {
+  hunt({.quick = 40, .full = 5000, .least_right = 0.5}, [](Draw& draw) {
+    const Parameters p = drawn_craft(draw, 2);
+    const Frequencies f = poles(Plant(p), 4);
+    if (!f.status.ok()) return Case::refused(f.status.text());
+    const ModalModel a = diagonalise(finite_elements(p, 6)), b = diagonalise(finite_elements(p, 12));
+    double ratio = 0;
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const double doubt = std::abs(a.omega[i] - b.omega[i]);
+      ratio = std::max(ratio, std::abs(f.omega[static_cast<std::size_t>(i)] - b.omega[i]) /
+                                  (0.3 * doubt + 1e-8 * b.omega[i]));
+    }
+    return Case::judged(ratio, 1, text_of(p, {}));
+  });
+}
+
+// With a delay of its margin a loop has a pole on the axis: 1 + L e^(-j omega tau) = 0, L in 110 digits.
+TEST(AdversarySpacecraft, DelayMarginsReachTheAxis) {
+  hunt({.quick = 30, .full = 4000, .least_right = 0.3}, [](Draw& draw) {
+    const Parameters p = drawn_craft(draw, 1);
+    const Gains g = drawn_gains(draw, p);
+    const ClosedLoop loop(p, g);
+    const Margins m = margins(loop, draw.whole(1, 6));
+    if (!m.status.ok()) return Case::refused(m.status.text());
+    if (m.crossovers.empty())
+      return Case::wrong(text_of(p, g) + ": no crossover, though L passes from infinity to 0");
+    double least = HUGE_VAL;
+    for (const Crossover& c : m.crossovers) least = std::min(least, c.delay);
+    const Crossover& c = draw.one_of(m.crossovers);
+    const Complex s(0, c.omega);
+    const auto gain = [&](Complex z) {
+      const Complex load = 1. / oracle::by_exponentials(p, z, p.length).theta;
+      const Complex doubled = load / (z * z) - p.hub_inertia;
+      return (g.k1 + g.k3 * z + g.k2 / 2 * z * z * doubled) / load;
+    };
+    const Complex l = gain(s);
+    const double condition = std::abs(c.omega * (gain(s * (1 + 1e-7)) - l) / (1e-7 * c.omega));
+    const double off = std::abs(1. + l * std::exp(Complex(0, -c.omega * c.delay)));
+    if (least < m.delay_margin * (1 - 1e-12)) return Case::wrong(text_of(p, g) + ": not the smallest delay");
+    return Case::judged(off, 1e-9 + 1e-12 * condition,
+                        fmt::format("{} omega {:.17g}", text_of(p, g), c.omega));
+  });
+}
+
+// No other gains cost less, and the cost is that of an integral over frequency.
+TEST(AdversarySpacecraft, OptimalGainsAreTheLeast) {
+  hunt({.quick = 60, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
+    const Parameters p = drawn_craft(draw, 1);
+    const CostWeights w{draw.chance(0.2) ? 0. : draw.log_uniform(1e-6, 1e6), draw.log_uniform(1e-6, 1e3)};
+    const bool pd = draw.chance(0.5);
+    const OptimalGains best = pd ? optimal_pd_gains(p, w) : optimal_gains(p, w);
+    Gains other = best.gains;
+    const double far = draw.log_uniform(1e-4, 3);
+    other.k1 *= std::exp(far * draw.normal());
+    other.k3 *= std::exp(far * draw.normal());
+    if (!pd) other.k2 = (2 + other.k2) * std::exp(far * draw.normal()) - 2;
+    if (other.k2 <= -2) return Case::undecided();
+    double excess = (best.cost - cost(p, other, w)) / best.cost;
+    if (draw.chance(0.01)) {
+      const QuadratureCosts q = costs_by_quadrature(p, best.gains, p.length, 32);
+      if (!q.status.ok()) return Case::refused(q.status.text());
+      if (q.change < 1e-4)
+        excess = std::max(
+            excess,
+            (std::abs(q.error + w.deflection * q.deflection + w.torque * q.torque - best.cost) / best.cost -
+             10 * q.change) *
+                1e-9);
+    }
+    return Case::judged(excess, 1e-12,
+                        text_of(p, best.gains) + fmt::format(" W {:.17g} R {:.17g}", w.deflection, w.torque));
+  });
+}
+
+/// sum of A e^(-a t) cos(w t + phase), some with a factor t, and its transform.
+struct Sum {
+  struct Term {
+    Complex pole, residue;
+    bool repeated;
+  };
+  std::vector<Term> terms;
+
+  [[nodiscard]] Complex transform(Complex s) const {
+    Complex f = 0;
+    for (const Term& term : terms) {
+      const Complex q = 1. / (s - term.pole), c = 1. / (s - std::conj(term.pole));
+      f += term.residue * (term.repeated ? q * q : q) + std::conj(term.residue) * (term.repeated ? c * c : c);
+    }
+    return f;
+  }
+  /// f(t), and by how much the roundings of its arguments may move it.
+  [[nodiscard]] double value(double t, double& rounding) const {
+    double f = 0;
+    rounding = 0;
+    for (const Term& term : terms) {
+      const double size =
+          2 * std::abs(term.residue) * std::exp(term.pole.real() * t) * (term.repeated ? t : 1);
+      f += 2 * (term.residue * std::exp(term.pole * t)).real() * (term.repeated ? t : 1);
+      rounding += size * std::min(1., 4e-16 * (1 + std::abs(term.pole) * t));
+    }
+    return f;
+  }
+};
+
+Sum drawn_sum(Draw& draw, double t) {
+  Sum sum;
+  const int count = draw.whole(1, 5);
+  for (int i = 0; i < count; ++i) {
+    const double a = draw.chance(0.3) ? 0. : draw.log_uniform(1e-3, 1e6) / t;
+    const double w = draw.chance(0.3) ? 0. : draw.log_uniform(1e-2, 1e8) / t;
+    sum.terms.push_back({Complex(-a, w),
+                         draw.log_uniform(1e-6, 1) * std::polar(1., w > 0 ? draw.uniform(0, 6.3) : 0.),
+                         draw.chance(0.2)});
+    if (sum.terms.back().repeated) sum.terms.back().residue /= t;
+  }
+  return sum;
+}
+
+std::string text_of(const Sum& sum, double t) {
+  std::string text = fmt::format("t {:.17g}:", t);
+  for (const Sum::Term& term : sum.terms)
+    text += fmt::format(" pole {:.17g}{:+.17g}i residue {:.6g}{:+.6g}i{}", term.pole.real(), term.pole.imag(),
+                        term.residue.real(), term.residue.imag(), term.repeated ? " twice" : "");
+  return text;
+}
+
+Case judged(const Sum& sum, double t, const Inverted& f, double agreement, const std::string& what) {
+  if (!f.status.ok()) return Case::refused(f.status.text());
+  double rounding = 0;
+  const double exact = sum.value(t, rounding);
+  return Case::judged(std::abs(f.value - exact), 10 * agreement * std::abs(exact) + 10 * rounding,
+                      fmt::format("{} {} gives {:.10g} for {:.10g}", what, text_of(sum, t), f.value, exact));
+}
+
+TEST(AdversaryInverseLaplace, TalbotIsRightOrRefuses) {
+  hunt({.quick = 400, .full = 150'000, .least_right = 0.03}, [](Draw& draw) {
+    const double t = draw.log_uniform(1e-6, 1e6);
+    const Sum sum = drawn_sum(draw, t);
+    const TalbotOptions options{.nodes = draw.whole(4, 60)};
+    return judged(sum, t, talbot([&](Complex s) { return sum.transform(s); }, t, options), options.agreement,
+                  fmt::format("{} nodes", options.nodes));
+  });
+}
+
+TEST(AdversaryInverseLaplace, DeHoogIsRightOrRefuses) {
+  hunt({.quick = 200, .full = 60'000, .least_right = 0.03}, [](Draw& draw) {
+    const double t = draw.log_uniform(1e-6, 1e6);
+    const Sum sum = drawn_sum(draw, t);
+    const DeHoogOptions options{.degree = draw.whole(3, 120)};
+    return judged(sum, t, de_hoog([&](Complex s) { return sum.transform(s); }, t, options), options.agreement,
+                  fmt::format("degree {}", options.degree));
+  });
+}
+
+TEST(AdversaryInverseLaplace, BromwichIsRightOrRefuses) {
+  hunt({.quick = 60, .full = 20'000, .least_right = 0.01}, [](Draw& draw) {
+    const double t = draw.log_uniform(1e-6, 1e6);
+    const Sum sum = drawn_sum(draw, t);
+    const std::array<double, 1> times = {t};
+    const BromwichOptions options{
+        .half_period = 2 * t, .shift = draw.uniform(0, 8) / t, .frequency = draw.log_uniform(10, 1e4) / t};
+    return judged(sum, t, bromwich([&](Complex s) { return sum.transform(s); }, times, options)[0],
+                  options.agreement,
+                  fmt::format("W t {:g}, c t {:g}", options.frequency * t, options.shift * t));
+  });
+}
+
+}  // namespace
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,54 @@
+/// @file
+/// The controlled spacecraft in time without poles and residues: finite elements and the exponential of their
+/// matrix.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/finite_elements.hpp"
+
+namespace nlmech::spacecraft::oracle {
+
+/// theta, theta', y(x) and y'(x) at one time.
+struct Moved {
+  double theta, theta_dot, deflection, deflection_dot;
+};
+
+/// M x'' + C x' + K x = k1 e_0 from rest, x = (theta, q): in the hub's balance the appendages weigh kappa/2
+/// of what they do. For k1 = 0 nothing would move; then a unit torque is applied instead.
+class StepByElements {
+ public:
+  StepByElements(const Parameters& parameters, const Gains& g, double x, int elements) {
+    const DiscreteModel model = finite_elements(parameters, elements);
+    const Eigen::Index n = model.size() + 1;
+    const double half = 1 + g.k2 / 2;
+    Eigen::MatrixXd mass = half * model.full_mass(), stiffness = half * model.full_stiffness();
+    mass(0, 0) += (1 - half) * model.hub_inertia;
+    stiffness(0, 0) += g.k1;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> inverse(mass);
+    const Eigen::VectorXd unit = inverse.solve(Eigen::VectorXd::Unit(n, 0));
+    matrix_ = Eigen::MatrixXd::Zero(2 * n + 1, 2 * n + 1);
+    matrix_.block(0, n, n, n).setIdentity();
+    matrix_.block(n, 0, n, n) = -inverse.solve(stiffness);
+    matrix_.block(n, n, n, 1) = -g.k3 * unit;
+    matrix_.block(n, 2 * n, n, 1) = (g.k1 > 0 ? g.k1 : 1) * unit;
+    shape_ = model.shape(x);
+  }
+
+  [[nodiscard]] Moved at(double time) const {
+    const Eigen::Index n = (matrix_.rows() - 1) / 2;
+    const Eigen::MatrixXd e = (matrix_ * time).exp();
+    const Eigen::VectorXd x = e.rightCols(1);
+    return {x[0], x[n], shape_.dot(x.segment(1, n - 1)), shape_.dot(x.segment(n + 1, n - 1))};
+  }
+
+ private:
+  Eigen::MatrixXd matrix_;
+  Eigen::VectorXd shape_;
+};
+
+}  // namespace nlmech::spacecraft::oracle
