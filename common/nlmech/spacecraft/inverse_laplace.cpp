@@ -54,7 +54,7 @@ Status not_agreed(const char* method, double time, double first, double second) 
 /// Is nothing left out beyond the frequencies of a sum?
 Status nothing_missed(const char* method, double time, const Transform& transform,
                       const SectorBoundary& boundary, double allowed) {
-  const MissedResidues missed = missed_residues(transform, boundary);
+  const MissedResidues missed = missed_residues(transform, time, boundary);
   if (missed.amplitude <= allowed) return {};
   if (std::isnan(missed.amplitude)) {
     return Status::failure(
@@ -245,7 +245,7 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
   }
   if (times.empty()) return inverted;
   const double allowed = options.agreement * largest;
-  const Status beyond = nothing_missed("bromwich", times[0], transform,
+  const Status beyond = nothing_missed("bromwich", *std::max_element(times.begin(), times.end()), transform,
                                        {.centre = 0, .radius = options.frequency, .talbot = false}, allowed);
   const double last =
       std::abs(transform(Complex(options.shift, static_cast<double>(terms) * pi / half_period)));

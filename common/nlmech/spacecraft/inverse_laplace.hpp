@@ -7,9 +7,8 @@
 ///
 /// - within the frequencies of the method, which two sums with different contours show to be resolved,
 /// - to the left of the rays at 135 degrees to the real axis, which decay within the first periods, and
-/// - isolated ones between these rays, up to 1.7e10 times those frequencies. The residues of these are
-/// measured
-///   (missed_residues()), and more than the agreement allows is `not_converged`.
+/// - simple poles between these rays, up to 1.7e10 times those frequencies, and double ones up to |s| t = 1000.
+///   Their residues are measured (missed_residues()), and more than the agreement allows is `not_converged`.
 ///
 /// F is evaluated to the left of its singularities for that. Outside the class - a delay, F known on the
 /// right only, more oscillations than the method resolves - the status is `not_converged` or `non_finite`.

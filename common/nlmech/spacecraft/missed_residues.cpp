@@ -85,7 +85,7 @@ class Sector {
 
 }  // namespace
 
-MissedResidues missed_residues(const std::function<Complex(Complex)>& transform,
+MissedResidues missed_residues(const std::function<Complex(Complex)>& transform, double time,
                                const SectorBoundary& boundary) {
   MissedResidues missed;
   Sector sector(transform, boundary);
@@ -100,9 +100,10 @@ MissedResidues missed_residues(const std::function<Complex(Complex)>& transform,
       return missed;
     }
     const double size = boundary.at(widest) * growth * scale;
-    // A pole and its conjugate: twice the residue.
-    const double amplitude =
-        std::max(std::abs(around.zeroth), std::abs(around.first) / size) / std::numbers::pi;
+    // A pole and its conjugate: twice the residue. Of a double pole, or of two that cancel, the other integral
+    // times t; far out, where it is its own rounding, less.
+    const double grown = std::abs(around.first) / size * std::clamp(size * time, 1., 1000.);
+    const double amplitude = std::max(std::abs(around.zeroth), grown) / std::numbers::pi;
     missed.amplitude += amplitude;
     if (amplitude > largest) {
       largest = amplitude;

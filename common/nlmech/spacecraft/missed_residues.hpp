@@ -36,11 +36,13 @@ struct SectorBoundary {
 /// integrals of F, and of F s, along the boundaries of 17 pieces of the sector, each four times as large as
 /// the one before, by Gauss's rule.
 ///
-/// An isolated singularity between the rays of 0 and 135 degrees shows with its residue, wherever it lies up
-/// to 4^17 = 1.7e10 times the radius; two in one piece would have to cancel in both integrals. Where F is
-/// analytic there, quadrature leaves less than 1e-12 of the largest |F s|. Some 1100 values of F.
+/// A simple pole between the rays of 0 and 135 degrees shows with its residue, wherever it lies up to 4^17 =
+/// 1.7e10 times the boundary; a double one, whose residue can be 0, by the integral of F s as far as |s| t =
+/// 1000, and beyond with a part of it only. Where F is analytic there, quadrature leaves less than 1e-12 of
+/// the largest |F s|. Some 1100 values of F.
+/// @param time at which f is wanted, by which the amplitude of a double pole grows
 [[nodiscard]] MissedResidues missed_residues(
-    const std::function<std::complex<double>(std::complex<double>)>& transform,
+    const std::function<std::complex<double>(std::complex<double>)>& transform, double time,
     const SectorBoundary& boundary);
 
 }  // namespace nlmech::spacecraft
