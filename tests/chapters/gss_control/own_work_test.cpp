@@ -109,6 +109,14 @@ TEST(StepCommand, Manoeuvre) {
   for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(half.row[1][k], peak.row[1][k] / 2, 1e-15);
 }
 
+// A slow real pole beside s = 0: the hub starts at 0 and is at 0.423 after 10 s, by an integration of finite
+// elements in time.
+TEST(StepCommand, SlowRealPole) {
+  const Rows rows = rows_of("step --gains 5,0,90 --until 10");
+  EXPECT_NEAR(rows.row[0][1], 0, 1e-12);
+  EXPECT_NEAR(rows.row[1][1], 0.42329, 1e-5);
+}
+
 // A rigid body's t^2/(2J) carries the turn; the ripple is bounded by the appendages' inertia.
 TEST(StepCommand, UnitTorque) {
   const Rows rows = rows_of("step --until 100 --every 50");
