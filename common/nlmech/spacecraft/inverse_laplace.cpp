@@ -224,7 +224,8 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
     require(t > 0 && t < 2 * half_period, "bromwich", "times lie between 0 and twice the half period; time",
             t);
   const auto terms = static_cast<long>(options.frequency * half_period / pi);
-  std::vector<double> sums(times.size(), 0);
+  // Every second term makes a sum of half the period, whose aliasing is the root of that of the whole.
+  std::vector<double> sums(times.size(), 0), halves(times.size(), 0);
   for (long k = 0; k <= terms; ++k) {
     const Complex s(options.shift, static_cast<double>(k) * pi / half_period);
     const Complex value = transform(s) * (k == 0 ? 0.5 : 1.);
@@ -233,7 +234,9 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
     }
     for (std::size_t i = 0; i < times.size(); ++i) {
       const double angle = s.imag() * times[i];
-      sums[i] += value.real() * std::cos(angle) - value.imag() * std::sin(angle);
+      const double term = value.real() * std::cos(angle) - value.imag() * std::sin(angle);
+      sums[i] += term;
+      if (k % 2 == 0) halves[i] += 2 * term;
     }
   }
   std::vector<Inverted> inverted;
@@ -252,7 +255,9 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!inverted[i].status.ok()) continue;
     const double rest = last * std::exp(options.shift * times[i]) / (pi * times[i]);
-    const double aliased = std::exp(-2 * options.shift * half_period) * largest;
+    const double half = std::exp(options.shift * times[i]) / half_period * (halves[i] - sums[i]);
+    const double aliased =
+        std::max(std::exp(-2 * options.shift * half_period) * largest, 4 * half * half / largest);
     inverted[i].status = beyond;
     if (beyond.ok() && !(rest + aliased <= allowed)) {
       inverted[i].status = Status::failure(

@@ -7,7 +7,8 @@
 ///
 /// - within the frequencies of the method, which two sums with different contours show to be resolved,
 /// - to the left of the rays at 135 degrees to the real axis, which decay within the first periods, and
-/// - simple poles between these rays, up to 1.7e10 times those frequencies, and double ones up to |s| t = 1000.
+/// - simple poles between these rays, up to 1.7e10 times those frequencies, and double ones up to |s| t =
+/// 1000.
 ///   Their residues are measured (missed_residues()), and more than the agreement allows is `not_converged`.
 ///
 /// F is evaluated to the left of its singularities for that. Outside the class - a delay, F known on the
@@ -105,7 +106,8 @@ struct BromwichOptions {
 /// for many times at once, F being evaluated once a frequency. Errors: aliasing, f(t + 2T) e^(-2cT); and the
 /// sum's rest, at most |F(c + iW)| e^(ct) / (pi t) where F decays smoothly, c t <= 10 being wise. These, and
 /// the residues beyond W, are compared with the largest value; above the agreement the status is
-/// `not_converged`.
+/// `not_converged`. Aliasing is judged by the sum of every second term, so that a time above T, where that sum
+/// begins anew, is not verified.
 /// @returns one value a time, with the status of its sum
 /// @throws std::invalid_argument for a time outside (0, 2T), or options out of range
 [[nodiscard]] std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
