@@ -205,7 +205,12 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
   require_options(time, options);
   Inverted first = de_hoog_by(transform, time, options, options.scale);
   if (!first.status.ok()) return first;
-  const Inverted second = de_hoog_by(transform, time, options, 1.1 * options.scale);
+  // Of two more, the one that is farther off.
+  Inverted second = de_hoog_by(transform, time, options, 1.1 * options.scale);
+  const Inverted third = de_hoog_by(transform, time, options, 1.23 * options.scale);
+  if (second.status.ok() &&
+      (!third.status.ok() || std::abs(third.value - first.value) > std::abs(second.value - first.value)))
+    second = third;
   const double highest = 2 * options.degree * pi / (options.scale * time);
   return verified("de_hoog", transform, time, std::move(first), second, options.agreement, options.negligible,
                   {.centre = options.abscissa, .radius = highest / 4, .talbot = false});

@@ -63,7 +63,7 @@ struct TalbotOptions {
 
 /// What de_hoog() may be told.
 struct DeHoogOptions {
-  int degree = 40;          ///< M, 1 to 1000: with the second sum and the check 1100 + 4M evaluations of F
+  int degree = 40;          ///< M, 1 to 1000: with two more sums and the check 1100 + 6M evaluations of F
   double tolerance = 1e-9;  ///< aliasing e^(-2 (shift - abscissa) T) that is allowed; between 0 and 1
   double abscissa = 0;      ///< the largest real part of a singularity of F
   double scale = 2;         ///< T/t, above 1/2: half the period over the time
@@ -77,10 +77,10 @@ struct DeHoogOptions {
 /// matter; not for late times of a lightly damped structure, whose many terms the continued fraction loses
 /// to rounding.
 ///
-/// A second sum, with T a tenth longer, shows what is not resolved: its frequencies and its rounding are
-/// others. Where both do not agree, or residues are left out beyond a quarter of the highest frequency, the
-/// status is `not_converged`, the value that of the first. Right values may be refused, above all those near
-/// a zero of f, as the agreement is relative.
+/// Two more sums, with T longer by a tenth and by a quarter, show what is not resolved: their frequencies and
+/// their rounding are others. Where they do not agree, or residues are left out beyond a quarter of the
+/// highest frequency, the status is `not_converged`, the value that of the first. Right values may be
+/// refused, above all those near a zero of f, as the agreement is relative.
 ///
 /// Tests hold smooth functions to 1e-8, and sines and 1 - cos(wt) at degrees from 10 to 240, below the
 /// frequencies of the sum and far beyond, to a right value or `not_converged`.
@@ -106,8 +106,8 @@ struct BromwichOptions {
 /// for many times at once, F being evaluated once a frequency. Errors: aliasing, f(t + 2T) e^(-2cT); and the
 /// sum's rest, at most |F(c + iW)| e^(ct) / (pi t) where F decays smoothly, c t <= 10 being wise. These, and
 /// the residues beyond W, are compared with the largest value; above the agreement the status is
-/// `not_converged`. Aliasing is judged by the sum of every second term, so that a time above T, where that sum
-/// begins anew, is not verified.
+/// `not_converged`. Aliasing is judged by the sum of every second term, so that a time above T, where that
+/// sum begins anew, is not verified.
 /// @returns one value a time, with the status of its sum
 /// @throws std::invalid_argument for a time outside (0, 2T), or options out of range
 [[nodiscard]] std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
