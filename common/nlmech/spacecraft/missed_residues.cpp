@@ -18,9 +18,14 @@ constexpr int pieces = 17;
 /// Integrals of F ds and of F (s - centre) ds along a line.
 struct Moments {
   Complex zeroth = 0, first = 0;
+  double size = 0;  ///< the integral of |F (s - centre) ds|, against which roundings count
 };
-Moments operator+(const Moments& a, const Moments& b) { return {a.zeroth + b.zeroth, a.first + b.first}; }
-Moments operator-(const Moments& a, const Moments& b) { return {a.zeroth - b.zeroth, a.first - b.first}; }
+Moments operator+(const Moments& a, const Moments& b) {
+  return {a.zeroth + b.zeroth, a.first + b.first, a.size + b.size};
+}
+Moments operator-(const Moments& a, const Moments& b) {
+  return {a.zeroth - b.zeroth, a.first - b.first, a.size + b.size};
+}
 
 /// One sector and its boundaries.
 class Sector {
@@ -72,6 +77,7 @@ class Sector {
         const Complex term = g.weight * half * value * p.slope;
         sum.zeroth += term;
         sum.first += term * p.s;
+        sum.size += std::abs(term * p.s);
       }
     }
     return sum;
@@ -100,9 +106,10 @@ MissedResidues missed_residues(const std::function<Complex(Complex)>& transform,
       return missed;
     }
     const double size = boundary.at(widest) * growth * scale;
-    // A pole and its conjugate: twice the residue. Of a double pole, or of two that cancel, the other integral
-    // times t; far out, where it is its own rounding, less.
-    const double grown = std::abs(around.first) / size * std::clamp(size * time, 1., 1000.);
+    // A pole and its conjugate: twice the residue. Of a double pole, or of two that cancel, the other
+    // integral times t; far out less, and nothing where it is its own rounding.
+    const bool rounding = std::abs(around.first) < 1e-12 * around.size;
+    const double grown = std::abs(around.first) / size * (rounding ? 1 : std::clamp(size * time, 1., 1000.));
     const double amplitude = std::max(std::abs(around.zeroth), grown) / std::numbers::pi;
     missed.amplitude += amplitude;
     if (amplitude > largest) {
