@@ -70,7 +70,7 @@ std::string text_of(const Parameters& p, const Gains& g) {
 }
 
 TEST(AdversarySpacecraft, StepsAgreeWithElements) {
-  hunt({.quick = 40, .full = 1500, .least_right = 0.3}, [](Draw& draw) {
+  hunt({.quick = 8, .full = 1500, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const Gains g = drawn_gains(draw, p);
     const double x = p.length * draw.uniform(0.1, 1);
@@ -287,7 +287,7 @@ TEST(AdversaryInverseLaplace, DeHoogIsRightOrRefuses) {
 }
 
 TEST(AdversaryInverseLaplace, BromwichIsRightOrRefuses) {
-  hunt({.quick = 60, .full = 20'000, .least_right = 0.01}, [](Draw& draw) {
+  hunt({.quick = 100, .full = 20'000, .least_right = 0.01}, [](Draw& draw) {
     const double t = draw.log_uniform(1e-6, 1e6);
     const Sum sum = drawn_sum(draw, t);
     const std::array<double, 1> times = {t};
