@@ -103,6 +103,12 @@ TEST(Verify, SaysThatNothingIsDetermined) {
   EXPECT_EQ(verdict(problems::Lorenz{}, {0, 1, 0}, 60, 5, {1e-12, 1e-12}).verdict, Verdict::undetermined);
 }
 
+// A motion far below the tolerance is not chaos: what is far above it is wrong.
+TEST(Verify, ACoarseToleranceIsNoExcuse) {
+  EXPECT_EQ(verdict(problems::Duffing{}, {1e-7, 0}, 3, 5, {1e-6, 1e-6}).verdict, Verdict::wrong);
+  EXPECT_EQ(verdict(problems::Duffing{}, {1e-7, 0}, 3, 1e-5, {1e-6, 1e-6}).verdict, Verdict::right);
+}
+
 TEST(Verify, SaysThatItDoesNotKnow) {
   const Verification v =
       verdict(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 1e3, 0, {1e-9, 1e-9}, {.work = 0.02});

@@ -69,7 +69,9 @@ Verification with_condition(const Beside& all, const Reference& reference, const
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
   const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
-  if (v.error >= 0.1 * extent && allowed >= 0.1 * extent) {
+  const bool is_amplified =
+      v.allowed > most_tolerances;  // else the tolerance is coarse, and no more to blame
+  if (v.error >= 0.1 * extent && allowed >= 0.1 * extent && is_amplified) {
     v.verdict = Verdict::undetermined;
   } else if (sure > allowed) {
     v.verdict = Verdict::wrong;
