@@ -42,6 +42,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
         known_(x0_),
         rise_(Half<n>::Zero(system.size() / 2)),
         missing_(rise_),
+        answer_(rise_),
         filter_(system.size() / 2, system.size() / 2),
         lu_(system.size() / 2),
         fx_(system.size(), system.size()),
@@ -127,9 +128,11 @@ class HermitianTrial : public DenseOutput<S::dimension> {
       system_.rhs(segment_(t0_ + s * h_), middle_, known_);
       ++statistics.right_hand_sides;
       curvature(s, missing_);
-      missing_ = lu_.solve((h_ * h_) * missing_ - (h_ * h_) * velocities(known_)).eval();
-      const double part = std::max(worst_share(missing_, positions(x0_), positions(x1_), atol, rtol),
-                                   worst_share(missing_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
+      missing_ -= velocities(known_);
+      missing_ *= h_ * h_;
+      answer_ = lu_.solve(missing_);
+      const double part = std::max(worst_share(answer_, positions(x0_), positions(x1_), atol, rtol),
+                                   worst_share(answer_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
       if (!(part <= worst)) worst = part;
     }
     return worst;
@@ -262,7 +265,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   algebraic::Newton newton_;
   SmoothSegment segment_;
   State<n> x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
-  Half<n> rise_, missing_;
+  Half<n> rise_, missing_, answer_;
   Matrix<double, half<n>> filter_;
   Eigen::PartialPivLU<Matrix<double, half<n>>> lu_;
   Jacobian<n> fx_, gx_;
