@@ -152,6 +152,7 @@ TEST_F(CommandLine, EchoesLittleOfWhatWasTyped) {
       "$fixture run \"$(head -c 100000 /dev/zero | tr '\\0' a)\"",
       "$fixture run fig-1 --$(head -c 100000 /dev/zero | tr '\\0' a)",
       "$fixture double \"$(head -c 100000 /dev/zero | tr '\\0' a)\"",
+      "$fixture list $(seq 1 20000)",
       "$fixture run fig-1 --quick=$(head -c 100000 /dev/zero | tr '\\0' a)",
       "printf '\\033[2J\\033]0;title\\007\\n' | $fixture double",
       "$fixture run \"$(printf '\\033[2J')\"",

@@ -70,6 +70,16 @@ TimeLimit::Command watched(const CLI::App& app, const CLI::App& command, const G
   return watched;
 }
 
+/// As CLI11 says it, but short.
+std::string unexpected(const std::vector<std::string>& arguments) {
+  constexpr std::size_t most = 6;
+  std::string words;
+  for (std::size_t i = 0; i < std::min(most, arguments.size()); ++i) words += ' ' + echoed(arguments[i]);
+  if (arguments.size() > most) words += fmt::format(" and {} more", arguments.size() - most);
+  return fmt::format("The following argument{} not expected:{}\nRun with --help for more information.",
+                     arguments.size() == 1 ? " was" : "s were", words);
+}
+
 /// Help and version go where results go, complaints to standard error.
 int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream help, complaint;
@@ -78,14 +88,8 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
     return 0;
   }
   const std::vector<std::string> extra = app.remaining(true);
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extra.empty()) {
-    tell(complaint.str());
-    return wrong_usage;
-  }
-  std::vector<std::string> words;
-  for (const std::string& word : extra) words.push_back(echoed(word));
-  tell(fmt::format("The following argument{} not expected: {}\nRun with --help for more information.",
-                   words.size() == 1 ? " was" : "s were", fmt::join(words, " ")));
+  const bool few_words = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extra.empty();
+  tell(few_words ? complaint.str() : unexpected(extra));
   return wrong_usage;
 }
 
