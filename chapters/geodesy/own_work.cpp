@@ -135,6 +135,11 @@ std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const
 
 void reverse(const Request& request) {
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
+  try {
+    static_cast<void>(geodesy::ClosestPoint(ellipsoid));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("--ellipsoid {}: {}", request.ellipsoid, error.what()));
+  }
   const Input in = read_input(request, cartesian_names);
   scene::print_result(request.method == "fast" ? reverse_fast(in, ellipsoid)
                                                : reverse_by_series(in, ellipsoid, request));
@@ -176,8 +181,8 @@ void geodesy_work(CLI::App& app) {
 
   CLI::App* to_geodetic =
       app.add_subcommand("reverse", "x,y,z in metres to latitude_deg,longitude_deg,height_m");
-  to_geodetic->add_option("--method", request->method, "series")
-      ->check(CLI::IsMember({"series"}))
+  to_geodetic->add_option("--method", request->method, "fast (full precision), or the series")
+      ->check(CLI::IsMember({"fast", "series"}))
       ->capture_default_str();
   to_geodetic->add_option("--order", request->order, "order of the series")
       ->check(CLI::Range(1, geodesy::highest_order))
@@ -187,7 +192,14 @@ void geodesy_work(CLI::App& app) {
       ->check(CLI::IsMember({"series", "projection"}))
       ->capture_default_str();
   add_common(*to_geodetic, *request);
-  to_geodetic->callback([request] { reverse(*request); });
+  to_geodetic->callback([request, to_geodetic] {
+    for (const char* option : {"--order", "--height"}) {
+      if (request->method == "fast" && to_geodetic->count(option) > 0)
+        throw InputError(
+            fmt::format("{}: belongs to the series; add --method series, or leave it out", option));
+    }
+    reverse(*request);
+  });
 
   CLI::App* to_cartesian =
       app.add_subcommand("forward", "latitude_deg,longitude_deg,height_m to x,y,z in metres");

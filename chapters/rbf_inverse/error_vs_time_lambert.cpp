@@ -45,7 +45,7 @@ std::vector<Point> measure(Workshop& w) {
   for (const TransferEquations equations :
        {TransferEquations::positions, TransferEquations::positions_and_velocities}) {
     for (const int n : {21, 31, 41, 47, 61}) {
-      const orbit::TransferCollocation method{.nodes = n, .equations = equations};
+      const orbit::TransferCollocation method{.nodes = n, .equations = equations, .largest_miss = 0.01};
       const auto t = orbit::collocate(p, method);
       if (!t.status.ok()) continue;
       points.push_back({equations == TransferEquations::positions ? 1 : 2,

@@ -58,8 +58,11 @@ std::vector<Outcomes> try_all(Workshop& w) {
       Outcomes outcomes;
       outcomes.start = s.name;
       outcomes.basis = basis == TransferBasis::polynomial ? "polynomials" : "Gaussian, as printed";
-      orbit::TransferCollocation method{
-          .basis = basis, .guess = s.guess, .length_unit = s.length_unit, .time_unit = s.time_unit};
+      orbit::TransferCollocation method{.basis = basis,
+                                        .guess = s.guess,
+                                        .length_unit = s.length_unit,
+                                        .time_unit = s.time_unit,
+                                        .largest_miss = 0.01};
       method.equations = orbit::TransferEquations::positions_and_velocities;
       const int repeats = s.guess != TransferGuess::random ? 1 : w.quick() ? 10 : 60;
       for (int k = 1; k <= repeats; ++k) {

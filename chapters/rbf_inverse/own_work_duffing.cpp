@@ -18,7 +18,7 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string which, final_time, beta = "0.9", target, weights = "1,1", bound;
+  std::string which, final_time, beta = "0.9", target, weights, bound;
 };
 
 Eigen::Vector2d pair(const char* option, const std::string& text) {
@@ -61,9 +61,18 @@ Request understand(const Words& words) {
     if (r.settings.target.cwiseAbs().maxCoeff() > 1e4)
       throw InputError(fmt::format("--target {}: larger than 1e4", words.target));
   }
-  r.settings.weights = pair("--weights", words.weights);
-  if (r.settings.weights.minCoeff() < 0)
-    throw InputError(fmt::format("--weights {}: must not be negative", words.weights));
+  if (!words.weights.empty()) {
+    using enum bvp::DuffingCase;
+    const bvp::DuffingCase c = r.settings.which;
+    if (c == fixed || c == harmonic || c == final_only)
+      throw InputError(
+          fmt::format("--weights {}: --case {} prescribes both states at the end, so there is no miss to "
+                      "weight; leave it out",
+                      words.weights, words.which));
+    r.settings.weights = pair("--weights", words.weights);
+    if (r.settings.weights.minCoeff() < 0)
+      throw InputError(fmt::format("--weights {}: must not be negative", words.weights));
+  }
   if (!words.bound.empty()) {
     r.bound = scene::typed_positive("--bound", words.bound);
   }
@@ -142,8 +151,8 @@ void add_duffing_command(CLI::App& app) {
   command->add_option("--final-time", words->final_time, "T, seconds")->required();
   command->add_option("--beta", words->beta, "nonlinearity")->capture_default_str();
   command->add_option("--target", words->target, "x1,x2 at T; 5,2 without it");
-  command->add_option("--weights", words->weights, "s11,s22 of the miss that is not prescribed")
-      ->capture_default_str();
+  command->add_option("--weights", words->weights,
+                      "s11,s22 of the miss that is not prescribed; 1,1 without it");
   command->add_option("--bound", words->bound, "largest |f|; none without it");
   command->callback([words] { scene::print_result(duffing(*words)); });
 }

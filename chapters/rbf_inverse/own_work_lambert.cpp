@@ -25,8 +25,7 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string from, to, time, mu = "3.986e14", revolutions = "0", branch, plane, zonal, radius,
-                              method = "izzo";
+  std::string from, to, time, mu, revolutions = "0", branch, plane, zonal, radius, method = "izzo";
   bool long_way = false;
   std::string file, grid, shard, threads = "0";
   bool plot = false;
@@ -49,16 +48,20 @@ orbit::Vector3<double> vector(const char* option, const std::string& text) {
 }
 
 orbit::TransferProblem problem_of(const Words& words) {
-  orbit::TransferProblem p{vector("--from", words.from),
-                           vector("--to", words.to),
-                           scene::typed_positive("--time", words.time),
-                           {.mu = scene::typed_positive("--mu", words.mu)}};
+  orbit::TransferProblem p{
+      vector("--from", words.from),
+      vector("--to", words.to),
+      scene::typed_positive("--time", words.time),
+      {.mu = words.mu.empty() ? orbit::earth().mu : scene::typed_positive("--mu", words.mu)}};
   for (const auto& [option, r] : {std::pair("--from " + words.from, p.from), {"--to " + words.to, p.to}}) {
     if (r.isZero(0)) throw InputError(option + ": is the centre, from where no orbit leads on");
   }
   if (!words.plane.empty()) {
     p.normal = vector("--plane", words.plane);
     if (p.normal->isZero(0)) throw InputError(fmt::format("--plane {}: a normal cannot be 0", words.plane));
+    if (!orbit::are_opposite({p.from, p.to, p.time, p.gravity.mu}))
+      throw InputError(fmt::format(
+          "--plane {}: the positions are not opposite and determine the plane; leave it out", words.plane));
   }
   if (words.zonal.empty() != words.radius.empty())
     throw InputError(words.zonal.empty()
@@ -97,7 +100,14 @@ orbit::Transfer by_collocation(const orbit::TransferProblem& p, const Words& wor
     throw InputError(
         "--method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use "
         "--method izzo");
-  orbit::Transfer t = orbit::collocate(p, {.nodes = 81});
+  constexpr int nodes = 81;
+  orbit::Transfer t = orbit::collocate(p, {.nodes = nodes});
+  if (!t.status.ok())
+    t.status = Status::failure(t.status.outcome(),
+                               fmt::format("lambert: collocation with {} nodes finds no transfer that "
+                                           "integration confirms (the miss is {:.3g} "
+                                           "where {:.3g} is allowed); use --method izzo",
+                                           nodes, t.miss, orbit::largest_miss * p.to.stableNorm()));
   const orbit::Vector3<double> plane = orbit::cross(p.from, p.to);
   if (t.status.ok() && plane.dot(orbit::cross(p.from, t.v1)) < 0)
     t.status = Status::failure(Outcome::spurious_root,
@@ -163,17 +173,52 @@ PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
   return axes;
 }
 
-/// <name of the TOML file>.svg in the current folder.
-void plot(const Words& words, const orbit::Porkchop& grid) {
-  const std::string stem = words.file == "-" ? "porkchop" : std::filesystem::path(words.file).stem().string();
-  const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
-  const Scratch folder;
-  scene::write_whole(folder.path() / "data.csv", figure.data.csv());
-  scene::write_whole(stem + ".svg", scene::draw(scene::data_folder() / "figures", figure.template_name,
-                                                folder.path(), "data.csv", figure.variables));
+/// What pictures of this command end with. A file without it is never overwritten.
+constexpr std::string_view drawn_here = "<!-- drawn by rbf_inverse porkchop --plot -->\n";
+
+/// Where the picture goes: <name of the TOML file>.svg in the current folder.
+std::filesystem::path picture_of(const Words& words) {
+  return (words.file == "-" ? "porkchop" : std::filesystem::path(words.file).stem().string()) + ".svg";
 }
 
-std::string porkchop(const Words& words) {
+/// Everything about a picture that can be refused before there are numbers.
+void check_plot(const Words& words, const orbit::PorkchopProblem& p) {
+  if (!words.shard.empty())
+    throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", words.shard));
+  if (p.departures.count < 4 || p.arrivals.count < 4)
+    throw InputError(fmt::format("--grid {}: --plot needs 4x4 or more", words.grid));
+  for (const auto& [name, window] : {std::pair("departures", p.departures), {"arrivals", p.arrivals}}) {
+    if (!(window.first < window.last))
+      throw InputError(fmt::format("{}: --plot needs a window of {} that has a width", words.file, name));
+  }
+  const std::filesystem::path picture = picture_of(words);
+  std::error_code none;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(picture, none))) return;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(picture, none)) ||
+      !scene::read_whole(picture).ends_with(drawn_here))
+    throw InputError(
+        fmt::format("--plot: {} is there and is no picture of this command, which overwrites nothing else; "
+                    "move it, or run in "
+                    "another folder",
+                    picture.string()));
+}
+
+/// Draws the picture. The numbers have been printed: a failure leaves them where they are.
+void plot(const Words& words, const orbit::Porkchop& grid) {
+  try {
+    const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
+    const Scratch folder;
+    scene::write_whole(folder.path() / "data.csv", figure.data.csv());
+    scene::write_whole(picture_of(words), scene::draw(scene::data_folder() / "figures", figure.template_name,
+                                                      folder.path(), "data.csv", figure.variables)
+                                              .append(drawn_here));
+  } catch (const Failure& failure) {
+    throw Failure(fmt::format("porkchop: all numbers are written, but {} is not drawn: {}",
+                              picture_of(words).string(), failure.what()));
+  }
+}
+
+void porkchop(const Words& words) {
   orbit::PorkchopProblem p = read_porkchop(scene::read_whole(words.file), words.file);
   const auto [rows, columns] = halves("--grid", words.grid, 'x');
   p.departures.count = scene::typed_whole("--grid", rows, 1, 1'000'000);
@@ -183,9 +228,8 @@ std::string porkchop(const Words& words) {
     const auto [shard, shards] = halves("--shard", words.shard, '/');
     work.shards = scene::typed_whole("--shard", shards, 1, 1'000'000);
     work.shard = scene::typed_whole("--shard", shard, 1, work.shards);
-    if (words.plot)
-      throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", words.shard));
   }
+  if (words.plot) check_plot(words, p);
   orbit::Porkchop grid;
   try {
     grid = orbit::porkchop(p, work);
@@ -193,8 +237,8 @@ std::string porkchop(const Words& words) {
     throw InputError(fmt::format("{}: {}", words.file, error.what()));
   }
   if (!grid.status.ok()) throw Failure(grid.status);
+  scene::print_result(words.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
   if (words.plot) plot(words, grid);
-  return words.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid);
 }
 
 std::string merge(const Words& words) {
@@ -212,20 +256,23 @@ CLI::App* add(CLI::App& app, const char* name, const char* help, const std::shar
 
 void add_lambert_command(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* command = add(app, "lambert",
-                          "The orbit from one position to another in a given time, as CSV: "
-                          "vx0,vy0,vz0,vx1,vy1,vz1,miss_m",
-                          words, lambert);
+  CLI::App* command =
+      add(app, "lambert",
+          "The orbit from one position to another in a given time, as CSV: "
+          "vx0,vy0,vz0,vx1,vy1,vz1,miss_m. The departure is integrated by another method: a miss "
+          "beyond a millionth of the distance is a failure",
+          words, lambert);
   command->add_option("--from", words->from, "x,y,z from the centre, in any consistent units")->required();
   command->add_option("--to", words->to, "x,y,z of the arrival")->required();
   command->add_option("--time", words->time, "of flight, positive")->required();
-  command->add_option("--mu", words->mu, "gravitational parameter")->capture_default_str();
+  command->add_option("--mu", words->mu, "gravitational parameter; the Earth's 3.986004418e14 without it");
   command->add_flag("--long-way", words->long_way, "by more than 180 degrees");
   command->add_option("--revolutions", words->revolutions, "whole ones before the arrival")
       ->capture_default_str();
   command->add_option("--branch", words->branch,
                       "of one revolution or more: low (smaller semi-major axis) or high");
-  command->add_option("--plane", words->plane, "nx,ny,nz: the normal, where the positions are opposite");
+  command->add_option("--plane", words->plane,
+                      "nx,ny,nz: the normal of the plane, for opposite positions alone");
   command->add_option("--zonal", words->zonal, "J2 of the centre, the axis along z");
   command->add_option("--radius", words->radius, "that J2 refers to");
   command
@@ -235,10 +282,12 @@ void add_lambert_command(CLI::App& app) {
 
 void add_porkchop_commands(CLI::App& app) {
   const auto words = std::make_shared<Words>();
-  CLI::App* command = add(app, "porkchop",
-                          "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
-                          "departure,arrival,v_departure,v_arrival,revolutions",
-                          words, porkchop);
+  CLI::App* command =
+      app.add_subcommand("porkchop",
+                         "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
+                         "departure,arrival,v_departure,v_arrival,revolutions");
+  command->callback([words] { porkchop(*words); });
+  command->footer(porkchop_keys());
   command
       ->add_option("orbits", words->file,
                    "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
@@ -246,7 +295,9 @@ void add_porkchop_commands(CLI::App& app) {
   command->add_option("--grid", words->grid, "NxM: departures and arrivals")->required();
   command->add_option("--shard", words->shard, "i/n: the i-th of n disjoint parts, for merge");
   command->add_option("--threads", words->threads, "how many; 0: one a processor")->capture_default_str();
-  command->add_flag("--plot", words->plot, "also draws the grid: <name of the TOML file>.svg in this folder");
+  command->add_flag(
+      "--plot", words->plot,
+      "also draws the grid: <name of the TOML file>.svg in this folder, over an older picture alone");
   const auto others = std::make_shared<Words>();
   add(app, "merge", "Joins all shards of one grid, given in any order, to what one run writes", others, merge)
       ->add_option("parts", others->parts, "files written by porkchop --shard")

@@ -105,6 +105,25 @@ orbit::Elements shape_of(const Reader& r) {
   return {.semi_latus_rectum = p, .eccentricity = e};
 }
 
+/// An angle in degrees, in radians; 0 without it.
+double angle_of(const Reader& r, std::string_view key, double least, double most) {
+  const double value = r.number(key).value_or(0);
+  if (!(value >= least && value <= most))
+    r.refuse(r.at(key),
+             fmt::format("{} = {} must be from {} to {} degrees", r.full(key), value, least, most));
+  return value * degree;
+}
+
+/// Lengths and mu in which all that a grid computes stays within doubles.
+constexpr double least_size = 1e-100, largest_size = 1e100;
+
+void check_size(const Reader& r, std::string_view key, double size) {
+  if (!(size >= least_size && size <= largest_size))
+    r.refuse(r.at(key),
+             fmt::format("{} makes a size of {:.6g}; it must be from {:g} to {:g}, so choose other units",
+                         r.full(key), size, least_size, largest_size));
+}
+
 orbit::Ephemeris orbit_of(const Reader& r, double mu) {
   orbit::Ephemeris body;
   body.epoch = r.number("epoch").value_or(0);
@@ -112,19 +131,21 @@ orbit::Ephemeris orbit_of(const Reader& r, double mu) {
     r.only({"position", "velocity", "epoch"});
     body.state = {r.vector("position"), r.vector("velocity")};
     if (body.state.position.isZero(0)) r.refuse(r.at("position"), r.full("position") + " is the centre");
+    check_size(r, "position", body.state.position.stableNorm());
     return body;
   }
   r.only({"a", "p", "e", "i", "raan", "argp", "nu", "epoch"});
   orbit::Elements conic = shape_of(r);
-  conic.inclination = r.number("i").value_or(0) * degree;
-  conic.ascending_node = r.number("raan").value_or(0) * degree;
-  conic.periapsis_argument = r.number("argp").value_or(0) * degree;
-  conic.true_anomaly = r.number("nu").value_or(0) * degree;
+  conic.inclination = angle_of(r, "i", 0, 180);
+  conic.ascending_node = angle_of(r, "raan", -360, 360);
+  conic.periapsis_argument = angle_of(r, "argp", -360, 360);
+  conic.true_anomaly = angle_of(r, "nu", -360, 360);
   try {
     body.state = orbit::state_of(conic, mu);
   } catch (const std::invalid_argument& error) {
     r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
   }
+  check_size(r, r.has("a") ? "a" : "p", body.state.position.stableNorm());
   return body;
 }
 
@@ -224,6 +245,7 @@ orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string&
   orbit::PorkchopProblem p;
   p.mu = whole.required("mu");
   if (!(p.mu > 0)) whole.refuse(whole.at("mu"), fmt::format("mu = {} must be positive", p.mu));
+  check_size(whole, "mu", p.mu);
   p.from = orbit_of(whole.table("from"), p.mu);
   p.to = orbit_of(whole.table("to"), p.mu);
   p.departures = window_of(whole.table("departures"));
@@ -234,6 +256,22 @@ orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string&
                  fmt::format("revolutions = {} must be a whole number from 0 to 1000", revolutions));
   p.most_revolutions = static_cast<int>(revolutions);
   return p;
+}
+
+std::string porkchop_keys() {
+  return R"(Keys of the TOML file, in any consistent units:
+  mu                    gravitational parameter of the centre, positive; required
+  revolutions           whole ones that may be made, 0 to 1000; 0 without it
+  [from], [to]          the orbit that is left, and the one that is reached
+    a or p              semi-major axis (negative for hyperbolas) or semi-latus rectum
+    e                   eccentricity, 0 or more
+    i                   inclination, 0 to 180 degrees; 0 without it
+    raan, argp, nu      node, argument of periapsis, true anomaly at the epoch, -360 to 360 degrees; 0 without
+    position, velocity  [x, y, z] in place of the elements
+    epoch               time of the anomaly or of the state; 0 without it
+  [departures]          first, last: times between which the orbit is left
+  [arrivals]            first, last: times between which the other is reached
+chapters/rbf_inverse/earth-mars.toml is one.)";
 }
 
 std::string porkchop_csv(const orbit::Porkchop& grid) {

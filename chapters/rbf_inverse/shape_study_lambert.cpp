@@ -20,7 +20,7 @@ struct Study {
 };
 
 double miss(TransferBasis basis, int nodes, double shape) {
-  const auto t = orbit::collocate(printed_transfer(), {.nodes = nodes, .basis = basis, .shape = shape});
+  const auto t = orbit::collocate(printed_transfer(), {.nodes = nodes, .basis = basis, .shape = shape, .largest_miss = 0.01});
   return t.status.ok() ? t.miss : NAN;
 }
 

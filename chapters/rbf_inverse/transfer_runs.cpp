@@ -29,7 +29,8 @@ TransferRuns add_transfer_runs(scene::Chapter& chapter) {
   orbit::TransferCollocation printed{.basis = TransferBasis::gaussian,
                                      .equations = orbit::TransferEquations::positions_and_velocities,
                                      .guess = orbit::TransferGuess::line,
-                                     .length_unit = 1};
+                                     .length_unit = 1,
+                                     .largest_miss = 0.01};
   TransferRuns runs{};
   runs.printed = &chapter.add_run<std::vector<CollocatedTransfer>>(
       "lambert-printed",

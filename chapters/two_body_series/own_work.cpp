@@ -109,11 +109,24 @@ auto about(const std::string& options, const Work& work) {
 std::string elements(const Words& words) {
   const orbit::State s = state_of(words);
   const double mu = mu_of(words);
-  const auto e = about(fmt::format("--position {} --velocity {}", words.position, words.velocity),
+  const auto e = about(fmt::format("--position {} --velocity {}{}", words.position, words.velocity,
+                                   words.mu.empty() ? "" : " --mu " + words.mu),
                        [&] { return orbit::elements_of(s, mu); });
+  const double period = e.period(mu);
+  if (e.semi_major_axis > 0 && std::isfinite(e.semi_major_axis) && !(period > 0 && std::isfinite(period)))
+    throw InputError(
+        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", mu));
   return fmt::format("a,e,i,raan,argp,nu,period\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
                      e.semi_major_axis, e.eccentricity, e.inclination / degree, e.ascending_node / degree,
-                     e.periapsis_argument / degree, e.true_anomaly / degree, e.period(mu));
+                     e.periapsis_argument / degree, e.true_anomaly / degree, period);
+}
+
+/// An angle in degrees: one turn either way.
+double typed_angle(const char* option, const std::string& text) {
+  const double value = scene::typed_number(option, text);
+  if (std::abs(value) > 360)
+    throw InputError(fmt::format("{} {}: must be from -360 to 360 degrees", option, text));
+  return value;
 }
 
 std::string state(const Words& words) {
@@ -124,8 +137,8 @@ std::string state(const Words& words) {
   if (e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", words.e));
   const double i = scene::typed_number("--i", words.i);
   if (i < 0 || i > 180) throw InputError(fmt::format("--i {}: must be from 0 to 180 degrees", words.i));
-  const double raan = scene::typed_number("--raan", words.raan),
-               argp = scene::typed_number("--argp", words.argp), nu = scene::typed_number("--nu", words.nu);
+  const double raan = typed_angle("--raan", words.raan), argp = typed_angle("--argp", words.argp),
+               nu = typed_angle("--nu", words.nu);
   const std::string shape = words.a.empty() ? fmt::format("--p {} --e {}", words.p, words.e)
                                             : fmt::format("--a {} --e {}", words.a, words.e);
   const auto conic = about(shape, [&] {

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include "chapters/two_body_series/zonal_field.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters {
@@ -62,7 +64,7 @@ class Rows {
 /// 1: they change no digit.
 struct Units {
   explicit Units(const OrbitRequest& r) {
-    const int a = std::ilogb(r.start.position.norm());
+    const int a = std::ilogb(r.start.position.stableNorm());
     const int b = (3 * a - std::ilogb(r.gravity.mu)) / 2;
     length = std::ldexp(1.0, a);
     time = std::ldexp(1.0, b);
@@ -84,15 +86,32 @@ struct Units {
 
 }  // namespace
 
+namespace {
+
+/// The data, rounded, determine the end to so many digits; fewer than six are worth a word.
+void say_lost_digits(const OrbitRequest& request) {
+  const double lost = orbit::kepler_condition(request.start, request.time, request.gravity.mu).position *
+                      std::numeric_limits<double>::epsilon();
+  if (lost < 1e-6) return;
+  scene::tell(fmt::format(
+      "two_body_series: the data, rounded to doubles, determine the position at t = {:.6g} to {:.1g} of "
+      "the distance",
+      request.time, lost));
+}
+
+}  // namespace
+
 std::string rows_of_kepler(const OrbitRequest& request) {
   const auto at = [&request](double t) {
     const auto solution = orbit::propagate_kepler(request.start, t, request.gravity.mu);
     if (!solution.status.ok()) throw Failure(solution.status);
     return solution.state;
   };
+  const orbit::State end = at(request.time);
   Rows rows(request);
   rows.add_up_to(request.time, at);
-  rows.finish(at(request.time));
+  rows.finish(end);
+  say_lost_digits(request);
   return rows.text();
 }
 

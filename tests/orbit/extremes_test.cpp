@@ -1,7 +1,12 @@
 /// Thin ellipses over many revolutions, falls into the centre, flybys, and far or tiny scales.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <string>
+
 #include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/convergence.hpp"
+#include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
@@ -108,6 +113,78 @@ TEST(Extremes, Scales) {
     EXPECT_NEAR((propagate_kepler(s, time, mu).state.position - c.state.position).norm() / scale, 0,
                 200 * eps);
   }
+}
+
+// The error of the period, 1.5 eps a revolution, is a whole turn after 1e15 of them: what then comes out says
+// nothing, and is refused. The condition is at least that of the period alone.
+TEST(Extremes, APhaseThatRoundingLeavesUndeterminedIsRefused) {
+  const State s = at_periapsis(0.3);
+  for (const double time : {1e17, -1e20, 1e100, 1e300}) {
+    const KeplerSolution k = propagate_kepler(s, time, 1);
+    EXPECT_EQ(k.status.outcome(), Outcome::outside_validity) << time;
+    EXPECT_NE(k.status.sentence().find("undetermined"), std::string::npos) << k.status.text();
+    EXPECT_EQ(k.state.position, s.position);
+    EXPECT_GE(kepler_condition(s, time, 1).position, 1.5 * std::abs(time)) << time;
+  }
+  for (const double time : {1e6, 1e12}) {
+    const KeplerSolution k = propagate_kepler(s, time, 1);
+    ASSERT_TRUE(k.status.ok()) << k.status.text();
+    EXPECT_LE(relative_distance(k.state.position, kepler(s, time, 1).position),
+              8 * eps * kepler_condition(s, time, 1).position);
+  }
+  // A hyperbola is determined for ever, an ellipse near the parabola while its period is not over.
+  EXPECT_TRUE(propagate_kepler({{1, 0, 0}, {0, 2, 0}}, 1e200, 1).status.ok());
+  EXPECT_TRUE(propagate_kepler({{1, 0, 0}, {0, std::sqrt(2) * (1 - 1e-12), 0}}, 1e3, 1).status.ok());
+}
+
+// Powers of two in the units change no digit: up to the ends of the range of doubles.
+TEST(Extremes, UnitsFarFromOne) {
+  const State s{{0.8, 0.1, -0.2}, {0.3, 0.9, 0.4}};
+  const double time = 2.5;
+  const KeplerSolution reference = propagate_kepler(s, time, 1);
+  const Elements e = elements_of(s, 1);
+  const double kappa = kepler_condition(s, time, 1).position, radius = convergence_radius(s, 1);
+  for (const auto& [length, rate] :
+       {std::pair{900, 0}, {-900, 0}, {0, 600}, {300, -700}, {-340, 680}, {-1000, 20}}) {
+    const double r = std::ldexp(1.0, length), v = std::ldexp(1.0, length / 2 + rate / 2);
+    // mu = r v^2 may be no double where r and v are
+    const int exponent = length + 2 * (length / 2 + rate / 2);
+    if (exponent > 1020 || exponent < -1020) continue;
+    const double mu = std::ldexp(1.0, exponent);
+    const State far{s.position * r, s.velocity * v};
+    const KeplerSolution k = propagate_kepler(far, time * (r / v), mu);
+    ASSERT_TRUE(k.status.ok()) << k.status.text();
+    EXPECT_LE((k.state.position / r - reference.state.position).norm(), 8 * eps * kappa) << length;
+    EXPECT_LE((k.state.velocity / v - reference.state.velocity).norm(), 16 * eps * kappa) << length;
+    EXPECT_NEAR(kepler_condition(far, time * (r / v), mu).position / kappa, 1, 1e-9);
+    const Elements f = elements_of(far, mu);
+    EXPECT_NEAR(f.eccentricity, e.eccentricity, 8 * eps);
+    EXPECT_NEAR(f.semi_major_axis / r / e.semi_major_axis, 1, 8 * eps);
+    EXPECT_NEAR(f.period(mu) / (r / v) / e.period(1), 1, 16 * eps);
+    EXPECT_NEAR(convergence_radius(far, mu) / (r / v) / radius, 1, 16 * eps);
+    const State back = state_of(f, mu);
+    EXPECT_LE((back.position / r - s.position).norm(), 32 * eps);
+    EXPECT_LE((back.velocity / v - s.velocity).norm(), 32 * eps);
+  }
+}
+
+// Finite input leads to finite elements and states, or to a sentence.
+TEST(Extremes, WhatDoublesCannotHoldIsSaid) {
+  const State s{{7e6, 0, 0}, {0, 7500, 0}};
+  EXPECT_THROW((void)elements_of(s, 1e-300), std::invalid_argument);  // e = v^2 r/mu = 4e314
+  EXPECT_THROW((void)state_of({.semi_latus_rectum = 7e6, .eccentricity = 1e308}, earth_mu),
+               std::invalid_argument);
+  EXPECT_THROW((void)state_of({.semi_latus_rectum = 7e6, .true_anomaly = 1e17}, 1), std::invalid_argument);
+  EXPECT_THROW((void)from_axis(-1e308, 1e10), std::invalid_argument);
+  const KeplerSolution k = propagate_kepler(s, 1, 1e-300);
+  EXPECT_EQ(k.status.outcome(), Outcome::outside_validity) << k.status.text();
+  EXPECT_NE(k.status.sentence().find("mu"), std::string::npos);
+  // On a line outwards for as long as a double can say.
+  const KeplerSolution far = propagate_kepler({{1, 0, 0}, {1e10, 0, 0}}, 1e300, 1);
+  EXPECT_EQ(far.status.outcome(), Outcome::outside_validity) << far.status.text();
+  EXPECT_EQ(kepler_condition(s, 1, 1e-300).position, std::numeric_limits<double>::infinity());
+  // So fast that nothing bends it: r^2 = 0 at complex times of modulus |r|/|v|.
+  EXPECT_NEAR(convergence_radius({{3, 0, 4}, {0, 1e100, 0}}, 1) / 5e-100, 1, 4 * eps);
 }
 
 }  // namespace

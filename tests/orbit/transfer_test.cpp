@@ -77,6 +77,8 @@ TEST(Transfer, PrintedSettingLosesItsDigits) {
   TransferCollocation method;
   method.basis = TransferBasis::gaussian;
   method.equations = TransferEquations::positions_and_velocities;
+  EXPECT_EQ(collocate(printed_transfer(), method).status.outcome(), Outcome::spurious_root);
+  method.largest_miss = 0.01;
   const CollocatedTransfer t = collocate(printed_transfer(), method);
   ASSERT_TRUE(t.status.ok()) << t.status.text();
   EXPECT_GT(t.condition, 1e16);
@@ -131,6 +133,36 @@ TEST(Transfer, SpuriousRootsAreTold) {
   EXPECT_FALSE(t.status.sentence().empty());
 }
 
+// Through the centre in three seconds: the polynomials solve their equations and miss by kilometres. A
+// success is within a millionth; a wider bound is the caller's word.
+TEST(Transfer, AMissIsNoSuccess) {
+  const TransferProblem through{{7e6, 0, 0}, {-6.9999e6, 1e3, 0}, 3, {.mu = 3.986e14}};
+  TransferCollocation method{.nodes = 81};
+  const CollocatedTransfer t = collocate(through, method);
+  EXPECT_GT(flown(through, t.v1), 1e4);
+  EXPECT_NEAR(t.miss, flown(through, t.v1), 1e-3 * t.miss);
+  EXPECT_EQ(t.status.outcome(), Outcome::spurious_root) << t.status.text();
+  method.largest_miss = 0.01;
+  EXPECT_TRUE(collocate(through, method).status.ok());
+}
+
+// One of an hour's 1650 random commands: the way round the centre at 2e8 m/s, of whose departure velocity
+// 1e-17 goes across the position. Rounded, it misses by 1e5 m; the short way is fine.
+TEST(Transfer, ArcsThatDoublesCannotHoldAreTold) {
+  const TransferProblem near{{809238550.9812963, 208416451.48491853, -333202714.66377366},
+                             {514323616.1686821, 132462173.2114974, -211771943.12163723},
+                             3.476520783551605,
+                             {.mu = 398600000000000.0}};
+  const LambertProblem lambert{near.from, near.to, near.time, near.gravity.mu};
+  const LambertArc round{true, 0, LambertBranch::low};
+  EXPECT_EQ(solve_lambert(lambert, round).status.outcome(), Outcome::outside_validity);
+  EXPECT_EQ(corrected_transfer(near, round).status.outcome(), Outcome::outside_validity);
+  const Transfer t = corrected_transfer(near);
+  ASSERT_TRUE(t.status.ok()) << t.status.text();
+  EXPECT_LE(flown(near, t.v1), 1e-9 * near.to.norm());
+  EXPECT_EQ(lambert_arcs(lambert, 0).size(), 1U);
+}
+
 TEST(Transfer, AccelerationIsTheGradientOfTheEnergy) {
   const Gravity g = earth(6);
   const Vector3<double> r(5e6, -3e6, 4e6);
@@ -181,6 +213,7 @@ TEST(Transfer, WhatCannotBeMeantIsRefused) {
   refused([](auto&) {}, {.nodes = 3});
   refused([](auto&) {}, {.nodes = 201});
   refused([](auto&) {}, {.shape = -1});
+  refused([](auto&) {}, {.largest_miss = 0});
   TransferProblem p = printed_transfer(2);
   p.time = 0;
   EXPECT_THROW((void)corrected_transfer(p), std::invalid_argument);

@@ -65,11 +65,22 @@ using Ellipsoid = BasicEllipsoid<double>;
 /// @}
 
 /// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and
-/// height, also for latitudes beyond +-pi/2, which are taken as they stand.
+/// height, also for latitudes beyond +-pi/2, which are taken as they stand. Ellipsoids with |f| > 1/4 take a
+/// form of the same equation without the difference 1 - e^2 sin^2, which has no digit left for f near 1, and
+/// without squares of the flattening, which overflow. Infinite only where the position is no double.
 template <class T>
 [[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
   using std::cos, std::sin, std::sqrt;
   const T sin_lat = sin(g.latitude), cos_lat = cos(g.latitude);
+  if (e.f() > T(0.25) || e.f() < T(-0.25)) {
+    // W^2 = cos^2 + (1-f)^2 sin^2, divided by the larger of 1 and (1-f)^2.
+    const T ratio = 1 - e.f(), larger = ratio > 1 ? ratio : T(1);
+    const T across = cos_lat / larger, along = sin_lat * (ratio / larger);
+    const T W = sqrt(across * across + along * along);
+    const T from_axis = e.a() * (across / W) + g.height * cos_lat;
+    return {from_axis * cos(g.longitude), from_axis * sin(g.longitude),
+            e.b() * (along / W) + g.height * sin_lat};
+  }
   const T prime_vertical = e.a() / sqrt(1 - e.e2() * sin_lat * sin_lat);  // N(phi)
   const T from_axis = (prime_vertical + g.height) * cos_lat;
   return {from_axis * cos(g.longitude), from_axis * sin(g.longitude),

@@ -29,7 +29,10 @@ namespace nlmech::orbit {
 /// drift. What the default leaves out, 4.5 eps a step, is the same at every passage of an eccentric orbit and
 /// adds up after some hundred of them.
 ///
-/// Tests hold the error to the condition of the orbit times (2 n tolerance + (8 + sqrt n) eps) after n steps.
+/// Tests hold the error to the condition of the orbit times (2 n tolerance + (8 + sqrt n) eps) after n steps
+/// from a periapsis. In general each step adds 2 tolerance + 9 eps times the condition of the rest of the way
+/// from there: what is left out in a near passage of the centre changes the period by far more than an error
+/// of the start does. Set the tolerance by the passage then, or use propagate_kepler().
 struct AnalyticContinuation {
   static constexpr std::string_view name = "analytic-continuation";  ///< on command lines and in tables
   double tolerance = 1e-15;  ///< of a step, relative to |r| and |v|; from 1e-18 to 0.1

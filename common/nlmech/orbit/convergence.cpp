@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/scaled.hpp"
 #include "nlmech/orbit/stumpff.hpp"
 
 namespace nlmech::orbit {
@@ -23,23 +24,8 @@ double rest_of_arctangent(double x) {
   return x > 0 ? (std::atanh(b) - b) / (b * x) : (b - std::atan(b)) / (b * -x);
 }
 
-}  // namespace
-
-double convergence_radius_at_periapsis(double eccentricity) {
-  if (!(eccentricity >= 0 && eccentricity <= 1)) {
-    throw std::invalid_argument(
-        fmt::format("convergence_radius_at_periapsis: e must be from 0 to 1, not {}", eccentricity));
-  }
-  if (eccentricity == 0) return std::numeric_limits<double>::infinity();
-  // acosh(1/e) = atanh sqrt(1 - e^2) loses e for small e; the logarithm does not.
-  const double x = (1 - eccentricity) * (1 + eccentricity), b = std::sqrt(x);
-  if (eccentricity < 0.5) return std::log((1 + b) / eccentricity) - b;
-  return b * x * rest_of_arctangent(x);
-}
-
-double convergence_radius(const State& state, double mu) {
-  check(state, "convergence_radius");
-  check(Gravity{.mu = mu});
+/// In units in which squares are doubles.
+double radius_in_range(const State& state, double mu) {
   // In the units |r| = 1, mu = 1.
   const double r = state.position.norm(), speed = std::sqrt(mu / r);
   const Vector3<double> direction = state.position / r, v = state.velocity / speed;
@@ -61,6 +47,35 @@ double convergence_radius(const State& state, double mu) {
   const double imaginary = e < 0.5 ? convergence_radius_at_periapsis(e) / (k * std::abs(alpha))
                                    : p * std::sqrt(p) * rest_of_arctangent(x);
   return std::hypot(real, imaginary) * r / speed;
+}
+
+}  // namespace
+
+double convergence_radius_at_periapsis(double eccentricity) {
+  if (!(eccentricity >= 0 && eccentricity <= 1)) {
+    throw std::invalid_argument(
+        fmt::format("convergence_radius_at_periapsis: e must be from 0 to 1, not {}", eccentricity));
+  }
+  if (eccentricity == 0) return std::numeric_limits<double>::infinity();
+  // acosh(1/e) = atanh sqrt(1 - e^2) loses e for small e; the logarithm does not.
+  const double x = (1 - eccentricity) * (1 + eccentricity), b = std::sqrt(x);
+  if (eccentricity < 0.5) return std::log((1 + b) / eccentricity) - b;
+  return b * x * rest_of_arctangent(x);
+}
+
+double convergence_radius(const State& state, double mu) {
+  check(state, "convergence_radius");
+  check(Gravity{.mu = mu});
+  const double size = detail::extent(state.position), speed = detail::extent(state.velocity);
+  if (!detail::is_extreme(size) && !detail::is_extreme(mu) &&
+      !(speed > 1e60 || speed > 1e70 * std::sqrt(mu / size)))
+    return radius_in_range(state, mu);
+  const detail::PowerUnits units(size, mu);
+  const State own = units.own(state);
+  // So fast that gravity bends nothing: the series ends where the straight line meets r = 0 in complex time.
+  if (!(detail::extent(own.velocity) < 1e70))
+    return (state.position / size).norm() / (state.velocity / speed).norm() * (size / speed);
+  return std::ldexp(radius_in_range(own, units.own_mu(mu)), units.time);
 }
 
 }  // namespace nlmech::orbit

@@ -13,8 +13,8 @@ namespace nlmech::orbit {
 [[nodiscard]] double convergence_radius_at_periapsis(double eccentricity);
 
 /// The radius of convergence, as a time, of the Taylor series at @p state: its distance in the complex plane
-/// from the nearest time at which r.r = 0. Infinite for circles. For every conic, straight lines included,
-/// where it is the time to the nearest collision.
+/// from the nearest time at which r.r = 0. Infinite for circles (and where it is beyond the doubles). For
+/// every conic, straight lines included, where it is the time to the nearest collision.
 /// @throws std::invalid_argument for a position 0, mu not positive, or anything not finite
 [[nodiscard]] double convergence_radius(const State& state, double mu);
 

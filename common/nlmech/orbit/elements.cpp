@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/scaled.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -29,30 +30,25 @@ struct Axes {
   Vec first, second;
 };
 
+/// sqrt(a/b), also where the quotient is no normal number.
+double root_of_ratio(double a, double b) {
+  const double ratio = a / b;
+  if (ratio >= std::numeric_limits<double>::min() && ratio <= std::numeric_limits<double>::max())
+    return std::sqrt(ratio);
+  return std::sqrt(a) / std::sqrt(b);
+}
+
+/// Beyond it the rounding of an angle is a whole turn.
+constexpr double largest_angle = 1 / std::numeric_limits<double>::epsilon();
+
 /// The angle at which @p x lies in the plane, from -pi to pi.
 double angle(const Axes& axes, const Vec& x) { return std::atan2(axes.second.dot(x), axes.first.dot(x)); }
 
-}  // namespace
+/// More than that many times the circular speed, and e^2 is no double.
+constexpr double fastest = 1e150;
 
-double Elements::period(double mu) const {
-  if (!(semi_major_axis > 0)) return std::numeric_limits<double>::infinity();
-  return two_pi * semi_major_axis * std::sqrt(semi_major_axis / mu);
-}
-
-Elements from_axis(double semi_major_axis, double eccentricity, double inclination, double ascending_node,
-                   double periapsis_argument, double true_anomaly) {
-  const double p = semi_major_axis * (1 - eccentricity) * (1 + eccentricity);
-  if (!(p > 0) || !(eccentricity >= 0)) {
-    throw std::invalid_argument(fmt::format(
-        "from_axis: a = {} and e = {} make no conic; a is positive for e < 1 and negative for e > 1",
-        semi_major_axis, eccentricity));
-  }
-  return {p, eccentricity, inclination, ascending_node, periapsis_argument, true_anomaly, semi_major_axis};
-}
-
-Elements elements_of(const State& state, double mu) {
-  check(state, "elements_of");
-  check(Gravity{.mu = mu});
+/// The elements in units in which squares are doubles.
+Elements elements_in_range(const State& state, double mu) {
   const Vec h = angular_momentum(state);
   const double hh = h.norm(), r = state.position.norm(), v = state.velocity.norm();
   if (!(hh > small * r * v)) {
@@ -90,10 +86,63 @@ Elements elements_of(const State& state, double mu) {
   return e;
 }
 
+}  // namespace
+
+double Elements::period(double mu) const {
+  if (!(semi_major_axis > 0)) return std::numeric_limits<double>::infinity();
+  const double root = root_of_ratio(semi_major_axis, mu), period = two_pi * semi_major_axis * root;
+  return std::isfinite(period) ? period : two_pi * (semi_major_axis * root);
+}
+
+Elements from_axis(double semi_major_axis, double eccentricity, double inclination, double ascending_node,
+                   double periapsis_argument, double true_anomaly) {
+  const double p = semi_major_axis * (1 - eccentricity) * (1 + eccentricity);
+  if (!(p > 0) || !std::isfinite(p) || !(eccentricity >= 0)) {
+    throw std::invalid_argument(fmt::format(
+        "from_axis: a = {} and e = {} make no conic (p = a (1 - e^2) must be positive and finite); a is "
+        "positive for e < 1 and negative for e > 1",
+        semi_major_axis, eccentricity));
+  }
+  return {p, eccentricity, inclination, ascending_node, periapsis_argument, true_anomaly, semi_major_axis};
+}
+
+Elements elements_of(const State& state, double mu) {
+  check(state, "elements_of");
+  check(Gravity{.mu = mu});
+  const double size = detail::extent(state.position);
+  Elements e;
+  detail::PowerUnits units;
+  if (detail::is_extreme(size) || detail::is_extreme(mu) ||
+      detail::is_extreme(detail::extent(state.velocity))) {
+    units = detail::PowerUnits(size, mu);
+    const State own = units.own(state);
+    if (!(detail::extent(own.velocity) < fastest)) {
+      throw std::invalid_argument(fmt::format(
+          "elements_of: at the distance {:.6g} and the speed {:.6g} with mu = {:.6g} the eccentricity is "
+          "beyond 1e300",
+          state.position.stableNorm(), state.velocity.stableNorm(), mu));
+    }
+    e = elements_in_range(own, units.own_mu(mu));
+    e.semi_latus_rectum = std::ldexp(e.semi_latus_rectum, units.length);
+    e.semi_major_axis = std::ldexp(e.semi_major_axis, units.length);
+  } else {
+    e = elements_in_range(state, mu);
+  }
+  if (!(e.semi_latus_rectum > 0) || !std::isfinite(e.semi_latus_rectum) || !std::isfinite(e.eccentricity) ||
+      e.semi_major_axis == 0) {
+    throw std::invalid_argument(fmt::format(
+        "elements_of: p = {} and a = {} are beyond the range of doubles; take another unit of length",
+        e.semi_latus_rectum, e.semi_major_axis));
+  }
+  return e;
+}
+
 State state_of(const Elements& e, double mu) {
   check(Gravity{.mu = mu});
   for (const double x : {e.inclination, e.ascending_node, e.periapsis_argument, e.true_anomaly}) {
-    if (!std::isfinite(x)) throw std::invalid_argument(fmt::format("state_of: an angle is {}", x));
+    if (!(std::abs(x) < largest_angle))
+      throw std::invalid_argument(fmt::format(
+          "state_of: an angle is {}; beyond {:.2g} rounding is as large as a turn", x, largest_angle));
   }
   const double p = e.semi_latus_rectum;
   if (!(p > 0) || !std::isfinite(p) || !(e.eccentricity >= 0) || !std::isfinite(e.eccentricity)) {
@@ -106,13 +155,21 @@ State state_of(const Elements& e, double mu) {
         fmt::format("state_of: the true anomaly {} lies beyond the asymptote of a conic with e = {}",
                     e.true_anomaly, e.eccentricity));
   }
-  const double r = p / denominator, speed = std::sqrt(mu / p);
+  const double r = p / denominator, speed = root_of_ratio(mu, p);
   const double u = e.periapsis_argument + e.true_anomaly;
   const double cu = std::cos(u), su = std::sin(u), co = std::cos(e.ascending_node),
                so = std::sin(e.ascending_node), ci = std::cos(e.inclination), si = std::sin(e.inclination);
   const Vec outwards(co * cu - so * ci * su, so * cu + co * ci * su, si * su);
   const Vec ahead(-co * su - so * ci * cu, -so * su + co * ci * cu, si * cu);
-  return {r * outwards, speed * (e.eccentricity * std::sin(e.true_anomaly) * outwards + denominator * ahead)};
+  const State state{r * outwards,
+                    speed * (e.eccentricity * std::sin(e.true_anomaly) * outwards + denominator * ahead)};
+  if (!(r > 0) || !state.position.allFinite() || !state.velocity.allFinite()) {
+    throw std::invalid_argument(
+        fmt::format("state_of: p = {}, e = {} and mu = {} lead to the distance {} or a speed that is beyond "
+                    "the range of doubles; take other units or a smaller e",
+                    p, e.eccentricity, mu, r));
+  }
+  return state;
 }
 
 }  // namespace nlmech::orbit

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/scaled.hpp"
 #include "nlmech/series/dual.hpp"
 
 namespace nlmech::orbit {
@@ -70,33 +71,111 @@ double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]
     const double unit = size[j] / length;
     sum += std::hypot(result[0].partial[j] * unit, result[1].partial[j] * unit, result[2].partial[j] * unit);
   }
-  return sum;
+  return sum < std::numeric_limits<double>::infinity() ? sum : std::numeric_limits<double>::infinity();
+}
+
+/// Above it (times the circular speed) gravity is nothing that doubles could tell, and squares overflow.
+constexpr double fastest = 1e150;
+
+/// A problem with |r| and mu near 1.
+struct Scaled {
+  State start;
+  double time = 0, mu = 1;
+  detail::PowerUnits units;
+  bool possible = true;  ///< neither too fast nor too long for doubles
+
+  Scaled(const State& s, double t, double m) : start(s), time(t), mu(m) {
+    const double size = detail::extent(s.position), speed = detail::extent(s.velocity);
+    if (detail::is_extreme(size) || detail::is_extreme(m) || speed > 1e60 || std::abs(t) > 1e60) {
+      units = detail::PowerUnits(size, m);
+      start = units.own(s);
+      mu = units.own_mu(m);
+      time = std::ldexp(t, -units.time);
+    }
+    possible = detail::extent(start.velocity) < fastest && std::isfinite(time);
+  }
+};
+
+KeplerCondition condition_of(const Scaled& s) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!s.possible) return {infinity, infinity};
+  const double r = s.start.position.norm(), v = s.start.velocity.norm();
+  const double size[data] = {r, r, r, v, v, v, s.mu, std::abs(s.time)};
+  const auto end = with_derivatives(s.start, s.time, s.mu);
+  return {sum_of_sensitivities(end.position, size), sum_of_sensitivities(end.velocity, size)};
+}
+
+/// The error is 8 kappa eps at most: where that is an eighth, no digit is left.
+constexpr double most_of_condition = 64;
+
+/// Can kappa be large? By how far the body moves in the time, in units of its distance at the end, with the
+/// error of the period; by how near the centre it ends; and by how near a fast body passes.
+bool may_be_undetermined(const Scaled& s, const State& end) {
+  constexpr double much = 1e10;
+  const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), r = end.position.norm(),
+               v = end.velocity.norm(), time = std::abs(s.time), circular = s.mu / r0;
+  const double share = v0 * v0 / circular, alpha = 2 - share;
+  const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
+  const double growth = swings ? 1 + (2 + share) / alpha : 1;
+  if (!((r0 + v0 * time + v * time * growth) / r < much)) return true;
+  return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
+}
+
+Status undetermined(double time, double kappa) {
+  return Status::failure(
+      Outcome::outside_validity,
+      fmt::format("kepler: rounding of the data leaves the place after {:.6g} undetermined (its condition, "
+                  "{:.2g}, times the rounding of doubles leaves not one digit); ask for a time nearer 0{}",
+                  time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units"));
 }
 
 }  // namespace
 
 KeplerSolution propagate_kepler(const State& start, double time, double mu) {
   check_arguments(start, time, mu, "propagate_kepler");
-  KeplerSolution solution;
-  solution.state = kepler_state(start, time, mu, &solution.iterations);
-  if (!solution.state.position.allFinite() || !solution.state.velocity.allFinite() ||
-      solution.state.position == Vector3<double>::Zero()) {
-    solution.state = start;
+  const Scaled s(start, time, mu);
+  KeplerSolution solution{start, {}, 0};
+  if (!s.possible) {
+    solution.status = Status::failure(
+        Outcome::outside_validity,
+        fmt::format("kepler: the speed {:.6g} or the time {:.6g} is beyond 1e150 times those of a circular "
+                    "orbit with mu = {:.6g}; choose smaller ones, or a larger mu",
+                    start.velocity.stableNorm(), time, mu));
+    return solution;
+  }
+  const State end = kepler_state(s.start, s.time, s.mu, &solution.iterations);
+  if (end.position == Vector3<double>::Zero() || (end.position.allFinite() && !end.velocity.allFinite())) {
     solution.status = Status::failure(
         Outcome::collision,
         fmt::format("kepler: after {:.17g} the body is in the centre of attraction, where its "
                     "velocity has no bound; ask for another time",
                     time));
+    return solution;
   }
+  if (may_be_undetermined(s, end)) {
+    const double kappa = condition_of(s).position;
+    if (!(most_of_condition * kappa * std::numeric_limits<double>::epsilon() < 1)) {
+      solution.status = undetermined(time, kappa);
+      return solution;
+    }
+  }
+  const State users = s.units.users(end);
+  if (!users.position.allFinite() || !users.velocity.allFinite() ||
+      users.position == Vector3<double>::Zero()) {
+    solution.status = Status::failure(
+        Outcome::outside_validity,
+        fmt::format("kepler: the state after {:.6g} is beyond the range of doubles; ask for a time nearer 0, "
+                    "or give the data in other units",
+                    time));
+    return solution;
+  }
+  solution.state = users;
   return solution;
 }
 
 KeplerCondition kepler_condition(const State& start, double time, double mu) {
   check_arguments(start, time, mu, "kepler_condition");
-  const double r = start.position.norm(), v = start.velocity.norm();
-  const double size[data] = {r, r, r, v, v, v, mu, std::abs(time)};
-  const auto end = with_derivatives(start, time, mu);
-  return {sum_of_sensitivities(end.position, size), sum_of_sensitivities(end.velocity, size)};
+  return condition_of(Scaled(start, time, mu));
 }
 
 }  // namespace nlmech::orbit

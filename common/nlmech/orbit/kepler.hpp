@@ -148,15 +148,20 @@ template <class T>
 
 /// A state on a conic.
 struct KeplerSolution {
-  State state;         ///< at the asked time; the given one after a failure
-  Status status;       ///< success, or `collision` if the body is in the centre at that very time
+  State state;  ///< at the asked time; the given one after a failure
+  /// success; `collision` if the body is in the centre at that very time; `outside_validity` if the rounding
+  /// of the data leaves the place undetermined (64 kappa eps >= 1, not one digit: too many revolutions, or a
+  /// passage so near the centre that its side is not known), or if the state at that time is beyond the range
+  /// of doubles
+  Status status;
   int iterations = 0;  ///< evaluations of Kepler's equation; 0 on hyperbolas flown inwards
 };
 
 /// Moves @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and |v|,
 /// kappa from kepler_condition(): the data themselves, rounded to double precision, say no more (tests hold
 /// it to Kepler's equation solved in 50 digits, over ellipses, parabolas, hyperbolas and straight lines, and
-/// a million revolutions).
+/// a million revolutions). No success where 64 kappa eps >= 1 for the position. Any units: what is far from 1
+/// is scaled by powers of two.
 /// @throws std::invalid_argument for a position 0, mu not positive, or anything not finite
 [[nodiscard]] KeplerSolution propagate_kepler(const State& start, double time, double mu);
 
@@ -169,7 +174,8 @@ struct KeplerCondition {
 /// kappa = sum over the data d of |d(result)/d(d)| |d|/|result|, d the components of position and velocity
 /// (each with the length of its vector), mu and the time. It grows linearly with the number of revolutions,
 /// because an error of the velocity changes the period. Derivatives by dual numbers, exact to rounding;
-/// finite on every conic, straight lines and the fastest flybys included.
+/// finite on every conic, straight lines and the fastest flybys included; infinite where it is no double (a
+/// body more than 1e150 times as fast as a circular orbit, or in the centre).
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 

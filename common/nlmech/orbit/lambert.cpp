@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/lambert_core.hpp"
 
 namespace nlmech::orbit {
@@ -108,6 +109,31 @@ struct Scaled {
           problem.time, wanted, wanted > 1 ? "long" : "short"));
 }
 
+/// Rounding of v_1 may change the motion about the centre by 1e-8 and more where less than that share of it
+/// goes across.
+constexpr double least_across = 1e-8;
+/// Then a miss beyond this share of |r_2| is none of rounding alone.
+constexpr double largest_undetermined = 1e-6;
+
+/// Is the rounded v_1 exact enough for the arc to arrive? Looked at where rounding may turn the motion about
+/// the centre round: thin ellipses arrive all the same, fast passages near the centre do not.
+[[nodiscard]] bool arrives(const LambertProblem& problem, const Chord& chord, const Vector3<double>& across,
+                           const Vector3<double>& v1) {
+  if (across.dot(chord.ahead1) > least_across * std::sqrt(across.dot(across))) return true;
+  const KeplerSolution end = propagate_kepler({problem.from, v1}, problem.time, problem.mu);
+  return end.status.ok() &&
+         (end.state.position - problem.to).stableNorm() <= largest_undetermined * problem.to.stableNorm();
+}
+
+[[nodiscard]] Status passes_too_near(const LambertProblem& problem, const LambertArc& arc) {
+  return Status::failure(
+      Outcome::outside_validity,
+      fmt::format(
+          "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
+          "velocities decides on which side; take {}another time, or positions farther from one line",
+          arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : ""));
+}
+
 [[nodiscard]] LambertSolution solve(const LambertProblem& problem, const Scaled& scaled,
                                     const LambertArc& arc) {
   LambertSolution solution;
@@ -121,11 +147,16 @@ struct Scaled {
   }
   Vector3<double> v1, v2;
   detail::velocities(scaled.chord, found.x, v1, v2);
+  const Vector3<double> scaled_v1 = v1;
   const double speed = scaled.unit / scaled.time_unit;
   v1 *= speed;
   v2 *= speed;
   if (arrived == detail::Arrived::lost || !v1.allFinite() || !v2.allFinite()) {
     solution.status = out_of_reach(problem, scaled.wanted);
+    return solution;
+  }
+  if (!arrives(problem, scaled.chord, scaled_v1, v1)) {
+    solution.status = passes_too_near(problem, arc);
     return solution;
   }
   solution.v1 = v1;
@@ -170,6 +201,11 @@ double least_time(const LambertProblem& problem, bool long_way, int revolutions)
   return a.t / scaled.chord.rate * scaled.time_unit;
 }
 
+bool are_opposite(const LambertProblem& problem) {
+  check_problem(problem);
+  return Scaled({problem.from, problem.to, 1, problem.mu}, false).span == Span::opposite;
+}
+
 std::vector<SolvedArc> lambert_arcs(const LambertProblem& problem, int most_revolutions) {
   std::vector<SolvedArc> arcs;
   for (const bool long_way : {false, true}) {
@@ -180,7 +216,7 @@ std::vector<SolvedArc> lambert_arcs(const LambertProblem& problem, int most_revo
         one.solution = solve_lambert(problem, one.arc);
         if (one.solution.status.ok())
           arcs.push_back(std::move(one));
-        else if (m > 0)
+        else if (one.solution.status.outcome() == Outcome::infeasible)
           m = most_revolutions;  // more revolutions take longer
       }
     }

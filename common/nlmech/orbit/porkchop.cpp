@@ -36,6 +36,10 @@ void check_all(const PorkchopProblem& p, const PorkchopWork& work) {
   check(Gravity{.mu = p.mu});
   check(p.from.state, "porkchop, the body left");
   check(p.to.state, "porkchop, the body reached");
+  for (const double size : {p.mu, p.from.state.position.stableNorm(), p.to.state.position.stableNorm()})
+    require(
+        size >= 1e-100 && size <= 1e100,
+        fmt::format("mu and distances must be from 1e-100 to 1e100, not {:.6g}; choose other units", size));
   require(std::isfinite(p.from.epoch) && std::isfinite(p.to.epoch), "the epochs must be finite");
   check_window(p.departures, "departures");
   check_window(p.arrivals, "arrivals");

@@ -86,7 +86,7 @@ struct Porkchop {
 /// Tests hold every cell to the best of all its arcs (16 eps), Hohmann's transfer to the minimum (64 eps),
 /// and the bits to be the same for any number of threads.
 /// @throws std::invalid_argument for states, times or counts that cannot be meant (naming them), more than
-/// 2^31 - 1 cells, or a shard that is not one
+/// 2^31 - 1 cells, mu or a distance beyond 1e-100 to 1e100, or a shard that is not one
 [[nodiscard]] Porkchop porkchop(const PorkchopProblem& problem, const PorkchopWork& work = {});
 
 }  // namespace nlmech::orbit

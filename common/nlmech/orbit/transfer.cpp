@@ -13,8 +13,11 @@
 namespace nlmech::orbit {
 namespace {
 
-/// Where a flight from r_0 with v_1 is at the time of arrival; false if it does not get there.
-[[nodiscard]] bool fly(const TransferProblem& p, const Vector3<double>& v1, State& end) {
+/// All steps that corrections of one transfer may take.
+constexpr std::int64_t most_steps = 20'000'000;
+
+/// Where the orbit from r_0 with v_1 is at the time of arrival; false if it does not get there. Counts steps.
+[[nodiscard]] bool fly(const TransferProblem& p, const Vector3<double>& v1, State& end, std::int64_t& steps) {
   if (!v1.allFinite()) return false;
   const State start{p.from, v1};
   if (p.gravity.degree() == 0) {
@@ -24,6 +27,7 @@ namespace {
   }
   const Continued solution = propagate(start, 0, p.time, p.gravity, AnalyticContinuation{.tolerance = 1e-17},
                                        {}, ContinuationLimits{.steps = 1'000'000});
+  steps += solution.statistics.steps;
   end = solution.state;
   return solution.status.ok();
 }
@@ -35,7 +39,7 @@ class Correction {
 
   [[nodiscard]] bool run(Transfer& transfer) {
     Vector3<double> miss;
-    if (!measure(v_, miss, transfer) || !differentiate(miss)) return false;
+    if (!measure(v_, miss, transfer) || !differentiate(miss, transfer.statistics.steps)) return false;
     Eigen::Matrix3d inverse = jacobian_.inverse();
     ++transfer.statistics.jacobians;
     double least = HUGE_VAL;
@@ -43,7 +47,9 @@ class Correction {
     for (int i = 0; i < 60 && worse < 2; ++i) {
       const Vector3<double> step = -(inverse * miss);
       Vector3<double> next_miss;
-      if (!step.allFinite() || !measure(v_ + step, next_miss, transfer)) return false;
+      if (transfer.statistics.steps > most_steps || !step.allFinite() ||
+          !measure(v_ + step, next_miss, transfer))
+        return false;
       ++transfer.statistics.newton_iterations;
       const Vector3<double> change = next_miss - miss, predicted = inverse * change;
       const double denominator = step.dot(predicted);
@@ -60,7 +66,7 @@ class Correction {
   /// The miss for @p v; the best so far goes to @p transfer.
   [[nodiscard]] bool measure(const Vector3<double>& v, Vector3<double>& miss, Transfer& transfer) {
     State end;
-    if (!fly(p_, v, end)) return false;
+    if (!fly(p_, v, end, transfer.statistics.steps)) return false;
     miss = end.position - p_.to;
     if (miss.norm() < best_) {
       best_ = transfer.miss = miss.norm();
@@ -69,13 +75,13 @@ class Correction {
     }
     return true;
   }
-  [[nodiscard]] bool differentiate(const Vector3<double>& miss) {
+  [[nodiscard]] bool differentiate(const Vector3<double>& miss, std::int64_t& steps) {
     const double change = 1e-7 * v_.norm();
     for (int i = 0; i < 3; ++i) {
       Vector3<double> v = v_;
       v[i] += change;
       State end;
-      if (!fly(p_, v, end)) return false;
+      if (!fly(p_, v, end, steps)) return false;
       jacobian_.col(i) = (end.position - p_.to - miss) / change;
     }
     return true;
@@ -89,7 +95,7 @@ class Correction {
 
 /// From the conic to the flight in the whole field; over parts of the zonal terms, if one leap is too far.
 [[nodiscard]] bool follow_field(const TransferProblem& problem, Transfer& transfer) {
-  const double enough = 1e-9 * problem.to.norm();
+  const double enough = 1e-9 * problem.to.stableNorm();
   double part = 0, step = 1;
   Transfer reached = transfer;
   while (part < 1) {
@@ -102,7 +108,7 @@ class Correction {
       reached = next;
       part += step;
       step = std::min(2 * step, 1 - part);
-    } else if ((step /= 2) < 1.0 / 256) {
+    } else if ((step /= 2) < 1.0 / 256 || reached.statistics.steps > most_steps) {
       transfer.miss = miss_of(problem, transfer.v1, &transfer.v2);
       transfer.statistics = reached.statistics;
       return false;
@@ -116,9 +122,10 @@ class Correction {
 
 double miss_of(const TransferProblem& problem, const Vector3<double>& v1, Vector3<double>* v2) {
   State end;
-  if (!fly(problem, v1, end)) return std::numeric_limits<double>::infinity();
+  std::int64_t steps = 0;
+  if (!fly(problem, v1, end, steps)) return std::numeric_limits<double>::infinity();
   if (v2 != nullptr) *v2 = end.velocity;
-  return (end.position - problem.to).norm();
+  return (end.position - problem.to).stableNorm();
 }
 
 Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& arc) {
@@ -131,12 +138,21 @@ Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& ar
   if (!conic.status.ok()) return transfer;
   transfer.v1 = conic.v1;
   transfer.v2 = conic.v2;
-  transfer.miss = miss_of(problem, conic.v1);
-  if (problem.gravity.degree() > 0 && !follow_field(problem, transfer)) {
+  if (problem.gravity.degree() == 0) {
+    transfer.miss = miss_of(problem, conic.v1);
+    if (!(transfer.miss <= largest_miss * problem.to.stableNorm())) {
+      transfer.status = Status::failure(
+          Outcome::outside_validity,
+          fmt::format("lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
+                      "distance: doubles do not hold its velocity exactly enough (it passes near the centre, or "
+                      "makes very many revolutions); take another arc or time",
+                      transfer.miss));
+    }
+  } else if (!follow_field(problem, transfer)) {
     transfer.status = Status::failure(
         Outcome::not_converged,
         fmt::format("corrected transfer: after {} corrections of Lambert's arc for the zonal terms the "
-                    "flight still misses by {:.3g}; take another arc, or positions farther from 180 degrees",
+                    "orbit still misses by {:.3g}; take another arc, or positions farther from 180 degrees",
                     transfer.statistics.newton_iterations, transfer.miss));
   }
   transfer.statistics.seconds = watch.seconds();

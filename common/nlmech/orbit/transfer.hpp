@@ -24,11 +24,14 @@ struct TransferProblem {
   std::optional<Vector3<double>> normal = std::nullopt;
 };
 
-/// A transfer, checked by flying it.
+/// A transfer whose integrated miss is a larger share of |r_F| is no success.
+inline constexpr double largest_miss = 1e-6;
+
+/// A transfer, verified by integration.
 struct Transfer {
   Vector3<double> v1{0, 0, 0};  ///< velocity at the departure; 0 after a failure to find one
   Vector3<double> v2{0, 0, 0};  ///< velocity at the arrival
-  /// |r(t) - r_F|, r(t) flown from r_0 with v_1: by Kepler's solution, or with zonal terms by adaptive
+  /// |r(t) - r_F|, r(t) integrated from r_0 with v_1: by Kepler's solution, or with zonal terms by adaptive
   /// analytic continuation. Infinite if that does not arrive.
   double miss = 0;
   /// success, or as the function says
@@ -72,6 +75,8 @@ struct TransferCollocation {
   double time_unit = 0;      ///< 0: (length_unit^3/mu)^(1/2)
   int iterations = 60;       ///< at most so many of Newton's
   double tolerance = 1e-10;  ///< of an update, relative to 1 + |unknown|
+  /// A miss beyond this share of |r_F| is no success; for studies of what coarse sets of nodes give, more.
+  double largest_miss = orbit::largest_miss;
 };
 
 /// What collocation found.
@@ -82,24 +87,27 @@ struct CollocatedTransfer : Transfer {
   double condition = 1;         ///< of the matrix of Gaussian functions; 1 for other bases
 };
 
-/// Solves @p problem by collocation. The status: success, if what is found misses r_F by less than a
-/// hundredth of |r_F|; `spurious_root` if the discrete equations are solved by what is no orbit;
-/// `newton_diverged`, `not_converged` or `singular_matrix` of Newton's iteration. Which of the arcs is found
-/// is up to the start.
+/// Solves @p problem by collocation. The status: success, if the orbit that leaves with the velocity found,
+/// integrated by another method, misses r_F by less than `largest_miss` |r_F|; `spurious_root` if the
+/// discrete equations are solved by what is no orbit, or by one that is not resolved; `newton_diverged`,
+/// `not_converged`, `non_finite` or `singular_matrix` of Newton's iteration. Which of the arcs is found is up
+/// to the start.
 /// @throws std::invalid_argument for what solve_lambert refuses, nodes or numbers out of range
 [[nodiscard]] CollocatedTransfer collocate(const TransferProblem& problem,
                                            const TransferCollocation& method = {});
 
 /// Lambert's arc corrected for the zonal terms by Broyden's iteration on the miss, with a first Jacobian by
 /// differences, over parts of the zonal terms where all of them at once are too much (many
-/// revolutions); without zonal terms the arc itself. The status: that of solve_lambert; `not_converged` if
-/// the miss does not fall below 1e-9 |r_F| (a transfer by nearly 180 degrees, where the velocity out of the
-/// plane has no effect, or one that grazes the centre). Transfers of the test are flown to within 1e-11
-/// |r_F|.
+/// revolutions); without zonal terms the arc itself. The status: that of solve_lambert; `outside_validity` if
+/// the arc, integrated, misses by more than `largest_miss` |r_F|, because its condition leaves no more digits
+/// (near collisions, very many revolutions); `not_converged` if with zonal terms the miss does not fall below
+/// 1e-9 |r_F| (a transfer by nearly 180 degrees, where the velocity out of the plane has no effect, or one
+/// that grazes the centre), or if that takes more than 20 million steps. Transfers of the test are integrated
+/// to within 1e-11 |r_F|.
 /// @throws std::invalid_argument as solve_lambert, and for a field that cannot be meant
 [[nodiscard]] Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& arc = {});
 
-/// |r(t) - r_F| for a flight from r_0 with @p v1; infinite if it does not arrive. @param v2 its velocity
+/// |r(t) - r_F| for the orbit from r_0 with @p v1; infinite if it does not arrive. @param v2 its velocity
 /// there, if not null @throws std::invalid_argument as propagate()
 [[nodiscard]] double miss_of(const TransferProblem& problem, const Vector3<double>& v1,
                              Vector3<double>* v2 = nullptr);

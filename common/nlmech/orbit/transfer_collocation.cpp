@@ -28,7 +28,7 @@ using Eigen::VectorXd;
 class Discrete {
  public:
   Discrete(const TransferProblem& problem, const TransferCollocation& method) : n_(method.nodes) {
-    length_ = method.length_unit > 0 ? method.length_unit : problem.from.norm();
+    length_ = method.length_unit > 0 ? method.length_unit : problem.from.stableNorm();
     time_ = method.time_unit > 0 ? method.time_unit : length_ * std::sqrt(length_ / problem.gravity.mu);
     gravity_ = problem.gravity;
     gravity_.mu = problem.gravity.mu / length_ * (time_ / length_) * (time_ / length_);
@@ -204,6 +204,7 @@ void check_method(const TransferCollocation& m) {
   require(m.time_unit >= 0 && std::isfinite(m.time_unit), "the unit of time must be positive", m.time_unit);
   require(m.iterations >= 1, "the number of iterations must be at least 1", m.iterations);
   require(m.tolerance > 0, "the tolerance must be positive", m.tolerance);
+  require(m.largest_miss > 0, "the largest miss must be positive", m.largest_miss);
 }
 
 void check_problem(const TransferProblem& p) {
@@ -253,12 +254,12 @@ CollocatedTransfer collocate(const TransferProblem& problem, const TransferCollo
   result.v1 = result.velocities.col(0);
   result.v2 = result.velocities.rightCols(1);
   result.miss = miss_of(problem, result.v1);
-  if (!(result.miss <= 0.01 * problem.to.norm())) {
+  if (!(result.miss <= method.largest_miss * problem.to.stableNorm())) {
     result.status = Status::failure(
         Outcome::spurious_root,
         fmt::format(
-            "transfer by collocation: the {} discrete equations are solved, but a flight with the velocity "
-            "found misses by {:.3g}; take more nodes, or another start",
+            "transfer by collocation: the {} discrete equations are solved, but the orbit with the velocity "
+            "found, integrated, misses by {:.3g}; take more nodes, or another start",
             discrete.size(), result.miss));
   }
   return result;

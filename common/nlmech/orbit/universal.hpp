@@ -52,7 +52,7 @@ template <class T>
   using std::sqrt;
   if (u.alpha > 0) return t * u.alpha;  // M in place of E: off by e at most
   // s + s^3/6 = t, the parabola from its vertex; less where the hyperbola has bent away: t ~ (e/2) exp(..).
-  const T w = 3 * t + sqrt(8 + 9 * t * t), root = pow(w, T(1) / 3);
+  const T w = 3 * t + (t < T(1e10) ? T(sqrt(8 + 9 * t * t)) : 3 * t), root = pow(w, T(1) / 3);
   T s = root - 2 / root;
   if (u.alpha < 0) {
     const T k = sqrt(T(-u.alpha)), far = 2 * t * k * -u.alpha / (u.sigma * k + 1 - u.alpha);

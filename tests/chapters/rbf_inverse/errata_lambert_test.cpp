@@ -23,7 +23,8 @@ orbit::TransferCollocation printed_method() {
           .equations = TransferEquations::positions_and_velocities,
           .guess = orbit::TransferGuess::line,
           .length_unit = 1,
-          .time_unit = 1};
+          .time_unit = 1,
+          .largest_miss = 0.01};
 }
 
 // Eq. 5.37 divides by r^j, the distance at node j, where Eq. 5.36 has its cube. Kepler's motion at 61 nodes

@@ -114,6 +114,8 @@ TEST(Duffing, WrongWordsAreNamed) {
   expect("--case harmonic --final-time 2 --target 5,2", "--target 5,2");
   expect("--case free --final-time 2 --weights 1,-1", "--weights 1,-1");
   expect("--case free --final-time 2 --weights 1;1", "--weights 1;1");
+  for (const std::string whole : {"fixed", "harmonic", "final-only"})  // no miss to weight
+    expect("--case " + whole + " --final-time 2 --weights 1,1", "--weights 1,1");
   expect("--case free --final-time 2 --bound 0", "--bound 0");
   expect("--case free --final-time 2 --bound many", "--bound many");
 }

@@ -37,7 +37,8 @@ std::vector<double> lambert(const std::string& words) {
   return values;
 }
 
-const std::string printed = "--from 2.87e6,5.19e6,2.85e6 --to 2.09e6,7.82e6,0 --time 4320";  // Eq. 5.38
+const std::string printed =
+    "--from 2.87e6,5.19e6,2.85e6 --to 2.09e6,7.82e6,0 --time 4320 --mu 3.986e14";  // Eq. 5.38
 
 void expect_first_velocity(const std::vector<double>& v, double x, double y, double z, double relative) {
   ASSERT_EQ(v.size(), 7U);
@@ -45,7 +46,7 @@ void expect_first_velocity(const std::vector<double>& v, double x, double y, dou
   EXPECT_LE(std::hypot(v[0] - x, v[1] - y, v[2] - z), relative * size);
 }
 
-// 50 digits of an independent program; twelve are asked for, and mu is the section's if none is given.
+// 50 digits of an independent program; twelve are asked for.
 TEST(LambertCommand, FourArcs) {
   const std::vector<double> v = lambert(printed);
   expect_first_velocity(v, 2774.8469906025419, 7217.0230343355381, 1625.9338905977957, 1e-12);
@@ -56,8 +57,27 @@ TEST(LambertCommand, FourArcs) {
                         4022.4995147088824, 1e-12);
   expect_first_velocity(lambert(printed + " --revolutions 1 --branch low"), 859.19746644544969,
                         5762.5154049445841, -1308.6492307790138, 1e-12);
-  expect_first_velocity(lambert(printed + " --revolutions 1 --branch high --mu 3.986e14"), 251.20764442960278,
+  expect_first_velocity(lambert(printed + " --revolutions 1 --branch high"), 251.20764442960278,
                         5875.649037480232, -2535.2602744279162, 1e-12);
+}
+
+// One mu for all commands of the suite, that of WGS 84.
+TEST(LambertCommand, TheEarthIsTheDefault) {
+  const std::string words = "--from 2.87e6,5.19e6,2.85e6 --to 2.09e6,7.82e6,0 --time 4320";
+  EXPECT_EQ(lambert(words), lambert(words + " --mu 3.986004418e14"));
+  EXPECT_NE(lambert(words), lambert(words + " --mu 3.986e14"));
+}
+
+// Through the centre in three seconds: collocation misses by 36 km, which its own equations do not see.
+TEST(LambertCommand, AMissIsAFailure) {
+  const std::string through = "--from 7e6,0,0 --to -6.9999e6,1e3,0 --time 3 --mu 3.986e14";
+  const Finished f = run(through + " --method collocation");
+  EXPECT_EQ(f.exit_code, 1) << f.output;
+  EXPECT_EQ(f.output, "");
+  EXPECT_NE(f.errors.find("--method izzo"), std::string::npos) << f.errors;
+  const std::vector<double> v = lambert(through);
+  ASSERT_EQ(v.size(), 7U);
+  EXPECT_LE(v[6], 1e-6);
 }
 
 TEST(LambertCommand, CollocationIsBetterThanAMillimetre) {
@@ -115,6 +135,7 @@ TEST(LambertCommand, WrongWordsAreNamed) {
   expect(printed + " --branch low", "--branch low");
   expect(printed + " --revolutions 1 --branch middle", "--branch middle");
   expect(printed + " --plane 0,0,0", "--plane 0,0,0");
+  expect(printed + " --plane 0,0,1", "--plane 0,0,1");  // the positions determine the plane
   expect(printed + " --zonal 1e-3", "--zonal 1e-3");
   expect(printed + " --radius 6e6", "--radius 6e6");
   expect(printed + " --zonal 1e-3 --radius -1", "--radius -1");

@@ -111,6 +111,28 @@ TEST_F(PorkchopCommand, DrawsThePictureInTheCurrentFolder) {
   refused({"porkchop", "two.toml", "--grid", "20x20", "--plot", "--shard", "1/2"}, {"--shard 1/2", "--plot"});
 }
 
+// The picture is drawn when the numbers are written, over an older picture of this command and nothing else.
+TEST_F(PorkchopCommand, NoPictureCostsNumbersOrFiles) {
+  const std::string text = scene::read_whole(orbits);
+  write("input.svg", text);
+  refused({"porkchop", "input.svg", "--grid", "5x5", "--plot"}, {"input.svg", "overwrites nothing else"});
+  EXPECT_EQ(scene::read_whole(folder_ / "input.svg"), text);
+  write("two.toml", text);
+  write("two.svg", "<svg>of somebody else</svg>\n");
+  refused({"porkchop", "two.toml", "--grid", "5x5", "--plot"}, {"two.svg"});
+  fs::remove(folder_ / "two.svg");
+  const std::string plain = output({"porkchop", "two.toml", "--grid", "5x5"});
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(output({"porkchop", "two.toml", "--grid", "5x5", "--plot"}), plain);
+  EXPECT_TRUE(fs::exists(folder_ / "two.svg"));
+  refused({"porkchop", "two.toml", "--grid", "3x9", "--plot"}, {"--grid 3x9", "4x4"});
+  // gnuplot is not there: the numbers are.
+  const Finished f = scene::run_program(
+      {"/usr/bin/env", "PATH=/nowhere", program, "porkchop", "two.toml", "--grid", "5x5", "--plot"}, folder_);
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_EQ(f.output, plain);
+  EXPECT_NE(f.errors.find("all numbers are written"), std::string::npos) << f.errors;
+}
+
 TEST_F(PorkchopCommand, MergeRefusesWhatIsNotOneWholeGrid) {
   const auto part = [&](const std::string& shard, const std::string& grid = "8x6") {
     return output({"porkchop", orbits, "--grid", grid, "--shard", shard});
@@ -186,6 +208,14 @@ TEST_F(PorkchopCommand, WrongFilesAreNamedByLineAndValue) {
   bad(start + "[to]\nposition = [1, 0, inf]\nvelocity = [0, 1, 0]\n" + windows, {"line 6", "inf"});
   bad(start + "[to]\nposition = [1, 0, 0]\n" + windows, {"to.velocity is missing"});
   bad(start + "[to]\na = 2\ne = 0\nincl = 3\n" + windows, {"line 8", "to.incl"});
+  bad(start + "[to]\na = 2\ne = 0\ni = 400\n" + windows, {"line 8", "to.i = 400", "180"});
+  bad(start + "[to]\na = 2\ne = 0\ni = -1\n" + windows, {"line 8", "to.i = -1"});
+  for (const std::string key : {"raan", "argp", "nu"})
+    bad(start + "[to]\na = 2\ne = 0\n" + key + " = 1e6\n" + windows,
+        {"line 8", "to." + key + " = 1000000", "360"});
+  bad("mu = 1e-200\n[from]\na = 1\ne = 0\n" + goal + windows, {"line 1", "mu", "1e-200"});
+  bad(start + "[to]\na = 1e200\ne = 0\n" + windows, {"line 6", "to.a", "1e+200"});
+  bad(start + "[to]\nposition = [1e150, 0, 0]\nvelocity = [0, 1, 0]\n" + windows, {"line 6", "to.position"});
   bad(start + goal + "[departures]\nfirst = 6\nlast = 0\n[arrivals]\nfirst = 4\nlast = 16\n",
       {"line 10", "departures.last = 0"});
   bad(start + goal + "[departures]\nfirst = 0\n[arrivals]\nfirst = 4\nlast = 16\n",

@@ -265,7 +265,12 @@ TEST(OwnWork, BadInputIsNamed) {
       {"state --p 0 --e 1", {"--p 0"}},
       {"state --p 1 --e 2 --nu 150", {"--nu 150", "asymptote"}},
       {"state --a 1 --e 0.1 --i 190", {"--i 190"}},
-      {"state --a 1 --e 0.1 --raan x", {"--raan x"}}};
+      {"state --a 1 --e 0.1 --raan x", {"--raan x"}},
+      {"state --a 1 --e 0.1 --nu 1e20", {"--nu 1e20", "360"}},
+      // Finite numbers that lead to no finite ones.
+      {"state --p 7e6 --e 1e308", {"--e 1e308", "range of doubles"}},
+      {"elements --position 7e6,0,0 --velocity 0,7500,0 --mu 1e-300", {"--mu 1e-300", "eccentricity"}},
+      {"elements --position 1e308,0,0 --velocity 1,1e-5,0 --mu 1e308", {"--mu 1e+308", "doubles"}}};
   for (const Bad& bad : cases) {
     const Finished f = two_body_series(bad.words);
     EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;
@@ -273,6 +278,21 @@ TEST(OwnWork, BadInputIsNamed) {
     for (const std::string& word : bad.says)
       EXPECT_NE(f.errors.find(word), std::string::npos) << "no '" << word << "' in: " << f.errors;
   }
+}
+
+// A phase that rounding leaves undetermined is no answer; one of few digits is said to be one.
+TEST(Propagate, KeplerRefusesAnUndeterminedPhase) {
+  const std::string far = "propagate " + low + "--method kepler --until ";
+  for (const std::string time : {"1e100", "-1e300", "1e21"}) {
+    const Finished f = two_body_series(far + time);
+    EXPECT_EQ(f.exit_code, 1) << time;
+    EXPECT_EQ(f.output, "");
+    EXPECT_NE(f.errors.find("undetermined"), std::string::npos) << f.errors;
+  }
+  const Finished few = two_body_series(far + "1e15");
+  EXPECT_EQ(few.exit_code, 0) << few.errors;
+  EXPECT_NE(few.errors.find("determine the position"), std::string::npos) << few.errors;
+  EXPECT_EQ(two_body_series(far + "1e8").errors, "");
 }
 
 TEST(Propagate, FailureSaysWhereAndWhatToChange) {
