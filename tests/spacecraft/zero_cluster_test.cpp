@@ -89,7 +89,8 @@ TEST(MissedResidues, AreThoseBeyondTheBoundary) {
   // 0.15 t sin(100 t): no residue at all.
   const auto twice = [](Complex s) { return 30. * s / ((s * s + 1e4) * (s * s + 1e4)); };
   EXPECT_GT(missed_residues(twice, 1, {.radius = 10}).amplitude, 0.1);
-  EXPECT_TRUE(std::isnan(missed_residues([](Complex s) { return std::exp(-s); }, 1, {.radius = 1}).amplitude));
+  EXPECT_TRUE(
+      std::isnan(missed_residues([](Complex s) { return std::exp(-s); }, 1, {.radius = 1}).amplitude));
 }
 
 }  // namespace
