@@ -164,7 +164,7 @@ void add_zeros_command(CLI::App& app) {
           "or more, by modulus, 1/s; gains move none",
           words, zeros);
   command->add_option("--count", words->count, "how many")->capture_default_str();
-  command->add_option("--at", words->at, "place on the appendage, from the rim, in units of its length");
+  command->add_option("--at", words->at, "place on the appendage, its distance from the rim");
 }
 
 void add_response_command(CLI::App& app) {
@@ -176,8 +176,7 @@ void add_response_command(CLI::App& app) {
           words, response);
   command->add_option("--omega", words->omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s")
       ->required();
-  command->add_option("--at", words->at,
-                      "places on the appendage x1,x2,..., from the rim, in units of its length");
+  command->add_option("--at", words->at, "places on the appendage x1,x2,..., their distances from the rim");
 }
 
 }  // namespace nlmech::chapters

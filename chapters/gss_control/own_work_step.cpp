@@ -67,8 +67,7 @@ void add_step_command(CLI::App& app) {
   command->add_option("--until", words->until, "last time")->required();
   command->add_option("--every", words->every,
                       "rows at this distance in time; without it the first and the last");
-  command->add_option("--at", words->at,
-                      "places on the appendage x1,x2,..., from the rim, in units of its length");
+  command->add_option("--at", words->at, "places on the appendage x1,x2,..., their distances from the rim");
   command->callback([words] { step(*words); });
 }
 

@@ -31,7 +31,9 @@ void require_finite(const Gains& g) {
 /// They are the poles of a spacecraft whose hub weighs 2/kappa of the real one.
 Frequencies undamped(const Parameters& parameters, double kappa, int count) {
   Parameters p = parameters;
-  p.hub_inertia *= 2 / kappa;
+  // A hub that is heavier still does not move at all in double precision.
+  const double beam = p.mass_per_length * p.length * p.length * p.length;
+  p.hub_inertia = std::min(p.hub_inertia * (2 / kappa), std::max(p.hub_inertia, 1e60 * beam));
   return poles(Plant(p), count);
 }
 
