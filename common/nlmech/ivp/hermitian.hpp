@@ -129,11 +129,7 @@ class Run : private ChosenSteps<S> {
 
   /// The answer; call once.
   Solution<n> run() {
-    Solution<n> solution = this->run_by([this](double end) { return cross(end); });
-    const double sum = method_.relative_tolerance * total_;
-    if (solution.status.ok() && !(sum < most_share) && !(total_ < most_tolerances))
-      solution.status = errors_add_up(name(), solution.t, solution.statistics.steps, sum);
-    return solution;
+    return this->run_by([this](double end) { return cross(end); });
   }
 
  private:
@@ -219,6 +215,9 @@ class Run : private ChosenSteps<S> {
     now_.x = trial_.end_state();
     now_.t = t1;
     trial_.accept();
+    const double sum = method_.relative_tolerance * total_;
+    if (status.ok() && sum > most_share && total_ > most_tolerances)
+      return errors_add_up(name(), t1, now_.statistics.steps, sum);
     return status;
   }
 
