@@ -93,8 +93,9 @@ TEST(AdversarySpacecraft, StepsAgreeWithElements) {
     double ratio = start;
     double known = hub.value, bent = tip.value;
     if (hub.status.ok() && tip.status.ok()) {
-      ratio = std::max({ratio, std::abs(theta - known) / (2e-3 * std::abs(known)),
-                        std::abs(y - bent) / (2e-3 * std::abs(bent) + 1e-9 * r.deflection[0].envelope(0))});
+      ratio =
+          std::max({ratio, std::abs(theta - known) / (2e-3 * std::abs(known) + 4e-16 * r.theta.envelope(0)),
+                    std::abs(y - bent) / (2e-3 * std::abs(bent) + 1e-9 * r.deflection[0].envelope(0))});
     } else {
       const oracle::Moved a = oracle::StepByElements(p, g, x, 4).at(t),
                           b = oracle::StepByElements(p, g, x, 8).at(t);
@@ -102,7 +103,8 @@ TEST(AdversarySpacecraft, StepsAgreeWithElements) {
       bent = b.deflection;
       const double doubt = std::abs(a.theta - b.theta);
       if (!(doubt < 1e-3 * std::abs(b.theta))) return Case::undecided();
-      ratio = std::max(ratio, std::abs(theta - known) / (30 * doubt + 3e-3 * std::abs(known)));
+      ratio = std::max(ratio, std::abs(theta - known) /
+                                  (30 * doubt + 3e-3 * std::abs(known) + 4e-16 * r.theta.envelope(0)));
     }
     return Case::judged(ratio, 1,
                         fmt::format("{} x {:.17g} t {:.17g}: theta {:.10g}, known {:.10g}; y {:.6g}, {:.6g}",

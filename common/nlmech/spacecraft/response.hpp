@@ -53,6 +53,8 @@ struct TimeResponse {
 /// counted twice, and the status is `not_converged`. So it is if pairs are chosen by the tolerance and the
 /// most that are allowed leave out more than 1e-6 of theta or a y, or a hundredth of theta' or a y'.
 ///
+/// Rounding is that of the largest terms: an angle that is still far below theta_f is right to eps theta_f.
+///
 /// Tests hold it to an independent sum of 25 pairs of poles (1e-9), to a numerical inverse of the exact
 /// transform (2e-9), with double and triple poles too, and to finite elements for gains of ten decades.
 /// @throws std::invalid_argument if a place is outside 0 to L, the angle is not finite, or an option is out
