@@ -109,6 +109,18 @@ TEST(ReferenceOf, ChaosBeyondExtendedPrecisionIsSaid) {
   EXPECT_GT(half.uncertainty(), 1e-18);  // exp(22) = 4e9 times some 1e-20
 }
 
+TEST(ReferenceOf, NoWayToGoIsTheInitialState) {
+  const Reference r = reference_of(problems::Duffing{}, {0.5, -2}, 3, look_at(3, 3, 64), {}, {});
+  ASSERT_TRUE(r.status.ok()) << r.text();
+  EXPECT_EQ(r.states.cast<double>().col(0), Eigen::Vector2d(0.5, -2));
+}
+
+TEST(LookAt, TimesAreFiniteHoweverFarTheEnd) {
+  EXPECT_EQ(look_at(0, 1e308, 64).size(), 64U);
+  for (const double t : look_at(-1e308, 1e308, 64)) EXPECT_TRUE(std::isfinite(t));
+  EXPECT_EQ(look_at(1, std::nextafter(1, 2), 64).size(), 1U);
+}
+
 TEST(ReferenceOf, GivesUpWithinItsWork) {
   const Reference r =
       reference_of(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 0, {1}, {}, {.work = 0.01});

@@ -145,8 +145,9 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
 std::vector<double> look_at(double t0, double t1, int count) {
   std::vector<double> times;
   for (int k = 1; k < count; ++k) {
-    const double t = t0 + (t1 - t0) * k / count;
-    if (t != t0 && t != t1 && (times.empty() || t != times.back())) times.push_back(t);
+    const double t = t0 + (t1 - t0) * (static_cast<double>(k) / count);
+    const bool is_new = t != t0 && t != t1 && (times.empty() || t != times.back());
+    if (is_new && std::isfinite(t)) times.push_back(t);
   }
   times.push_back(t1);
   return times;

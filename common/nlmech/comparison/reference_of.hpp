@@ -51,6 +51,9 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
   const std::vector<double>& times = way.times;
   states.resize(n, static_cast<Eigen::Index>(times.size()));
   std::size_t next = 0;
+  for (; next < times.size() && times[next] == way.t0; ++next)
+    states.col(static_cast<Eigen::Index>(next)) = way.x0;
+  if (next == times.size()) return {};
   StepsOfReference steps(way.t0, times.back(), most_steps, seconds);
   const auto look = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
     const long double end = step.start + step.length;
