@@ -31,8 +31,11 @@ double digits(const X& x, const std::vector<double>& exact) {
   return -std::log10(error);
 }
 
-// Published to 16 digits. Asked: the digits of the tolerance less two, which stiff problems of many steps
-// cost every code of the test set's tables.
+// Digits that an end may lack of those asked: each of some hundred steps errs by a tolerance, and earlier
+// errors fade.
+constexpr double lost = 1.5;
+
+// Published to 16 digits.
 TEST(StiffAdaptiveCollocation, Robertson) {
   const auto exact = published_end_state("Robertson");
   ASSERT_EQ(exact.size(), 3U);
@@ -41,7 +44,7 @@ TEST(StiffAdaptiveCollocation, Robertson) {
     const auto s = integrate(System<3>(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
                              to(tolerance, 1e-8 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_GT(digits(s.x, exact), d - 2) << tolerance;
+    EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
     EXPECT_NEAR(s.x.sum(), 1, 64 * eps) << "a linear invariant is kept by Newton's iteration";
   }
 }
@@ -55,23 +58,46 @@ TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
     const auto s = integrate(System<2>(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000,
                              to(tolerance, 1e-3 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_GT(digits(s.x, exact), d - 2) << tolerance;
+    EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
     EXPECT_GT(s.statistics.jacobians, 0) << "sweeps cannot do this";
     EXPECT_LT(s.statistics.steps, 1000) << tolerance;
   }
 }
 
-// Components of 1e-4 to 1e-2 under an absolute tolerance a hundredth of the smallest.
+// Components of 1e-4 to 1e-2, under absolute tolerances a hundredth of the smallest and less; a fast reaction
+// comes to its end just before that of the interval. Published to 14 digits. With an estimate of lower order
+// than the end, held against a power of the tolerance, this lost up to five digits.
 TEST(StiffAdaptiveCollocation, Hires) {
   const auto exact = published_end_state("HIRES");
   ASSERT_EQ(exact.size(), 8U);
-  for (int d = 4; d <= 12; ++d) {
+  for (int d = 4; d <= 13; ++d) {
     const double tolerance = std::pow(10., -d);
-    const auto s = integrate(System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
-                             problems::Hires::final_time, to(tolerance, 1e-6 * tolerance));
-    ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_GT(digits(s.x, exact), std::min(d - 4, 11)) << tolerance;
+    for (const double absolute : {1e-6 * tolerance, std::min(1e-14, 1e-4 * tolerance)}) {
+      const auto s = integrate(System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
+                               problems::Hires::final_time, to(tolerance, absolute));
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      EXPECT_GT(digits(s.x, exact), d - lost) << tolerance << ' ' << absolute;
+    }
   }
+}
+
+/// Counts its evaluations in double.
+struct Counted {
+  static constexpr int dimension = 2;
+  problems::VanDerPol problem{.mu = 100};
+  std::int64_t* count;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    if constexpr (std::is_same_v<T, double>) ++*count;
+    problem(t, x, f);
+  }
+};
+TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
+  std::int64_t count = 0;
+  const auto s = integrate(System<2>(Counted{.count = &count}), {2, 0}, 0, 200, to(1e-8, 1e-8));
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_GT(s.statistics.factorisations, 0);
+  EXPECT_EQ(s.statistics.right_hand_sides, count);
 }
 
 // The stiff spring and the hardest oscillator against Taylor series and Jacobi's functions.

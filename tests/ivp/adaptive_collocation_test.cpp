@@ -74,17 +74,20 @@ TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
       check(largest_local_error(problems::Duffing{}, 60, method));
       check(largest_local_error(problems::Duffing{.hardening = 1e6}, 0.1, method));
       check(largest_local_error(problems::ThreeMassChain{}, 60, method));
-      check(largest_local_error(problems::Lorenz{}, 15, method));
+      // At 1e-11 some of these are Newton's.
+      std::int64_t jacobians = 0;
+      const double lorenz = largest_local_error(problems::Lorenz{}, 15, method, &jacobians);
+      EXPECT_LT(lorenz, jacobians > 0 ? std::max(most, 1.5) : most) << nodes << ' ' << tolerance;
     }
   }
 }
 
-// Newton's steps are held against a weaker estimate, 0.1 tol^((s+1)/2s), as all codes on these formulas do.
-// Through leaps the end is worse than that promises: up to 42 tolerances.
+// The estimate carries the defect to the end by the equation's linear part; what it does not see is how that
+// part changes within the step.
 TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     std::int64_t jacobians = 0;
-    EXPECT_LT(largest_local_error(problems::VanDerPol{.mu = 5}, 20, to(tolerance), &jacobians), 100)
+    EXPECT_LT(largest_local_error(problems::VanDerPol{.mu = 5}, 20, to(tolerance), &jacobians), 3)
         << tolerance;
   }
 }

@@ -52,10 +52,10 @@ class Orders {
     return current([](const auto& e) { return e.error_order(); });
   }
   /// Takes the trial for the begin of the next, with another order if that will do better.
-  void accept() {
-    const int better = current([](auto& e) {
+  void accept(Statistics& statistics) {
+    const int better = current([&](auto& e) {
       const int change = e.better_order();
-      e.accept();
+      e.accept(statistics);
       return change;
     });
     ++steps_;

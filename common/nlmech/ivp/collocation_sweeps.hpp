@@ -102,7 +102,7 @@ class Sweeper : public DenseOutput<S::dimension> {
     return sweep(statistics, true);
   }
   /// Takes the trial for the begin of the next.
-  void accept() {
+  void accept(Statistics& /*statistics*/) {
     std::swap(x0_, x1_);
     carry_ = change_;
     for (Eigen::Index d = 0; d < f0_.size(); ++d) f0_[d] = f_(s - 1, d);

@@ -68,6 +68,23 @@ Status event_undefined(double t) {
                   t));
 }
 
+Status bound_left(std::string_view method, int component, double t, double value, double bound) {
+  return Status::failure(
+      Outcome::spurious_root,
+      fmt::format("{}: component {} of the state is {:.6g} at t = {:.17g}, but solutions of this problem "
+                  "stay {} {:.6g}, and the tolerances do not explain it; take a smaller absolute tolerance, "
+                  "well below that component",
+                  method, component, value, t, value < bound ? "above" : "below", bound));
+}
+
+Status invariant_lost(std::string_view method, int which, double t, double value, double before) {
+  return Status::failure(
+      Outcome::spurious_root,
+      fmt::format("{}: quantity {} that this problem conserves is {:.10g} at t = {:.17g} and was {:.10g} at "
+                  "the begin, and the tolerances do not explain it; take smaller tolerances",
+                  method, which, value, t, before));
+}
+
 Status interrupted(std::string_view method, double t) {
   return Status::failure(Outcome::interrupted,
                          fmt::format("{}: the observer ended the integration at t = {:.17g}", method, t));

@@ -25,6 +25,11 @@ namespace nlmech::ivp {
 [[nodiscard]] Status time_limit(std::string_view method, double t, double seconds);
 /// The function of an event is NaN.
 [[nodiscard]] Status event_undefined(double t);
+/// A component leaves the bound that the problem states. @param component from 1
+[[nodiscard]] Status bound_left(std::string_view method, int component, double t, double value, double bound);
+/// A quantity that the problem conserves has moved. @param which from 1
+[[nodiscard]] Status invariant_lost(std::string_view method, int which, double t, double value,
+                                    double before);
 /// The observer said stop.
 [[nodiscard]] Status interrupted(std::string_view method, double t);
 /// The nonlinear equations of a step were not solved. @p outcome as from algebraic::newton

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/stated_limits.hpp"
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -31,11 +32,31 @@ namespace detail {
 void check_arguments(double t0, double t1, Eigen::Index given_size, int size);
 /// Failure `non_finite` for an initial state with NaN or infinity, naming the component; else success.
 [[nodiscard]] Status check_initial_state(const double* x0, int size, double t0);
+
+/// Runs a method with tolerances, and holds it to what the problem says of its solutions.
+template <SystemLike S, class Method>
+[[nodiscard]] Solution<S::dimension> run_within(StatedLimits<S>& stated, const Task<S>& task,
+                                                const Method& method) {
+  constexpr int n = S::dimension;
+  Observer<n> guard;
+  if (stated.has_bounds()) {
+    guard = [&](const Step<n>& step) {
+      return stated.respects(step) && (!task.observer || task.observer(step));
+    };
+  }
+  const Observer<n>* const seen = guard ? &guard : &task.observer;
+  Solution<n> solution =
+      Integrator<S, Method>::run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
+  if (solution.status.ok()) stated.respects_end(solution.statistics.steps, solution.t, solution.x);
+  if (!stated.status().ok()) solution.status = stated.status();
+  return solution;
+}
 }  // namespace detail
 
 /// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method.
 /// Never throws for what happens on the way: blow-up, non-convergence, step underflow and used-up limits are
-/// the solution's status.
+/// the solution's status; so is, for a method with tolerances, a run that leaves the bounds or invariants
+/// that the problem names (StatedLimits).
 /// @param system a System, or a Direct for inlined right-hand sides
 /// @param x0 as many components as the system has
 /// @param t0 begin, finite
@@ -53,8 +74,17 @@ template <SystemLike S, class Method>
   detail::check_arguments(t0, t1, x0.size(), system.size());
   const Stopwatch watch;
   Solution<S::dimension> solution{t0, x0, detail::check_initial_state(x0.data(), system.size(), t0), {}};
-  if (solution.status.ok() && t0 != t1)
-    solution = Integrator<S, Method>::run(Task<S>{system, x0, t0, t1, observer, limits}, method);
+  if (solution.status.ok() && t0 != t1) {
+    const Task<S> task{system, x0, t0, t1, observer, limits};
+    if constexpr (HasTolerances<Method>) {
+      StatedLimits<S> stated(system, method_name(method), t0, x0, t1, method.relative_tolerance,
+                             method.absolute_tolerance);
+      solution = goes_by_tolerances(method) ? detail::run_within(stated, task, method)
+                                            : Integrator<S, Method>::run(task, method);
+    } else {
+      solution = Integrator<S, Method>::run(task, method);
+    }
+  }
   solution.statistics.seconds = watch.seconds();
   return solution;
 }

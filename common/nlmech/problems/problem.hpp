@@ -17,7 +17,9 @@
 /// - `load()`: the harmonics (series/harmonic.hpp) that stand in dx/dt beside what depends on the state.
 /// - `invariants(t, x)`: a vector of quantities that stay constant along every solution.
 /// - `lower_bounds()`, `upper_bounds()`: a number for each component, infinite where there is none. A
-///   solution that begins within them stays within them at all later times (not at earlier ones).
+///   solution that begins within them stays within them at all later times (not at earlier ones). A run by a
+///   method with tolerances that leaves these or the invariants does not end with success
+///   (ivp/stated_limits.hpp).
 /// - `equation`: the equation in ASCII, then a semicolon and which letter is which parameter, where names
 ///   differ.
 /// - `state_names()`: names of the components of its state, for the heads of columns.

@@ -1,0 +1,146 @@
+/// @file
+/// What a problem says of its solutions, bounds and conserved quantities, as a condition on the steps of a
+/// run.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/solution.hpp"
+
+namespace nlmech::ivp {
+
+/// Holds a run to the bounds and invariants that its problem names (problems/problem.hpp). A run by a method
+/// with tolerances does not end with success
+/// - if a component leaves its bound by more than 10 (atol + rtol d), d its distance from the bound at the
+///   begin of that step. Forwards in time, and if the initial state is within all bounds;
+/// - if an invariant moves away from its initial value by more than 10 times what errors of all steps so far,
+///   each a tolerance of each component, make of it to first order. Looked at at the end alone: what has
+///   moved stays moved, and an observer on the way would cost more than the steps of some methods.
+///
+/// Costs nothing where the problem names neither. Tests: Robertson's reactions with an absolute tolerance
+/// that lets y2 become negative, and oscillators whose energy moves.
+template <class S>
+class StatedLimits {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// @param system outlives this object
+  /// @param method the name, in sentences
+  StatedLimits(const S& system, std::string_view method, double t0, const State<n>& x0, double t1,
+               double relative, double absolute)
+      : system_(system), method_(method), relative_(relative), absolute_(absolute) {
+    if constexpr (requires { system.bounds(lower_, upper_); }) {
+      has_bounds_ = t1 > t0 && system.bounds(lower_, upper_) && (x0.array() >= lower_.array()).all() &&
+                    (x0.array() <= upper_.array()).all();
+    }
+    if constexpr (requires { system.invariants(t0, x0, first_); })
+      has_invariants_ = system.invariants(t0, x0, first_) && first_.allFinite();
+    if (has_invariants_) {
+      now_ = varied_ = first_;
+      allowed_ = Eigen::VectorXd::Zero(first_.size());
+      probe_ = x0;
+    }
+  }
+
+  /// Has each step to be looked at?
+  [[nodiscard]] bool has_bounds() const { return has_bounds_; }
+  /// Looks at a step; if has_bounds(). @return false if it must not be accepted: status() says why
+  bool respects(const Step<n>& step) {
+    for (Eigen::Index i = 0; i < step.x1.size(); ++i) {
+      const double x = step.x1[i], below = lower_[i] - x, above = x - upper_[i];
+      if (!(below > 0 || above > 0)) continue;
+      const double bound = below > 0 ? lower_[i] : upper_[i];
+      const double distance = std::max(0., below > 0 ? step.x0[i] - bound : bound - step.x0[i]);
+      if (std::abs(x - bound) <= factor * (absolute_ + relative_ * distance)) continue;
+      status_ = bound_left(method_, static_cast<int>(i + 1), step.t1, x, bound);
+      return false;
+    }
+    return true;
+  }
+  /// Looks at the end of a run of so many steps. @return as respects()
+  bool respects_end(std::int64_t steps, double t, const State<n>& x) {
+    return !has_invariants_ || conserves(steps, t, x);
+  }
+  /// Success, or what is broken, where, and what to change.
+  [[nodiscard]] const Status& status() const { return status_; }
+
+ private:
+  static constexpr double factor = 10;
+
+  bool conserves(std::int64_t steps, double t, const State<n>& x) {
+    if (!system_.invariants(t, x, now_)) return true;
+    const double count = factor * (1 + static_cast<double>(steps));
+    for (Eigen::Index k = 0; k < now_.size(); ++k) {
+      const double drift = std::abs(now_[k] - first_[k]);
+      if (drift <= count * allowed_[k]) continue;
+      allow(t, x);
+      if (drift <= count * allowed_[k]) continue;
+      status_ = invariant_lost(method_, static_cast<int>(k + 1), t, now_[k], first_[k]);
+      return false;
+    }
+    return true;
+  }
+  // What an error of a tolerance in each component makes of the invariants at x; at least some roundings.
+  void allow(double t, const State<n>& x) {
+    constexpr double epsilon = 2.220446049250313e-16, root = 1.5e-8;
+    Eigen::VectorXd& sum = change_;
+    sum = 8 * epsilon * (now_.cwiseAbs() + first_.cwiseAbs());
+    probe_ = x;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double tolerance = absolute_ + relative_ * std::abs(x[i]);
+      // Differences of a length that rounding does not spoil.
+      const double length = std::max(tolerance, root * std::max(std::abs(x[i]), x.cwiseAbs().maxCoeff()));
+      probe_[i] = x[i] + length;
+      if (system_.invariants(t, probe_, varied_))
+        sum += (varied_ - now_).cwiseAbs() * ((tolerance + epsilon * std::abs(x[i])) / length);
+      probe_[i] = x[i];
+    }
+    allowed_ = allowed_.cwiseMax(sum);
+  }
+
+  const S& system_;
+  std::string_view method_;
+  double relative_, absolute_;
+  bool has_bounds_ = false, has_invariants_ = false;
+  State<n> lower_, upper_, probe_;
+  Eigen::VectorXd first_, now_, varied_, allowed_, change_;
+  Status status_;
+};
+
+/// Does a method have tolerances?
+template <class Method>
+concept HasTolerances = requires(const Method& method) {
+  method.relative_tolerance;
+  method.absolute_tolerance;
+};
+
+/// Are they what its steps are chosen by? Not if it has a step that is given.
+template <HasTolerances Method>
+[[nodiscard]] bool goes_by_tolerances(const Method& method) {
+  if constexpr (requires { method.step; }) {
+    return !(method.step > 0);
+  } else {
+    return true;
+  }
+}
+
+/// The name of a method, in sentences.
+template <class Method>
+[[nodiscard]] std::string_view method_name(const Method& method) {
+  if constexpr (requires { std::string_view(Method::name); }) {
+    return Method::name;
+  } else if constexpr (requires { std::string_view(method.name); }) {
+    return method.name;
+  } else if constexpr (requires { std::string_view(method.name()); }) {
+    return method.name();
+  } else {
+    return "integrate";
+  }
+}
+
+}  // namespace nlmech::ivp
