@@ -46,6 +46,12 @@ TEST(AdversaryKepler, PropagationIsAsExactAsItsData) {
     const std::string what =
         fmt::format("{} kappa {:.3g} {:.3g}", words(m.start, m.time, m.mu), kappa.position, kappa.velocity);
     if (!(64 * kappa.position * eps < 1)) return Case::wrong(what);
+    // The phase's error to second order, where the first vanishes.
+    const double share = m.start.velocity.squaredNorm() * m.start.position.norm() / m.mu, alpha = 2 - share;
+    const double swing = alpha > 0 ? std::abs(m.time) * std::sqrt(m.mu / m.start.position.norm() * alpha) *
+                                         alpha / m.start.position.norm() * (2 + 3 / alpha)
+                                   : 0;
+    if (swing * eps > 1e-6) return Case::undecided();
     const auto judged = [&](const auto& end) {
       const double r = static_cast<double>(length(end.position)),
                    v = static_cast<double>(length(end.velocity));

@@ -108,6 +108,15 @@ KeplerCondition condition_of(const Scaled& s) {
 /// The error is 8 kappa eps at most: where that is an eighth, no digit is left.
 constexpr double most_of_condition = 64;
 
+/// How a relative error of the data changes the mean anomaly of an ellipse, times that error. At an apoapsis
+/// the place does not show it to first order.
+double phase_condition(const Scaled& s) {
+  const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), circular = s.mu / r0;
+  const double share = v0 * v0 / circular, alpha = 2 - share;
+  if (!(alpha > 0)) return 0;
+  return std::abs(s.time) * std::sqrt(circular * alpha) * alpha / r0 * (2 + 1.5 * (2 + share) / alpha);
+}
+
 /// Can kappa be large? By how far the body moves in the time, in units of its distance at the end, with the
 /// error of the period; by how near the centre it ends; and by how near a fast body passes.
 bool may_be_undetermined(const Scaled& s, const State& end) {
@@ -117,7 +126,7 @@ bool may_be_undetermined(const Scaled& s, const State& end) {
   const double share = v0 * v0 / circular, alpha = 2 - share;
   const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
   const double growth = swings ? 1 + (2 + share) / alpha : 1;
-  if (!((r0 + v0 * time + v * time * growth) / r < much)) return true;
+  if (!((r0 + v0 * time + v * time * growth) / r < much) || phase_condition(s) > much) return true;
   return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
 }
 
@@ -153,7 +162,7 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
     return solution;
   }
   if (may_be_undetermined(s, end)) {
-    const double kappa = condition_of(s).position;
+    const double kappa = std::max(condition_of(s).position, phase_condition(s));
     if (!(most_of_condition * kappa * std::numeric_limits<double>::epsilon() < 1)) {
       solution.status = undetermined(time, kappa);
       return solution;

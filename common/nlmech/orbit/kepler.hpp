@@ -127,17 +127,18 @@ struct Flyby {
 }  // namespace detail
 
 /// The state that Kepler's motion leads to, in any type of number: by Lagrange's coefficients, or, where
-/// their terms would cancel (a hyperbola flown towards its periapsis), by anomalies. Arguments as of
-/// lagrange_coefficients().
+/// their terms would cancel (a hyperbola flown towards its periapsis) or hold exponentials of large numbers
+/// (one flown a million distances away), by anomalies. Arguments as of lagrange_coefficients().
 template <class T>
 [[nodiscard]] BasicState<T> kepler_state(const BasicState<T>& s, const T& time, const T& mu,
                                          int* evaluations = nullptr) {
   using std::sqrt;
   const T r0 = sqrt(s.position.dot(s.position)), speed = sqrt(mu / r0);
   const Vector3<T> direction = s.position / r0, v = s.velocity / speed;
-  if (v.dot(v) > 3 && direction.dot(v) * time < 0) {
+  const T away = time * speed / r0;
+  if (v.dot(v) > 3 && (direction.dot(v) * time < 0 || v.dot(v) * away * away > T(1e12))) {
     const detail::Flyby<T> flyby(direction, v);
-    const T wanted = flyby.begin_time(flyby.begin()) + time * speed / r0;
+    const T wanted = flyby.begin_time(flyby.begin()) + away;
     const BasicState<T> end = flyby.state(flyby.at_time(wanted), wanted);
     return {r0 * end.position, speed * end.velocity};
   }
@@ -160,7 +161,8 @@ struct KeplerSolution {
 /// Moves @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and |v|,
 /// kappa from kepler_condition(): the data themselves, rounded to double precision, say no more (tests hold
 /// it to Kepler's equation solved in 50 digits, over ellipses, parabolas, hyperbolas and straight lines, and
-/// a million revolutions). No success where 64 kappa eps >= 1 for the position. Any units: what is far from 1
+/// a million revolutions). No success where 64 kappa eps >= 1 for the position or
+/// for the mean anomaly of an ellipse. Any units: what is far from 1
 /// is scaled by powers of two.
 /// @throws std::invalid_argument for a position 0, mu not positive, or anything not finite
 [[nodiscard]] KeplerSolution propagate_kepler(const State& start, double time, double mu);
