@@ -160,5 +160,44 @@ TEST(Path, ListsTwoBifurcationsInOneStep) {
   }
 }
 
+/// V = x^4/4 + (load^2 - half^2) x^2/2 + (y - load)^2/2: x = 0 is unstable for |load| < half.
+struct Window : Pitchfork {
+  explicit Window(double h) : half(h) {}
+  void residual(const VectorXd& x, double load, VectorXd& f) override {
+    f.resize(2);
+    f << x[0] * (x[0] * x[0] + load * load - half * half), x[1] - load;
+  }
+  void linearise(const VectorXd& x, double load) override {
+    at = x;
+    k00 = 3 * x[0] * x[0] + load * load - half * half;
+    along = 2 * load * x[0];
+  }
+  void load_vector(VectorXd& q) const override {
+    q.resize(2);
+    q << along, -1;
+  }
+  double half, along = 0;
+};
+
+// An eigenvalue dips below zero and returns within a step: both ends have the same signs.
+TEST(Path, ListsTwoBifurcationsThatUndoEachOtherInAStep) {
+  for (const double half : {0.3, 0.03, 1e-3}) {
+    for (const double from : {-1., -0.9, -1.37}) {
+      Window window(half);
+      VectorXd start(2);
+      start << 0, from;
+      Path path({.first = 0.8}, window, start, from);
+      ASSERT_TRUE(path.start().ok());
+      std::vector<CriticalPoint> found;
+      const Status status = follow(
+          path, [](const Path& p) { return p.now().load > 1; }, 50, found);
+      ASSERT_TRUE(status.ok()) << half << ' ' << from << ' ' << status.text();
+      ASSERT_EQ(found.size(), 2u) << half << ' ' << from;
+      EXPECT_NEAR(found[0].point.load, -half, 1e-7);  // two next to each other: 1e-7 of a step
+      EXPECT_NEAR(found[1].point.load, half, 1e-7);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::algebraic

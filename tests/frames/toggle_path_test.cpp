@@ -139,6 +139,11 @@ TEST(TogglePath, TheFirstPointBeforeALoad) {
   ASSERT_TRUE(find_root(algebraic::EnergyTrustRegion{}, equations, x).status.ok());
   EXPECT_NEAR(first_critical_point(toggle, 300).drop, -x[half.apex], 1e-12);
   EXPECT_EQ(unstable_motions(toggle, x), 0);
+  // Just below the limit load of a low toggle the step that reaches it has passed the limit point.
+  const TogglePath near = first_critical_point(Toggle{.height = 0.44}, 42.435492120383 * (1 - 1e-9));
+  EXPECT_TRUE(near.events.empty());
+  EXPECT_NEAR(near.drop, 0.22710546333003, 2e-5);
+  EXPECT_LT(near.drop, 0.22710546333003);
   equations.set_load(500);  // past the antisymmetric bifurcation, before the symmetric one
   ASSERT_TRUE(find_root(algebraic::EnergyTrustRegion{}, equations, x).status.ok());
   EXPECT_EQ(unstable_motions(toggle, x), 1);

@@ -94,8 +94,8 @@ struct PathChanges;
 /// many negative eigenvalues.
 ///
 /// Tests hold points to F = 0 (1e-13), limit loads to 4 eps, also of two limit points within one step, and
-/// branch points to 1e-13; and walks past neighbouring branches, with first steps far too long, to the path
-/// that short steps follow.
+/// branch points to 1e-13 (next to other ones to 1e-7 of a step); and walks past neighbouring branches, with
+/// first steps far too long, to the path that short steps follow.
 class Path {
  public:
   /// @param method how to step
@@ -138,7 +138,9 @@ class Path {
   [[nodiscard]] Outcome crossing(double load, const PathPoint& begin, const PathPoint& end, PathPoint& out);
   /// All points between them where dF/dx is singular, in order: limit points as folds() finds them, and
   /// branch points by the number of negative eigenvalues (of equations that are not symmetric, by the sign of
-  /// the determinant). Those within 1e-7 of a step count as one.
+  /// the determinant). Those within 1e-7 of a step count as one. Two that
+  /// undo each other within a step are looked for at seven places inside, and where an eigenvalue comes down
+  /// to near zero between them.
   [[nodiscard]] Outcome critical_points(std::vector<CriticalPoint>& out);
   /// A branch point between them, with the null vector of K there: the direction of the other branch, if K
   /// has one null vector, scaled.
@@ -190,6 +192,9 @@ class Path {
   [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                                      std::vector<CriticalPoint>& out);
+  [[nodiscard]] double softest();
+  [[nodiscard]] std::optional<double> dip_in(double low, double high, double sign, Eigen::Index negative);
+  [[nodiscard]] Outcome splits(std::vector<double>& parts);
   [[nodiscard]] bool is_change_at(double part, CriticalPoint::Kind kind);
   [[nodiscard]] double part_of(const PathPoint& point) const;
   [[nodiscard]] double expected_slope(double part) const;

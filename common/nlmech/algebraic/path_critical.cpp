@@ -27,20 +27,27 @@ Path::Mark Path::mark(double part, const PathPoint& point) const {
 }
 
 Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
-  out = critical_;
-  if (!out.empty()) return Outcome::success;
-  const Mark begin = mark(0, before_), end = mark(1, now_);
+  out.clear();
+  std::vector<double> parts;
+  Outcome outcome = splits(parts);
   std::optional<Bracket> pair;
-  if (!has_passed_fold()) {
-    const Outcome outcome = slope_between(pair);
-    if (outcome != Outcome::success) return outcome;
+  if (outcome == Outcome::success && !has_passed_fold()) outcome = slope_between(pair);
+  if (outcome != Outcome::success) return outcome;
+  if (pair) parts.insert(std::upper_bound(parts.begin(), parts.end(), pair->high), pair->high);
+  if (parts.empty()) {
+    out = critical_;
+    return out.empty() ? critical_in(mark(0, before_), mark(1, now_), out) : outcome;
   }
-  if (!pair) return critical_in(begin, end, out);
+  Mark low = mark(0, before_);
   PathPoint point;
-  Outcome outcome = between(pair->high, point);
-  const Mark middle = mark(pair->high, point);
-  if (outcome == Outcome::success) outcome = critical_in(begin, middle, out);
-  return outcome == Outcome::success ? critical_in(middle, end, out) : outcome;
+  for (const double part : parts) {
+    outcome = between(part, point);
+    const Mark high = mark(part, point);
+    if (outcome == Outcome::success) outcome = critical_in(low, high, out);
+    if (outcome != Outcome::success) return outcome;
+    low = high;
+  }
+  return critical_in(low, mark(1, now_), out);
 }
 
 /// Halves the interval until each part has one change or is one place.
@@ -76,15 +83,17 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
 
 /// Does the path go on through a place without a gap, and does it change there as it should?
 bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
-  constexpr double reach = 2e-3;
+  const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
   PathPoint ahead, behind;
-  if (between(part - reach, behind) != Outcome::success || between(part + reach, ahead) != Outcome::success)
-    return false;
-  const PathChanges changes = changes_between(behind, ahead, system_.equations().is_symmetric());
-  const bool is_there = kind == CriticalPoint::Kind::bifurcation ? changes.branches > 0 : changes.fold;
-  const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m},
-      all{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
-  return is_there && gone.norm() <= 1.3 * 2 * reach * all.norm();
+  for (const double reach : {2e-3, 1e-4}) {  // the second where another change is as near as the first
+    if (between(part - reach, behind) != Outcome::success || between(part + reach, ahead) != Outcome::success)
+      return false;
+    const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m};
+    if (!(gone.norm() <= 1.3 * 2 * reach * all.norm())) return false;
+    const PathChanges changes = changes_between(behind, ahead, system_.equations().is_symmetric());
+    if (kind == CriticalPoint::Kind::bifurcation ? changes.branches > 0 : changes.fold) return true;
+  }
+  return false;
 }
 
 /// Adds it, if K is singular there and the path one.

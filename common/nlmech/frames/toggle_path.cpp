@@ -104,9 +104,11 @@ TogglePath first_critical_point(const Toggle& toggle, double load) {
     result.events.push_back(walk.event_of(found[0]));
     return result;
   }
+  // The first crossing: before a limit point, if the last step has passed one above the load.
+  const algebraic::PathPoint last = found.empty() ? walk.path.now() : found[0].point;
   algebraic::PathPoint end;
   if (result.status.ok() && load != 0 &&
-      walk.path.crossing(load, walk.path.before(), walk.path.now(), end) == Outcome::success)
+      walk.path.crossing(load, walk.path.before(), last, end) == Outcome::success)
     result.drop = -end.x[walk.toggle.apex];
   return result;
 }
