@@ -130,7 +130,7 @@ TEST(AdversarySpacecraft, ClosedLoopPolesAreZeros) {
     const LoopTerms terms = loop.terms(s, {});
     const double slope = std::abs(terms.characteristic.slope / terms.determinant);
     return Case::judged(s.real() > 1e-12 * std::abs(s) ? HUGE_VAL : std::abs(value) / slope,
-                        2e-11 * std::abs(s) + 2e-14 * size / slope,
+                        2e-11 * std::abs(s) + 1e-13 * size / slope,
                         fmt::format("{} pole {:.17g}{:+.17g}i", text_of(p, g), s.real(), s.imag()));
   });
 }
