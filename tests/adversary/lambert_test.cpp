@@ -59,7 +59,7 @@ Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolutio
 }
 
 TEST(AdversaryLambert, EveryArcArrives) {
-  hunt({.quick = 200, .full = 200'000}, [](Draw& draw) {
+  hunt({.quick = 200, .full = 50'000}, [](Draw& draw) {
     const LambertProblem p = any_problem(draw);
     const LambertArc arc{draw.chance(0.5), draw.chance(0.5) ? 0 : draw.whole(0, 20),
                          draw.chance(0.5) ? LambertBranch::low : LambertBranch::high};

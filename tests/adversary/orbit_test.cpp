@@ -38,7 +38,7 @@ bool is_plain(const Motion& m, const KeplerCondition& kappa) {
 
 // Within 8 kappa eps of |r| and |v|, whatever the conic, or refused; a success has kappa eps < 1.
 TEST(AdversaryKepler, PropagationIsAsExactAsItsData) {
-  hunt({.quick = 300, .full = 300'000}, [](Draw& draw) {
+  hunt({.quick = 300, .full = 50'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const KeplerSolution found = propagate_kepler(m.start, m.time, m.mu);
     if (!found.status.ok()) return Case::refused();
@@ -204,7 +204,7 @@ TEST(AdversaryElements, AnyFiniteNumbers) {
 // The series: each step adds 2 tolerance + 9 eps, in units of |r| and of the larger of |v| and the circular
 // speed, times the condition of the rest of the way.
 TEST(AdversaryContinuation, IsWithinItsTolerance) {
-  hunt({.quick = 100, .full = 30'000}, [](Draw& draw) {
+  hunt({.quick = 100, .full = 10'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const double tolerance = draw.log_uniform(1e-18, 1e-3);
     double allowed = 8 * eps * kepler_condition(m.start, m.time, m.mu).position;

@@ -91,6 +91,15 @@ TEST(Extremes, HyperbolicFlyby) {
   EXPECT_LE(relative_distance(fast.state.position, kepler(straight, 1, 1).position), 16 * eps);
 }
 
+// Through the centre at 1e8 times the speed at which gravity shows: the series is a straight line's, which
+// must not be followed beyond the radius of convergence. The body turns back, which a series does not reach.
+TEST(Extremes, AFastPassageOfTheCentreIsNotSteppedOver) {
+  const State s{{0, -0.00040537635592184299, 0}, {-5.6677461237845338e-10, -9385.8193629848574, 0}};
+  const double time = -8.336621895258487, mu = 1e-6;
+  const Continued c = propagate(s, 0, time, Gravity{.mu = mu}, AnalyticContinuation{.tolerance = 2.72e-4});
+  EXPECT_EQ(c.status.outcome(), Outcome::collision) << c.status.text();
+}
+
 // A comet from 2e4 down to 1e-4 and back: time scales 8e12 apart, with orders up to 100.
 TEST(Extremes, TimeScalesFarApart) {
   const State s = at_periapsis(1 - 1e-8);

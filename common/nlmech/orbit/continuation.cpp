@@ -90,7 +90,8 @@ class Control {
       if (gain < 0.9 * cost_exponent_) order_ = bounded(order_ - 1);
     }
     const double step = rough_exp2(std::min(last, before)),
-                 most = most_ * std::sqrt(walk.square_of(0) / speed_square);
+                 // The series of a straight line ends, but that of the motion converges to |r|/|v| alone.
+        most = (walk.is_fast() ? 0.5 : most_) * std::sqrt(walk.square_of(0) / speed_square);
     if (step <= most) return step;
     if (chooses_) order_ = bounded(used - 1);
     return most;

@@ -56,6 +56,10 @@ class Walk : public Arc {
   [[nodiscard]] double speed_square() const {
     return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
   }
+  /// Is the body so fast that gravity hardly shows in the series? Then it says nothing of its convergence.
+  [[nodiscard]] bool is_fast() const {
+    return square(body_.velocity) > 1e3 * (mu_ / std::sqrt(square(body_.position)));
+  }
   /// Chooses units anew if the last step, @p h, says that the time scale is no longer theirs.
   void follow_units(double h) {
     if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
