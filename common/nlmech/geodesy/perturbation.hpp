@@ -174,12 +174,17 @@ BasicReversed<T> reverse(const BasicCartesian<T>& point, const BasicEllipsoid<T>
 
   sin_lat = sin(latitude);
   cos_lat = cos(latitude);
-  const T root = sqrt(1 - ellipsoid.e2() * sin_lat * sin_lat);
+  // 1 - e^2 sin^2 without its difference, where little is left of it.
+  const bool flat = ellipsoid.f() > T(0.25) || ellipsoid.f() < T(-0.25);
+  const T ratio = 1 - ellipsoid.f(), along = ratio * sin_lat;
+  const T root =
+      flat ? T(sqrt(cos_lat * cos_lat + along * along)) : T(sqrt(1 - ellipsoid.e2() * sin_lat * sin_lat));
+  const T remainder = flat ? T(ratio * ratio) : T(1 - ellipsoid.e2());
   const T projected = r * cos_lat + point.z * sin_lat - ellipsoid.a() * root;
   const T height = method.height == HeightFrom::series ? parametric.height : projected;
   const T prime_vertical = ellipsoid.a() / root;
   const T miss = detail::length(T(r - (prime_vertical + height) * cos_lat),
-                                T(point.z - (prime_vertical * (1 - ellipsoid.e2()) + height) * sin_lat));
+                                T(point.z - (prime_vertical * remainder + height) * sin_lat));
   if (!(miss <= T(largest_relative_miss) * R)) return {{nan, nan, nan}, Outcome::outside_validity, miss};
   return {{latitude, atan2(point.y, point.x), height}, Outcome::success, miss};
 }
