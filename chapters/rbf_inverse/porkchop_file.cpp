@@ -192,9 +192,9 @@ Label label_of(const PorkchopPart& part) {
   Label label;
   in >> mark >> shard >> label.shard >> slash >> label.shards >> grid >> down >> times >> across >> rows >>
       label.rows >> problem >> number;
-  if (!in || (in >> rest) ||
-      mark + shard + slash + grid + times + rows + problem != "#shard/gridxrowsproblem" || label.shard < 1 ||
-      label.shard > label.shards || label.shards > 1'000'000 || label.rows < 0)
+  const std::string words = mark + shard + slash + grid + times + rows + problem;
+  if (!in || (in >> rest) || std::string_view(words) != std::string_view("#shard/gridxrowsproblem") ||
+      label.shard < 1 || label.shard > label.shards || label.shards > 1'000'000 || label.rows < 0)
     throw InputError(
         fmt::format("{}, line 1: '{}' does not say which part of which grid this is; merge joins what "
                     "porkchop --shard i/n writes",

@@ -35,6 +35,30 @@ double digits(const X& x, const std::vector<double>& exact) {
 // errors fade.
 constexpr double lost = 1.5;
 
+/// A fast and a slow rate along the axes (0.8, 0.6) and (-0.6, 0.8).
+struct TurnedRates {
+  static constexpr int dimension = 2;
+  double fast, slow;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    const T along = -fast * (0.8 * x[0] + 0.6 * x[1]), across = -slow * (-0.6 * x[0] + 0.8 * x[1]);
+    f[0] = 0.8 * along - 0.6 * across;
+    f[1] = 0.6 * along + 0.8 * across;
+  }
+};
+
+// The sweeps of the first steps part so quickly that states overflow before a slope does.
+TEST(StiffAdaptiveCollocation, SweepsThatOverflowAreNoSolution) {
+  for (const double fast : {1e6, 1e9, 1e12}) {
+    const double end = 0.1, slow = 0.3;
+    const auto s = integrate(System<2>(TurnedRates{fast, slow}), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    const State<2> exact = std::exp(-slow * end) * State<2>(-0.6, 0.8);
+    // 30 tolerances, and the rounding of the axes.
+    EXPECT_LT((s.x - exact).cwiseAbs().maxCoeff(), 30 * 1e-11 + 4 * eps) << fast;
+  }
+}
+
 // Published to 16 digits.
 TEST(StiffAdaptiveCollocation, Robertson) {
   const auto exact = published_end_state("Robertson");

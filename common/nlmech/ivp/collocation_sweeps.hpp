@@ -274,18 +274,20 @@ class Sweeper : public DenseOutput<S::dimension> {
       double update = 0;
       for (int i = 0; i < s; ++i) update = std::max(update, correct(i));
       statistics.right_hand_sides += s;
+      // Sweeps that part leave the range of double within a few; nothing may be concluded from infinities.
+      const double rounding = noise();
+      if (!std::isfinite(update) || !std::isfinite(rounding)) return {false, 0, count, 0.5};
       const double contraction = update / before;
       // A correction of nothing but rounding cannot become smaller.
       const bool done =
-          (contraction < 1 && update * contraction / (1 - contraction) < share) || update <= noise();
+          (contraction < 1 && update * contraction / (1 - contraction) < share) || update <= rounding;
       if (done && (count > 1 || update == 0)) {
         finish();
         // What the iteration has left is not the solution's: the polynomial enlarges it outside the nodes.
         return {all_finite(x1_.data(), x1_.size()), error(outside * update * std::min(contraction, 1.)),
                 count, 0};
       }
-      if (count == most_sweeps || !std::isfinite(update) || (count > 3 && contraction > slowest))
-        return {false, 0, count, 0.5};
+      if (count == most_sweeps || (count > 3 && contraction > slowest)) return {false, 0, count, 0.5};
       if (may_give_up && count == 3) {
         if (const double e = error(0); e > hopeless) return {false, e, count, 0};
       }
