@@ -20,7 +20,8 @@ struct Study {
 };
 
 double miss(TransferBasis basis, int nodes, double shape) {
-  const auto t = orbit::collocate(printed_transfer(), {.nodes = nodes, .basis = basis, .shape = shape, .largest_miss = 0.01});
+  const auto t = orbit::collocate(printed_transfer(),
+                                  {.nodes = nodes, .basis = basis, .shape = shape, .largest_miss = 0.01});
   return t.status.ok() ? t.miss : NAN;
 }
 

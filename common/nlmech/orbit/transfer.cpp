@@ -143,10 +143,11 @@ Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& ar
     if (!(transfer.miss <= largest_miss * problem.to.stableNorm())) {
       transfer.status = Status::failure(
           Outcome::outside_validity,
-          fmt::format("lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
-                      "distance: doubles do not hold its velocity exactly enough (it passes near the centre, or "
-                      "makes very many revolutions); take another arc or time",
-                      transfer.miss));
+          fmt::format(
+              "lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
+              "distance: doubles do not hold its velocity exactly enough (it passes near the centre, or "
+              "makes very many revolutions); take another arc or time",
+              transfer.miss));
     }
   } else if (!follow_field(problem, transfer)) {
     transfer.status = Status::failure(
