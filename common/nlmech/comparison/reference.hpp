@@ -62,7 +62,8 @@ struct Reference {
   Status status;              ///< success, or why there is none
   bool undetermined = false;  ///< none, because two computations in extended precision part: their rounding
                               ///< is multiplied to the size of the solution
-  Candidate first, second;    ///< the two computations that agree best
+  Candidate first;            ///< of the two computations that agree best the one whose states are given
+  Candidate second;           ///< the other one
   StatesAt states;            ///< of the first of them
   Eigen::MatrixXd doubt;      ///< |difference| of the two, for each component and time
   Eigen::VectorXd size;       ///< greatest |x_i| at these times
