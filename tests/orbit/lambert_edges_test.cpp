@@ -108,6 +108,7 @@ TEST(Lambert, WhatCannotBeMeantIsRefused) {
   says(refused({none, y, 1, 1}), "the position of departure is 0");
   says(refused({x, none, 1, 1}), "the position of arrival is 0");
   says(refused({x, {0, NAN, 0}, 1, 1}), "(0, nan, 0)");
+  says(refused({x, {1.7e308, 1e308, 0}, 1, 1}), "beyond the range of doubles");
   says(refused({x, y, -2, 1}), "positive and finite, not -2");
   says(refused({x, y, 0, 1}), "not 0");
   says(refused({x, y, NAN, 1}), "not nan");

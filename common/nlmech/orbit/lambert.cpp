@@ -26,6 +26,12 @@ void check_position(const Vector3<double>& r, const char* which) {
     throw std::invalid_argument(
         fmt::format("lambert: the position of {} is 0, the centre of attraction", which));
   }
+  if (!std::isfinite(r.stableNorm())) {
+    throw std::invalid_argument(
+        fmt::format("lambert: the distance of {} from the centre, that of ({}, {}, {}), is beyond the range "
+                    "of doubles; take other units",
+                    which, r[0], r[1], r[2]));
+  }
 }
 
 void check_problem(const LambertProblem& problem) {
