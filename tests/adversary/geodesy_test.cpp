@@ -196,9 +196,9 @@ TEST(AdversaryGeodesy, TheSeriesKnowsItsMiss) {
     const std::string what =
         fmt::format("order {}: a = {:.17g}, f = {:.17g}, ({:.17g}, {:.17g}, {:.17g}), miss {:.3g} {:.3g}",
                     method.order, e.a(), e.f(), p.x, p.y, p.z, found.miss, static_cast<double>(miss));
-    if (!(miss <= 0.0101L * R)) return Case::wrong(what);
-    return Case::judged(static_cast<double>(std::abs(miss - Wide(found.miss)) / (eps * (R + size))), 64,
-                        what);
+    if (!(miss <= largest_relative_miss * (1 + 8 * eps) * R)) return Case::wrong(what);
+    return Case::judged(static_cast<double>(std::abs(miss - Wide(found.miss)) / (eps * (R + size))),
+                        rounding_of_miss, what);
   });
 }
 

@@ -77,7 +77,8 @@ template <class T>
 struct BasicReversed {
   BasicGeodetic<T> position;           ///< NaN unless the outcome is success
   Outcome outcome = Outcome::success;  ///< success, non_finite or outside_validity
-  T miss{};  ///< distance in metres between the given point and the position sent forward again
+  /// Distance between the given point and the position sent forward again, to rounding_of_miss.
+  T miss{};
 };
 /// In double precision.
 using Reversed = BasicReversed<double>;
@@ -86,10 +87,16 @@ using Reversed = BasicReversed<double>;
 /// left then.
 inline constexpr double largest_relative_miss = 0.01;
 
+/// By how far a miss may be off, in eps times the longer semi-axis. It is a difference of numbers of that
+/// size, each rounded some seven times by eps/2 on the way, in two coordinates: sqrt(2) 3.5 = 5. Nearer to
+/// the centre than 800 eps of the axis (1e-6 m for the Earth), it says nothing of the distance.
+inline constexpr double rounding_of_miss = 8;
+
 /// Cartesian to geodetic coordinates. Latitude and longitude in radians, longitude in [-pi, pi]; the equator
 /// gives the latitude z (so that a zero keeps its sign), the axis exactly +-pi/2. Outcomes: `success`;
 /// `non_finite` for NaN or infinite input, `outside_validity` where the series has no digit (near the centre,
-/// or for strong flattening): the position is NaN in both cases.
+/// or for strong flattening), that is where the miss and its rounding exceed `largest_relative_miss`: the
+/// position is NaN in both cases.
 /// @param table for comparisons with misprinted coefficients; leave it out otherwise
 /// @throws std::invalid_argument if the order is not 1..6
 template <class T>
@@ -185,7 +192,10 @@ BasicReversed<T> reverse(const BasicCartesian<T>& point, const BasicEllipsoid<T>
   const T prime_vertical = ellipsoid.a() / root;
   const T miss = detail::length(T(r - (prime_vertical + height) * cos_lat),
                                 T(point.z - (prime_vertical * remainder + height) * sin_lat));
-  if (!(miss <= T(largest_relative_miss) * R)) return {{nan, nan, nan}, Outcome::outside_validity, miss};
+  const T longer = ellipsoid.f() < 0 ? ellipsoid.b() : ellipsoid.a();
+  const T rounding = T(rounding_of_miss) * std::numeric_limits<T>::epsilon() * longer;
+  if (!(miss + rounding <= T(largest_relative_miss) * R))
+    return {{nan, nan, nan}, Outcome::outside_validity, miss};
   return {{latitude, atan2(point.y, point.x), height}, Outcome::success, miss};
 }
 
