@@ -42,6 +42,33 @@ TEST(AdaptiveCollocationEdges, IntervalsWithoutLengthAndTheShortestOne) {
   EXPECT_EQ(s.t, end);
 }
 
+/// x' = w cos(w t) - (x - sin(w t)): x = sin(w t) from 0.
+struct Driven {
+  static constexpr int dimension = 1;
+  double frequency;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    using std::cos;
+    using std::sin;
+    f[0] = frequency * cos(frequency * t) - (x[0] - sin(frequency * t));
+  }
+};
+
+// A step starts from the polynomial of the one before, which twice as far on may be a thousand times as large
+// as any state. A tolerance relative to that guess would let errors grow from step to step.
+TEST(AdaptiveCollocationEdges, NoToleranceFollowsAGuess) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    for (int k = 0; k < 60; ++k) {
+      const double frequency = 5 + 0.41 * k, end = 14.2;
+      const auto s = integrate(System<1>(Driven{frequency}), State<1>(0.0), 0, end, to(tolerance, tolerance));
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      // Errors fade in a unit of time, in which there is a step of two tolerances (|x| <= 1) or a few.
+      EXPECT_LT(std::abs(s.x[0] - std::sin(frequency * end)), 10 * tolerance)
+          << frequency << ' ' << tolerance;
+    }
+  }
+}
+
 TEST(AdaptiveCollocationEdges, ObserverSeesEveryStep) {
   const Manufactured problem;
   double t = 0;

@@ -252,6 +252,9 @@ class Sweeper : public DenseOutput<S::dimension> {
         for (int i = 0; i < s; ++i) x[i] = x0_[d] + h_ * x[i];
       }
     }
+    form_tolerances();
+  }
+  void form_tolerances() {
     for (Eigen::Index i = 0; i < x0_.size(); ++i) {
       const double size = std::max(std::abs(x0_[i]), largest<s>(states(i)));
       per_tolerance_[i] = 1 / (tolerance_.absolute + tolerance_.relative * size);
@@ -274,6 +277,8 @@ class Sweeper : public DenseOutput<S::dimension> {
       double update = 0;
       for (int i = 0; i < s; ++i) update = std::max(update, correct(i));
       statistics.right_hand_sides += s;
+      // The polynomial of the step before, continued, may be of any size: nothing is held to a share of it.
+      if (count == 1) form_tolerances();
       // Sweeps that part leave the range of double within a few; nothing may be concluded from infinities.
       const double rounding = noise();
       if (!std::isfinite(update) || !std::isfinite(rounding)) return {false, 0, count, 0.5};
@@ -283,6 +288,7 @@ class Sweeper : public DenseOutput<S::dimension> {
           (contraction < 1 && update * contraction / (1 - contraction) < share) || update <= rounding;
       if (done && (count > 1 || update == 0)) {
         finish();
+        form_tolerances();
         // What the iteration has left is not the solution's: the polynomial enlarges it outside the nodes.
         return {all_finite(x1_.data(), x1_.size()), error(outside * update * std::min(contraction, 1.)),
                 count, 0};
