@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "nlmech/comparison/judgement.hpp"
 #include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/scene/this_process.hpp"
 #include "nlmech/support/errors.hpp"
@@ -41,19 +43,36 @@ double ComparisonTable::error_of(const Eigen::VectorXd& x) const {
   return relative_error<Eigen::Dynamic>(x, end, size_);
 }
 
+// What a tolerance did not hold; empty where it did, and where nothing was held to one.
+std::string ComparisonTable::note(const Choice& choice, const Eigen::VectorXd& x) const {
+  const ivp::Controlled what = controlled(choice.method, choice.settings);
+  if (what == ivp::Controlled::step_size) return "";
+  const Tolerance tolerance = tolerance_of(choice.settings);
+  double most = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Eigen::Index last = truth_.states.cols() - 1;
+    const double exact = static_cast<double>(truth_.states(i, last));
+    const double surely = std::abs(x[i] - exact) - truth_.doubt(i, last);
+    most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
+  }
+  if (most <= most_tolerances) return "";
+  return quoted(fmt::format("off by {:.3g} tolerances, since one {}", most, held(what)));
+}
+
 void ComparisonTable::add(const Choice& choice, const Status& status, const Statistics& statistics,
                           const Eigen::VectorXd& x, double seconds) {
   some_ = true;
-  std::string digits;
+  std::string digits, note;
   if (!status.ok()) {
     say(choice, status.text());
+    note = quoted(status.sentence());
   } else if (truth_.status.ok()) {
     digits = fmt::format("{:.3f}", digits_of(std::max(error_of(x), truth_.uncertainty())));
+    note = this->note(choice, x);
   }
   text_ += fmt::format("{},{},{},{},{:.4g},{},{},{}\n", choice.method.name, choice.setting(),
                        to_string(status.outcome()), digits, seconds, statistics.right_hand_sides,
-                       to_string(controlled(choice.method, choice.settings)),
-                       status.ok() ? "" : quoted(status.sentence()));
+                       to_string(controlled(choice.method, choice.settings)), note);
 }
 
 void ComparisonTable::add_unsuitable(const Choice& choice, const std::string& why) {

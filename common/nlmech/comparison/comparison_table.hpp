@@ -17,7 +17,8 @@ namespace nlmech::comparison {
 /// Rows `method,setting,status,digits,seconds,rhs_evaluations,controlled,note`.
 ///
 /// The digits are those of the end state, but no more than the reference knows. `controlled` says what the
-/// tolerance or step was held to; `note` is the sentence of a failure.
+/// tolerance or step was held to; `note` is the sentence of a failure, or says of a run by a tolerance that
+/// its end is off by more than most_tolerances of them.
 class ComparisonTable {
  public:
   /// @param program begins what is said on standard error
@@ -37,6 +38,7 @@ class ComparisonTable {
  private:
   void say(const Choice& choice, std::string_view sentence) const;
   [[nodiscard]] double error_of(const Eigen::VectorXd& x) const;
+  [[nodiscard]] std::string note(const Choice& choice, const Eigen::VectorXd& x) const;
 
   std::string_view program_;
   const Reference& truth_;

@@ -8,16 +8,6 @@
 namespace nlmech::comparison {
 namespace {
 
-std::string held(ivp::Controlled what) {
-  switch (what) {
-    case ivp::Controlled::local_error: return "holds the error of each step, and not what these add up to";
-    case ivp::Controlled::difference_of_runs:
-      return "holds the difference of runs with steps of several lengths";
-    case ivp::Controlled::step_size: break;
-  }
-  return "holds nothing";
-}
-
 /// "take --tolerance 1e-12 or another method": a tolerance that should suffice, if there is one.
 std::string advice(const Verification& found, double tolerance) {
   const double excess = std::max(1.0, found.tolerances / found.allowed);
@@ -27,6 +17,16 @@ std::string advice(const Verification& found, double tolerance) {
 }
 
 }  // namespace
+
+std::string_view held(ivp::Controlled what) {
+  switch (what) {
+    case ivp::Controlled::local_error: return "holds the error of each step, and not what these add up to";
+    case ivp::Controlled::difference_of_runs:
+      return "holds the difference of runs with steps of several lengths";
+    case ivp::Controlled::step_size: break;
+  }
+  return "holds nothing";
+}
 
 Tolerance tolerance_of(const ivp::Settings& settings) {
   const double relative = settings.tolerance.value_or(ivp::default_tolerance);

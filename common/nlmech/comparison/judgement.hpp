@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nlmech/comparison/own_problem.hpp"
@@ -21,6 +22,10 @@ namespace nlmech::comparison {
 /// @param components of the state
 /// @param left wall time that is left of the command's limit, in seconds
 [[nodiscard]] Effort effort_after(const Statistics& work, int components, double left);
+
+/// "holds the error of each step, and not what these add up to": what a tolerance does, as part of a
+/// sentence.
+[[nodiscard]] std::string_view held(ivp::Controlled what);
 
 /// What is worth saying of a run that is right or that could not be verified; empty if nothing.
 /// @param names of the components

@@ -299,6 +299,19 @@ TEST(Compare, DigitsAreThoseOfTheEndState) {
   }
 }
 
+// Over eight periods the errors of steps add up to more than a hundred tolerances; a step that is given holds
+// none.
+TEST(Compare, SaysWhatAToleranceDidNotHold) {
+  std::string errors;
+  const auto rows = comparison("--problem duffing --until 50 --methods hoff,ode45 --tolerance 1e-8", errors);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_LT(std::stod(rows[0].digits), 4);
+  EXPECT_TRUE(rows[0].note.starts_with("off by 1.")) << rows[0].note;
+  EXPECT_NE(rows[0].note.find("holds the error of each step"), std::string::npos) << rows[0].note;
+  EXPECT_EQ(rows[1].note, "");
+  EXPECT_EQ(comparison("--problem duffing --until 50 --methods rk4 --step 0.1", errors).at(0).note, "");
+}
+
 TEST(Compare, SettingsGoToTheMethodsThatHaveThem) {
   std::string errors;
   const auto rows = comparison(
