@@ -96,6 +96,19 @@ std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
   return extremals;
 }
 
+/// A power of two in which the bound is 8 to 16: the smoothing of a bounded control is 1e-4, whatever the
+/// unit.
+double unit_of(double bound) { return std::ldexp(1.0, std::ilogb(bound) - 3); }
+
+/// The same task with states and forces in such a unit; powers of two change no digit.
+bvp::DuffingSettings in_units(bvp::DuffingSettings s, double unit) {
+  s.begin /= unit;
+  s.target /= unit;
+  s.amplitudes /= unit;
+  s.beta *= unit * unit;
+  return s;
+}
+
 /// The cheapest under the bound, from the cheapest ones without.
 bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
@@ -124,15 +137,17 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
 
 std::string duffing(const Words& words) {
   const Request r = understand(words);
-  const bvp::Extremal e = r.bound ? bounded(r.settings, *r.bound) : std::move(unbounded(r.settings).front());
-  const Eigen::VectorXd first = e.solution.first(), last = e.solution.last();
+  const double unit = r.bound ? unit_of(*r.bound) : 1;
+  const bvp::Extremal e = r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit)
+                                  : std::move(unbounded(r.settings).front());
+  const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
   // What is prescribed or vanishes comes out with the rounding of the solve.
   const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
   return fmt::format(
       "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss\n"
       "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
-      shown(e.cost), shown(first[0]), shown(first[1]), shown(first[2]), shown(first[3]), shown(last[0]),
-      shown(last[1]), e.miss);
+      shown(e.cost * unit * unit), shown(first[0]), shown(first[1]), shown(first[2]), shown(first[3]),
+      shown(last[0]), shown(last[1]), e.miss * unit);
 }
 
 }  // namespace

@@ -86,6 +86,18 @@ TEST(Duffing, BoundCosts) {
   EXPECT_LE(v[7], 1e-6);
 }
 
+// The linear oscillator in another unit: forces and co-states 1e-4 times as large, the cost 1e-8 times. What
+// may differ is what the smoothing of the bound makes, 1e-5 of it; 1e-4 would be a third of the small bound.
+TEST(Duffing, BoundsAreAsSharpInAnyUnit) {
+  const std::string words = "--case fixed --final-time 2 --beta 0 --target ";
+  const std::vector<double> large = duffing(words + "3,0 --bound 3"),
+                            small = duffing(words + "3e-4,0 --bound 3e-4");
+  ASSERT_EQ(large.size(), 8U);
+  ASSERT_EQ(small.size(), 8U);
+  EXPECT_NEAR(small[0] * 1e8, large[0], 1e-6 * large[0]);
+  EXPECT_NEAR(small[4] * 1e4, large[4], 1e-4 * std::abs(large[4]));
+}
+
 TEST(Duffing, TooTightABoundIsAFailure) {
   const Finished f = run("rbf_inverse", "duffing --case fixed --final-time 1 --bound 3");
   EXPECT_EQ(f.exit_code, 1);
