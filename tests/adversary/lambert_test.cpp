@@ -42,14 +42,28 @@ std::string words(const LambertProblem& p, const LambertArc& arc) {
       arc.long_way ? "--long-way" : "", arc.revolutions, arc.branch == LambertBranch::low ? "low" : "high");
 }
 
-/// The miss of an arc over 8 kappa eps |r_2|.
+/// Does the angular momentum have the sign that was asked for? In the plane of the positions, or of the
+/// normal.
+bool is_on_its_side(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
+  const State ends{p.from, p.to}, start{p.from, s.v1};
+  const auto wide = as<Real>(ends), leaving = as<Real>(start);
+  const Vector3<Real> h = cross(leaving.position, leaving.velocity);
+  Vector3<Real> normal = cross(wide.position, wide.velocity);
+  if (are_opposite(p)) normal = as<Real>(State{p.from, *p.normal}).velocity;
+  return (h.dot(normal) > 0) != arc.long_way;
+}
+
+/// The miss of an arc over 8 kappa eps |r_2|. Where it matters, by more than 1e-6 |r_2|, the arc passes the
+/// centre on the side that was asked for.
 Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
   const State start{p.from, s.v1};
   const KeplerCondition kappa = kepler_condition(start, p.time, p.mu);
   const auto judge = [&](const auto& end) {
     const double miss = distance(p.to, end.position) / p.to.norm();
-    return Case::judged(miss / (kappa.position * eps), 8,
-                        words(p, arc) + fmt::format(" kappa {:.3g}", kappa.position));
+    const std::string what = words(p, arc) + fmt::format(" kappa {:.3g}", kappa.position);
+    if (!(64 * kappa.position * eps < 1)) return Case::wrong(what);
+    if (miss > 1e-6 && !is_on_its_side(p, arc, s)) return Case::wrong("other side: " + what);
+    return Case::judged(miss / (kappa.position * eps), 8, what);
   };
   const double share = s.v1.squaredNorm() * p.from.norm() / p.mu;
   const bool plain = std::abs(1 - share) > 1e-2 && std::abs(2 - share) > 1e-2 && share > 1e-2 &&

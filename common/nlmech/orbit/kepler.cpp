@@ -130,6 +130,13 @@ bool may_be_undetermined(const Scaled& s, const State& end) {
   return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
 }
 
+/// kappa where it leaves no digit, else 0.
+double undetermining(const Scaled& s, const State& end) {
+  if (!may_be_undetermined(s, end)) return 0;
+  const double kappa = std::max(condition_of(s).position, phase_condition(s));
+  return most_of_condition * kappa * std::numeric_limits<double>::epsilon() < 1 ? 0 : kappa;
+}
+
 Status undetermined(double time, double kappa) {
   return Status::failure(
       Outcome::outside_validity,
@@ -161,12 +168,9 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
                     time));
     return solution;
   }
-  if (may_be_undetermined(s, end)) {
-    const double kappa = std::max(condition_of(s).position, phase_condition(s));
-    if (!(most_of_condition * kappa * std::numeric_limits<double>::epsilon() < 1)) {
-      solution.status = undetermined(time, kappa);
-      return solution;
-    }
+  if (const double kappa = undetermining(s, end); kappa != 0) {
+    solution.status = undetermined(time, kappa);
+    return solution;
   }
   const State users = s.units.users(end);
   if (!users.position.allFinite() || !users.velocity.allFinite() ||
@@ -185,6 +189,13 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
 KeplerCondition kepler_condition(const State& start, double time, double mu) {
   check_arguments(start, time, mu, "kepler_condition");
   return condition_of(Scaled(start, time, mu));
+}
+
+double undetermining_condition(const State& start, const State& end, double time, double mu) {
+  check_arguments(start, time, mu, "undetermining_condition");
+  const Scaled s(start, time, mu);
+  if (!s.possible) return std::numeric_limits<double>::infinity();
+  return undetermining(s, s.units.own(end));
 }
 
 }  // namespace nlmech::orbit

@@ -181,4 +181,11 @@ struct KeplerCondition {
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 
+/// What propagate_kepler() refuses @p start by: kappa of the position @p end, or of the mean anomaly if that
+/// is larger, where it leaves no digit (64 kappa eps >= 1); 0 where a digit is left. Costs little where kappa
+/// is far from that.
+/// @param end where the motion is known to be after @p time
+/// @throws std::invalid_argument as propagate_kepler
+[[nodiscard]] double undetermining_condition(const State& start, const State& end, double time, double mu);
+
 }  // namespace nlmech::orbit

@@ -115,20 +115,22 @@ struct Scaled {
           problem.time, wanted, wanted > 1 ? "long" : "short"));
 }
 
-/// Rounding of v_1 may change the motion about the centre by 1e-8 and more where less than that share of it
-/// goes across.
-constexpr double least_across = 1e-8;
-/// Then a miss beyond this share of |r_2| is none of rounding alone.
-constexpr double largest_undetermined = 1e-6;
+/// Rounding turns v_1 by 4 eps at most: an eps for the unit vector along r_1, one for the sum of both parts,
+/// and as much again for the parts themselves. Where sixteen times that share of it goes across r_1, the
+/// angular momentum keeps its sign and all but a sixteenth of its size.
+constexpr double least_across = 64 * std::numeric_limits<double>::epsilon();
+/// The error of an end, as a share of |r_2|, up to which it does not matter on which side the centre is
+/// passed.
+constexpr double largest_without_side = 1e-6;
 
-/// Is the rounded v_1 exact enough for the arc to arrive? Looked at where rounding may turn the motion about
-/// the centre round: thin ellipses arrive all the same, fast passages near the centre do not.
-[[nodiscard]] bool arrives(const LambertProblem& problem, const Chord& chord, const Vector3<double>& across,
-                           const Vector3<double>& v1) {
+/// Does the rounded v_1 pass the centre on the side that was asked for, or arrive whichever it passes? Thin
+/// ellipses do, fast passages near the centre do not. By the bound of the miss, because a miss in double
+/// precision may be small by chance.
+[[nodiscard]] bool keeps_its_side(const LambertProblem& problem, const Chord& chord,
+                                  const Vector3<double>& across, const Vector3<double>& v1) {
   if (across.dot(chord.ahead1) > least_across * std::sqrt(across.dot(across))) return true;
-  const KeplerSolution end = propagate_kepler({problem.from, v1}, problem.time, problem.mu);
-  return end.status.ok() &&
-         (end.state.position - problem.to).stableNorm() <= largest_undetermined * problem.to.stableNorm();
+  const double kappa = kepler_condition({problem.from, v1}, problem.time, problem.mu).position;
+  return 8 * kappa * std::numeric_limits<double>::epsilon() <= largest_without_side;
 }
 
 [[nodiscard]] Status passes_too_near(const LambertProblem& problem, const LambertArc& arc) {
@@ -138,6 +140,14 @@ constexpr double largest_undetermined = 1e-6;
           "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
           "velocities decides on which side; take {}another time, or positions farther from one line",
           arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : ""));
+}
+
+[[nodiscard]] Status undetermined(const LambertProblem& problem, double wanted, double kappa) {
+  return Status::failure(
+      Outcome::outside_validity,
+      fmt::format("lambert: rounding of the velocities leaves the place after {:.6g} undetermined (the arc's "
+                  "condition, {:.2g}, times the rounding of doubles leaves not one digit); take a {} time",
+                  problem.time, kappa, wanted > 1 ? "shorter" : "longer"));
 }
 
 [[nodiscard]] LambertSolution solve(const LambertProblem& problem, const Scaled& scaled,
@@ -161,8 +171,14 @@ constexpr double largest_undetermined = 1e-6;
     solution.status = out_of_reach(problem, scaled.wanted);
     return solution;
   }
-  if (!arrives(problem, scaled.chord, scaled_v1, v1)) {
+  if (!keeps_its_side(problem, scaled.chord, scaled_v1, v1)) {
     solution.status = passes_too_near(problem, arc);
+    return solution;
+  }
+  const double kappa =
+      undetermining_condition({problem.from, v1}, {problem.to, v2}, problem.time, problem.mu);
+  if (kappa != 0) {
+    solution.status = undetermined(problem, scaled.wanted, kappa);
     return solution;
   }
   solution.v1 = v1;

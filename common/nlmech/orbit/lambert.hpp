@@ -43,19 +43,20 @@ struct LambertSolution {
   /// success; `infeasible` if so many revolutions take longer than the given time; `outside_validity` if
   /// the positions lie in one direction from the centre (0 or 360 degrees: the plane is undetermined, and the
   /// arc a straight line), if they are opposite and no normal is given, if the time is so long or so short
-  /// that the velocities in double precision do not tell it, or if the arc passes the centre so closely that
-  /// the rounding of v_1 decides on which side it passes (less than 1e-8 of it goes across r_1, and the
-  /// orbit with the rounded one misses by more than 1e-6 |r_2|)
+  /// that the velocities in double precision do not tell it (64 kappa eps >= 1, as propagate_kepler() refuses
+  /// it), or if the arc passes the centre so closely that the rounding of v_1 decides on which side it passes
+  /// (less than 64 eps of it goes across r_1, and 8 kappa eps > 1e-6)
   Status status;
   int iterations = 0;  ///< evaluations of the time of flight
 };
 
 /// Solves the problem by Izzo's method (D. Izzo, Revisiting Lambert's problem, Celest. Mech. Dyn. Astron. 121
 /// (2015) 1-15): ellipses of any number of revolutions, parabolas, hyperbolas. The positions that Kepler's
-/// motion leads to from r_1 with v_1 are within 8 kappa eps |r_2| of r_2, kappa from kepler_condition();
-/// tests hold 10 000 random problems with up to 20 revolutions to it. The angular momentum of a success is on
-/// the side that was asked for, wherever the end depends on it. No arc is lost that doubles can tell: where
-/// Householder's iteration does not converge, bisection does. A parabola of any angle is an arc like others.
+/// motion leads to from r_1 with v_1 are within 8 kappa eps |r_2| of r_2, kappa from kepler_condition(), an
+/// eighth of |r_2| at most; tests hold 10 000 random problems with up to 20 revolutions to it. The angular
+/// momentum of a success is on the side that was asked for, wherever the end depends on it. No arc is lost
+/// that doubles can tell: where Householder's iteration does not converge, bisection does. A parabola of any
+/// angle is an arc like others.
 /// @throws std::invalid_argument for a position 0, a time or mu not positive, anything not finite, a number
 /// of revolutions that is negative, and for a normal that is along the positions where it is read
 [[nodiscard]] LambertSolution solve_lambert(const LambertProblem& problem, const LambertArc& arc = {});
