@@ -14,18 +14,13 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string height, model = "element", elements = "1";
+  std::string height, model = "element";
+  std::string elements;  ///< empty: elements_of()
 };
 
 frames::TogglePath path_of(const Words& words, double height) {
-  const int elements = scene::typed_whole("--elements", words.elements, 1, 10'000);
-  const frames::Toggle toggle{.height = height, .elements = elements};
+  const frames::Toggle toggle{.height = height, .elements = elements_of(words.elements, words.model)};
   if (words.model == "element") return critical_points(toggle);
-  if (words.model != "williams")
-    throw InputError(fmt::format("--model {}: there are element and williams", words.model));
-  if (elements != 1)
-    throw InputError(
-        fmt::format("--elements {}: Williams' equation has none; use --model element", words.elements));
   static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
   return critical_points(frames::Williams{.height = height});
 }
@@ -70,10 +65,10 @@ void add_limit_points_command(CLI::App& app) {
       "pound as in Table 2.1");
   command->add_option("--height", words->height, "of the apex over the bases, inch")->required();
   command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
-  command
-      ->add_option("--elements", words->elements,
-                   "beam-columns a member; above a height of 0.75 in 2 or more, to let members bow")
-      ->capture_default_str();
+  command->add_option(
+      "--elements", words->elements,
+      "beam-columns a member, 4 if not given; one does not bow, and ends with 1 above a height of "
+      "0.75 in");
   command->callback([words] { limit_points(*words); });
 }
 

@@ -22,7 +22,8 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string height, load, solver = "energy-trust-region", model = "element", elements = "1";
+  std::string height, load, solver = "energy-trust-region", model = "element";
+  std::string elements;   ///< empty: elements_of()
   std::string tolerance;  ///< empty: 1e-10, or rounding where that is more
 };
 
@@ -34,24 +35,18 @@ struct Loaded {
   double sign = 1;  ///< of the drop
 };
 
-Loaded loaded_toggle(const Words& words, double height, double load) {
-  const int elements = scene::typed_whole("--elements", words.elements, 1, 10'000);
+Loaded loaded_toggle(const Words& words, int elements, double height, double load) {
   Loaded all;
   try {
     if (words.model == "williams") {
-      if (elements != 1)
-        throw InputError(
-            fmt::format("--elements {}: Williams' equation has none; use --model element", elements));
       static_cast<void>(frames::make_frame({.height = height}));  // refuses what is no toggle
       all.equations = std::make_unique<frames::WilliamsEquilibrium>(frames::Williams{.height = height}, load);
-    } else if (words.model == "element") {
+    } else {
       all.toggle = std::make_unique<frames::ToggleFrame>(
           frames::make_frame(frames::Toggle{.height = height, .elements = elements}));
       all.equations = std::make_unique<frames::Equilibrium>(all.toggle->frame, all.toggle->load, load);
       all.apex = all.toggle->apex;
       all.sign = -1;
-    } else {
-      throw InputError(fmt::format("--model {}: there are element and williams", words.model));
     }
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("--height {} --load {}: {}", words.height, words.load, error.what()));
@@ -135,7 +130,8 @@ void solve(const Words& words) {
   const double tolerance = is_given ? scene::typed_number("--tolerance", words.tolerance) : 1e-10;
   if (!(tolerance > 0 && tolerance < 1))
     throw InputError(fmt::format("--tolerance {}: must be above 0 and below 1", words.tolerance));
-  const Loaded toggle = loaded_toggle(words, height, load);
+  const int elements = elements_of(words.elements, words.model);
+  const Loaded toggle = loaded_toggle(words, elements, height, load);
   const double scale = load != 0 ? std::abs(load) / 2 : 1;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(toggle.equations->size());
   const algebraic::Report report =
@@ -144,8 +140,7 @@ void solve(const Words& words) {
   if (!report.status.ok()) throw Failure(report.status);
   // A drop of 0 has no sign.
   const double drop = x[toggle.apex] == 0 ? 0 : toggle.sign * x[toggle.apex];
-  const Standing standing =
-      standing_of(toggle, height, load, scene::typed_whole("--elements", words.elements, 1, 10'000), x);
+  const Standing standing = standing_of(toggle, height, load, elements, x);
   const auto& events = standing.from_rest.events;
   scene::print_result(
       fmt::format("status,deflection,residual,iterations,bound,stability,critical_load\n{},{:.17g},{:.6g},{},"
@@ -175,7 +170,8 @@ void add_solve_command(CLI::App& app) {
   command->add_option("--solver", words->solver, "its name; an unknown one lists them")
       ->capture_default_str();
   command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
-  command->add_option("--elements", words->elements, "beam-columns a member")->capture_default_str();
+  command->add_option("--elements", words->elements,
+                      "beam-columns a member, 4 if not given; one does not bow");
   command->add_option(
       "--tolerance", words->tolerance,
       "on the residual; if not given 1e-10, or where that is more, as with very many elements, 4 "
