@@ -162,9 +162,8 @@ Case grid(Draw& draw, const std::filesystem::path& folder) {
       const Best b = best(p, departure, arrival);
       if (!(b.doubt < 1e-3 * b.sum)) continue;
       const double sum = number((*row)[2]) + number((*row)[3]);
-      const Case found =
-          Case::judged(std::abs(sum - b.sum), 4 * b.doubt,
-                       fmt::format("{}\n{}, right {:.17g}", what, fmt::join(*row, ","), b.sum));
+      Case found = Case::judged(std::abs(sum - b.sum), 4 * b.doubt,
+                                fmt::format("{}\n{}, right {:.17g}", what, fmt::join(*row, ","), b.sum));
       if (found.verdict == Case::Verdict::wrong) return found;
       if (worst.verdict != Case::Verdict::right || found.ratio > worst.ratio) worst = found;
     }

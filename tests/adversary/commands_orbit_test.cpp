@@ -105,7 +105,7 @@ Case trial(Draw& draw) {
     if (!(allowed < 0.1)) continue;
     const auto truth = conic<Real>(a.motion.start, t, a.motion.mu);
     const double error = distance(x, truth.position) / static_cast<double>(length(truth.position));
-    const Case found = Case::judged(error, allowed, fmt::format("{}: at t = {:.17g}", r.words, t));
+    Case found = Case::judged(error, allowed, fmt::format("{}: at t = {:.17g}", r.words, t));
     if (found.verdict == Case::Verdict::wrong) return found;
     if (worst.verdict != Case::Verdict::right || found.ratio > worst.ratio) worst = found;
   }
