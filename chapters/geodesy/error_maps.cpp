@@ -119,32 +119,31 @@ void add_error_maps(scene::Chapter& chapter, const SeriesRuns& runs) {
   }
 }
 
+// Nominal is the series with its coefficients as printed, inferred with the misprints corrected.
 void add_claims(scene::Chapter& chapter, const SeriesRuns& runs) {
-  const Run<ErrorMap>&second = *runs.corrected[1], &third = *runs.corrected[2], &fourth = *runs.corrected[3];
-  const Run<ErrorMap>& printed = *runs.printed[3];
-  const auto gain = [](const ErrorMap& coarse, const ErrorMap& fine) {
-    return std::min(coarse.latitude.magnitude / fine.latitude.magnitude,
-                    coarse.height.magnitude / fine.height.magnitude);
-  };
   const std::string claim = "elgohary/claim-2.4/";
-  chapter.add(scene::Measurement{
-      claim + "order 4/latitude error, order of magnitude", {&fourth}, [&fourth](Workshop& w) {
-        return scene::Measured{w.result(fourth).latitude.magnitude, {}};
-      }});
-  chapter.add(scene::Measurement{
-      claim + "order 4/height error, order of magnitude",
-      {&fourth, &printed},
-      [&fourth, &printed](Workshop& w) {
-        return scene::Measured{w.result(fourth).height.magnitude, w.result(printed).height.magnitude};
-      }});
-  chapter.add(scene::Measurement{
-      claim + "order 2 to 3/improvement", {&second, &third}, [&second, &third, gain](Workshop& w) {
-        return scene::Measured{gain(w.result(second), w.result(third)), {}};
-      }});
-  chapter.add(scene::Measurement{
-      claim + "order 3 to 4/improvement", {&third, &fourth}, [&third, &fourth, gain](Workshop& w) {
-        return scene::Measured{gain(w.result(third), w.result(fourth)), {}};
-      }});
+  const auto add = [&](const std::string& name, std::size_t order, auto read) {
+    const Run<ErrorMap>&as_printed = *runs.printed[order - 1], &before = *runs.printed[order - 2];
+    const Run<ErrorMap>&corrected = *runs.corrected[order - 1], &before_it = *runs.corrected[order - 2];
+    chapter.add(scene::Measurement{claim + name,
+                                   {&before, &as_printed, &before_it, &corrected},
+                                   [&before, &as_printed, &before_it, &corrected, read](Workshop& w) {
+                                     return scene::Measured{read(w.result(before), w.result(as_printed)),
+                                                            read(w.result(before_it), w.result(corrected))};
+                                   }});
+  };
+  const auto latitude = [](const ErrorMap& /*before*/, const ErrorMap& map) {
+    return map.latitude.magnitude;
+  };
+  const auto height = [](const ErrorMap& /*before*/, const ErrorMap& map) { return map.height.magnitude; };
+  const auto gain = [](const ErrorMap& before, const ErrorMap& map) {
+    return std::min(before.latitude.magnitude / map.latitude.magnitude,
+                    before.height.magnitude / map.height.magnitude);
+  };
+  add("order 4/latitude error, order of magnitude", 4, latitude);
+  add("order 4/height error, order of magnitude", 4, height);
+  add("order 2 to 3/improvement", 3, gain);
+  add("order 3 to 4/improvement", 4, gain);
 }
 
 }  // namespace nlmech::chapters

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/plots.hpp"
@@ -89,7 +90,8 @@ scene::Showing compare(bool tip, double x) {
   return {plot.with("key1", "bottom left").take(), {}, quantities};
 }
 
-/// Magnitude and phase of one transfer function; real on the axis, so the phase is 0 or -180 degrees.
+/// Magnitude and phase of the response to a unit step, G/s on the imaginary axis, where G is real: the phase
+/// is -90 or 90 degrees, as the text has it.
 scene::Showing bode(bool hub) {
   const Plant plant(craft(true));
   const auto p = spacecraft::poles(plant, 10);
@@ -108,20 +110,20 @@ scene::Showing bode(bool hub) {
                 : "Deflection at 2 ft: fewer zeros than poles",
             "{/:Italic ω} (rad/s)");
   plot.log_x(0.1, 1000);
-  plot.panel(hub ? "|{/:Italic θ}/{/:Italic u}| (rad per ft lb)"
-                 : "|{/:Italic y}/{/:Italic u}| (ft per ft lb)");
-  plot.log_y(hub ? 1e-9 : 1e-8, hub ? 100 : 1);
+  plot.panel(hub ? "|{/:Italic θ}| of a unit step (rad s)" : "|{/:Italic y}| of a unit step (ft s)");
+  plot.log_y(hub ? 1e-11 : 1e-10, hub ? 1000 : 10);
   const auto value = [&](double w) {
     const auto r = plant.at_frequency(w, 2);
     return hub ? r.theta : r.deflection;
   };
   plot.begin("", "l1");
-  for (const double w : omega) plot.add(w, std::abs(value(w)));
+  const auto step = [&](double w) { return value(w) / spacecraft::Complex(0, w); };
+  for (const double w : omega) plot.add(w, std::abs(step(w)));
   plot.panel("phase (deg)");
-  plot.y_range(-200, 20);
-  plot.y_tics(-180, 90);
+  plot.y_range(-120, 120);
+  plot.y_tics(-90, 90);
   plot.begin("", "l1");
-  for (const double w : omega) plot.add(w, value(w) < 0 ? -180 : 0);
+  for (const double w : omega) plot.add(w, std::arg(step(w)) * 180 / std::numbers::pi);
   for (const Known& k : with_tip)
     quantities.push_back(scene::near(fmt::format("{} at {} rad/s", hub ? "theta/u" : "y/u", k.omega),
                                      hub ? "1/(lb ft)" : "1/lb", value(k.omega), hub ? k.theta : k.middle,
@@ -156,8 +158,8 @@ void add_frequency_figures(scene::Chapter& chapter) {
                           tip ? "with" : "without"),
               [tip, x] { return compare(tip, x); });
   }
-  add_scene(chapter, "fig-3.7", "Bode plot of the deflection at 2 ft", [] { return bode(false); });
-  add_scene(chapter, "fig-3.8", "Bode plot of the hub angle", [] { return bode(true); });
+  add_scene(chapter, "fig-3.7", "Bode plot of a unit step: deflection at 2 ft", [] { return bode(false); });
+  add_scene(chapter, "fig-3.8", "Bode plot of a unit step: hub angle", [] { return bode(true); });
 }
 
 }  // namespace nlmech::chapters

@@ -17,6 +17,7 @@
 #include "nlmech/scene/errata.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/process.hpp"
+#include "nlmech/scene/published.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::tests {
@@ -113,6 +114,22 @@ TEST(Errata, OfChaptersBuiltAreProved) {
   }
   for (const auto& [id, what] : said)
     EXPECT_TRUE(ids.contains(id)) << *what.tests.begin() << " proves " << id << ", which no list has";
+}
+
+/// A printed number that is a misprint names an entry, and is not said to be reproduced (which its file
+/// refuses). An entry that names the digits of a table stands beside a number that differs.
+TEST(Errata, OfPrintedNumbersAreThoseThatTheFilesName) {
+  std::map<std::string, std::string> sources;
+  for (const scene::Erratum& e : scene::read_errata(NLMECH_SOURCE_DIR)) sources[e.id] = e.source;
+  int named = 0;
+  for (const scene::PublishedValue& value : scene::read_published(NLMECH_SOURCE_DIR)) {
+    if (value.erratum.empty()) continue;
+    ++named;
+    EXPECT_EQ(value.expected, scene::Verdict::differs) << value.name();
+    ASSERT_TRUE(sources.contains(value.erratum)) << value.name() << ": no entry " << value.erratum;
+    EXPECT_EQ(sources[value.erratum], value.source) << value.name();
+  }
+  EXPECT_GT(named, 0);
 }
 
 TEST(Errata, EveryChapterHasAList) {

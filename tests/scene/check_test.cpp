@@ -23,11 +23,14 @@ class Check : public ::testing::Test {
  protected:
   Check() {
     put(folder_ / "tables/places.csv",
-        "source,place,chapter,kind,subject\nbook,table-1,ours,table,x\nbook,table-2,theirs,table,y\n");
+        "source,place,chapter,kind,subject,scenes\nbook,table-1,ours,table,x,\nbook,table-2,theirs,table,y,"
+        "\n");
   }
   void publish(const std::string& rows) {
     put(folder_ / "tables/published/book.csv",
-        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n" + rows);
+        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,"
+        "erratum,reading\n" +
+            rows);
   }
   void measure(const std::string& name, Measured measured) {
     chapter_.add(Measurement{name, {}, [measured](Workshop&) { return measured; }});
@@ -47,7 +50,9 @@ class Check : public ::testing::Test {
 };
 
 TEST_F(Check, JudgesTheValuesOfTheChapterAndNoOthers) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-2,b,x,1,1,error,,,reproduced,,\n");
+  publish(
+      "table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\ntable-2,b,x,1,1,error,,,reproduced,0.15,made "
+      "up,,,,\n");
   measure("book/table-1/a/x", {1.1, {}});
   const ChapterCheck result = check_ours();
   ASSERT_EQ(result.values.size(), 1U);
@@ -57,7 +62,9 @@ TEST_F(Check, JudgesTheValuesOfTheChapterAndNoOthers) {
 
 // A run that fails costs its own values and scenes, and leaves the others with their verdicts.
 TEST_F(Check, GoesOnAfterAFailure) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
+  publish(
+      "table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\ntable-1,b,x,1,1,error,,,reproduced,0.15,made "
+      "up,,,,\n");
   chapter_.add(Measurement{"book/table-1/a/x", {}, [](Workshop&) -> Measured {
                              throw Failure(Status::failure(Outcome::not_converged, "stalled at t = 3"));
                            }});
@@ -77,7 +84,9 @@ TEST_F(Check, GoesOnAfterAFailure) {
 }
 
 TEST_F(Check, MissesByOneValue) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\ntable-1,b,x,1,1,error,,,reproduced,,\n");
+  publish(
+      "table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\ntable-1,b,x,1,1,error,,,reproduced,0.15,made "
+      "up,,,,\n");
   measure("book/table-1/a/x", {1, {}});
   measure("book/table-1/b/x", {2, {}});
   EXPECT_FALSE(check_ours().kept());
@@ -103,24 +112,26 @@ TEST_F(Check, MissesByOneQuantity) {
 
 TEST_F(Check, RefusesAPromiseWithoutAMeasurement) {
   for (const char* promise :
-       {"reproduced", "\"reproduced, inferred reading\"", "better", "differs", "input"}) {
-    publish(std::string("table-1,a,x,1,1,error,,,") + promise + ",,\n");
+       {"reproduced,digits,,,,", "\"reproduced, inferred reading\",digits,,7,1 of 2,",
+        "same rounding level,factor 5,noise,,,", "better,digits,,,,", "differs,digits,,,,",
+        "holds,digits,,,,", "does not hold,digits,,,,", "input,,,,,"}) {
+    publish(std::string("table-1,a,x,1,1,error,,,") + promise + ",\n");
     EXPECT_EQ(complaint(), "chapter ours has no measurement for book/table-1/a/x") << promise;
   }
   for (const char* nothing : {"context", "not stated"}) {
-    publish(std::string("table-1,a,x,1,1,error,,,") + nothing + ",,\n");
+    publish(std::string("table-1,a,x,1,1,error,,,") + nothing + ",,,,,,\n");
     EXPECT_EQ(complaint(), "") << nothing;
   }
 }
 
 TEST_F(Check, RefusesAMeasurementOfWhatNobodyPrints) {
-  publish("table-2,b,x,1,1,error,,,reproduced,,\n");
+  publish("table-2,b,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   measure("book/table-2/b/x", {1, {}});
   EXPECT_EQ(complaint(), "chapter ours measures book/table-2/b/x, which no source prints");
 }
 
 TEST_F(Check, HoldsMeasurementsToTheirDeclarations) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  publish("table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   const auto& run = chapter_.add_run<double>("run", "", {}, [](Workshop&) { return 1.0; });
   chapter_.add(Measurement{"book/table-1/a/x", {}, [&run](Workshop& w) {
                              return Measured{w.result(run), {}};
@@ -130,10 +141,10 @@ TEST_F(Check, HoldsMeasurementsToTheirDeclarations) {
 
 TEST_F(Check, LeavesWhatTheReportNeeds) {
   publish(
-      "table-1,\"a; \"\"b\"\", c\",x,1,1,error,,,reproduced,,\n"
-      "table-1,i,x,1,1,error,,1.0..1.2,\"reproduced, inferred reading\",,\n"
-      "table-1,t,s,9,s,time,,,context,,\n"
-      "table-2,b,x,1,1,error,,,reproduced,,\n");
+      "table-1,\"a; \"\"b\"\", c\",x,1,1,error,,,reproduced,0.15,made up,,,,\n"
+      "table-1,i,x,1,1,error,,1.0..1.2,\"reproduced, inferred reading\",0.15,made up,3,1 of 1,,\n"
+      "table-1,t,s,9,s,time,,,context,,,,,,\n"
+      "table-2,b,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   measure("book/table-1/a; \"b\", c/x", {1 + 0x1p-52, {}});
   measure("book/table-1/i/x", {7, 1.1});
   write_check(check_ours(), "ours", folder_.path());
@@ -158,8 +169,9 @@ TEST_F(Check, LeavesWhatTheReportNeeds) {
 // A method that diverges where the source prints a number: the report must say what the check said.
 TEST_F(Check, LeavesInfiniteAndUndefinedNumbersAsTheyAre) {
   publish(
-      "table-1,inf,x,1,1,error,,,differs,,\ntable-1,gain,x,100,1,value,,,reproduced,at least 100,\n"
-      "table-1,nan,x,1,1,error,,,differs,,\n");
+      "table-1,inf,x,1,1,error,,,differs,digits,,,,,\n"
+      "table-1,gain,x,100,1,claim,,,holds,at least 100,two orders,,,,\n"
+      "table-1,nan,x,1,1,error,,,differs,digits,,,,,\n");
   measure("book/table-1/inf/x", {-inf, {}});
   measure("book/table-1/gain/x", {inf, {}});
   measure("book/table-1/nan/x", {nan, {}});
@@ -177,10 +189,10 @@ TEST_F(Check, LeavesInfiniteAndUndefinedNumbersAsTheyAre) {
 }
 
 TEST_F(Check, IsReadAgainUnderTheFileAsItIsNow) {
-  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  publish("table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   measure("book/table-1/a/x", {1, {}});
   write_check(check_ours(), "ours", folder_.path());
-  publish("table-1,a,x,2,1,error,,,reproduced,,\n");
+  publish("table-1,a,x,2,1,error,,,reproduced,0.15,made up,,,,\n");
   EXPECT_FALSE(collect_checks({"ours"}, folder_.path(), folder_.path()).at(0).judgement.kept);
 }
 
@@ -193,7 +205,7 @@ TEST_F(Check, SaysThatAReportLacksAFileOrAValue) {
       return std::string(error.what());
     }
   };
-  publish("table-1,a,x,1,1,error,,,reproduced,,\n");
+  publish("table-1,a,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   EXPECT_EQ(said(), (folder_ / "results/ours/check.csv").string() + ": No such file or directory");
   put(folder_ / "results/ours/check.csv", "name,nominal,inferred,verdict,kept\n");
   EXPECT_EQ(said(), "results/ours/check.csv does not list book/table-1/a/x");
@@ -203,8 +215,10 @@ TEST_F(Check, SaysThatAReportLacksAFileOrAValue) {
 
 TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
   publish(
-      "table-1,good,x,1,m,error,,,reproduced,,as printed\ntable-1,bad,x,1,m,error,,,reproduced,,\n"
-      "table-1,t|u,x,1,s,time,,,context,,\ntable-2,b,x,1,1,error,,,reproduced,,\n");
+      "table-1,good,x,1,m,error,,,reproduced,0.1,why,,,,as "
+      "printed\ntable-1,bad,x,1,m,error,,,reproduced,0.15,made "
+      "up,,,,\n"
+      "table-1,t|u,x,1,s,time,,,context,,,,,,\ntable-2,b,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   measure("book/table-1/good/x", {1.01, {}});
   measure("book/table-1/bad/x", {3, {}});
   write_check(check_ours(), "ours", folder_.path());
@@ -218,8 +232,8 @@ TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
   EXPECT_NE(text.find("       book/table-2/b/x: published 1: not built\n"), std::string::npos)
       << "what is not built is not missed";
   EXPECT_NE(page.find("| table-1 | t\\|u | x | 1 | s |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| ours | 1 | 0 | 0 | 1 | 0 | 1 | 0 | 0 |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| theirs | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| ours | 1 | 0 | 0 | 0 | 1 | 0 | 0 | 0 | 1 | 0 | 0 |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| theirs | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |"), std::string::npos) << page;
   EXPECT_EQ(page, reproduction_page(values));
 }
 

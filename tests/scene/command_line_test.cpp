@@ -185,7 +185,7 @@ TEST_F(CommandLine, ChecksEndWithZeroWhenAllPromisesAreKept) {
             "       made-up/table-1/nominal/reproduced: published 2, nominal 2: reproduced\n"
             "       made-up/table-1/inferred/reproduced (inferred): published 3, nominal 5, inferred 3.2: "
             "reproduced, "
-            "inferred reading [twice the load]\n"
+            "inferred reading [twice the load (3 tried; explains 1 of 1 rows)]\n"
             "       made-up/table-1/smaller/better: published 1e-3, nominal 1.2e-6: better\n"
             "       made-up/table-1/other/differs: published 1.0, nominal 4: differs [a misprint]\n"
             "       made-up/table-1/start; guess, \"seed\" #1/not stated: published 7: not stated [the start "
@@ -233,7 +233,7 @@ TEST_F(CommandLine, RefusesBadFilesOfPublishedValues) {
   data_ = data_with(data, "place,row\n1,2\n");
   const Finished check = fixture({"check"});
   EXPECT_EQ(check.exit_code, 2);
-  expect_sentence(check.errors, "made-up.csv: line 2: 2 of 11 cells");
+  expect_sentence(check.errors, "made-up.csv: line 2: 2 of 15 cells");
   data_ = "/nowhere/at/all";
   EXPECT_EQ(fixture({"check"}).exit_code, 2);
 }

@@ -19,14 +19,15 @@ class Completeness : public ::testing::Test {
  protected:
   Completeness() {
     put(folder_ / "tables/places.csv",
-        "source,place,chapter,kind,subject\n"
-        "roy,fig-1,moon,figure,craters\n"
-        "roy,table-1,moon,table,tides\n"
-        "roy,claim-1,moon,claim,none of these\n"
-        "laier,fig-9,sun,figure,spots\n");
+        "source,place,chapter,kind,subject,scenes\n"
+        "roy,fig-1,moon,figure,craters,\n"
+        "roy,table-1,moon,table,tides,\n"
+        "roy,claim-1,moon,claim,none of these,\n"
+        "laier,fig-9,sun,figure,spots,\n");
     put(folder_ / "tables/published/roy.csv",
-        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n"
-        "table-1,r,q,1,1,value,,,context,,\n");
+        "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,"
+        "erratum,reading\n"
+        "table-1,r,q,1,1,value,,,context,,,,,,\n");
     put(folder_ / "results/moon/fig-1.csv", "x,y\n0,0\n1,1\n");
     put(folder_ / "results/moon/fig-1.json", kept);
     put(folder_ / "figures/moon/fig-1.svg", curve);
@@ -54,6 +55,27 @@ TEST_F(Completeness, CountsWhatIsThere) {
       << page;
   EXPECT_NE(page.find("| [table-1](moon/table-1.md) |"), std::string::npos) << page;
   EXPECT_NE(page.find("| fig-9 | sun | spots | 0 | 0 | 0 | not built |"), std::string::npos) << page;
+}
+
+// A paper that repeats figures of another source: all of the scenes that show one have to be there.
+TEST_F(Completeness, OfAFigureThatSeveralScenesShow) {
+  put(folder_ / "tables/places.csv",
+      "source,place,chapter,kind,subject,scenes\n"
+      "roy,fig-1,moon,figure,craters,\n"
+      "roy,table-1,moon,table,tides,\n"
+      "paper,fig-7,moon,figure,craters again,fig-1 fig-2\n");
+  EXPECT_FALSE(shown()[2].complete());
+  put(folder_ / "results/moon/fig-2.csv", "x,y\n0,0\n");
+  put(folder_ / "results/moon/fig-2.json", kept);
+  put(folder_ / "figures/moon/fig-2.svg", curve);
+  EXPECT_TRUE(shown()[2].complete());
+  EXPECT_EQ(shown()[2].numbers, 3U);
+  EXPECT_EQ(shown()[2].checked, 2U);
+  const std::string page = completeness_page(shown());
+  EXPECT_NE(
+      page.find("| fig-7: [fig-1](../figures/moon/fig-1.svg), [fig-2](../figures/moon/fig-2.svg) | moon |"),
+      std::string::npos)
+      << page;
 }
 
 TEST_F(Completeness, SeesWhatIsMissing) {

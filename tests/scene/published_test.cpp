@@ -17,7 +17,9 @@ namespace {
 using tests::put;
 using tests::TemporaryFolder;
 
-const char* header = "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,reading\n";
+const char* header =
+    "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,erratum,"
+    "reading\n";
 
 std::string complaint(const std::filesystem::path& folder) {
   try {
@@ -34,7 +36,7 @@ TEST(ReadPublished, ReadsEveryColumn) {
       std::string(header) +
           "fig-2,\"RK6; p = 3\",\"step, smallest\",0.210,s,error,0.19..0.20 s,0.2,\"reproduced, inferred "
           "reading\","
-          "factor 2,\"a, b\"\n");
+          "factor 2,two steps,7,3 of 4,,\"a, b\"\n");
   const auto values = read_published(folder.path());
   ASSERT_EQ(values.size(), 1U);
   const PublishedValue& v = values[0];
@@ -46,12 +48,16 @@ TEST(ReadPublished, ReadsEveryColumn) {
   EXPECT_EQ(v.inferred, "0.2");
   EXPECT_EQ(v.expected, Verdict::reproduced_inferred);
   EXPECT_EQ(v.tolerance, "factor 2");
+  EXPECT_EQ(v.because, "two steps");
+  EXPECT_EQ(v.tried, 7);
+  EXPECT_EQ(v.explains, "3 of 4");
+  EXPECT_EQ(v.erratum, "");
   EXPECT_EQ(v.reading, "a, b");
 }
 
 TEST(ReadPublished, TakesFilesInAlphabeticalOrderAndOnlyCsv) {
   const TemporaryFolder folder;
-  const std::string row = "t,r,q,1,1,value,,,context,,\n";
+  const std::string row = "t,r,q,1,1,value,,,context,,,,,,\n";
   for (const char* name : {"c.csv", "a.csv", "b.csv", "README.md", ".a.csv.17"}) {
     put(folder / "tables/published" / name, header + row);
   }
@@ -64,17 +70,49 @@ TEST(ReadPublished, NamesFileAndLineOfWhatItRefuses) {
   const TemporaryFolder folder;
   const std::string file = (folder / "tables/published/a.csv").string();
   const auto refused = [&](const std::string& row) {
-    put(file, std::string(header) + "t,r,q,1,1,value,,,context,,\n" + row + "\n");
+    put(file, std::string(header) + "t,r,q,1,1,value,,,context,,,,,,\n" + row + "\n");
     return complaint(folder.path());
   };
-  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,"), file + ": line 3: 10 of 11 cells");
-  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,,,"), file + ": line 3: 12 of 11 cells");
-  EXPECT_EQ(refused("t,r,q,1 s,1,value,,,context,,"),
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,,,,,"), file + ": line 3: 14 of 15 cells");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,,,,,,,"), file + ": line 3: 16 of 15 cells");
+  EXPECT_EQ(refused("t,r,q,1 s,1,value,,,context,,,,,,"),
             file + ": line 3, column 4 (value): '1 s' is not a finite number");
-  EXPECT_EQ(refused("t,r,q,,1,value,,,context,,"),
+  EXPECT_EQ(refused("t,r,q,,1,value,,,context,,,,,,"),
             file + ": line 3, column 4 (value): '' is not a finite number");
-  EXPECT_EQ(refused("t,r,q,1,1,value,,,splendid,,"), file + ": line 3: 'splendid' is no verdict");
-  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,roughly,"), file + ": line 3: 'roughly' is no tolerance");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,splendid,,,,,,"), file + ": line 3: 'splendid' is no verdict");
+  EXPECT_EQ(refused("t,r,q,1,1,value,,,context,roughly,why,,,,"),
+            file + ": line 3: 'roughly' is no tolerance");
+}
+
+// A verdict without what it rests on is refused.
+TEST(ReadPublished, AsksForTheEvidence) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& end) {
+    put(folder / "tables/published/a.csv", std::string(header) + "t,r,q,1,1,value,,," + end + "\n");
+    const std::string said = complaint(folder.path());
+    return said.substr(std::min(said.size(), said.find("line 2: ") + 8));
+  };
+  EXPECT_EQ(refused("reproduced,digits,,,,,"), "");
+  EXPECT_EQ(refused("reproduced,0.1,two steps,,,,"), "");
+  EXPECT_EQ(refused("\"reproduced, inferred reading\",digits,,7,3 of 4,,"), "");
+  for (const char* verdict :
+       {"reproduced", "same rounding level", "better", "differs", "holds", "does not hold"})
+    EXPECT_EQ(refused(verdict + std::string(",,,,,,")), "a verdict that compares, and no tolerance");
+  EXPECT_EQ(refused("reproduced,0.1,,,,,"), "no reason for the tolerance '0.1'");
+  for (const char* part : {",,", "7,,", ",3 of 4,"})
+    EXPECT_EQ(refused(std::string("\"reproduced, inferred reading\",digits,,") + part + ","),
+              "readings tried and rows explained belong to an inferred reading, both");
+  EXPECT_EQ(refused("reproduced,digits,,7,3 of 4,,"),
+            "readings tried and rows explained belong to an inferred reading, both");
+  for (const char* share : {"5 of 4", "0 of 4", "all", "3 of", "3 of 4 rows"})
+    EXPECT_EQ(refused(std::string("\"reproduced, inferred reading\",digits,,7,") + share + ",,"),
+              "'" + std::string(share) + "' is not of the form '5 of 6'");
+  for (const char* tried : {"0", "-1", "2.5", "some"})
+    EXPECT_EQ(refused(std::string("\"reproduced, inferred reading\",digits,,") + tried + ",3 of 4,,"),
+              "'" + std::string(tried) + "' is no number of readings");
+  EXPECT_EQ(refused("reproduced,digits,,,,book-1,"), "a misprint (book-1) cannot be reproduced");
+  EXPECT_EQ(refused("\"reproduced, inferred reading\",digits,,7,3 of 4,book-1,"),
+            "a misprint (book-1) cannot be reproduced");
 }
 
 TEST(ReadPublished, NamesTheFolderThatIsMissing) {
@@ -85,18 +123,18 @@ TEST(ReadPublished, NamesTheFolderThatIsMissing) {
 TEST(ReadPlaces, NamesFileAndLineOfAShortRow) {
   const TemporaryFolder folder;
   const std::string file = (folder / "tables/places.csv").string();
-  put(file, "source,place,chapter,kind,subject\nroy,fig-1,transversal,figure\n");
+  put(file, "source,place,chapter,kind,subject,scenes\nroy,fig-1,transversal,figure\n");
   try {
     static_cast<void>(read_places(folder.path()));
     FAIL() << "a row of four cells was accepted";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), file + ": line 2: 4 of 5 cells");
+    EXPECT_EQ(error.what(), file + ": line 2: 4 of 6 cells");
   }
 }
 
 TEST(Owner, IsTheChapterOfThePlaceInThatSource) {
-  const std::vector<Place> places = {{"roy", "table-1", "transversal", "table", ""},
-                                     {"laier", "table-1", "hermitian", "table", ""}};
+  const std::vector<Place> places = {{"roy", "table-1", "transversal", "table", "", {"table-1"}},
+                                     {"laier", "table-1", "hermitian", "table", "", {"table-1"}}};
   PublishedValue value;
   value.source = "laier";
   value.place = "table-1";
@@ -128,7 +166,8 @@ TEST(PublishedFiles, StandInPlacesThatAreListed) {
 }
 
 TEST(PublishedFiles, UseTheirWordsRightly) {
-  const std::set<std::string> kinds = {"parameter", "value", "error", "count", "time"};
+  const std::set<std::string> kinds = {"parameter", "value", "error",    "count",
+                                       "time",      "claim", "rounding", "bound"};
   for (const PublishedValue& value : all_values()) {
     EXPECT_TRUE(kinds.contains(value.kind)) << value.name() << ": " << value.kind;
     EXPECT_FALSE(value.unit.empty()) << value.name() << ": a number without a unit has unit 1";
@@ -169,7 +208,8 @@ TEST(PublishedFiles, AgreeWithThemselves) {
       for (const double x : numbers_at_front(value.inferred)) found.push_back({{}, x});
     }
     if (value.expected == Verdict::reproduced && found.size() == 2) {
-      EXPECT_TRUE(Tolerance(value.tolerance).allows(value.value, *found[0].nominal, *found[1].nominal))
+      EXPECT_TRUE(
+          Tolerance(value.tolerance, value.printed).allows(value.value, *found[0].nominal, *found[1].nominal))
           << value.name();
       found.clear();
       ++judged;
@@ -189,7 +229,8 @@ TEST(PublishedFiles, InferReadingsThatGiveThePrintedNumber) {
   for (const PublishedValue& value : all_values()) {
     const auto range = numbers_at_front(value.inferred);
     if (value.expected != Verdict::reproduced_inferred || range.empty()) continue;
-    EXPECT_TRUE(Tolerance(value.tolerance).allows(value.value, range.front(), range.back())) << value.name();
+    EXPECT_TRUE(Tolerance(value.tolerance, value.printed).allows(value.value, range.front(), range.back()))
+        << value.name();
   }
 }
 

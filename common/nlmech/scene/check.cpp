@@ -86,14 +86,27 @@ std::string verdict_text(const Checked& c) {
   return text;
 }
 
+/// "0.1: two steps of the scan": a tolerance and why.
+std::string within(const PublishedValue& value) {
+  return value.tolerance + (value.because.empty() ? "" : ": " + value.because);
+}
+
+/// With the evidence for it.
+std::string reading(const PublishedValue& value) {
+  if (value.tried == 0) return value.reading;
+  return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);
+}
+
 Table counts(const std::vector<Checked>& values) {
   std::map<std::string, std::map<Verdict, std::int64_t>> count;
   for (const Checked& c : values) ++count[c.chapter][c.judgement.verdict];
   std::vector<Column> columns = {{"chapter"}};
-  const std::vector<Verdict> order = {Verdict::reproduced, Verdict::reproduced_inferred,
-                                      Verdict::better,     Verdict::differs,
-                                      Verdict::not_stated, Verdict::context,
-                                      Verdict::input,      Verdict::not_built};
+  const std::vector<Verdict> order = {Verdict::reproduced,    Verdict::reproduced_inferred,
+                                      Verdict::same_rounding, Verdict::better,
+                                      Verdict::differs,       Verdict::not_stated,
+                                      Verdict::holds,         Verdict::does_not_hold,
+                                      Verdict::context,       Verdict::input,
+                                      Verdict::not_built};
   for (const Verdict v : order) columns.push_back({std::string(to_string(v))});
   Table table(columns);
   for (auto& [chapter, by_verdict] : count) {
@@ -207,6 +220,7 @@ std::string reproduction_page(const std::vector<Checked>& values) {
                {"nominal"},
                {"inferred"},
                {"verdict"},
+               {"within"},
                {"reading"}});
   const auto flush = [&] {
     if (!source.empty()) page += "\n## " + source + "\n\n" + table.markdown();
@@ -216,7 +230,8 @@ std::string reproduction_page(const std::vector<Checked>& values) {
     if (c.value.source != source) flush();
     source = c.value.source;
     table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit,
-               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), c.value.reading});
+               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), within(c.value),
+               reading(c.value)});
   }
   flush();
   return page;
@@ -231,7 +246,7 @@ std::string reproduction_text(const std::vector<Checked>& values) {
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);
     if (!c.failure.empty()) text += " because " + c.failure;
-    if (!c.value.reading.empty()) text += " [" + c.value.reading + "]";
+    if (!c.value.reading.empty()) text += " [" + reading(c.value) + "]";
     text += '\n';
   }
   return text;

@@ -45,12 +45,25 @@ void count_quantities(const fs::path& file, Shown& shown) {
   }
 }
 
-/// A link as it reads from the folder `tables`.
-std::string link(const Shown& s) {
+/// What one scene left, added to the others of its place.
+void count_scene(const fs::path& out, const std::string& scene, Shown& s) {
+  const bool figure = s.place.kind == "figure";
+  const std::size_t numbers = rows_of(out / (figure ? "results" : "tables") / (scene + ".csv"));
+  s.numbers += numbers;
+  s.drawn = s.drawn && numbers > 0 && (!figure || has_curves(out / "figures" / (scene + ".svg")));
+  count_quantities(out / "results" / (scene + ".json"), s);
+}
+
+/// Links as they read from the folder `tables`.
+std::string links(const Shown& s) {
   if (!s.built || !s.drawn) return s.place.name;
-  if (s.place.kind == "figure")
-    return fmt::format("[{0}](../figures/{1}/{0}.svg)", s.place.name, s.place.chapter);
-  return fmt::format("[{0}]({1}/{0}.md)", s.place.name, s.place.chapter);
+  std::string text;
+  for (const std::string& scene : s.place.scenes) {
+    const bool figure = s.place.kind == "figure";
+    text += fmt::format("{}[{}]({}{}/{}.{})", text.empty() ? "" : ", ", scene, figure ? "../figures/" : "",
+                        s.place.chapter, scene, figure ? "svg" : "md");
+  }
+  return s.place.scenes.front() == s.place.name ? text : s.place.name + ": " + text;
 }
 
 std::string state(const Shown& s) {
@@ -86,12 +99,9 @@ std::vector<Shown> collect_shown(const std::vector<std::string>& built, const fs
   for (Place& place : read_places(data_folder)) {
     if (place.kind != "figure" && place.kind != "table") continue;
     Shown s{std::move(place), false, false, 0, 0, 0, 0};
-    const std::string scene = s.place.chapter + "/" + s.place.name;
     s.built = std::find(built.begin(), built.end(), s.place.chapter) != built.end();
-    const bool figure = s.place.kind == "figure";
-    s.numbers = rows_of(out / (figure ? "results" : "tables") / (scene + ".csv"));
-    s.drawn = s.numbers > 0 && (!figure || has_curves(out / "figures" / (scene + ".svg")));
-    count_quantities(out / "results" / (scene + ".json"), s);
+    s.drawn = true;
+    for (const std::string& name : s.place.scenes) count_scene(out, s.place.chapter + "/" + name, s);
     s.published =
         static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [&](const PublishedValue& v) {
           return v.source == s.place.source && v.place == s.place.name;
@@ -120,7 +130,7 @@ std::string completeness_page(const std::vector<Shown>& shown) {
                  {"numbers printed"},
                  {"state"}});
     for (const Shown* s : entries) {
-      table.add({link(*s), s->place.chapter, s->place.subject, count(s->numbers), count(s->kept),
+      table.add({links(*s), s->place.chapter, s->place.subject, count(s->numbers), count(s->kept),
                  count(s->published), state(*s)});
     }
     page += fmt::format("\n## Figures and tables of {}\n\n{}", source, table.markdown());

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "nlmech/scene/csv.hpp"
@@ -17,10 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array verdicts = {Verdict::reproduced, Verdict::reproduced_inferred,
-                                 Verdict::better,     Verdict::differs,
-                                 Verdict::not_stated, Verdict::context,
-                                 Verdict::input,      Verdict::not_built};
+constexpr std::array verdicts = {Verdict::reproduced,    Verdict::reproduced_inferred,
+                                 Verdict::same_rounding, Verdict::better,
+                                 Verdict::differs,       Verdict::not_stated,
+                                 Verdict::holds,         Verdict::does_not_hold,
+                                 Verdict::context,       Verdict::input,
+                                 Verdict::not_built};
 
 struct Range {
   double low, high;
@@ -51,27 +55,44 @@ bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range
   return reference && tolerance.allows(ours, reference->low, reference->high);
 }
 
+/// Has the number digits that could agree?
+bool has_digits(const PublishedValue& p) {
+  return p.kind != "rounding" && p.kind != "bound" && p.kind != "claim";
+}
+
+bool matches(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
+  return has_digits(p) && !tolerance.is_bound() && ours && tolerance.allows(*ours, p.value);
+}
+
+bool same_noise(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
+  if (p.kind != "rounding" || !ours) return false;
+  return tolerance.allows(*ours, p.value) && (!tolerance.is_bound() || tolerance.allows(p.value, *ours));
+}
+
 bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
-  const Tolerance tolerance(p.tolerance);
-  const auto nominal = leading_range(p.nominal), inferred = leading_range(p.inferred);
+  if (verdict == Verdict::not_stated || verdict == Verdict::context) return true;
+  if (verdict == Verdict::not_built) return false;
+  if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
+  const Tolerance tolerance(p.tolerance, p.printed);
+  const auto found = leading_range(p.nominal);
+  // What was found before is found again: within the tolerance, or nearly.
+  const bool as_found = m.nominal && (!found || close_to(tolerance, *m.nominal, found) ||
+                                      close_to(Tolerance("0.05"), *m.nominal, found));
   switch (verdict) {
-    case Verdict::reproduced: return m.nominal && tolerance.allows(*m.nominal, p.value);
-    case Verdict::reproduced_inferred: {
-      const Range printed{p.value, p.value};
-      return m.inferred && close_to(tolerance, *m.inferred, inferred ? inferred : printed);
-    }
+    case Verdict::reproduced: return matches(p, tolerance, m.nominal);
+    case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
+    case Verdict::same_rounding: return same_noise(p, tolerance, m.nominal);
     case Verdict::better:
-      return m.nominal && p.kind == "error" && std::abs(*m.nominal) < std::abs(p.value) &&
-             (!nominal || close_to(tolerance, *m.nominal, nominal));
+      return (p.kind == "bound" || p.kind == "rounding") && as_found &&
+             std::abs(*m.nominal) < std::abs(p.value);
     case Verdict::differs:
-      return m.nominal && !std::isnan(*m.nominal) && !tolerance.allows(*m.nominal, p.value) &&
-             (!nominal || close_to(tolerance, *m.nominal, nominal));
-    case Verdict::input: return m.nominal && *m.nominal == p.value;
-    case Verdict::not_stated:
-    case Verdict::context: return true;
-    case Verdict::not_built: return false;
+      return as_found && !std::isnan(*m.nominal) && !tolerance.allows(*m.nominal, p.value);
+    case Verdict::holds: return p.kind == "claim" && m.nominal && tolerance.allows(*m.nominal, p.value);
+    case Verdict::does_not_hold:
+      return p.kind == "claim" && m.nominal && !std::isnan(*m.nominal) &&
+             !tolerance.allows(*m.nominal, p.value);
+    default: return false;
   }
-  return false;
 }
 
 /// For numbers that miss their expected verdict, where the file's own `nominal` says nothing about the new
@@ -80,27 +101,68 @@ Verdict fallback(const PublishedValue& p, const Measured& m) {
   PublishedValue bare = p;
   bare.nominal.clear();
   bare.inferred.clear();
-  for (const Verdict v : {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::better}) {
+  if (bare.tolerance.empty()) bare.tolerance = "digits";  // of a parameter
+  for (const Verdict v : {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::same_rounding,
+                          Verdict::better, Verdict::holds}) {
     if (supports(v, bare, m)) return v;
   }
-  return Verdict::differs;
+  return p.kind == "claim" ? Verdict::does_not_hold : Verdict::differs;
+}
+
+/// Does a verdict compare numbers?
+bool compares(Verdict verdict) {
+  return verdict != Verdict::context && verdict != Verdict::input && verdict != Verdict::not_stated &&
+         verdict != Verdict::not_built;
+}
+
+void refuse(bool wrong, const std::string& where, const std::string& what) {
+  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+}
+
+/// "5 of 6"?
+bool is_share(std::string_view text) {
+  const auto at = text.find(" of ");
+  double rows = 0, of = 0;
+  return at != std::string_view::npos && parse_number(text.substr(0, at), rows) &&
+         parse_number(text.substr(at + 4), of) && rows >= 1 && rows <= of;
+}
+
+/// What belongs together: a comparison and a tolerance with its reason, a reading and the evidence for it.
+void check_evidence(const PublishedValue& p, const std::string& where) {
+  const bool is_inferred = p.expected == Verdict::reproduced_inferred;
+  refuse(compares(p.expected) && p.tolerance.empty(), where, "a verdict that compares, and no tolerance");
+  refuse(!p.erratum.empty() && (p.expected == Verdict::reproduced || is_inferred), where,
+         fmt::format("a misprint ({}) cannot be reproduced", echoed(p.erratum)));
+  refuse(!p.tolerance.empty() && p.tolerance != "digits" && p.because.empty(), where,
+         fmt::format("no reason for the tolerance '{}'", echoed(p.tolerance)));
+  refuse(is_inferred != (p.tried > 0) || is_inferred == p.explains.empty(), where,
+         "readings tried and rows explained belong to an inferred reading, both");
+  if (is_inferred)
+    refuse(!is_share(p.explains), where, fmt::format("'{}' is not of the form '5 of 6'", echoed(p.explains)));
 }
 
 PublishedValue to_value(const CsvRecord& record, const std::string& source, const std::string& file) {
   const std::string where = fmt::format("{}: line {}", file, record.line);
   const auto& c = record.cells;
-  if (c.size() != 11) throw InputError(fmt::format("{}: {} of 11 cells", where, c.size()));
-  PublishedValue p{source, c[0], c[1], c[2], c[3], 0, c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
-                   c[9],   c[10]};
+  refuse(c.size() != 15, where, fmt::format("{} of 15 cells", c.size()));
+  PublishedValue p{
+      source, c[0],  c[1], c[2],  c[3],  0,    c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
+      c[9],   c[10], 0,    c[12], c[13], c[14]};
   if (!parse_number(p.printed, p.value)) {
     throw InputError(
         fmt::format("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed)));
   }
+  double tried = 0;
+  refuse(!c[11].empty() &&
+             (!parse_number(c[11], tried) || tried != std::floor(tried) || tried < 1 || tried > 1e6),
+         where, fmt::format("'{}' is no number of readings", echoed(c[11])));
+  p.tried = static_cast<int>(tried);
   try {
-    static_cast<void>(Tolerance(p.tolerance));
+    if (!p.tolerance.empty()) static_cast<void>(Tolerance(p.tolerance, p.printed));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   }
+  check_evidence(p, where);
   return p;
 }
 
@@ -110,9 +172,12 @@ std::string_view to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::reproduced: return "reproduced";
     case Verdict::reproduced_inferred: return "reproduced, inferred reading";
+    case Verdict::same_rounding: return "same rounding level";
     case Verdict::better: return "better";
     case Verdict::differs: return "differs";
     case Verdict::not_stated: return "not stated";
+    case Verdict::holds: return "holds";
+    case Verdict::does_not_hold: return "does not hold";
     case Verdict::context: return "context";
     case Verdict::input: return "input";
     case Verdict::not_built: return "not built";
@@ -120,31 +185,51 @@ std::string_view to_string(Verdict verdict) {
   return "";
 }
 
-Tolerance::Tolerance(std::string_view words) {
-  if (words.empty()) return;
+namespace {
+
+/// One of the last printed digit: 0.01e-4 for "1.18e-4".
+double last_unit(std::string_view printed) {
+  const auto e = printed.find('e');
+  const std::string_view digits = printed.substr(0, e);
+  const auto point = digits.find('.');
+  const double decimals =
+      point == std::string_view::npos ? 0 : static_cast<double>(digits.size() - point - 1);
+  double exponent = 0;
+  if (e != std::string_view::npos) static_cast<void>(parse_number(printed.substr(e + 1), exponent));
+  return std::pow(10, exponent - decimals);
+}
+
+}  // namespace
+
+Tolerance::Tolerance(std::string_view words, std::string_view printed) {
   if (words == "order of magnitude") {
     kind_ = Kind::factor;
     amount_ = std::sqrt(10.0);
     return;
   }
-  constexpr std::array<std::pair<std::string_view, Kind>, 4> forms = {
-      {{"factor ", Kind::factor},
-       {"at least ", Kind::at_least},
-       {"below ", Kind::below},
-       {"rounding floor: below ", Kind::below}}};
+  if (words == "digits") words = "1 units";
+  constexpr std::array<std::pair<std::string_view, Kind>, 3> forms = {
+      {{"factor ", Kind::factor}, {"at least ", Kind::at_least}, {"below ", Kind::below}}};
   std::string_view number = words;
+  if (words.ends_with(" units")) {
+    kind_ = Kind::absolute;
+    number.remove_suffix(6);
+  }
   for (const auto& [prefix, kind] : forms) {
-    if (!words.starts_with(prefix)) continue;
+    if (!words.starts_with(prefix) || kind_ == Kind::absolute) continue;
     kind_ = kind;
     number = words.substr(prefix.size());
   }
   if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
     throw InputError(fmt::format("'{}' is no tolerance", echoed(words)));
   }
+  // A number that ends on the edge is within.
+  if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * (1 + 1e-12);
 }
 
 bool Tolerance::allows(double ours, double theirs) const {
   switch (kind_) {
+    case Kind::absolute: return std::abs(ours - theirs) <= amount_;
     case Kind::relative: return std::abs(ours - theirs) <= amount_ * std::abs(theirs);
     case Kind::factor: {
       if (ours == theirs) return true;
@@ -185,9 +270,12 @@ std::vector<Place> parse_places(std::string_view text, const std::string& file) 
   std::vector<Place> places;
   for (std::size_t i = 1; i < records.size(); ++i) {
     const auto& c = records[i].cells;
-    if (c.size() != 5)
-      throw InputError(fmt::format("{}: line {}: {} of 5 cells", file, records[i].line, c.size()));
-    places.push_back({c[0], c[1], c[2], c[3], c[4]});
+    if (c.size() != 6)
+      throw InputError(fmt::format("{}: line {}: {} of 6 cells", file, records[i].line, c.size()));
+    std::istringstream words(c[5]);
+    std::vector<std::string> scenes{std::istream_iterator<std::string>(words), {}};
+    if (scenes.empty()) scenes = {c[1]};
+    places.push_back({c[0], c[1], c[2], c[3], c[4], std::move(scenes)});
   }
   return places;
 }

@@ -12,11 +12,14 @@ namespace nlmech::scene {
 
 /// What the evidence says about a printed number.
 enum class Verdict {
-  reproduced,           ///< nominal reading, within the stated tolerance
-  reproduced_inferred,  ///< under a reading that evidence points to
-  better,               ///< ours is more accurate
-  differs,              ///< with the cause
-  not_stated,           ///< the source leaves out what is needed
+  reproduced,           ///< the text as it stands gives the printed number
+  reproduced_inferred,  ///< a reading that evidence points to gives it
+  same_rounding,        ///< rounding noise, theirs and ours, of the same level: no digit is compared
+  better,               ///< a printed bound or rounding noise of the same procedure, and ours lies below
+  differs,              ///< with the cause, or "cause unknown"
+  not_stated,           ///< the source leaves out what is needed, or one setting was fitted to it
+  holds,                ///< a claim, as the text stands
+  does_not_hold,        ///< a claim
   context,              ///< run times on unknown machines
   input,                ///< a parameter, used as printed
   not_built             ///< its chapter is not part of this build
@@ -25,21 +28,27 @@ enum class Verdict {
 /// As it stands in files: "reproduced, inferred reading".
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 
-/// How far apart two numbers may be. Built from the words of the file: a number (relative), "factor 5",
-/// "order of magnitude" (a factor of sqrt(10)), "at least 100", "below 1e-15", or nothing (0.15: what the
-/// texts leave open).
+/// How far apart two numbers may be. Built from the words of the file:
+///   - "digits": by one unit of the last printed digit, so that rounding and cutting off are alike, and
+///     "3 units" by three;
+///   - a number: relative; "factor 5"; "order of magnitude": a factor of sqrt(10), of what is printed as a
+///     power of ten;
+///   - "at least 100" and "below 1e-15", of ours alone.
 class Tolerance {
  public:
+  /// @param printed the number as printed, for its last digit
   /// @throws InputError if the words are not of these forms
-  explicit Tolerance(std::string_view words);
+  explicit Tolerance(std::string_view words, std::string_view printed = "1");
   /// Is @p ours as close to @p theirs as allowed? Never true for NaN.
   [[nodiscard]] bool allows(double ours, double theirs) const;
   /// The same for a range: true if it is for a number of the range.
   [[nodiscard]] bool allows(double ours, double low, double high) const;
+  /// Does it bound ours and say nothing of its distance from theirs?
+  [[nodiscard]] bool is_bound() const { return kind_ == Kind::at_least || kind_ == Kind::below; }
 
  private:
-  enum class Kind { relative, factor, at_least, below } kind_ = Kind::relative;
-  double amount_ = 0.15;
+  enum class Kind { absolute, relative, factor, at_least, below } kind_ = Kind::relative;
+  double amount_ = 0;
 };
 
 /// One printed number. The columns of `tables/published/<source>.csv`, which its README explains.
@@ -51,11 +60,16 @@ struct PublishedValue {
   std::string printed;   ///< as printed
   double value = 0;      ///< the same as a number
   std::string unit;      ///< "1" if it has none
-  std::string kind;      ///< "error", "count", "time", "value" or "parameter"
+  std::string
+      kind;  ///< "error", "rounding" (noise), "bound", "count", "time", "value", "claim" or "parameter"
   std::string nominal;   ///< what was found before from the text as it stands, number or words: "2.4e-11"
-  std::string inferred;  ///< the same under a reading: "1.1e-6..1.3e-6 with c = 2.5"
+  std::string inferred;  ///< the same under a reading, in words: "1.1e-6..1.3e-6 with c = 2.5"
   Verdict expected = Verdict::not_built;  ///< which verdict the findings support
   std::string tolerance;                  ///< see Tolerance
+  std::string because;                    ///< why that tolerance; "digits" needs no reason
+  int tried = 0;                          ///< readings that were tried, where one is inferred
+  std::string explains;                   ///< "5 of 6": of the rows that such a reading bears on
+  std::string erratum;                    ///< id of the misprint that it is, if it is one
   std::string reading;                    ///< how the text was understood, or the cause of a difference
 
   /// "elgohary/claim-2.4/order 4/height error, order of magnitude"
@@ -70,6 +84,8 @@ struct Place {
   std::string chapter;  ///< that owns it
   std::string kind;     ///< "figure", "table", "claim" or "equation"
   std::string subject;  ///< what it is about
+  /// That show it: those of its own name, or where one source repeats another, the other's.
+  std::vector<std::string> scenes;
 };
 
 /// All values of all files in `<data>/tables/published`, files in alphabetical order.
@@ -104,13 +120,19 @@ struct Judgement {
 
 /// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does
 /// support.
-///  - `reproduced` needs the nominal number within the tolerance of the printed one;
-///  - `reproduced, inferred reading` needs the inferred number within the tolerance of `inferred` (of the
-///  printed number,
-///    where the file has none);
-///  - `better` needs an error smaller than the printed one and within the tolerance of `nominal`;
-///  - `differs` needs a number outside the tolerance of the printed one, and within it of `nominal` where the
-///  file has one;
+///  - `reproduced` needs the nominal number within the tolerance of the printed one, and a number that means
+///    something: no rounding noise and no bound;
+///  - `reproduced, inferred reading` needs the same of the inferred number;
+///  - `same rounding level` needs noise by name (kind "rounding"), and the nominal number within a factor of
+///    the printed one or both below a bound;
+///  - `better` needs a bound or noise by name, and a nominal number smaller than the printed one and within
+///  the
+///    tolerance of `nominal`;
+///  - `differs` needs a number outside the tolerance of the printed one, and within it, or 5 %, of `nominal`
+///  where
+///    the file has one;
+///  - `holds` and `does not hold` need a claim by name, and the nominal number within its tolerance or
+///  outside;
 ///  - `input` needs the printed number itself.
 /// `context` and `not stated` promise nothing.
 [[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
