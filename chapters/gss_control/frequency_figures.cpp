@@ -111,7 +111,7 @@ scene::Showing bode(bool hub) {
             "{/:Italic ω} (rad/s)");
   plot.log_x(0.1, 1000);
   plot.panel(hub ? "|{/:Italic θ}| of a unit step (rad s)" : "|{/:Italic y}| of a unit step (ft s)");
-  plot.log_y(hub ? 1e-11 : 1e-10, hub ? 1000 : 10);
+  plot.log_y(1e-11, hub ? 1000 : 10);
   const auto value = [&](double w) {
     const auto r = plant.at_frequency(w, 2);
     return hub ? r.theta : r.deflection;
