@@ -54,9 +54,10 @@ const spacecraft::SensitivityPeak& largest(const Fragile& f) {
                            [](const auto& a, const auto& b) { return a.value < b.value; });
 }
 
-/// Findings of an independent program: unstable modes of the first nine by delay.
+// Poles followed from delay to delay in doubles. oracle: gss_control_loop * unstable of *, designed
+// sensitivity, unit sensitivity ?, unit sensitivity 20
 std::vector<scene::Quantity> promises(const std::vector<Fragile>& all, bool quick) {
-  const char* counted = "an independent program followed the first nine poles";
+  const char* counted = "tools/oracles/gss_control_loop.py follows the poles from delay to delay";
   const auto& unit = all[0];
   const auto& designed = all[1];
   const auto& optimum = all[2];
@@ -71,16 +72,16 @@ std::vector<scene::Quantity> promises(const std::vector<Fragile>& all, bool quic
       count("unstable modes of ten, optimum, 10 us", optimum.of_ten[1], 3),
       count("unstable modes of ten, optimum, 100 us", optimum.of_ten[2], 6),
       scene::near("largest sensitivity, designed gains", "1", largest(designed).value, 1.111, 5e-3,
-                  "an independent program, four digits, from a grid")};
+                  "tools/oracles/gss_control_loop.py, four digits")};
   // Unit gains: |S| near successive poles.
   constexpr std::array known = {3.78, 19.4, 139.8, 416.8, 794., 1245.};
   for (std::size_t i = 0; i < known.size() && i < unit.peaks.size(); ++i)
     q.push_back(scene::near(fmt::format("sensitivity near pole {}, unit gains", i + 1), "1",
                             unit.peaks[i].value, known.at(i), 2e-2,
-                            "an independent program, three to four digits, from a grid"));
+                            "tools/oracles/gss_control_loop.py, three to four digits"));
   if (!quick)
     q.push_back(scene::near("sensitivity near pole 20, unit gains", "1", unit.peaks.back().value, 2.64e4,
-                            3e-2, "an independent program, three digits, from a grid"));
+                            3e-2, "tools/oracles/gss_control_loop.py, three digits"));
   for (const Fragile& f : all) {
     const double delay = f.margins.delay_margin;
     q.push_back({fmt::format("delay margin over nine modes, {}", f.name), "s", delay, 1e-8, 1e-1,

@@ -17,13 +17,15 @@ namespace {
 using scene::Workshop;
 using spacecraft::Plant;
 
-constexpr const char* sixty_digits = "an independent solution in 60 digits, 15 of them printed";
+constexpr const char* sixty_digits = "tools/oracles/gss_control_plant.py, 40 digits, 15 of them printed";
 constexpr double axis_end = 4000;
 
-/// A response at j omega, known from elsewhere.
+/// A response at j omega.
 struct Known {
   double omega, theta, middle, tip;
 };
+// oracle: gss_control_plant bare theta at *, bare y2 at *, bare y4 at *, tip theta at *, tip y2 at *, tip y4
+// at *
 constexpr std::array without = {Known{0.1, -9.75833120309274, -0.00155072104594153, -0.00447670586136782},
                                 Known{1, -0.0974374222149588, -0.00155990461324693, -0.0045038722357598},
                                 Known{10, -0.000605717378334455, -0.00388365164035639, -0.011381159135926},
@@ -82,8 +84,10 @@ scene::Showing compare(bool tip, double x) {
   };
   const auto near_two_digits = [&](int n, double reference) {
     quantities.push_back({fmt::format("frequency of mode {}, assumed over exact, less 1", n), "1", error(n),
-                          0.94 * reference, 1.06 * reference, "an independent program, two digits"});
+                          0.94 * reference, 1.06 * reference,
+                          "tools/oracles/gss_control_plant.py, two digits"});
   };
+  // oracle: gss_control_plant * assumed mode 1, * assumed mode 3, * assumed mode 10
   near_two_digits(1, tip ? 4.5e-5 : 2.0e-5);
   near_two_digits(3, tip ? 1.2e-2 : 7.4e-4);
   near_two_digits(10, tip ? 1.7e-1 : 1.5e-2);
@@ -128,11 +132,12 @@ scene::Showing bode(bool hub) {
     quantities.push_back(scene::near(fmt::format("{} at {} rad/s", hub ? "theta/u" : "y/u", k.omega),
                                      hub ? "1/(lb ft)" : "1/lb", value(k.omega), hub ? k.theta : k.middle,
                                      fourteen_digits, sixty_digits));
+  // oracle: gss_control_plant tip pole 1, tip locked 1, tip first zero of y2
   quantities.push_back(scene::near("first pole", "rad/s", p.omega.front(), 6.452959965749, 1e-12,
-                                   "an independent program, 13 digits"));
+                                   "tools/oracles/gss_control_plant.py, 13 digits"));
   quantities.push_back(scene::near("first zero", "rad/s", notches.empty() ? NAN : notches.front(),
                                    hub ? 4.372658473946 : 37.81075762923, 1e-12,
-                                   "an independent program, 13 digits"));
+                                   "tools/oracles/gss_control_plant.py, 13 digits"));
   return {plot.take(), {}, quantities};
 }
 

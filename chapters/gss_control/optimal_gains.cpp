@@ -18,7 +18,7 @@ using spacecraft::CostWeights;
 using spacecraft::Gains;
 using spacecraft::OptimalGains;
 
-/// Optima of an independent program, all digits: R = 1/144.
+// R = 1/144. oracle: gss_control_loop optimum k* at *, optimum cost *, PD optimum *, * cost at *
 struct Known {
   double w;
   Gains full;
@@ -110,7 +110,7 @@ scene::Showing show(bool quick) {
     const CostWeights weights{k.w, 1 / 144.};
     const OptimalGains full = optimal_gains(p, weights), pd = optimal_pd_gains(p, weights);
     const auto name = [&](const char* what) { return fmt::format("{}, W = {}", what, k.w); };
-    const char* digits = "minimised by an independent program, twelve digits";
+    const char* digits = "minimised by tools/oracles/gss_control_loop.py, twelve digits";
     quantities.push_back(scene::at_most(name("optimal gains against known ones"), "1",
                                         worst(full.gains, k.full), 1e-11, digits));
     quantities.push_back(scene::at_most(name("optimal PD gains against known ones"), "1",
@@ -119,9 +119,9 @@ scene::Showing show(bool quick) {
     quantities.push_back(scene::near(name("optimal PD cost"), "s", pd.cost, k.pd_cost, 1e-11, digits));
     quantities.push_back(scene::near(name("cost of the designed gains"), "s",
                                      cost(p, designed_gains, weights), k.designed, 1e-9,
-                                     "an independent program, ten digits"));
+                                     "tools/oracles/gss_control_loop.py, ten digits"));
     quantities.push_back(scene::near(name("cost of the unit gains"), "s", cost(p, unit_gains, weights),
-                                     k.unit, 1e-9, "an independent program, ten digits"));
+                                     k.unit, 1e-9, "tools/oracles/gss_control_loop.py, ten digits"));
     const auto sum = costs_by_quadrature(p, full.gains, p.length, modes);
     quantities.push_back(scene::near(
         name("optimal cost by quadrature over frequency"), "s",
@@ -135,11 +135,14 @@ scene::Showing show(bool quick) {
   }
   const CostWeights hundred{100, 1 / 144.};
   const OptimalGains full = optimal_gains(p, hundred);
+  // oracle: gss_control_loop optimum k* at W = 100
   for (const auto& [name, value, reference] :
        {std::tuple{"k1", full.gains.k1, 12.}, std::tuple{"k2", full.gains.k2, 4.82952499282},
         std::tuple{"k3", full.gains.k3, 31.9283386251}})
     quantities.push_back(scene::near(fmt::format("optimal {}, W = 100", name), "1", value, reference, 1e-11,
-                                     "an independent program, twelve digits"));
+                                     "tools/oracles/gss_control_loop.py, twelve digits"));
+  // oracle: gss_control_loop optimum cost at W = 100, PD optimum cost at W = 100, optimum cost at W = 0,
+  // designed cost at W = 0
   const double pd_over = optimal_pd_gains(p, hundred).cost / full.cost - 1;
   quantities.push_back(scene::near("excess of the PD optimum, W = 100", "1", pd_over,
                                    2.81953458248 / 2.66069488543 - 1, 1e-9, "the two costs above"));

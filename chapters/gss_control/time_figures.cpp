@@ -127,15 +127,12 @@ scene::Showing step_figure(What what, const TimeResponse& response) {
 
 // ----------------------------------------------------------------------- figures 3.17 to 3.20, the manoeuvre
 
-constexpr const char* sampled =
-    "an independent residue sum over 25 pole pairs, sampled in time: peaks lie a little above its samples";
+constexpr const char* residues =
+    "residues at 61 poles, tools/oracles/gss_control_loop.py; a unit of its last digit";
 
-/// An extreme that others have sampled: but for 1e-8 at least as far out as theirs, and by no more than @p
-/// above of it.
-scene::Quantity beyond_samples(std::string name, std::string unit, double value, double reference,
-                               double above) {
-  const double a = reference * (1 - 1e-8), b = reference * (1 + above);
-  return {std::move(name), std::move(unit), value, std::min(a, b), std::max(a, b), sampled};
+/// An extreme known to a unit of its last digit.
+scene::Quantity extreme(std::string name, std::string unit, double value, double reference, double digit) {
+  return {std::move(name), std::move(unit), value, reference - digit, reference + digit, residues};
 }
 
 std::vector<scene::Quantity> promises(What what, const ExponentialSum& f) {
@@ -144,28 +141,27 @@ std::vector<scene::Quantity> promises(What what, const ExponentialSum& f) {
     return settling_time(f, final_value, band, 5000).time;
   };
   const double peak = std::max(std::abs(e.least.value), e.largest.value);
-  // Their times are rounded to the last digit, and a settling time is the first sample after the crossing.
+  // oracle: gss_control_loop designed largest *, designed least *, designed * settles*
   const auto time = [](std::string name, double value, double reference, double digit) {
-    return scene::Quantity{std::move(name),         "s",    value, reference - 1.5 * digit,
-                           reference + 1.5 * digit, sampled};
+    return extreme(std::move(name), "s", value, reference, digit);
   };
   switch (what) {
     case What::angle:
-      return {beyond_samples("largest angle", "rad", e.largest.value, 1.136136788, 1e-8),
-              time("time of it", e.largest.time, 4.508, 1e-3),
-              time("settling time, 2 %", settle(1, 0.02), 7.143, 1e-3)};
+      return {extreme("largest angle", "rad", e.largest.value, 1.136136789, 1e-9),
+              time("time of it", e.largest.time, 4.5081, 1e-4),
+              time("settling time, 2 %", settle(1, 0.02), 7.1421, 1e-4)};
     case What::rate:
-      return {beyond_samples("largest rate", "rad/s", e.largest.value, 0.4757196343, 1e-6),
-              time("time of it", e.largest.time, 1.216, 1e-3)};
+      return {extreme("largest rate", "rad/s", e.largest.value, 0.4757198, 1e-7),
+              time("time of it", e.largest.time, 1.2153, 1e-4)};
     case What::deflection:
-      return {beyond_samples("least deflection", "ft", e.least.value, -0.08167666738, 1e-6),
-              time("time of it", e.least.time, 0.4315, 1e-4),
-              beyond_samples("largest deflection", "ft", e.largest.value, 0.0308832042, 1e-5),
-              time("time of the largest", e.largest.time, 1.936, 1e-3),
+      return {extreme("least deflection", "ft", e.least.value, -0.08167668, 1e-8),
+              time("time of it", e.least.time, 0.4316, 1e-4),
+              extreme("largest deflection", "ft", e.largest.value, 0.0308833, 1e-7),
+              time("time of the largest", e.largest.time, 1.9358, 1e-4),
               time("settling time, 2 % of the peak", settle(0, 0.02 * peak), 9.37, 1e-2)};
     default:
-      return {beyond_samples("largest deflection rate", "ft/s", e.largest.value, 0.3345334764, 2e-4),
-              beyond_samples("least deflection rate", "ft/s", e.least.value, -0.3025500021, 2e-4),
+      return {extreme("largest deflection rate", "ft/s", e.largest.value, 0.3346, 1e-4),
+              extreme("least deflection rate", "ft/s", e.least.value, -0.3026, 1e-4),
               time("settling time, 2 % of the peak", settle(0, 0.02 * peak), 88.5, 0.1),
               time("settling time, 5 % of the peak", settle(0, 0.05 * peak), 39.9, 0.1)};
   }
@@ -189,10 +185,9 @@ scene::Showing manoeuvre_figure(What what, const TimeResponse& response) {
   const spacecraft::ClosedLoop loop(craft(true), designed_gains);
   const double miss = distance(sum, what, [&](const Complex& s) { return loop.response(s, places.front()); });
   const std::array bound = {1e-12, 1e-7, 1e-8, 2e-5};
-  quantities.push_back(
-      scene::at_most("distance of the residue sum from the Bromwich integral", name_of(what).unit, miss,
-                     bound.at(static_cast<std::size_t>(what)),
-                     "an independent program: 1e-13, 2.7e-8, 7e-10, 6.6e-6 with the same path"));
+  quantities.push_back(scene::at_most("distance of the residue sum from the Bromwich integral",
+                                      name_of(what).unit, miss, bound.at(static_cast<std::size_t>(what)),
+                                      "aliasing e^(-30), and the integral's rest beyond 1.2e4 rad/s"));
   return {plot.take(), {}, quantities};
 }
 
@@ -220,21 +215,19 @@ scene::Showing manoeuvres(const TimeResponse& designed, const TimeResponse& unit
       table.add({name, name_of(what).plain, e.least.value, e.least.time, e.largest.value, e.largest.time,
                  settled.status.ok() ? scene::Cell{settled.time} : scene::Cell{"not in 5000 s"}});
       if (by_design) continue;
+      // oracle: gss_control_loop unit largest angle, unit largest rate, unit largest deflection, unit least
+      // *, unit angle settles
       if (what == What::angle) {
-        quantities.push_back(
-            beyond_samples("largest angle, unit gains", "rad", e.largest.value, 1.720435423, 1e-8));
+        quantities.push_back(extreme("largest angle, unit gains", "rad", e.largest.value, 1.720435430, 1e-9));
         quantities.push_back(scene::near("settling time of the angle, unit gains", "s", settled.time, 170.95,
-                                         1e-4, "an independent residue sum, five digits"));
+                                         1e-4, "residues, tools/oracles/gss_control_loop.py, five digits"));
       } else if (what == What::rate) {
-        quantities.push_back(
-            beyond_samples("largest rate, unit gains", "rad/s", e.largest.value, 0.1858306122, 1e-5));
-        quantities.push_back(
-            beyond_samples("least rate, unit gains", "rad/s", e.least.value, -0.1328025717, 1e-5));
+        quantities.push_back(extreme("largest rate, unit gains", "rad/s", e.largest.value, 0.1858306, 1e-7));
+        quantities.push_back(extreme("least rate, unit gains", "rad/s", e.least.value, -0.1328028, 1e-7));
       } else if (what == What::deflection) {
+        quantities.push_back(extreme("least deflection, unit gains", "ft", e.least.value, -0.00728217, 1e-8));
         quantities.push_back(
-            beyond_samples("least deflection, unit gains", "ft", e.least.value, -0.0072821451, 1e-5));
-        quantities.push_back(
-            beyond_samples("largest deflection, unit gains", "ft", e.largest.value, 0.004959086909, 5e-5));
+            extreme("largest deflection, unit gains", "ft", e.largest.value, 0.00495919, 1e-8));
       }
     }
   }

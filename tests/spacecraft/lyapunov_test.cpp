@@ -28,8 +28,8 @@ TEST(Lyapunov, CorrectedFunctionFallsByTheDissipation) {
   }
 }
 
-// The printed one counts one appendage and rises, by 10.5 % of its start with unit gains, by an independent
-// program's simulation.
+// The printed one counts one appendage and rises. By how much is recorded: 10.5 % of its start with
+// unit gains; the sign is the theorem.
 TEST(Lyapunov, PrintedFunctionIsNotMonotone) {
   const LyapunovHistory unit = lyapunov_history(table_3_1(), unit_gains, 10, 200, 0.01);
   EXPECT_NEAR(unit.printed_rise, 0.105, 0.002);
@@ -64,8 +64,7 @@ Differences differences(const DiscreteModel& model, const Gains& g) {
   return d;
 }
 
-// The differences of ten assumed modes to the exact response, as an independent program's integration sees
-// them; largest values over times that are not the same.
+// The differences of ten assumed modes to the exact response. oracle: gss_control_loop ten modes *
 TEST(DiscreteLoop, OfTenAssumedModesDiffersAsPublished) {
   const Differences d = differences(assumed_modes(table_3_1(), 10), designed_gains);
   EXPECT_NEAR(d.theta, 9.8e-6, 0.3e-6);

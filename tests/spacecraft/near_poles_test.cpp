@@ -126,8 +126,8 @@ TEST(NearPoles, ThreeRealPolesCoincide) {
   }
 }
 
-// Two pairs of complex poles that coincide, k2 = 0: gains and pole by an independent Newton iteration on P =
-// P' = 0 to the last digits.
+// Two pairs of complex poles that coincide, k2 = 0: the gains solve P = P' = 0 to all their
+// digits; recorded.
 TEST(NearPoles, TwoComplexPairsCoincide) {
   const std::array<double, 1> places = {2};
   for (const double factor : {1., 1 - 1e-8, 1 + 1e-4}) {

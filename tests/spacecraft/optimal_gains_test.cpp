@@ -24,7 +24,8 @@ struct Row {
   double pd_cost, designed, unit;
 };
 
-// An independent program, whose BFGS from 20 random starts finds the same optima.
+// Minimised by Newton's iteration. oracle: gss_control_loop optimum k* at *, optimum cost *, PD optimum *, *
+// cost at *
 TEST(OptimalGains, HaveThePublishedValues) {
   const Parameters p = table_3_1();
   const Row rows[] = {{100,

@@ -97,7 +97,7 @@ void expect_frequencies(const Frequencies& found, const std::vector<double>& kno
   for (std::size_t i = 0; i < known.size(); ++i) EXPECT_NEAR(found.omega[i] / known[i], 1, 1e-12) << i;
 }
 
-// From a 60-digit solution made independently of this project's code.
+// oracle: gss_control_plant * pole *, * locked *
 TEST(Poles, OfTable31) {
   const Plant none(without_tip(table_3_1())), tip(table_3_1());
   expect_frequencies(poles(none, 10),

@@ -78,7 +78,7 @@ enum class PoleOrder : std::uint8_t {
 ///
 ///     theta/theta_f = k1/P(s),   y(x)/theta_f = g_3(x) k1/P(s),   P = s^2 (I_hub + (2 + k2) B) + k3 s + k1.
 ///
-/// Tests hold poles to those of an independent program (1e-12 and 5e-12 of their size) and their distance
+/// Tests hold poles to those of tools/oracles (1e-12 and 5e-12 of their size) and their distance
 /// from the zeros of the exact characteristic function to 2e-12; that none is missed, and that stability
 /// follows from the gains, is counted by the argument principle.
 class ClosedLoop {
