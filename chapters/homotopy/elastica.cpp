@@ -137,8 +137,10 @@ scene::Figure draw(const Convergence& c) {
 }
 
 std::vector<scene::Quantity> quantities(const Convergence& c) {
-  const char *shooting = "a shooting solution by an independent program, all its digits",
-             *program = "an independent program, all its digits";
+  // oracle: homotopy_elastica elastica 0.?? maximum, elastica 0.?? minimum
+  // oracle: homotopy_frames toggle 0.44 of 1 maximum, toggle 0.44 of 1 minimum, toggle 0.?? of 32 *
+  const char *shooting = "shooting by tools/oracles/homotopy_elastica.py, all its digits",
+             *program = "tools/oracles/homotopy_frames.py, all its digits";
   std::vector<scene::Quantity> list = {
       scene::near("exact maximum, 0.44 in", "lb", c.exact.high.maximum, 42.4397755886, 4e-12, shooting),
       scene::near("exact minimum, 0.44 in", "lb", c.exact.high.minimum, 32.1221640887, 4e-12, shooting),

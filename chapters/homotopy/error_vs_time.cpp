@@ -263,10 +263,11 @@ std::vector<scene::Quantity> quantities(const std::vector<Panel>& panels, bool q
   const auto named = [](const Panel& p, const std::string& name) -> const Line& {
     return *std::find_if(p.lines.begin(), p.lines.end(), [&](const Line& l) { return l.solver == name; });
   };
+  // oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11, toggle 0.44 of 1 drop under 43.79
   all.push_back(scene::near("deflection, height 0.32, 1 element", "in", panels[0].reference, 0.265167973289,
-                            1e-11, "an independent program, all digits"));
+                            1e-11, "tools/oracles/homotopy_frames.py, all digits"));
   all.push_back(scene::near("deflection, height 0.44, 1 element", "in", panels[2].reference, 0.621922545486,
-                            1e-11, "an independent program, all digits"));
+                            1e-11, "tools/oracles/homotopy_frames.py, all digits"));
   // Rounding of a chord's length, eps l, is an axial force of eps EA, of which sin(beta) loads the apex; the
   // stiffness there is 15 lb/in and more.
   const double rounding = 2.2e-16 * 1.885e6 * 0.034 / 7 / 0.26;
@@ -285,9 +286,7 @@ std::vector<scene::Quantity> quantities(const std::vector<Panel>& panels, bool q
     all.push_back(scene::at_most(
         fmt::format("scalar homotopies that converge, height {}, 16 elements", panels[i].setting.height), "1",
         converged, 0,
-        "none of several steps in 2500 iterations with 4 elements, and more elements are worse conditioned: "
-        "an "
-        "independent program"));
+        "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned"));
   }
   return all;
 }

@@ -215,8 +215,9 @@ std::vector<scene::Quantity> quantities(const Extremes& x) {
        "wrong_branch"},
       {"paths that report the straight branch of a buckled member", "1", static_cast<double>(refused), 3, 3,
        "one element without symmetric rotations, past its clamped buckling load"},
+      // oracle: homotopy_williams element 0.44 with 1000 EA*
       scene::near("drop on that branch under 79.286 lb", "in", trial(past_pole, first_path).drop, 0.2, 1e-5,
-                  "an independent program: 79.286 lb at 0.2 in"),
+                  "tools/oracles/homotopy_williams.py: 79.286 lb at 0.2 in"),
       scene::near("drop with EA x 1e6 under 44 lb", "in", trial(stiff, energy).drop,
                   44 * 12.94 / (2 * 1.885e12 * 0.44 * 0.44 / (12.94 * 12.94)), 2e-6,
                   "two bars, W l/(2 EA sin^2); bending carries 3e-7 of the load"),

@@ -11,15 +11,17 @@ namespace {
 
 using scene::Workshop;
 
-constexpr const char* independent = "an independent program, all digits";
+constexpr const char* programs = "tools/oracles/homotopy_williams.py and homotopy_frames.py, all digits";
 // Bisection finds the deflection to rounding of the stiffness; the load is stationary there.
 constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
 
-/// Limit points as an independent program has them.
+/// Limit points known from elsewhere.
 struct Known {
   double height;
   LimitPoints williams, element;
 };
+// oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.?? minimum*
+// oracle: homotopy_frames toggle 0.?? of 1 maximum*, toggle 0.?? of 1 minimum*
 constexpr std::array known = {
     Known{0.38,
           {{0.23287115497799, 33.278532607761}, {0.3935882935498, 30.588387926087}},
@@ -34,10 +36,10 @@ void add_limit_points(std::vector<scene::Quantity>& all, const std::string& mode
   const LimitPoints at = found.value_or(LimitPoints{{NAN, NAN}, {NAN, NAN}});
   const auto add = [&](const char* which, const CurvePoint& ours, const CurvePoint& theirs) {
     all.push_back(scene::near(fmt::format("load at the {}, {}", which, model), "lb", ours.load, theirs.load,
-                              eleven_digits, independent));
+                              eleven_digits, programs));
     all.push_back(scene::near(fmt::format("deflection at the {}, {}", which, model), "in", ours.deflection,
                               theirs.deflection, nine_digits,
-                              "an independent program; the stiffness has a simple zero, rounding by 1e-12"));
+                              "as the load; the stiffness has a simple zero, rounding by 1e-12"));
   };
   add("maximum", at.maximum, reference.maximum);
   add("minimum", at.minimum, reference.minimum);
@@ -93,12 +95,14 @@ scene::Showing three_slopes() {
   figure.begin("", "l13");
   figure.add(0, 0);
   figure.add(0.8, 0);
+  // oracle: homotopy_williams Williams 0.32 least slope, Williams 0.32 load at the least slope
   const CurvePoint soft = softest(*williams_curve(0.32));
   quantities.push_back(scene::near("least slope, height 0.32", "lb/in",
                                    williams_curve(0.32)->stiffness(soft.deflection), 12.55869263, 1e-9,
-                                   "an independent program, ten digits"));
-  quantities.push_back(scene::near("load at the least slope, height 0.32", "lb", soft.load, 27.0833960, 1e-6,
-                                   "an independent program; a minimum is found to half the digits"));
+                                   "tools/oracles/homotopy_williams.py, ten digits"));
+  quantities.push_back(
+      scene::near("load at the least slope, height 0.32", "lb", soft.load, 27.0833960, 1e-6,
+                  "tools/oracles/homotopy_williams.py; a minimum is found to half the digits"));
   return {figure.with("key", "top center").take(), {}, quantities};
 }
 
@@ -125,13 +129,15 @@ scene::Showing both_models(double height) {
     }
   }
   if (quantities.empty()) {
+    // oracle: homotopy_williams Williams 0.32 least slope
+    // oracle: homotopy_frames toggle 0.32 of 1 least slope, toggle 0.32 of 1 load at the least slope
     const CurvePoint w = softest(*williams), e = softest(*element);
     quantities = {scene::near("least slope, Williams", "lb/in", williams->stiffness(w.deflection),
-                              12.55869263, 1e-9, "an independent program, ten digits"),
+                              12.55869263, 1e-9, "tools/oracles/homotopy_williams.py, ten digits"),
                   scene::near("least slope, element", "lb/in", element->stiffness(e.deflection), 14.70048679,
-                              1e-9, "an independent program, ten digits"),
+                              1e-9, "tools/oracles/homotopy_frames.py, ten digits"),
                   scene::near("load at the least slope, element", "lb", e.load, 27.0422397, 1e-6,
-                              "an independent program; a minimum is found to half the digits")};
+                              "tools/oracles/homotopy_frames.py; a minimum is found to half the digits")};
   }
   return {figure.with("key", "top left").take(), {}, quantities};
 }
@@ -164,7 +170,8 @@ std::vector<scene::Quantity> other_readings() {
   };
   const double cosine = std::sqrt(1 - std::pow(w.height / w.length, 2));
   const frames::Williams span{.height = 0.44, .length = std::hypot(12.94, 0.44)};
-  const char* reason = "an independent program, five digits";
+  // oracle: homotopy_williams Williams 0.44 limit with *
+  const char* reason = "tools/oracles/homotopy_williams.py, five digits";
   return {
       scene::near("limit load, d_5 linearised", "lb",
                   greatest_load([&](double d) { return load(d, 0.6, true, 1); }), 43.447, 2e-5, reason),
@@ -206,18 +213,21 @@ scene::Showing published_loads() {
       table.add(
           {load, name, limit, 100 * (load / limit - 1), static_cast<std::int64_t>(at.size()), at.back()});
       figure.add(at.back(), load);
+      // oracle: homotopy_williams Williams 0.44 drop under *, Williams 0.44 maximum
+      // oracle: homotopy_frames toggle 0.44 of 1 drop under *, toggle 0.44 of 1 maximum
       const double expected = by_williams ? (load == near_load ? 0.635331561089 : 0.636310193301)
                                           : (load == near_load ? 0.621922545486 : 0.623070489);
-      quantities.push_back(scene::near(fmt::format("{} over the limit load, {}", load, name), "1",
-                                       load / limit - 1,
-                                       load / (by_williams ? 42.771896097273 : 42.435492120383) - 1, 1e-9,
-                                       "limit loads of an independent program"));
+      quantities.push_back(
+          scene::near(fmt::format("{} over the limit load, {}", load, name), "1", load / limit - 1,
+                      load / (by_williams ? 42.771896097273 : 42.435492120383) - 1, 1e-9,
+                      "limit loads of tools/oracles/homotopy_williams.py and homotopy_frames.py"));
       quantities.push_back(scene::near(fmt::format("equilibria under {}, {}", load, name), "1",
                                        static_cast<double>(at.size()), 1, 0,
                                        "the load is above the maximum: only the rising branch behind the "
                                        "minimum carries it"));
       quantities.push_back(scene::near(fmt::format("deflection under {}, {}", load, name), "in", at.back(),
-                                       expected, 1e-8, "an independent program, nine digits"));
+                                       expected, 1e-8,
+                                       "tools/oracles/homotopy_williams.py and homotopy_frames.py"));
     }
   }
   return {figure.with("below", "1")

@@ -143,15 +143,16 @@ scene::Showing limit_point() {
   figure.add(limits.maximum.deflection, limits.maximum.load);
   figure.add(limits.minimum.deflection, limits.minimum.load);
   figure.label("maximum, 42.77 lb", limits.maximum.deflection, 47.5, "center");
+  // oracle: homotopy_williams Williams 0.44 maximum
   return {figure.with("key", "bottom right").with("xrange", "[0:0.75]").with("yrange", "[0:60]").take(),
           {},
           {scene::at_most("height of a tangent over the load at the next iterate", "1", defect, 1e-13,
                           "the definition (2.2); rounding, amplified where the tangent is flat"),
            scene::near("limit load", "lb", limits.maximum.load, 42.771896097273, 1e-11,
-                       "an independent program, all digits"),
+                       "tools/oracles/homotopy_williams.py, all digits"),
            {"iterations of Newton from rest", "1", static_cast<double>(count.iterations), 20, 400,
-            "an independent program: 79 to 125, depending on how the same formula is written; at most 399 "
-            "of 20 001 starts"}}};
+            "recorded: 79 to 125, depending on how the same formula is written, and at most some 400 from "
+            "20 001 starts"}}};
 }
 
 }  // namespace

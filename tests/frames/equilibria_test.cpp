@@ -32,8 +32,8 @@ double drop(const Method& method, const Toggle& toggle, double load) {
   return -x[t.apex];
 }
 
-// The limit load of 4 elements a member to 12 digits is an independent program's. Just below it lie two
-// equilibria, 0.227120 and 0.227139, a finite step over both of them ends on the far branch at 0.6143.
+// Just below the limit load lie two equilibria, 0.227120 and 0.227139; a finite step over both of them ends
+// on the far branch at 0.6143. oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 4 drop *
 TEST(Equilibria, NextToTheLimitLoad) {
   const Toggle toggle{.height = 0.44, .elements = 4};
   const double limit = 42.4387099966;
@@ -47,6 +47,7 @@ TEST(Equilibria, NextToTheLimitLoad) {
   }
 }
 
+// oracle: homotopy_frames toggle 0.44 of 1 drop under *
 TEST(Equilibria, PastTheLimitLoadAreSnapped) {
   for (const double load : {43.79, 44.}) {
     const double expected = load == 44 ? 0.623070489 : 0.621922545486;

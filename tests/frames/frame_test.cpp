@@ -80,7 +80,7 @@ TEST(Frame, TangentIsTheHessianOfTheEnergy) {
 }
 
 // Lee's frame: column and beam of 120, pinned ends, a dead load on the beam at 24 from the corner. Reference:
-// an independent program with 10 + 10 elements; published limit loads lie at 1.85.
+// 10 + 10 elements; published limit loads lie at 1.85. oracle: homotopy_frames Lee's frame of 10 limit*
 TEST(Frame, LimitPointOfLeesFrame) {
   std::vector<Node> nodes{{0, 0}};
   std::vector<Member> members;

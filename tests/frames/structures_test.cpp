@@ -63,8 +63,8 @@ std::string name_of(const testing::TestParamInfo<Kind>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(By, Structures, testing::Values(Kind::riks, Kind::crisfield, Kind::gdc), name_of);
 
-// References: an independent program; tolerances are half a unit of its last digit and the rounding floor,
-// which is 1e-10 of the load for 20 elements.
+// Tolerances are half a unit of the last digit and the rounding floor, which is 1e-10 of the load for 20
+// elements. oracle: homotopy_frames Lee's frame of *
 TEST_P(Structures, LeesFrame) {
   const auto expect = [](int elements, double high, double low) {
     const LoadedStructure s = make_frame(LeeFrame{.elements = elements});
@@ -82,6 +82,7 @@ TEST_P(Structures, LeesFrame) {
   EXPECT_NEAR(-found.folds[0].x[s.loaded], 48.73493660, 1e-7);
 }
 
+// oracle: homotopy_frames deep arch of 20 limit
 TEST_P(Structures, DeepArch) {
   const LoadedStructure s = make_frame(deep_arch(20));
   LoadedFrame equations(s.frame, s.load);
@@ -89,6 +90,7 @@ TEST_P(Structures, DeepArch) {
   EXPECT_NEAR(found.folds[0].load, 907.34075563, 1e-8);
 }
 
+// oracle: homotopy_frames shallow arch *
 TEST_P(Structures, ShallowArch) {
   Arch arch = shallow_arch(16);
   const LoadedStructure full = make_frame(arch);
@@ -151,7 +153,8 @@ TEST(ShallowArch, TheOtherBranchIsAntisymmetricAndCarriesLess) {
   }
 }
 
-// References: displacement control by an independent program, and its shooting solution for the elastica.
+// oracle: homotopy_frames toggle 0.44 of * m*imum, toggle 0.38 of 1 m*imum, toggle 0.38 of 4 m*, toggle 0.38
+// of 16 m*, toggle 0.38 of 32 m*
 TEST_P(Structures, TogglesOfAnyNumberOfElements) {
   const auto expect = [](double height, int elements, double high, double low) {
     const ToggleFrame t = make_frame({.height = height, .elements = elements});
@@ -171,6 +174,7 @@ TEST_P(Structures, TogglesOfAnyNumberOfElements) {
   expect(0.38, 32, 33.1251939340, 31.1081922157);
 }
 
+// oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.?? minimum*
 TEST_P(Structures, WilliamsEquation) {
   const auto expect = [](double height, double delta_max, double high, double delta_min, double low) {
     LoadedWilliams equations({.height = height});
@@ -203,6 +207,7 @@ TEST_P(Structures, TheLowToggleHasNoLimitPoint) {
 
 // The elastica has its own reference to 12 digits; frames converge to it like m^-2, so two of them
 // extrapolate to m^-4: 1e-7 for 16 and 32 elements of this toggle, by the size of the next difference.
+// oracle: homotopy_elastica
 TEST(Elastica, IsWhereFramesConvergeTo) {
   const auto expect = [](double height, double drop_max, double high, double drop_min, double low) {
     const Elastica elastica({.height = height});

@@ -52,8 +52,8 @@ struct Controlled {
   PathPoint at;
 };
 
-// All digits that the independent search gave: 642.99 and 964.03, 258.7 and 266.7 of the half toggle. Half a
-// toggle does not show that the apex turns before.
+// Recorded: 642.99 and 964.03, 258.7 and 266.7 of the half toggle. Half a toggle does not show that the apex
+// turns before. EventsAreWhereDenseEigenvaluesVanish judges such points.
 TEST(TogglePath, HighTogglesBifurcateBeforeTheirLimit) {
   for (const auto& [height, bow, limit] : {std::array{2., 642.99, 964.03}, std::array{1., 258.7, 266.68}}) {
     const std::vector<ToggleEvent> events = events_of({.height = height, .elements = 8});

@@ -88,7 +88,8 @@ double limit_point(const Williams& w, double low, double high) {
   return low;
 }
 
-// Reference values: an independent program in 40 digits. 1e-11 is 5 units of their last digit.
+// 5e-12 is five units of the last digit. oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.??
+// minimum*
 TEST(Williams, LimitPoints) {
   const auto expect = [](double height, double low, double high, double delta, double load) {
     const Williams w{.height = height};
@@ -102,6 +103,7 @@ TEST(Williams, LimitPoints) {
   expect(0.38, 0.3, 0.5, 0.3935882935498, 30.588387926087);
 }
 
+// oracle: homotopy_williams Williams 0.32 least slope*, Williams 0.32 load at the least slope
 TEST(Williams, TheFirstCaseHasNoLimitPoint) {
   const Williams w;
   double least = HUGE_VAL, at = 0;
@@ -116,6 +118,7 @@ TEST(Williams, TheFirstCaseHasNoLimitPoint) {
   EXPECT_NEAR(w.load(0.26457338), 27.0833960, 1e-6);
 }
 
+// oracle: homotopy_williams Williams 0.?? drop under *
 TEST(Williams, PublishedLoadsHaveOneEquilibrium) {
   const Williams high{.height = 0.44}, low;
   // Half a unit of the reference's last digit times the stiffness, about 210 lb/in, is 1e-10.

@@ -38,7 +38,7 @@ struct TogglePath {
 /// compression of a member exceeds about 20.19 EI/l^2 (clamped below, free to turn above), half of 4 pi^2.
 ///
 /// Tests hold loads to eigenvalues of dense tangents under displacement control (1e-8), of low toggles to
-/// an independent program (1e-10), and of high ones to other numbers of elements (their m^-2).
+/// tools/oracles (1e-10), and of high ones to other numbers of elements (their m^-2).
 /// @param toggle `full` is taken as true
 /// @throws std::invalid_argument as make_frame()
 [[nodiscard]] TogglePath critical_points(const Toggle& toggle);

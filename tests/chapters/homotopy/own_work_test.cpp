@@ -55,7 +55,8 @@ void expect_pair(const std::string& words, double maximum, double minimum, doubl
   EXPECT_LT(number(rows[0].cells.at(2)), number(rows[1].cells.at(2))) << words;
 }
 
-// Loads of an independent program, all its digits.
+// oracle: homotopy_williams Williams 0.?? maximum, Williams 0.?? minimum
+// oracle: homotopy_frames toggle 0.?? of 1 m*imum, toggle 0.44 of 4 m*, toggle 0.44 of 16 m*
 TEST(LimitPoints, KnownLoads) {
   expect_pair("--height 0.44 --elements 1", 42.435492120383, 32.124218754757, 1e-10);
   expect_pair("--height 0.44", 42.4387099966, 32.1222520061, 1e-10);
@@ -150,7 +151,9 @@ TEST(LimitPoints, MembersBowUnlessOneElementIsAskedFor) {
   EXPECT_EQ(solve("--height 1 --load 300").status, "success");
 }
 
-// Deflections of an independent program; |F| of the default tolerance over a stiffness of 15 lb/in and more.
+// |F| of the default tolerance over a stiffness of 15 lb/in and more.
+// oracle: homotopy_williams Williams 0.?? drop under *
+// oracle: homotopy_frames toggle 0.?? of 1 drop under *
 TEST(Solve, KnownDeflections) {
   struct Case {
     std::string words;

@@ -11,7 +11,8 @@
 namespace nlmech::chapters {
 namespace {
 
-// Limit points of an independent program, all digits.
+// oracle: homotopy_williams Williams 0.44 maximum, Williams 0.44 minimum
+// oracle: homotopy_frames toggle 0.44 of 1 maximum, toggle 0.44 of 1 minimum
 TEST(LoadCurves, LimitPoints) {
   EXPECT_FALSE(limit_points(*williams_curve(0.32)));
   EXPECT_FALSE(limit_points(*element_curve(0.32)));
