@@ -89,7 +89,8 @@ scene::Showing show(bool quick) {
   showing.figure = {std::move(data),
                     "algebraic_series-bessel",
                     {{"heading", "Bessel functions about tau = 1: the terms decide, not the unit interval"}}};
-  const char* known = "an independent program, one digit; a factor of two either way";
+  // oracle: algebraic_series_sums J_*
+  const char* known = "tools/oracles/algebraic_series_sums.py, one digit; a factor of two either way";
   const Real near_zero = Real(1) / 100, near_one = Real(9) / 10;
   const auto about = [&](const char* name, double value, double reference) {
     return scene::Quantity{name, "1", value, reference / 2, reference * 2, known};
@@ -98,11 +99,11 @@ scene::Showing show(bool quick) {
       about("error of 20 terms, J_2, T = 5, tau = 0.9", error(two, near_one, 20), 1e-26),
       about("error of 20 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 20), 2e-7),
       scene::near("error of 20 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 20), 5.2, 0.02,
-                  "an independent program: 5.2; half a unit of its last digit"),
+                  "tools/oracles/algebraic_series_sums.py: 5.2; half a unit of its last digit"),
       scene::at_most("error of 100 terms, J_2, T = 5, tau = 0.01", "1", error(two, near_zero, 100), 4e-27,
-                     "an independent program: 2e-27, its rounding"),
+                     "recorded in fewer digits: 2e-27, rounding"),
       scene::at_most("error of 100 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 100), 8e-26,
-                     "an independent program: 4e-26, its rounding"),
+                     "recorded in fewer digits: 4e-26, rounding"),
       scene::near("ratio of the last coefficients of the solution with A_0 = 1, A_1 = 0", "1",
                   growth_of_the_free_solution(2, 5, 400), 1, 0.02,
                   "a singularity at tau = 0: the ratio tends to 1/rho = 1 like 1 + O(1/i)")};

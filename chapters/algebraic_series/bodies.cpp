@@ -99,8 +99,9 @@ scene::Showing show(const Orbits& all) {
       "algebraic_series-bodies",
       {{"heading", "Four bodies to t = 3000: bodies 1 and 2 are about to meet"}, {"width", "900"}}};
   const State& end = all.path.back().x;
+  // oracle: algebraic_series_motions bodies *
   const char* known =
-      "70-digit Taylor solution, found independently; double precision loses five digits to the encounters";
+      "tools/oracles/algebraic_series_motions.py; double precision loses five digits to the encounters";
   const auto near = [&](const char* name, double value, double reference) {
     return scene::near(name, "1", value, reference, 1e-10, known);
   };

@@ -64,7 +64,8 @@ scene::Showing show(const std::vector<Fate>& all) {
                     "algebraic_series-divergence",
                     {{"heading", "Forward Euler departs before 30 s if its step is 0.01 s or longer"}}};
   showing.table = std::move(table);
-  const char* known = "an independent program, three digits; steps are the resolution";
+  // oracle: algebraic_series_motions Euler *
+  const char* known = "tools/oracles/algebraic_series_motions.py, three digits; steps are the resolution";
   const auto near = [&](double h, double reference) {
     return scene::near("departure with h = " + scene::format_number(h, 4), "s",
                        with_step(all, h).visible.value_or(NAN), reference, 0.1 / reference + h / reference,

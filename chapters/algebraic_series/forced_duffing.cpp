@@ -37,17 +37,19 @@ scene::Showing show_time(const Motions& m) {
                     "algebraic_series-duffing-time",
                     {{"heading", "Forced Duffing oscillator: the printed steps are right to the eye"}}};
   const Sample<2>&half = m.accurate.at(1000), &full = m.accurate.back();
-  const char* known = "70-digit Taylor solution, found independently; rounding grows to 1e-11 on the way";
+  // oracle: algebraic_series_motions Duffing u(*, Duffing v(*, Duffing T = 0.35: greatest error, Duffing T =
+  // 0.35: above 1e-3 from
+  const char* known = "tools/oracles/algebraic_series_motions.py; rounding grows to 1e-11 on the way";
   showing.quantities = {
       scene::near("u(50)", "1", half.x[0], 1.221946638567542, 1e-10, known),
       scene::near("u'(50)", "1", half.x[1], 5.565479787665349, 1e-10, known),
       scene::near("u(100)", "1", full.x[0], 0.694891370844674, 1e-8, known),
       scene::near("u'(100)", "1", full.x[1], 3.554260292257302, 1e-8, known),
       scene::near("greatest error of the printed steps to t = 100", "1", m.departure.greatest(100), 0.63,
-                  0.01, "an independent program: 0.63; half a unit of its last digit"),
+                  0.01, "tools/oracles/algebraic_series_motions.py: 0.63; half a unit of its last digit"),
       scene::near("time at which the printed steps err by more than 1e-3", "1",
                   m.departure.first_above(1e-3).value_or(NAN), 1.75, 1e-9,
-                  "an independent program: the fifth step")};
+                  "tools/oracles/algebraic_series_motions.py: the fifth step")};
   return showing;
 }
 
@@ -63,7 +65,9 @@ scene::Showing show_phase(const Motions& m) {
     least = std::min(least, s.x[0]);
     most = std::max(most, s.x[0]);
   }
-  const char* known = "an independent program; samples every 0.05 miss a peak by 0.02 or less";
+  // oracle: algebraic_series_motions Duffing least, Duffing greatest
+  const char* known =
+      "tools/oracles/algebraic_series_motions.py; samples every 0.05 miss a peak by 0.02 or less";
   showing.quantities = {scene::near("least u", "1", least, -3.354, 0.006, known),
                         scene::near("greatest u", "1", most, 3.344, 0.006, known)};
   return showing;

@@ -40,18 +40,21 @@ scene::Showing show_time(const Butterflies& b) {
                     "algebraic_series-lorenz-time",
                     {{"heading", "Lorenz: with the printed T = 0.1 another trajectory after three units"}}};
   const auto& end = b.accurate.back().x;
-  const char* known = "70-digit Taylor solution, found independently; double loses eight digits on the way";
+  // oracle: algebraic_series_motions Lorenz ?(20), Lorenz T = 0.1: u(20), Lorenz T = 0.1: error at 0.5,
+  // Lorenz T = 0.1: above 1 from
+  const char* known = "tools/oracles/algebraic_series_motions.py; double loses eight digits on the way";
   showing.quantities = {
       scene::near("u(20)", "1", end[0], -1.356348984580380, 1e-6, known),
       scene::near("v(20)", "1", end[1], -2.387300052277071, 1e-6, known),
       scene::near("w(20)", "1", end[2], 12.38998499408597, 1e-6, known),
       scene::near("u(20) with the printed steps", "1", b.printed.back().x[0], -4.78, 2e-3,
-                  "an independent program: -4.78; half a unit of its last digit, and rounding of 1e-7"),
+                  "tools/oracles/algebraic_series_motions.py: -4.78; half a unit of its last digit, and "
+                  "rounding of 1e-7"),
       scene::near("error of the printed steps at t = 0.5", "1", b.departure.error.at(4), 0.83, 0.01,
-                  "an independent program: 0.83; half a unit of its last digit"),
+                  "tools/oracles/algebraic_series_motions.py: 0.83; half a unit of its last digit"),
       scene::near("time at which the printed steps err by more than 1", "1",
                   b.departure.first_above(1).value_or(NAN), 3.3, 0.04,
-                  "an independent program: 3.3; steps are 0.1 long")};
+                  "tools/oracles/algebraic_series_motions.py: 3.3; steps are 0.1 long")};
   return showing;
 }
 
@@ -65,7 +68,9 @@ scene::Showing show_phase(const Butterflies& b) {
     least = std::min(least, s.x[0]);
     most = std::max(most, s.x[0]);
   }
-  const char* known = "an independent program; samples every 0.01 miss the peak by 0.02 or less";
+  // oracle: algebraic_series_motions Lorenz least, Lorenz greatest
+  const char* known =
+      "tools/oracles/algebraic_series_motions.py; samples every 0.01 miss the peak by 0.02 or less";
   showing.quantities = {scene::near("least u", "1", least, -16.336, 0.002, known),
                         scene::near("greatest u", "1", most, 19.829, 0.002, known)};
   return showing;

@@ -40,13 +40,14 @@ scene::Showing show_time(const Motions& m) {
   showing.figure = {std::move(data),
                     "algebraic_series-oscillator-time",
                     {{"heading", "Forward Euler (h = 0.01 s) parts from the series before 30 s"}}};
-  const char* known = "70-digit Taylor solution, found independently; rounding of 3000 steps";
+  // oracle: algebraic_series_motions oscillator x, oscillator v
+  const char* known = "tools/oracles/algebraic_series_motions.py; rounding of 3000 steps";
   const auto& end = m.series.back().x;
   showing.quantities = {
       scene::near("x at 375 s", "1", end[0], -0.302938936512582, 1e-9, known),
       scene::near("x' at 375 s", "1", end[1], -0.198146428424553, 1e-9, known),
       scene::at_most("greatest error of the printed steps to 750 s", "1", m.departure.greatest(800), 3e-10,
-                     "an independent program: 7e-11; rounding, which scatters"),
+                     "recorded: 7e-11; rounding, which scatters"),
       scene::near("zeros of x up to 28.14 s", "1", crossings, 4, 0, "two waves, as the paper describes")};
   return showing;
 }
@@ -64,7 +65,9 @@ scene::Showing show_phase(const Motions& m) {
       std::move(data),
       "algebraic_series-oscillator-phase",
       {{"heading", "375 s in the phase plane: no damping, no growth"}, {"width", "620"}, {"height", "600"}}};
-  const char* known = "an independent program; samples every 0.05 s miss a peak by 1e-4 or less";
+  // oracle: algebraic_series_motions oscillator least, oscillator greatest
+  const char* known =
+      "tools/oracles/algebraic_series_motions.py; samples every 0.05 s miss a peak by 1e-4 or less";
   showing.quantities = {scene::near("least x", "1", least, -0.50008, 3e-4, known),
                         scene::near("greatest x", "1", most, 0.49953, 3e-4, known)};
   return showing;

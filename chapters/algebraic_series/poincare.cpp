@@ -15,6 +15,7 @@ using States = std::vector<ivp::State<2>>;
 constexpr std::int64_t many = 20'000;
 constexpr double printed_time = 750;  // s
 // The elliptic orbit of 31 periods in the middle of the islands starts here at rest.
+/// Of the island. oracle: algebraic_series_motions period 31 at
 const ivp::State<2> centre(-0.500135737928720, 0);
 
 std::int64_t sections_within(double seconds) {
@@ -37,7 +38,7 @@ scene::Showing show_printed(const States& all) {
   showing.quantities = {
       scene::near("sections in 750 s", "1", static_cast<double>(printed), 239, 0, "750/pi = 238.7"),
       scene::at_most("way from a section near the begin to that 31 later", "1", greatest, 1.2e-4,
-                     "chord of 0.0778 turns on an island of half width 2.35e-4, found independently")};
+                     "chord of 0.0778 turns on an island of half width 2.35e-4; recorded")};
   return showing;
 }
 
@@ -61,22 +62,24 @@ scene::Showing show_islands(const States& all) {
                     {{"heading", "Every 31st of 20 000 sections: a closed island, no transient"},
                      {"width", "620"},
                      {"height", "600"}}};
+  // oracle: algebraic_series_motions island width *
   const double rotation = rotation_number(all);
   const std::size_t quarter = all.size() / 4;
   const double first = island_radius(all, centre, 0, quarter),
                last = island_radius(all, centre, 3 * quarter, all.size());
   const States around = sections({}, centre, StrongOscillator::initial_time, 32);
-  showing.quantities = {{"rotation number", "turns", rotation, 8.0 / 31 - 1e-9, 8.0 / 31 + 1e-9,
-                         "8/31 exactly, on islands about an orbit of 31 periods; the issue's bound"},
-                        scene::at_most("distance of the central orbit from itself after 31 periods", "1",
-                                       (around[31] - centre).norm(), 1e-12,
-                                       "an independent program's centre, 15 digits, and rounding of 97 s"),
-                        scene::near("radius of the island, last quarter over first", "1", last / first, 1,
-                                    5e-4, "no damping: an independent program found equal radii to 2e-4"),
-                        scene::near("width of the island along x", "1", width(all, 0), 2.7e-4, 0.03,
-                                    "an independent program, two digits"),
-                        scene::near("width of the island along v", "1", width(all, 1), 4.7e-4, 0.03,
-                                    "an independent program, two digits")};
+  showing.quantities = {
+      {"rotation number", "turns", rotation, 8.0 / 31 - 1e-9, 8.0 / 31 + 1e-9,
+       "8/31 exactly, on islands about an orbit of 31 periods; the issue's bound"},
+      scene::at_most(
+          "distance of the central orbit from itself after 31 periods", "1", (around[31] - centre).norm(),
+          1e-12, "its centre by tools/oracles/algebraic_series_motions.py, 15 digits, and rounding of 97 s"),
+      scene::near("radius of the island, last quarter over first", "1", last / first, 1, 5e-4,
+                  "no damping; points of the island are few"),
+      scene::near("width of the island along x", "1", width(all, 0), 2.7e-4, 0.03,
+                  "tools/oracles/algebraic_series_motions.py, two digits"),
+      scene::near("width of the island along v", "1", width(all, 1), 4.7e-4, 0.03,
+                  "tools/oracles/algebraic_series_motions.py, two digits")};
   return showing;
 }
 

@@ -60,7 +60,8 @@ scene::Showing show(const Flight& flight) {
   showing.figure = {std::move(data),
                     "algebraic_series-projectile",
                     {{"heading", "The printed wind carries the projectile sideways and ten times too far"}}};
-  const char* known = "70-digit Taylor solution, found independently; rounding in a thousand steps";
+  // oracle: algebraic_series_motions projectile *
+  const char* known = "tools/oracles/algebraic_series_motions.py; rounding in a thousand steps";
   const double rounding = 1e-13;
   showing.quantities = {
       scene::near("time of landing", "s", last.t, 9.84601516944855, rounding, known),

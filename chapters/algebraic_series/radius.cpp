@@ -174,10 +174,12 @@ scene::Showing show(const Measured& m) {
   const auto first = [&](const std::string& problem, double step, int order, double bound) {
     return choice_of(m, problem, step, order).departure.first_above(bound).value_or(NAN);
   };
-  const char* radius = "an independent program, by some fifty coefficients";
-  const char* pole =
-      "an independent program by fewer coefficients: the amplitude of a pole, up to 600, to the power 1/50";
-  const char* times = "an independent program; steps are the resolution, and rounding moves chaos a little";
+  const char* radius = "recorded, by some fifty coefficients; the bound is what their number changes";
+  const char* pole = "recorded by fewer coefficients: the amplitude of a pole, up to 600, to the power 1/50";
+  // oracle: algebraic_series_motions * above 0.1 from, Lorenz T = 0.1: above 1 from
+  const char* times =
+      "tools/oracles/algebraic_series_motions.py; steps are the resolution, and rounding moves chaos a "
+      "little";
   showing.quantities = {
       scene::near("least root test, Lorenz", "1", m.lorenz.least_root, 0.119, 0.06, radius),
       scene::near("least root test, Duffing", "1", m.duffing.least_root, 0.524, 0.06, radius),
@@ -194,7 +196,7 @@ scene::Showing show(const Measured& m) {
                   times),
       scene::at_most("Duffing, T = 0.1, N = 20: greatest error", "1",
                      choice_of(m, duffing, 0.1, 20).departure.greatest(100), 2e-11,
-                     "an independent program: 2e-12; rounding scatters tenfold"),
+                     "recorded: 2e-12; rounding scatters tenfold"),
       scene::at_most("Duffing by the radius: greatest error", "1",
                      choice_of(m, duffing, 0, 0).departure.greatest(100), 1e-10,
                      "rounding, amplified as with T = 0.1"),

@@ -14,8 +14,9 @@
 namespace nlmech::chapters {
 namespace {
 
-// Values of an independent program with 70 digits, printed to 16; double holds half a unit of that.
-TEST(References, AreThoseOfAnIndependentProgram) {
+// 16 digits; double holds half a unit of that. oracle: algebraic_series_motions Lorenz ?(40), Duffing ?(100),
+// oscillator x, oscillator v, bodies y of 4, bodies z of 1
+TEST(References, AreThoseOfExtrapolation) {
   const auto lorenz = lorenz_example().reference(40);
   EXPECT_NEAR(static_cast<double>(lorenz[0]), 2.228444506374958, 1e-15);
   EXPECT_NEAR(static_cast<double>(lorenz[1]), 6.274269486486984, 2e-15);
@@ -23,7 +24,7 @@ TEST(References, AreThoseOfAnIndependentProgram) {
   const auto duffing = forced_duffing_example().reference(100);
   EXPECT_NEAR(static_cast<double>(duffing[0]), 0.694891370844674, 1e-15);
   EXPECT_NEAR(static_cast<double>(duffing[1]), 3.554260292257302, 1e-15);
-  // The independent times are 375 + pi; ours is the double next to it, which moves x by 1e-14.
+  // The times there are 375 + pi; ours is the double next to it, which moves x by 1e-14.
   const auto oscillator = oscillator_example().reference(375 + std::numbers::pi);
   EXPECT_NEAR(static_cast<double>(oscillator[0]), -0.302938936512582, 2e-14);
   EXPECT_NEAR(static_cast<double>(oscillator[1]), -0.198146428424553, 2e-14);

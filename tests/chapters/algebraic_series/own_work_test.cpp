@@ -26,8 +26,9 @@ Finished algebraic_series(const std::string& words) {
   return scene::run_program(arguments, {});
 }
 
-// Every problem, its own names, its last row at the asked time, and the values of an independent program in
-// 70 digits. The default tolerance is 1e-9; the bounds leave what each motion amplifies.
+// Every problem, its own names, its last row at the asked time, and its value. The default tolerance is 1e-9;
+// the bounds leave what each motion amplifies. oracle: algebraic_series_motions Lorenz u(20), Duffing u(50),
+// oscillator x, projectile x, projectile lands at, bodies y of 4
 TEST(Integrate, EveryProblemToItsReference) {
   struct Known {
     std::string words, header;
@@ -54,7 +55,8 @@ TEST(Integrate, EveryProblemToItsReference) {
   }
 }
 
-// As published: T = 0.1 and N = 20 give another end than the solution (an independent program: -4.78).
+// As published: T = 0.1 and N = 20 give another end than the solution.
+// oracle: algebraic_series_motions Lorenz T = 0.1: u(20)
 TEST(Integrate, PublishedStepAndOrder) {
   const Finished f = algebraic_series("integrate --problem lorenz --until 20 --step 0.1 --order 20");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
@@ -84,7 +86,8 @@ TEST(Poincare, FirstSectionIsTheInitialState) {
   EXPECT_EQ(rows.column[1][0], -0.5);
   EXPECT_EQ(rows.column[2][0], 0);
   EXPECT_EQ(rows.column[0][31], 31);
-  // After 31 sections the orbit is back on its island, 2.7e-4 by 4.7e-4 large (an independent program).
+  // After 31 sections the orbit is back on its island, 2.7e-4 by 4.7e-4 large
+  // (chapters/algebraic_series/poincare.cpp).
   EXPECT_NEAR(rows.column[1][31], -0.5, 3e-4);
   EXPECT_NEAR(rows.column[2][31], 0, 3e-4);
   const Finished one = algebraic_series("poincare --sections 1 --initial 0.25,0.5");
