@@ -21,6 +21,7 @@ constexpr std::array titles = {"Laier", "Argyris", "Newmark"};
 using Grid = std::array<std::array<double, 3>, 3>;  // [step][column]
 
 // By Taylor series in 70 digits.
+// oracle: transversal_motions Laier's Duffing peak, Laier's van der Pol peak
 constexpr double exact_duffing = 0.53826530480162931, exact_van_der_pol = -0.31932967523380421;
 
 constexpr Grid printed_duffing = {

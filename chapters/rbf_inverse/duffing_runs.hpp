@@ -31,7 +31,7 @@ inline constexpr std::size_t nominal = 1;
 /// A case with the printed values, S = I.
 [[nodiscard]] bvp::DuffingSettings printed_settings(bvp::DuffingCase which, double final_time);
 
-/// The lowest extremal known of a case, from an independent program.
+/// The lowest extremal known of a case.
 struct KnownExtremal {
   bvp::DuffingCase which;       ///< the case, with its printed beta
   double final_time;            ///< T

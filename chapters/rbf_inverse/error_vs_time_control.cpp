@@ -218,13 +218,13 @@ std::vector<scene::Quantity> promises(const std::vector<Panel>& panels, bool qui
   for (const Panel& panel : panels) {
     const std::string name = fmt::format(", {}", to_string(panel.which));
     all.push_back(scene::at_most("least error, polynomial, refined" + name, "1", best(panel, 3), 1e-10,
-                                 "a tolerance of 1e-12 against 36 digits of an independent program"));
+                                 "a tolerance of 1e-12 against tools/oracles/rbf_inverse_extremals.py"));
     double worst = 0;
     for (const Cost& c : panel.lines[0].costs)
       if (c.setting != "10 nodes" && c.setting != "15 nodes")
         worst = std::max(worst, c.error.value_or(HUGE_VAL));
     all.push_back({"largest error of 20 and more nodes, Gaussian, printed shape" + name, "1", worst, 1e-7,
-                   1e-1, "an independent program: no convergence with the nodes"});
+                   1e-1, "recorded: no convergence with the nodes"});
     if (!panel.lines[4].costs.empty())
       all.push_back(scene::at_most("least error, multiple shooting" + name, "1", best(panel, 4), 1e-8,
                                    "a tolerance of 1e-12 in each step"));

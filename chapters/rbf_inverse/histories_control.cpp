@@ -11,7 +11,7 @@ namespace {
 
 using scene::Workshop;
 
-/// What an independent program found with the printed shape at T = 2; "two" are its nine tenths of a decade.
+/// Recorded with the printed shape at T = 2; "two" are its nine tenths of a decade.
 struct KnownErrors {
   double states, costates;
 };
@@ -38,7 +38,7 @@ std::string state_heading(bvp::DuffingCase which) {
 }
 
 std::vector<scene::Quantity> extremal_promises(const bvp::Extremal& e, const KnownExtremal& known) {
-  const char* const reason = "an independent Taylor method in 36 digits";
+  const char* const reason = "tools/oracles/rbf_inverse_extremals.py";
   std::vector<scene::Quantity> all = {scene::at_most("cost", "1", e.cost, known.cost * (1 + 1e-9), reason),
                                       scene::at_most("distance of the flown end from prescribed values", "1",
                                                      e.miss, 1e-9, "the tolerance of the collocation")};
@@ -161,12 +161,11 @@ scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool cost
   const double reference = costates ? known.costates : known.states;
   std::vector<scene::Quantity> quantities = {
       {costates ? "largest co-state error, printed shape" : "largest state error, printed shape", "1", worst,
-       reference / 15, reference * 15,
-       "an independent program; rounding in a matrix of condition 4e17 is a lottery"}};
+       reference / 15, reference * 15, "recorded; rounding in a matrix of condition 4e17 is a lottery"}};
   quantities.push_back(
       scene::at_most("error of the cost, printed shape, relative", "1",
                      std::abs(results[0].extremal.cost / known_extremal(subject.which).cost - 1), 1e-4,
-                     "an independent program: 2e-10 to 3e-7 for most roots"));
+                     "recorded: 2e-10 to 3e-7 for most roots"));
   return {figure.take(), error_table(runs, index, w), quantities};
 }
 

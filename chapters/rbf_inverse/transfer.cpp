@@ -76,7 +76,7 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
   add("Gaussian functions, c T = 3, D without loss of digits", w.result(*runs.stable), {});
   add("polynomials", w.result(*runs.polynomial), {});
   add("Izzo", w.result(*runs.izzo), {});
-  const std::string program = "an independent program: ";
+  const std::string program = "recorded: ";
   return {
       {},
       std::move(table),
@@ -93,7 +93,7 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
        scene::at_most("miss of polynomials", "m", w.result(*runs.polynomial).miss, 1e-4,
                       program + "4.9e-6 m; rounding"),
        scene::at_most("error of Izzo's initial velocity", "m/s", velocity_error(w.result(*runs.izzo).v1),
-                      8e-9, "twelve digits of 50 by " + program)}};
+                      8e-9, "twelve digits of tools/oracles/rbf_inverse_lambert.py")}};
 }
 
 /// Position or velocity, one panel a component: the orbit as lines, collocation as points.
@@ -157,11 +157,12 @@ scene::Showing show_geometry(const TransferRuns& runs, Workshop& w) {
   scene::Showing showing;
   showing.figure = curves.take();
   showing.quantities = {
+      // oracle: rbf_inverse_lambert short eccentricity
       scene::near("eccentricity of the transfer", "1", e.norm(), 0.96281, 1e-5,
-                  "an independent program in 50 digits"),
+                  "tools/oracles/rbf_inverse_lambert.py"),
       scene::near("periapsis of the transfer", "km",
                   (1 - e.norm()) / orbit::reciprocal_axis(orbit::State{p.from, izzo.v1}, p.gravity.mu) / 1000,
-                  252, 1, "the same program, to the kilometre it gives"),
+                  252, 1, "a (1 - e) by the same program"),
       scene::at_most("miss of the orbit drawn", "m", izzo.miss, 1e-6, "rounding, some kappa eps |r_F|")};
   return showing;
 }

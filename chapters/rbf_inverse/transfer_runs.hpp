@@ -13,7 +13,7 @@ namespace nlmech::chapters {
 /// Eq. 5.38, in metres and seconds.
 [[nodiscard]] orbit::TransferProblem printed_transfer();
 
-/// |v - exact| of the initial velocity that an independent program found in 50 digits, m/s.
+/// |v - exact| of the initial velocity by tools/oracles/rbf_inverse_lambert.py, m/s.
 [[nodiscard]] double velocity_error(const orbit::Vector3<double>& v1);
 
 /// r(t) - r_F of a flight with @p v1, m; infinite if it does not arrive.

@@ -76,8 +76,8 @@ scene::Showing show_response(const Record<6>& record) {
       {{"heading", fmt::format("Three masses: load and slowest mode beat every {:.0f} s",
                                2 * std::numbers::pi / std::abs(load - chain_frequencies()[0]))}}};
   const ivp::State<6> end = record.values.back().x;
-  const char* digits60 =
-      "60-digit solution, found independently; 1e-11 for the tolerance 1e-13 over 17 000 steps";
+  // oracle: rbf_ivp_ends three masses x?
+  const char* digits60 = "tools/oracles/rbf_ivp_ends.py; 1e-11 for the tolerance 1e-13 over 17 000 steps";
   showing.quantities = {
       scene::near("x1 at t = 200", "1", end[0], 0.1621748860002476087, 1e-10, digits60),
       scene::near("x2 at t = 200", "1", end[1], 0.3465729515799773249, 1e-10, digits60),

@@ -12,7 +12,7 @@ namespace {
 
 using scene::Workshop;
 
-constexpr const char* digits60 = "60-digit Taylor solution, found independently; two roundings";
+constexpr const char* digits60 = "tools/oracles/rbf_ivp_ends.py, 40 digits; two roundings";
 
 /// A parameter as printed, the number we use, and why the two differ if they do.
 void add_row(scene::Table& table, const std::string& name, const std::string& printed, double used,
@@ -46,7 +46,7 @@ scene::Showing free_duffing_parameters() {
   return {{},
           table,
           {scene::near("period", "s", duffing_period(), 4.7680220291024608063, 2.3e-16,
-                       "elliptic integral in 60 digits, found independently; one rounding"),
+                       "elliptic integral, tools/oracles/rbf_ivp_ends.py; one rounding"),
            reference_value("x(500)", end[0], 0.6356014706573872618142369L),
            reference_value("v(500)", end[1], 1.0071778004510543827621357L)}};
 }

@@ -41,8 +41,9 @@ std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick
   const auto error = [&](std::size_t i) { return three.costs.at(i).error.value_or(NAN); };
   // Steps of 0.1 and 0.025, among all of them or among quick's.
   const double fourth = quick ? error(1) / error(2) : error(2) / error(4);
+  // oracle: transversal_motions driven Duffing *
   return {scene::near("reference position at t = 50", "1", static_cast<double>(example().reference(50)[0]),
-                      1.203734404401093362708, 1e-15, "an independent program in float128"),
+                      1.203734404401093362708, 1e-15, "tools/oracles/transversal_motions.py"),
           {"error of p = 3, step over a quarter of it", "1", fourth, 150, 400, "order 4: 256"},
           scene::at_most("least error of p = 5", "1", comparison::least_error(costs.curves, "mtl, p = 5"),
                          1e-9, "order 6 of steps of 0.00625, above roundings")};

@@ -64,9 +64,10 @@ scene::Showing show() {
   const double mu = implied_mu(low);
   const orbit::Elements of_low = orbit::elements_of(low.start, earth_mu),
                         of_high = orbit::elements_of(high.start, earth_mu);
-  const char* digits = "an independent program, all the digits that it printed";
+  const char* digits = "tools/oracles/two_body_series_orbits.py, all its digits";
   scene::Showing showing;
   showing.table = std::move(table);
+  // oracle: two_body_series_orbits LEO *, HEO *
   showing.quantities = {
       scene::near("mu implied by the LEO state", "m^3/s^2", mu, 3.98600433e14, 1e-14,
                   "mu of older handbooks, nine digits; the state has sixteen"),

@@ -179,7 +179,7 @@ scene::Showing show(const std::vector<Study>& all) {
     rkn = std::max({rkn, s.by_rkn_j2, s.by_rkn_j6});
     kept = std::max({kept, s.in_double.energy, energy_change(s)});
   }
-  const char* range = "an independent program: 995 to 1920 km";
+  const char* range = "recorded: 995 to 1920 km";
   const double eps = std::numeric_limits<double>::epsilon();
   const auto secular = [&](std::size_t i) {
     return scene::near(fmt::format("turn of the node, {}", all[i].what->name), "deg", all[i].node,

@@ -1,5 +1,5 @@
 /// @file
-/// Days about an oblate Earth, and independent ends of them.
+/// Days about an oblate Earth, and ends of them known from elsewhere.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace nlmech::chapters {
 struct ZonalDay {
   const char* name;                   ///< "LEO"
   std::array<const char*, 6> start;   ///< position, velocity
-  std::array<const char*, 6> end_j2;  ///< to 20 digits, by an independent program in quadruple precision
+  std::array<const char*, 6> end_j2;  ///< to 20 digits, by tools/oracles/two_body_series_orbits.py
 };
 
 /// Seconds of a day.

@@ -60,8 +60,8 @@ TEST(Mtl, SymmetricInTime) {
   EXPECT_GT(gap(MtlLinear::jacobian, 3), 1e-8);
 }
 
-// det - 1 of the derivative of one block of x'' + x + x^3 = 0, h = 0.1, at (1, 0.3), by central differences;
-// values of an independent program, two digits.
+// det - 1 of the derivative of one block of x'' + x + x^3 = 0, h = 0.1, at (1, 0.3), by central differences.
+// oracle: transversal_motions MTL *
 TEST(Mtl, BlocksAreNotSymplectic) {
   const DrivenDuffing problem{.force = 0};
   const auto determinant = [&](int p) {

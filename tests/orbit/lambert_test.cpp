@@ -15,7 +15,7 @@ namespace {
 
 using namespace oracle;
 
-// Computed in 50 digits by another program; Kepler's motion closes within 1e-40 m. 12 digits are asked for.
+// 12 digits are asked for. oracle: rbf_inverse_lambert * v1 *, * axis, * eccentricity
 TEST(Lambert, FourArcsOfThePrintedProblem) {
   struct Known {
     LambertArc arc;
@@ -37,6 +37,7 @@ TEST(Lambert, FourArcsOfThePrintedProblem) {
     EXPECT_NEAR(eccentricity_vector(State{p.from, s.v1}, p.mu).norm(), k.eccentricity, 1e-5);
     EXPECT_LE(exact_miss(p, s), promised);
   }
+  // oracle: rbf_inverse_lambert short v2 *
   const Vector3<double> v2{-2318.4424849316679, -5654.9378013635604, -1551.1405058380721};
   EXPECT_LE((solve_lambert(p).v2 - v2).norm() / v2.norm(), 1e-12);
   // There is no fifth: the long way with one revolution and the short way with two take longer.

@@ -199,7 +199,7 @@ double exact_peak() {
 // Table 4: all columns are far from the peak of the motion from rest. The paper names no start.
 TEST(Errata, Table4IsNotThePeak) {
   const double exact = exact_peak();
-  EXPECT_NEAR(exact, 0.53826530480162931, 1e-12);  // Taylor series in 70 digits
+  EXPECT_NEAR(exact, 0.53826530480162931, 1e-12);  // oracle: transversal_motions Laier's Duffing peak
   struct Column {
     const ivp::HermitianPair& operators;
     std::array<double, 3> printed;

@@ -212,7 +212,7 @@ std::vector<Eigen::Vector4d> extremal_from(Eigen::Vector4d z, double beta, doubl
 }
 
 // Eq. 5.33 gives f from T on, T included, where the extremal has -lambda2(T): f jumps. The oracle is the
-// flight of the initial values that an independent program found with 16 digits.
+// flight of the initial values of tools/oracles/rbf_inverse_extremals.py.
 TEST(ErrataControl, ForceJumpsToTheHarmonicState) {
   constexpr double T = 1;
   const KnownExtremal& known = known_extremal(DuffingCase::harmonic, T);
@@ -261,8 +261,8 @@ TEST(ErrataControl, SplitConditionsAreNotIllPosed) {
 }
 
 // The solution is called insensitive to the first guess. With both positions prescribed Newton's iteration
-// ends, from zeros, on an extremal that costs many times what the best one does; the oracle is an
-// independent program's.
+// ends, from zeros, on an extremal that costs many times what the best one does; the oracle is
+// tools/oracles/rbf_inverse_extremals.py.
 TEST(ErrataControl, AnotherGuessFindsAnotherExtremal) {
   const KnownExtremal& known = known_extremal(DuffingCase::x1x1);
   const bvp::DuffingSettings settings = printed_settings(DuffingCase::x1x1, known.final_time);

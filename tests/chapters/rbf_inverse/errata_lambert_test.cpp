@@ -15,7 +15,7 @@ namespace {
 using orbit::TransferBasis;
 using orbit::TransferEquations;
 
-/// The velocity that an independent program found in 50 digits.
+// oracle: rbf_inverse_lambert short v1 *
 const orbit::Vector3<double> exact_v0(2774.8469906025419, 7217.0230343355381, 1625.9338905977957);
 
 orbit::TransferCollocation printed_method() {
@@ -67,7 +67,7 @@ TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
     orbit::TransferCollocation method = printed_method();
     method.time_unit = unit;
     const orbit::CollocatedTransfer t = orbit::collocate(printed_transfer(), method);
-    // An independent program had 4.7 m to 1.8 km; rounding decides where in or near that range it ends.
+    // 4.7 m to 1.8 km were seen; rounding decides where in or near that range it ends.
     EXPECT_GT(t.miss, 0.05) << unit;
     EXPECT_GT(t.condition, 1e16);
   }

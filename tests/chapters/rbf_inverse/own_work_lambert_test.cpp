@@ -46,7 +46,7 @@ void expect_first_velocity(const std::vector<double>& v, double x, double y, dou
   EXPECT_LE(std::hypot(v[0] - x, v[1] - y, v[2] - z), relative * size);
 }
 
-// 50 digits of an independent program; twelve are asked for.
+// Twelve digits are asked for. oracle: rbf_inverse_lambert * v? *
 TEST(LambertCommand, FourArcs) {
   const std::vector<double> v = lambert(printed);
   expect_first_velocity(v, 2774.8469906025419, 7217.0230343355381, 1625.9338905977957, 1e-12);

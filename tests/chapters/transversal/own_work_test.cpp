@@ -33,7 +33,7 @@ TEST(Integrate, EveryProblemToItsReference) {
     double end, value, bound;
   };
   const std::vector<Known> all = {
-      // Independent programs in extended precision.
+      // oracle: transversal_motions driven Duffing *, van der Pol *
       {"duffing --until 50 --step 0.005 --points 5", "t,x1,v1", 50, 1.203734404401093, 1e-9},
       {"van-der-pol --until 40 --step 0.002", "t,x1,v1", 40, 1.872808279858090, 1e-6},
       // x = cos t, whatever the step.

@@ -113,8 +113,8 @@ TEST(Propagate, NoTimeIsOneRow) {
   }
 }
 
-// A day with J2, and with J2 to J6; the ends by an independent program in quadruple precision with two
-// formulations of the force. Double precision errs by 2e-6 m (findings of that program).
+// A day with J2, and with J2 to J6. Double precision errs by 2e-6 m.
+// oracle: two_body_series_orbits day of circular ?
 TEST(Propagate, ZonalHarmonics) {
   const std::string day = "--position 7e6,0,0 --velocity 0,4700,5900 --until 86400 --radius 6378137 --zonal ";
   const orbit::Vector3<double> by_j2(4532841.9627156031062, -3542172.7947567830238, -3979637.2144251580166);
@@ -182,7 +182,8 @@ scene::NumberColumns elements_of(const std::string& words) {
   return scene::parse_numbers(f.output, "output", {"a", "e", "i", "raan", "argp", "nu", "period"});
 }
 
-// Equations 3.72 and 3.74: an independent program, all its digits.
+// Equations 3.72 and 3.74. oracle: two_body_series_orbits LEO eccentricity, LEO period, LEO axis with the
+// implied mu
 TEST(Elements, OfThePrintedStates) {
   const auto rows = elements_of(low);
   ASSERT_EQ(rows.rows(), 1U);
