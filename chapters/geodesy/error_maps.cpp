@@ -18,11 +18,12 @@ constexpr const char* nominal_reading =
     "WGS84, longitude 30 deg, latitudes -90..90 deg, heights 200..35000 km; error = true minus found (Eq. "
     "2.54)";
 
-/// Truncation errors of the corrected series on this range, found independently with 50 digits (mpmath).
+/// Truncation errors of the corrected series on this range.
 struct Reference {
   int order;
   double latitude_deg, height_m;
 };
+// oracle: geodesy_series order 2: *, order 3: *, order 4: latitude, order 4: height
 constexpr std::array<Reference, 3> references = {
     {{2, 1.120e-6, 5.839e-2}, {3, 4.735e-9, 2.033e-4}, {4, 2.417e-11, 7.869e-7}}};
 
@@ -52,7 +53,7 @@ scene::Figure draw_map(const ErrorMap& map, Shown shown, int order) {
 /// latitude.
 scene::Showing show_map(const ErrorMap& map, Shown shown, const Reference& reference) {
   const char* reason =
-      "truncation error found independently with 50 digits; 0.5 % for the grid and for rounding";
+      "truncation error by tools/oracles/geodesy_series.py; 0.5 % for the grid and for rounding";
   scene::Showing showing;
   showing.figure = draw_map(map, shown, reference.order);
   if (shown == Shown::latitude) {

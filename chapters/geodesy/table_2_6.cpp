@@ -21,9 +21,9 @@ scene::Showing compare(const geodesy::SeriesTable& derived) {
   }
   scene::Showing showing;
   showing.table = std::move(table);
-  showing.quantities = {scene::near(
-      "printed coefficients that agree with the derivation", "1", same, 6, 0,
-      "C1, C2, C4, C5, C7, C10: an independent derivation by computer algebra gives the same six")};
+  showing.quantities = {
+      scene::near("printed coefficients that agree with the derivation", "1", same, 6, 0,
+                  "C1, C2, C4, C5, C7, C10: the exact derivation of the library gives the same six")};
   return showing;
 }
 

@@ -22,9 +22,9 @@ std::vector<std::string> methods_of(const std::string& setting, bool with_ode45)
   return all;
 }
 
-/// Velocities of the three masses: RMS error of v1 by methods written in another language, five digits.
+/// Velocities of the three masses: RMS error of v1.
 Expected velocity(double value) {
-  return about(value, 1e-4, "found independently in another language, five digits");
+  return about(value, 1e-4, "tools/oracles/rbf_ivp_methods.py, five digits");
 }
 
 }  // namespace
@@ -97,6 +97,7 @@ void add_three_masses(scene::Chapter& chapter) {
                .needs = {&ode45},
                .seconds = 0.1,
                .show = [&ode45](scene::Workshop& w) { return show_response(w.result(ode45)); }});
+  // oracle: rbf_ivp_methods 4.6 * v1
   const std::vector<History> figures = {
       {32, "Explicit-1", Shown::positions}, {33, "Explicit-2", Shown::positions},
       {34, "RK4-1", Shown::positions},      {35, "RK4-1", Shown::velocities, velocity(0.0052609)},

@@ -95,17 +95,17 @@ scene::Showing show(const Questions& questions) {
                                     double(q.option(option).score.exact), double(low), double(high), reason});
     }
   };
-  promise(
-      "end time and period 4.2", "P exact, to 100 P", 7, 9,
-      "an independent search marks nine rows; ODE45-1 and HHT-1 lie within a tenth of a unit of the edge");
-  promise("end time and period 4.2", "P = 4.77, to 500 s", 0, 3, "the same search finds that 500 s misses");
-  promise("end time 4.4", "499 s", 5, 5, "the same search marks all but HHT-2, probably a misprint");
+  promise("end time and period 4.2", "P exact, to 100 P", 7, 9,
+          "recorded: nine rows; ODE45-1 and HHT-1 lie within a tenth of a unit of the edge");
+  promise("end time and period 4.2", "P = 4.77, to 500 s", 0, 3, "recorded: 500 s misses");
+  promise("end time 4.4", "499 s", 5, 5,
+          "tools/oracles/rbf_ivp_methods.py: all but HHT-2, probably a misprint");
   promise("alpha of HHT and its form 4.2 4.4 4.6", "alpha = -0.1, form of 1977", 4, 5,
-          "the same search marks all but HHT-2 of Table 4.4; HHT-1 of Table 4.2 lies on the edge");
+          "recorded: all but HHT-2 of Table 4.4; HHT-1 of Table 4.2 lies on the edge");
   promise("restart of the explicit rows 4.4", "v(t_1 - h/2), read as v(t_1 - h/2), to 499 s", 2, 2,
-          "the same search finds both rows");
+          "both rows, of which 4.4 and x3 are tools/oracles/rbf_ivp_methods.py");
   promise("component in the explicit rows 4.6", "x3, v0 - h/2 a0, v(-h/2) first", 2, 2,
-          "the same search finds both rows");
+          "both rows, of which 4.4 and x3 are tools/oracles/rbf_ivp_methods.py");
   return showing;
 }
 

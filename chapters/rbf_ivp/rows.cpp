@@ -14,11 +14,11 @@ using ivp::RbfCollocation;
 using ivp::Rk4;
 using ivp::VelocityTime;
 
-constexpr const char* found = "found independently in another language, half a unit of its last digit";
+constexpr const char* found = "tools/oracles/rbf_ivp_methods.py, half a unit of its last digit";
 constexpr const char* without_last =
-    "found independently in another language without the last, shorter one of 1049 steps";
+    "tools/oracles/rbf_ivp_methods.py, without the last, shorter one of 1049 steps";
 constexpr const char* end_twice =
-    "found independently in another language, with the end of the impact counted twice among 1009 points";
+    "tools/oracles/rbf_ivp_methods.py, with the end of the impact counted twice among 1009 points";
 
 constexpr double digits = 5e-4, one_step = 1.5e-3;
 
@@ -31,11 +31,12 @@ Expected about(double value, double relative, const char* reason) {
 Expected scattered(double low, double high) {
   constexpr double widened = 3;  // other compilers and processors round elsewhere
   return {low / widened, high * widened,
-          "range over which an independent computation scattered when its nodes were moved by roundings, "
+          "recorded: the range over which results scattered when nodes were moved by roundings, "
           "three times as wide to both sides"};
 }
 
 Example<2> free_duffing_rows(scene::Chapter& chapter) {
+  // oracle: rbf_ivp_methods 4.2 * 500, 4.2 * 100 P
   const double P = duffing_period();
   Example<2> all{.made = free_duffing_case,
                  .name = "duffing",
@@ -80,8 +81,7 @@ Example<2> free_duffing_rows(scene::Chapter& chapter) {
        about(1.97e-8, 3e-3, found)},
       "mcpi-1", "order 8, 9 nodes, right-hand side to degree 7", Mcpi{P / 10, 8});
   add({"MCPI-2 (P/2)", "MCPI-2", "P/2", Points::all, 0,
-       about(8.63e-8, 0.01,
-             "found independently in another language without the last, shorter one of 210 steps"),
+       about(8.63e-8, 0.01, "tools/oracles/rbf_ivp_methods.py, without the last, shorter one of 210 steps"),
        about(8.26e-8, 1e-3, found)},
       "mcpi-2", "order 16, 17 nodes, right-hand side to degree 15", Mcpi{P / 2, 16});
   add({"RBF-Coll-1 (P/10)", "RBF-Coll-1", "P/10", Points::ends, 0, scattered(2.1e-7, 4.2e-6), {}}, "rbf-1",
@@ -92,6 +92,8 @@ Example<2> free_duffing_rows(scene::Chapter& chapter) {
 }
 
 Example<2> impact_rows(scene::Chapter& chapter) {
+  // The row of one shape, 0.33, is recorded. oracle: rbf_ivp_methods 4.4 RK* to *, 4.4 Newmark* to *, 4.4
+  // HHT* to *, 4.4 MCPI* to *, 4.4 Explicit-* once, 4.4 Explicit-* fault *
   Example<2> all{.made = impact_case,
                  .name = "impact",
                  .title = "Impact",
@@ -166,6 +168,8 @@ Example<2> impact_rows(scene::Chapter& chapter) {
 }
 
 Example<6> three_mass_rows(scene::Chapter& chapter) {
+  // oracle: rbf_ivp_methods 4.6 RK4-? x1, 4.6 Newmark-? x1, 4.6 HHT-? x1, 4.6 MCPI-? x1, 4.6 Explicit-?
+  // x1, 4.6 Explicit-? x3
   Example<6> all{.made = three_mass_case,
                  .name = "three-masses",
                  .title = "Three masses",
@@ -178,7 +182,7 @@ Example<6> three_mass_rows(scene::Chapter& chapter) {
   add({"", "ODE45", "tolerance 1e-13", Points::all, 0, {}, {}}, "ode45",
       "the dissertation's reference: relative and absolute tolerance 1e-13", Ode45{1e-13, 1e-13});
   const char* first_damping =
-      "found independently in another language with the first damping force taken at v(-h/2)";
+      "tools/oracles/rbf_ivp_methods.py, with the first damping force taken at v(-h/2)";
   add({"Explicit-1 (0.625)", "Explicit-1", "0.625 s", Points::ends, 2, about(0.0448, 5e-3, first_damping),
        about(0.1312, 5e-3, first_damping)},
       "explicit-1", "damping by extrapolated velocities; inferred: the error of x3",

@@ -20,9 +20,9 @@ struct Expected {
   const char* reason = "";  ///< where the range comes from
 };
 
-/// Four digits of an independent computation, or as many as are given.
+/// Four digits of tools/oracles/rbf_ivp_methods.py, or as many as are given.
 [[nodiscard]] Expected about(double value, double relative, const char* reason);
-/// A range that an independent computation scattered over when the nodes were moved by roundings, widened.
+/// A recorded range of results when nodes are moved by roundings, widened.
 [[nodiscard]] Expected scattered(double low, double high);
 
 /// How a row is to be read.

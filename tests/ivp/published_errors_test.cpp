@@ -1,7 +1,8 @@
-// Errors of Tables 4.2, 4.4 and 4.6 of Elgohary 2015 for the classical methods, as an independent program
-// found them under the readings that explain the tables: RMS of the position, not normalised, over all step
-// ends (ode45: over its refined output) with the initial point, 100 periods in Table 4.2, to t = 499 in
-// Table 4.4. Tolerance: half a unit of the last digit, unless the digit itself is uncertain.
+// Errors of Tables 4.2, 4.4 and 4.6 of Elgohary 2015 for the classical methods, as
+// tools/oracles/rbf_ivp_methods.py has them under the readings that explain the tables: RMS of the position,
+// not normalised, over all step ends (ode45: over its refined output) with the initial point, 100 periods in
+// Table 4.2, to t = 499 in Table 4.4. Tolerance: half a unit of the last digit, unless the digit itself is
+// uncertain.
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
@@ -40,6 +41,7 @@ Table42 table_4_2(const Method& method, double end = 100 * P) {
   return {rms.value(), solution.statistics};
 }
 
+// oracle: rbf_ivp_methods 4.2 ODE45-? to 100 P, 4.2 ODE45-? steps
 TEST(Table42, Ode45) {
   const Table42 loose = table_4_2(Ode45{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6});
   EXPECT_NEAR(loose.rms, 1.175e-4, 0.0005e-4);  // printed 1.18e-4
@@ -49,22 +51,25 @@ TEST(Table42, Ode45) {
   EXPECT_EQ(tight.statistics.steps, 14374);
 }
 
+// oracle: rbf_ivp_methods 4.2 Explicit-? to 100 P
 TEST(Table42, Explicit) {
   EXPECT_NEAR(table_4_2(CentralDifference{.step = P / 10}).rms, 0.9935, 0.00005);  // printed 0.1, a misprint
   EXPECT_NEAR(table_4_2(CentralDifference{.step = P / 500}).rms, 1.535e-3, 0.0005e-3);  // printed 1.5e-3
 }
 
+// oracle: rbf_ivp_methods 4.2 Newmark-? to 100 P
 TEST(Table42, Newmark) {
   EXPECT_NEAR(table_4_2(Newmark{.step = P / 10}).rms, 0.9977, 0.00005);       // printed 0.998
   EXPECT_NEAR(table_4_2(Newmark{.step = P / 500}).rms, 3.071e-3, 0.0005e-3);  // printed 3.1e-3
 }
 
+// oracle: rbf_ivp_methods 4.2 HHT-? to 100 P
 TEST(Table42, Hht) {
   EXPECT_NEAR(table_4_2(Hht{.step = P / 10}).rms, 0.8406, 0.00015);       // printed 0.841; phases are lost
   EXPECT_NEAR(table_4_2(Hht{.step = P / 500}).rms, 4.378e-3, 0.0005e-3);  // printed 4.4e-3
 }
 
-// Eq. 4.7 as printed cannot have made the table (nominal end time).
+// Eq. 4.7 as printed cannot have made the table (nominal end time). Recorded errors, far from the print.
 TEST(Table42, HhtAsPrinted) {
   const auto rms = [](double alpha) {
     return table_4_2(Hht{.step = P / 500, .alpha = alpha, .form = Hht::Form::as_printed}, 500).rms;
@@ -98,6 +103,7 @@ double table_4_4(const Method& first, const Method& second) {
   return rms.value();
 }
 
+// oracle: rbf_ivp_methods 4.4 Explicit-? to 499
 TEST(Table44, Explicit) {
   EXPECT_NEAR(table_4_4(CentralDifference{.step = 0.1}, CentralDifference{.step = 0.5}), 0.455, 0.0005);
   EXPECT_NEAR(table_4_4(CentralDifference{.step = 0.005}, CentralDifference{.step = 0.006}), 2.63e-4,
@@ -105,6 +111,7 @@ TEST(Table44, Explicit) {
 }
 
 // As printed (0.41, 0.0025): with the half-step velocity carried on unchanged.
+// oracle: rbf_ivp_methods 4.4 Explicit-? with the restart fault to 499
 TEST(Table44, ExplicitWithTheRestartFault) {
   const auto faulty = [](double first, double second) {
     return table_4_4(CentralDifference{.step = first, .reported = VelocityTime::half_step_before},
@@ -114,11 +121,13 @@ TEST(Table44, ExplicitWithTheRestartFault) {
   EXPECT_NEAR(faulty(0.005, 0.006), 0.00252, 0.000005);
 }
 
+// oracle: rbf_ivp_methods 4.4 Newmark-? to 499
 TEST(Table44, Newmark) {
   EXPECT_NEAR(table_4_4(Newmark{.step = 0.1}, Newmark{.step = 0.5}), 0.4568, 0.00005);        // printed 0.457
   EXPECT_NEAR(table_4_4(Newmark{.step = 0.05}, Newmark{.step = 0.03}), 1.459e-2, 0.0005e-2);  // 1.46e-2
 }
 
+// oracle: rbf_ivp_methods 4.4 HHT-? to 499
 TEST(Table44, Hht) {
   EXPECT_NEAR(table_4_4(Hht{.step = 0.1}, Hht{.step = 0.5}), 0.4047, 0.00005);        // printed 0.405
   EXPECT_NEAR(table_4_4(Hht{.step = 0.05}, Hht{.step = 0.03}), 2.507e-2, 0.0005e-2);  // 2.41e-2, a misprint?
@@ -147,11 +156,13 @@ Table46 table_4_6(const Method& method, const State<6>& x0 = State<6>::Zero()) {
   return {x1.value(), x3.value()};
 }
 
+// oracle: rbf_ivp_methods 4.6 Newmark-? x1
 TEST(Table46, Newmark) {
   EXPECT_NEAR(table_4_6(Newmark{.step = 0.625}).x1, 6.644e-2, 0.0005e-2);   // printed 6.64e-2
   EXPECT_NEAR(table_4_6(Newmark{.step = 0.0625}).x1, 1.187e-3, 0.0005e-3);  // printed 1.2e-3
 }
 
+// oracle: rbf_ivp_methods 4.6 HHT-? x1
 TEST(Table46, Hht) {
   EXPECT_NEAR(table_4_6(Hht{.step = 0.625}).x1, 7.621e-2, 0.0005e-2);   // printed 7.6e-2
   EXPECT_NEAR(table_4_6(Hht{.step = 0.0625}).x1, 1.489e-3, 0.0005e-3);  // printed 1.5e-3
@@ -159,7 +170,7 @@ TEST(Table46, Hht) {
 
 // The printed 0.131 and 1.44e-5 are errors of x3. The first damping forces see v(-h/2), the only velocity
 // that there is: the initial velocity is given half a step before, v0 - h/2 a0 with a0 = F/m2 of the second
-// mass.
+// mass. oracle: rbf_ivp_methods 4.6 Explicit-? x1, 4.6 Explicit-? x3
 TEST(Table46, Explicit) {
   const auto errors = [](double h) {
     State<6> x0 = State<6>::Zero();

@@ -115,7 +115,7 @@ struct GlobalResult {
 /// Newton's iteration as in the dissertation, plain or damped, then the flight. A root whose flown trajectory
 /// is more than @p flight_tolerance off (relative, at the nodes) is spurious_root.
 ///
-/// Tests hold its errors to those that an independent program found for the printed shapes (20 %), spurious
+/// Tests hold its errors to recorded ones for the printed shapes (20 %), spurious
 /// roots to a refusal, and the polynomial limit to 5e-12.
 [[nodiscard]] GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method,
                                         const Start& start, double flight_tolerance = 0.1,

@@ -36,8 +36,8 @@ enum class VelocityTime : std::uint8_t {
 /// `CentralDifference{.step = h', .initial = VelocityTime::half_step_before}`.
 ///
 /// Tests hold it to the rotation by 2 arcsin(h/2) on the linear oscillator (16 eps a step, h omega up to
-/// 1.9), to order 2 (observed within 0.1), to growth beyond h omega = 2, and to the errors that an
-/// independent program found for Tables 4.2, 4.4 and 4.6.
+/// 1.9), to order 2 (observed within 0.1), to growth beyond h omega = 2, and to the errors that
+/// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
 struct CentralDifference {
   static constexpr std::string_view name = "explicit";  ///< on command lines and in tables
   double step = 0.01;                                   ///< length of a step, positive

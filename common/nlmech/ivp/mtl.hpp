@@ -48,8 +48,7 @@ inline constexpr algebraic::Newton mtl_newton = {.tolerance = 1e-12, .noise = 1e
 /// inner points are.
 ///
 /// Tests hold it to mtl_order() (observed within 0.12), linear problems to rounding for steps of every
-/// length, its symmetry to 1e4 eps, and the bound of the energy error to that of an independent program (4
-/// %).
+/// length, its symmetry to 1e4 eps, and the bound of the energy error to a recorded one (4 %).
 struct Mtl {
   static constexpr std::string_view name = "mtl";  ///< on command lines and in tables
   double step = 0.1;                               ///< h, distance of the points, positive

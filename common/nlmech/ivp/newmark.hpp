@@ -18,8 +18,8 @@ namespace nlmech::ivp {
 /// keeps the energy of a linear oscillator. Dense output: the cubic Hermite interpolant.
 ///
 /// Tests hold it to the rotation by 2 arctan(h/2) on the linear oscillator (16 eps (1 + h^2/4) a step, h
-/// omega up to 50), to order 2 (observed within 0.1), and to the errors that an independent program found for
-/// Tables 4.2, 4.4 and 4.6.
+/// omega up to 50), to order 2 (observed within 0.1), and to the errors that
+/// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
 struct Newmark {
   static constexpr std::string_view name = "newmark";  ///< on command lines and in tables
   double step = 0.01;                                  ///< length of a step, positive

@@ -46,8 +46,8 @@ struct Errors {
   }
 };
 
-/// Greatest latitude error that theory leaves to a method over the sample, from an independent implementation
-/// in extended precision; a coded formula with a slip is worse by orders of magnitude.
+/// Greatest latitude error that theory leaves to a method over the sample, recorded in extended precision; a
+/// coded formula with a slip is worse by orders of magnitude.
 struct Method {
   std::string name;
   std::function<Geodetic(const Cartesian&)> reverse;

@@ -3,10 +3,11 @@
 /// with the library's methods.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/rbf_ivp/explicit_variants.hpp"
@@ -21,7 +22,6 @@ namespace {
 using ivp::RbfCollocation;
 using ivp::Rk4;
 using tests::expect_erratum;
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Half a unit of the last digit of a number as printed, relative to it.
 double half_digit(const std::string& printed) { return last_digit(printed) / 2 / std::stod(printed); }
@@ -35,18 +35,40 @@ double no_load(double /*t*/) { return 0; }
 struct Oscillation {
   const Case<2>& exact;
   double (*load)(double);
-  double t = 0, x = 0, v = 0, sum = 0;
-  int ends = 1;  // the begin counts
+  double t = 0, x = 0, v = 0;
+  std::vector<std::pair<double, double>> squares = {{0, 0}};  ///< times and errors; the begin counts
 
   [[nodiscard]] double acceleration(double time, double position) const {
     return load(time) - position - position * position * position;
   }
   void count() {
     const double e = x - static_cast<double>(exact.reference(t)[0]);
-    sum += e * e;
-    ++ends;
+    squares.emplace_back(t, e * e);
   }
-  [[nodiscard]] double rms() const { return std::sqrt(sum / ends); }
+  [[nodiscard]] double rms(double end = HUGE_VAL) const {
+    double sum = 0;
+    int ends = 0;
+    for (const auto& [time, square] : squares) {
+      if (time > end + 1e-9) break;
+      sum += square;
+      ++ends;
+    }
+    return std::sqrt(sum / ends);
+  }
+
+  /// Runge and Kutta's classical rule.
+  void runge_kutta(double h, int steps) {
+    const double begin = t;
+    for (int k = 1; k <= steps; ++k) {
+      const double a1 = acceleration(t, x), v2 = v + h / 2 * a1, a2 = acceleration(t + h / 2, x + h / 2 * v),
+                   v3 = v + h / 2 * a2, a3 = acceleration(t + h / 2, x + h / 2 * v2), v4 = v + h * a3,
+                   a4 = acceleration(t + h, x + h * v3);
+      x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+      v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+      t = begin + k * h;
+      count();
+    }
+  }
 
   /// Eq. 4.4: velocities half a step before positions. At both ends a half step of velocity.
   void central_differences(double h, int steps) {
@@ -135,8 +157,9 @@ TEST(ErrataOfTables, EndTimeOfTable4_2) {
   expect(ivp::Ode45{1e-6, 1e-6}, Points::all, 1.18e-4, 2 * half_digit("1.18e-4"));
   expect(ivp::Ode45{}, Points::all, 1.14e-6, half_digit("1.14e-6"));
   expect(ivp::Newmark{.step = P / 10}, Points::ends, 0.998, half_digit("0.998"));
+  // oracle: rbf_ivp_methods 4.2 RK4-2 to *
   const auto kept = record(free_duffing_case(), 500, throughout<2>(Rk4{P / 250}));
-  EXPECT_NEAR(rms_error(kept, 0, Points::ends, 100 * P), 5.008e-6, 0.001e-6);  // an independent program
+  EXPECT_NEAR(rms_error(kept, 0, Points::ends, 100 * P), 5.008e-6, 0.001e-6);
   EXPECT_NEAR(rms_error(kept, 0, Points::ends), 5.42e-6, 0.005e-6);
 }
 
@@ -156,16 +179,52 @@ double rows_explained(double end) {
   return count;
 }
 
-// Those of Table 4.4 belong to 499, by their third digits alone (independent numbers: 2.884e-6 against
-// 2.895e-6 for RK4-2). The oracle is the number of such rows.
+/// The whole second at which most of these rows come out as printed, by the few lines above.
+double end_that_explains_most() {
+  struct Flown {
+    Oscillation motion;
+    std::string printed;
+  };
+  std::vector<Flown> rows;
+  const auto fly = [&rows](double during, double after, const std::string& printed, const auto& steps) {
+    rows.push_back({{impact_case(), impact}, printed});
+    steps(rows.back().motion, during, static_cast<int>(std::lround(1 / during)));
+    steps(rows.back().motion, after, static_cast<int>(std::lround(499 / after)));
+  };
+  const auto rk4 = [](Oscillation& o, double h, int n) { o.runge_kutta(h, n); };
+  const auto newmark = [](Oscillation& o, double h, int n) { o.hilber_hughes_taylor(h, n, 0); };
+  const auto hht = [](Oscillation& o, double h, int n) { o.hilber_hughes_taylor(h, n); };
+  fly(0.1, 0.5, "0.399", rk4);
+  fly(0.05, 0.03, "2.88e-6", rk4);
+  fly(0.1, 0.5, "0.457", newmark);
+  fly(0.05, 0.03, "1.46e-2", newmark);
+  fly(0.1, 0.5, "0.405", hht);
+  int most = -1;
+  double best = 0;
+  for (int end = 490; end <= 500; ++end) {
+    const auto explained = static_cast<int>(std::count_if(rows.begin(), rows.end(), [end](const Flown& row) {
+      return std::abs(row.motion.rms(end) - std::stod(row.printed)) <= last_digit(row.printed) / 2;
+    }));
+    if (explained <= most) continue;
+    most = explained;
+    best = end;
+  }
+  return best;
+}
+
+// Those of Table 4.4 belong to 499, by their third digits alone (2.884e-6 against 2.895e-6 for RK4-2). The
+// oracle is the end that the printed errors and other code say. oracle: rbf_ivp_methods 4.4 end time, 4.4
+// rows as printed at that end
 TEST(ErrataOfTables, EndTimeOfTable4_4) {
+  EXPECT_EQ(rows_explained(499), 5);
+  EXPECT_LT(rows_explained(500), 5);
   expect_erratum(
       "rbf_ivp-table-4.4-end",
-      {.printed = rows_explained(500), .corrected = rows_explained(499), .oracle = 5, .tolerance = eps});
+      {.printed = 500, .corrected = 499, .oracle = end_that_explains_most(), .tolerance = 0.05, .scale = 1});
 }
 
 // Section 4.4.2 gives one shape, c = 2.5, for steps of 0.1 and 0.5: the phase is lost. The printed 1.19e-6
-// needs a second shape (independent numbers: 0.33; 1.1e-6 to 1.3e-6 with c = 0.66 after the impact).
+// needs a second shape (recorded: 0.33; 1.1e-6 to 1.3e-6 with c = 0.66 after the impact).
 TEST(ErrataOfTables, SecondShapeOfRbfColl1IsMissing) {
   const RbfCollocation during{0.1, 7, 2.5};
   const auto error = [&](double shape) {
@@ -176,10 +235,12 @@ TEST(ErrataOfTables, SecondShapeOfRbfColl1IsMissing) {
   EXPECT_NEAR(one_shape, 0.33, 0.005);
   EXPECT_LT(two_shapes, 3 * 1.3e-6);
   EXPECT_GT(two_shapes, 1.1e-6 / 3);
-  // The scale is a unit of the position, the tolerance what rounding noise makes of the printed number.
-  expect_erratum(
-      "rbf_ivp-table-4.4-shape",
-      {.printed = one_shape, .corrected = two_shapes, .oracle = 1.19e-6, .tolerance = 3e-6, .scale = 1});
+  // In decades: rounding noise makes of the printed number up to three times as much, or a third.
+  expect_erratum("rbf_ivp-table-4.4-shape", {.printed = std::log10(one_shape),
+                                             .corrected = std::log10(two_shapes),
+                                             .oracle = std::log10(1.19e-6),
+                                             .tolerance = std::log10(3),
+                                             .scale = 1});
 }
 
 /// RMS error of x1 over the step ends of RK4-1 of Table 4.6, against RK6 with a step a hundred times shorter,
@@ -207,7 +268,7 @@ double rms_of_rk4_1(const ivp::System<6>& system) {
 /// What Table 4.6 prints for RK4-1.
 constexpr double rk4_1_of_table_4_6 = 4.6e-3;
 
-// Independent numbers: 4.582e-3, and 6.08e-3 for the equations as printed.
+// 6.08e-3 for the equations as printed is recorded. oracle: rbf_ivp_methods 4.6 RK4-1 x1
 TEST(ErrataOfTables, Equation4_25) {
   const double corrected = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChain{})),
                printed = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChainAsPrinted{}));
