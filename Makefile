@@ -13,7 +13,7 @@ DRAWN = $(CHAPTERS:%=figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test adversary check bench book book-test gallery clean
+.PHONY: help deps configure build programs figures tables test adversary oracles check bench book book-test gallery clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -24,6 +24,7 @@ help:
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
 	@echo "make gallery         the pictures of README drawn anew"
 	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md"
+	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install missing Debian packages (packages.txt)"
@@ -84,6 +85,10 @@ adversary: build
 	@rm -rf $(BUILD)/adversary
 	@missed=0; ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || missed=1; \
 	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$missed
+
+# Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.
+oracles: deps
+	@scripts/oracles run && scripts/oracles uses
 
 # All chapters are checked before the command says whether one missed a promise. A chapter that kept its promises is
 # checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
