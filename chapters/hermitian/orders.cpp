@@ -91,7 +91,7 @@ scene::Showing show(const std::vector<Errors>& all) {
     showing.quantities.push_back(
         {"error of Argyris over that of Laier, " + problem, "1",
          of(all, problem, "argyris").error.at(4) / of(all, problem, "laier").error.at(4), 0.3, 2.5,
-         "an independent program: 0.48 for a Duffing oscillator, 1.2 for one of van der Pol; it varies with "
+         "recorded: 0.48 for a Duffing oscillator, 1.2 for one of van der Pol; it varies with "
          "the end"});
   }
   return showing;

@@ -182,13 +182,12 @@ scene::Figure draw(const Basin& basin) {
 }
 
 std::vector<scene::Quantity> promises(const Basin& basin, bool quick) {
-  // Shares of 600 guesses of an independent program: 80, 42 and 1 %, of as many of ours: three deviations of
+  // Recorded shares of 600 guesses: 80, 42 and 1 %, of as many of ours: three deviations of
   // the difference are at most 9 %. It stops at other roundings, which moves roots from spurious to failed.
   const double slack = quick ? 0.35 : 0.09;
   const auto within = [](const char* name, double value, double known, double off) {
-    return scene::Quantity{name,        "1",
-                           value,       known - off,
-                           known + off, "shares of 600 other guesses of an independent program; sampling"};
+    return scene::Quantity{name,        "1",         value,
+                           known - off, known + off, "recorded shares of 600 other guesses; sampling"};
   };
   const auto near = [&](const char* name, double value, double known) {
     return within(name, value, known, slack);

@@ -80,18 +80,18 @@ scene::Showing show_bounded(const DuffingRuns& runs, const std::vector<Bounded>&
   double over = 0;
   for (const double f : all[0].control) over = std::max(over, std::abs(f));
   const Eigen::VectorXd z = all[0].extremal.solution.first();
-  return {figure.take(),
-          std::move(table),
-          {scene::near("peak of the unbounded force", "1/s^2", peak_of(free.solution), 16.409, 1e-3,
-                       "an independent program"),
-           scene::near("cost at 15", "1", all[0].extremal.cost, 122.3004593, 1e-6,
-                       "an independent program, its smoothing 1e-4 as well; steps of 0.01"),
-           scene::near("lambda1(0) at 15", "1", z[2], -21.30021353, 1e-5, "the same"),
-           scene::near("lambda2(0) at 15", "1", z[3], 0.9462278952, 1e-5, "the same"),
-           scene::at_most("largest force at 15", "1/s^2", over, 15, "the clip itself"),
-           scene::near("is a bound of 8 refused?", "1",
-                       all[2].extremal.solution.status.outcome() == Outcome::infeasible ? 1 : 0, 1, 0,
-                       "less energy than the target's comes in: see the text")}};
+  return {
+      figure.take(),
+      std::move(table),
+      {scene::near("peak of the unbounded force", "1/s^2", peak_of(free.solution), 16.409, 1e-3, "recorded"),
+       scene::near("cost at 15", "1", all[0].extremal.cost, 122.3004593, 1e-6,
+                   "recorded, its smoothing 1e-4 as well; steps of 0.01"),
+       scene::near("lambda1(0) at 15", "1", z[2], -21.30021353, 1e-5, "the same"),
+       scene::near("lambda2(0) at 15", "1", z[3], 0.9462278952, 1e-5, "the same"),
+       scene::at_most("largest force at 15", "1/s^2", over, 15, "the clip itself"),
+       scene::near("is a bound of 8 refused?", "1",
+                   all[2].extremal.solution.status.outcome() == Outcome::infeasible ? 1 : 0, 1, 0,
+                   "less energy than the target's comes in: see the text")}};
 }
 
 /// An extremal through x1(T/2) = x_m.
@@ -145,7 +145,7 @@ scene::Showing show_through(const DuffingRuns& runs, const std::vector<Through>&
   }
   figure.with("key", "top left");
   const auto cost = [&](std::size_t i) { return all[i].found.found.front().extremal.cost; };
-  const char* const reason = "an independent program; the lower one of the two counts";
+  const char* const reason = "recorded; the lower one of the two counts";
   return {figure.take(),
           std::move(table),
           {scene::at_most("cost through 0", "1", cost(0), 284.305667 * (1 + 1e-7), reason),

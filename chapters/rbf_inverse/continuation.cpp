@@ -108,12 +108,9 @@ std::vector<scene::Quantity> promises(const Lines& lines) {
     return std::nan("");
   };
   const auto fold = [&](const char* name, DuffingCase which, bool in_beta, double known, double digits) {
-    return scene::Quantity{name,
-                           in_beta ? "1" : "s",
-                           first(which, in_beta),
-                           known - digits,
-                           known + digits,
-                           "an independent program; it steps up to the turn or meets it by arclength"};
+    return scene::Quantity{
+        name,           in_beta ? "1" : "s", first(which, in_beta),
+        known - digits, known + digits,      "recorded; it steps up to the turn or meets it by arclength"};
   };
   return {fold("first fold in T, free", DuffingCase::free, false, 2.9635, 0.006),
           fold("first fold in T, fixed", DuffingCase::fixed, false, 2.678, 0.004),

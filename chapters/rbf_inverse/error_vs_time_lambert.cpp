@@ -73,9 +73,9 @@ scene::Showing show(const scene::Run<std::vector<Point>>& run, Workshop& w) {
   scene::Showing showing;
   showing.figure = curves.take();
   showing.quantities = {scene::at_most("miss of Izzo's arc", "m", points.front().miss, 1e-6,
-                                       "2e-9 to 7e-8 m by an independent program; kappa eps |r_F| is 1e-7 m"),
+                                       "2e-9 to 7e-8 m; recorded; kappa eps |r_F| is 1e-7 m"),
                         scene::at_most("least miss of collocation", "m", best, 1e-4,
-                                       "6e-7 m by an independent program with 61 nodes; rounding")};
+                                       "6e-7 m; recorded with 61 nodes; rounding")};
   return showing;
 }
 

@@ -18,7 +18,7 @@ using scene::Workshop;
 struct Hard {
   DuffingCase which;
   double final_time, beta;
-  double known;            ///< cost that an independent program has; 0 if it has none
+  double known;            ///< least cost known; 0 if none is
   bvp::DuffingStarts own;  ///< starts
 };
 const std::vector<Hard>& hard_cases() {
@@ -112,7 +112,7 @@ scene::Table tabulate(const Extremes& all) {
   scene::Table table({{"task"},
                       {"status"},
                       {"cost", 9},
-                      {"of an independent program", 8},
+                      {"least known", 8},
                       {"1.5 E/T", 4},
                       {"intervals"},
                       {"miss of the flown end", 2},
@@ -157,7 +157,7 @@ std::vector<scene::Quantity> promises(const Extremes& all) {
     else
       quantities.push_back(scene::at_most(name, "1", cost,
                                           o.hard.known * (1 + (o.hard.beta == 3 ? 1e-5 : 1e-9)),
-                                          "an independent program, its digits; lower is welcome"));
+                                          "recorded, its digits; lower is welcome"));
   }
   quantities.push_back(scene::near("are two values at one end refused as infeasible?", "1",
                                    all.odd.back().status == "infeasible" ? 1 : 0, 1, 0,

@@ -95,9 +95,9 @@ scene::Showing show(const scene::Run<std::vector<Outcomes>>& run, Workshop& w) {
   return {{},
           std::move(table),
           {{"least share of starts that polynomials lead to the short arc", "1", least_share, 0.9, 1,
-            "an independent program: 60 of 60, and all single starts"},
+            "recorded: 60 of 60, and all single starts"},
            scene::at_most("starts that lead to another arc", "1", others, 6,
-                          "a tenth of the random starts; an independent program found none among sixty")}};
+                          "a tenth of the random starts; none was seen among sixty")}};
 }
 
 }  // namespace

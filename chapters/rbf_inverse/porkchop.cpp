@@ -124,7 +124,7 @@ scene::Showing show_earth_to_mars(const scene::Run<Porkchop>& run, Workshop& w) 
   showing.table = minima(grid, "days since J2000", day);
   const Cheapest best = cheapest(grid, sum_of);
   const std::string program =
-      "at best by an independent program (universal variables of Bate, Mueller and White, bisection) over "
+      "recorded: least by other code (universal variables of Bate, Mueller and White, bisection) over "
       "continuous times; a grid with steps of days is a little above";
   showing.quantities = {
       least("least sum of excess speeds", best.value, 5669.37334827, 2e-3, program),
@@ -133,9 +133,9 @@ scene::Showing show_earth_to_mars(const scene::Run<Porkchop>& run, Workshop& w) 
       least("least excess speed at the arrival",
             cheapest(grid, [](const auto& c) { return c.v_arrival; }).value, 2697.71255038, 2e-3, program),
       {"departure of the least sum", "days", grid.departures[best.i] / day, 1253.4 - 5, 1253.4 + 5,
-       "the same program: 1253.4; flat, so that two steps of the grid are allowed"},
+       "recorded: 1253.4; flat, so that two steps of the grid are allowed"},
       {"arrival of the least sum", "days", grid.arrivals[best.j] / day, 1457.1 - 8, 1457.1 + 8,
-       "the same program: 1457.1; two steps"}};
+       "recorded: 1457.1; two steps"}};
   return showing;
 }
 

@@ -188,13 +188,12 @@ std::vector<scene::Quantity> promises(const std::vector<Flow>& all, bool quick) 
     if (f.which == DuffingCase::free && f.final_time == 1) newton = std::max(newton, double(f.newton));
   }
   return {{"least relative residual, equations as they are or rows scaled", "1", raw, 1e-5, 1e300,
-           "an independent program: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations"},
+           "recorded: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations"},
           {"the same of the fixed case, any factor", "1", fixed, 1e-8, 1e300,
-           "an independent program: no convergence in 20 000 iterations"},
+           "recorded: no convergence in 20 000 iterations"},
           scene::at_most("free, T = 1, times the inverse at beta = 0", "1", inverse, quick ? 1 : 1e-2,
-                         "an independent program: 1e-8 in 1500 to 15 000 iterations"),
-          {"Newton's iterations, free, T = 1", "1", newton, 2, 12,
-           "an independent program: 2 to 7, the last to confirm"}};
+                         "recorded: 1e-8 in 1500 to 15 000 iterations"),
+          {"Newton's iterations, free, T = 1", "1", newton, 2, 12, "recorded: 2 to 7, the last to confirm"}};
 }
 
 }  // namespace

@@ -157,22 +157,22 @@ std::vector<scene::Quantity> promises(const Study& s) {
   };
   const auto about = [](std::string name, double value, double known) {
     return scene::Quantity{std::move(name), "1",        value,
-                           known / 15,      known * 15, "an independent program; rounding is a lottery"};
+                           known / 15,      known * 15, "recorded; rounding is a lottery"};
   };
-  return {about("free, c T = 9.75, double", at(s.shapes, s.by_shape[0], 0, 9.75), 3.2e-5),
-          scene::near("free, c T = 9.75, all digits", "1", at(s.shapes, s.by_shape[0], 1, 9.75), 2.5e-5, 0.6,
-                      "an independent program, matrix in 60 digits: 2.5e-5 in the states"),
-          about("free, c T = 5, double", at(s.shapes, s.by_shape[0], 0, 5), 6e-8),
-          scene::at_most("free, c T = 4, all digits", "1", at(s.shapes, s.by_shape[0], 1, 4), 1e-12,
-                         "an independent program, matrix in 60 digits: 3e-15; rounding of Newton's system"),
-          about("free, 20 nodes, printed shape", at(s.counts, s.by_count[0], 0, 20), 2.8e-5),
-          about("free, 80 nodes, printed shape", at(s.counts, s.by_count[0], 0, 80), 1.6e-4),
-          scene::at_most("free, 40 nodes, polynomial", "1", at(s.counts, s.by_count[0], 2, 40), 1e-11,
-                         "an independent program: 5e-13"),
-          {"free, 20 nodes, polynomial", "1", at(s.counts, s.by_count[0], 2, 20), 4e-9, 4e-7,
-           "an independent program: 4e-8"},
-          {"fixed, T = 1, rows of the states, printed shape", "1", std::min(s.by_rows[0][2], 1e300), 0.1,
-           1e300, "an independent program: diverges, or 1 to 100"}};
+  return {
+      about("free, c T = 9.75, double", at(s.shapes, s.by_shape[0], 0, 9.75), 3.2e-5),
+      scene::near("free, c T = 9.75, all digits", "1", at(s.shapes, s.by_shape[0], 1, 9.75), 2.5e-5, 0.6,
+                  "recorded, matrix in 60 digits: 2.5e-5 in the states"),
+      about("free, c T = 5, double", at(s.shapes, s.by_shape[0], 0, 5), 6e-8),
+      scene::at_most("free, c T = 4, all digits", "1", at(s.shapes, s.by_shape[0], 1, 4), 1e-12,
+                     "recorded, matrix in 60 digits: 3e-15; rounding of Newton's system"),
+      about("free, 20 nodes, printed shape", at(s.counts, s.by_count[0], 0, 20), 2.8e-5),
+      about("free, 80 nodes, printed shape", at(s.counts, s.by_count[0], 0, 80), 1.6e-4),
+      scene::at_most("free, 40 nodes, polynomial", "1", at(s.counts, s.by_count[0], 2, 40), 1e-11,
+                     "recorded: 5e-13"),
+      {"free, 20 nodes, polynomial", "1", at(s.counts, s.by_count[0], 2, 20), 4e-9, 4e-7, "recorded: 4e-8"},
+      {"fixed, T = 1, rows of the states, printed shape", "1", std::min(s.by_rows[0][2], 1e300), 0.1, 1e300,
+       "recorded: diverges, or 1 to 100"}};
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ scene::Showing show_errors(const DuffingRuns& runs, Workshop& w) {
            scene::at_most("largest residual at tF, T = 2", "1", worst_end, 2e-15,
                           "one rounding of a target below 16"),
            {"least co-state error of the same solutions, T = 2", "1", least_error, 1e-7, 1,
-            "an independent program: 2e-6 and more"}}};
+            "recorded: 2e-6 and more"}}};
 }
 
 }  // namespace

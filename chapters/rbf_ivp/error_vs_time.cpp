@@ -13,7 +13,7 @@ namespace {
 /// What a scene is about.
 struct Subject {
   std::string problem, heading;
-  double radial_low, radial_high;  ///< least error of RBF-Coll with N = 35, from an independent program
+  double radial_low, radial_high;  ///< least error of RBF-Coll with N = 35, recorded
   const char* reason;
 };
 
@@ -82,7 +82,7 @@ comparison::Costs measure_held_back(bool quick) {
 void add_error_vs_time(scene::Chapter& chapter) {
   add_scene<2>(chapter,
                {"duffing", "Free Duffing oscillator to t = 500: digits against cost", 2e-7, 2e-5,
-                "an independent program: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
+                "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
                free_duffing_case, free_duffing_steps());
   add_scene<2>(chapter,
                {"impact", "Impact on the Duffing oscillator to t = 500: digits against cost", 1e-8, 2e-5,
@@ -91,7 +91,7 @@ void add_error_vs_time(scene::Chapter& chapter) {
                impact_case, impact_steps());
   add_scene<6>(chapter,
                {"three-dof", "Three masses to t = 200: digits against cost", 8e-10, 8e-8,
-                "an independent program: 7.7e-9 at h = 20; rounding scatters tenfold"},
+                "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
                three_mass_case, three_mass_steps());
 }
 

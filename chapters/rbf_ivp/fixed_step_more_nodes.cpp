@@ -99,15 +99,14 @@ scene::Showing show(const std::vector<Curve>& curves) {
        least(find(curves, "duffing", "rbf-coll"), 60), 1e-7, 1e-3,
        "no convergence: its matrix differentiates this motion with errors of 1e-5 to 1e-4 whatever the "
        "number of "
-       "nodes, found independently with 60 digits"},
+       "nodes; recorded"},
       scene::at_most("least error of LGL with 60 and more nodes, free Duffing", "1",
                      least(find(curves, "duffing", "lgl"), 60), 1e-12,
-                     "found independently: 1.3e-13 a step at 60 nodes; ten steps"),
+                     "recorded: 1.3e-13 a step at 60 nodes; ten steps"),
       {"least error of RBF-Coll with 60 nodes, three masses", "1",
        least(find(curves, "three-masses", "rbf-coll"), 60), 1e-7, 1e-3, "no convergence, as above"},
       scene::near("error of LGL with 60 nodes, three masses", "1",
-                  least(find(curves, "three-masses", "lgl"), 60), 3.3e-10, 0.05,
-                  "found independently; printed with two digits"),
+                  least(find(curves, "three-masses", "lgl"), 60), 3.3e-10, 0.05, "recorded with two digits"),
   };
   return showing;
 }

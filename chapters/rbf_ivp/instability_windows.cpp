@@ -175,24 +175,24 @@ scene::Figure figure_of(const std::vector<Eigen::MatrixXd>& derivatives,
 
 std::vector<scene::Quantity> quantities(const std::vector<Extent>& extents,
                                         const std::vector<Growth>& growths) {
-  const char *independent = "found independently; printed with two or three digits",
+  const char *recorded = "recorded with two or three digits",
              *formula = "|R| by the formula for the nodes (Hairer & Wanner II, Theorem IV.3.9), 50 digits",
              *dissipative = "L-stable: |R| < 1; rounding";
   const auto by_formula = [](std::size_t i, double y) {
     return polynomial_amplification(unit_nodes(schemes[i].family, schemes[i].nodes), y);
   };
   std::vector<scene::Quantity> list = {
-      scene::near("LGL N = 7, begin of the window", "1", extents[0].begin, 5.4, 0.02, independent),
-      scene::near("LGL N = 7, end of the window", "1", extents[0].end, 9.5, 0.01, independent),
-      scene::near("LGL N = 7, largest growth", "1", extents[0].largest, 1.33, 0.005, independent),
+      scene::near("LGL N = 7, begin of the window", "1", extents[0].begin, 5.4, 0.02, recorded),
+      scene::near("LGL N = 7, end of the window", "1", extents[0].end, 9.5, 0.01, recorded),
+      scene::near("LGL N = 7, largest growth", "1", extents[0].largest, 1.33, 0.005, recorded),
       scene::near("LGL N = 7, largest growth, again", "1", extents[0].largest,
                   by_formula(0, extents[0].place), 1e-9, formula),
-      scene::near("LGL N = 35, end of the windows", "1", extents[2].end, 192, 0.005, independent),
+      scene::near("LGL N = 35, end of the windows", "1", extents[2].end, 192, 0.005, recorded),
       scene::near("LGL N = 35, largest growth", "1", extents[2].largest, by_formula(2, extents[2].place),
                   1e-6, formula),
-      scene::near("RBF N = 7, largest growth", "1", extents[1].largest, 1.29, 0.005, independent),
-      scene::near("RBF N = 35, end of the windows", "1", extents[3].end, 75, 0.01, independent),
-      scene::near("RBF N = 35, largest growth", "1", extents[3].largest, 2.35, 0.005, independent),
+      scene::near("RBF N = 7, largest growth", "1", extents[1].largest, 1.29, 0.005, recorded),
+      scene::near("RBF N = 35, end of the windows", "1", extents[3].end, 75, 0.01, recorded),
+      scene::near("RBF N = 35, largest growth", "1", extents[3].largest, 2.35, 0.005, recorded),
       scene::at_most("Radau, windows", "1", static_cast<double>(extents[4].count + extents[5].count), 0,
                      dissipative)};
   for (const Growth& g : growths) {

@@ -210,12 +210,11 @@ scene::Showing show(const Limits& limits, bool quick) {
           contraction(sweep(legendre_tables(120), 0, duffing_period() / 2, Start::solution)).value_or(NAN),
           0.01, "the same iteration by 120 Legendre nodes and Gauss quadrature"),
       scene::at_most("steps of 0.53 P from the maximum before one diverges, order 100", "1",
-                     first ? static_cast<double>(*first) : HUGE_VAL, 5,
-                     "found independently: 0.53 P diverges at once"),
+                     first ? static_cast<double>(*first) : HUGE_VAL, 5, "recorded: 0.53 P diverges at once"),
       scene::near("largest step, impact, order 100", "s", limits.impact.back(), 3, 0.01,
-                  "found independently: 3 s converges, 4 s does not"),
+                  "recorded: 3 s converges, 4 s does not"),
       scene::near("largest step, three masses, order 100", "s", limits.three_masses.back(), 5.25, 0.05,
-                  "found independently: 5 s converges, 6 s does not"),
+                  "recorded: 5 s converges, 6 s does not"),
   };
   return showing;
 }

@@ -212,7 +212,7 @@ double most_iterations(int nodes) {
 std::vector<scene::Quantity> quantities(const std::vector<Row>& rows, const Trials& trials, bool quick) {
   std::vector<scene::Quantity> list;
   list.push_back({"largest length for Newton", "P", largest_length(trials, Solver::newton), 2, 2.45,
-                  "found independently: 2 P converges, 2.5 P does not, for any number of nodes"});
+                  "recorded: 2 P converges, 2.5 P does not, for any number of nodes"});
   list.push_back(
       {"largest length for Picard", "P", largest_length(trials, Solver::picard), 0.5, 0.6,
        "0.55 P from the maximum by Chebyshev nodes, scene mcpi-limit; a step of the grid either way"});
@@ -221,10 +221,10 @@ std::vector<scene::Quantity> quantities(const std::vector<Row>& rows, const Tria
                              "its residual falls with every step; the last length tried"));
   list.push_back({"iterations of Newton, Duffing, N = 7, P/10", "1",
                   static_cast<double>(rows[0].costs[0].iterations) / rows[0].count, 3, 4,
-                  "found independently: 3 to 4"});
+                  "recorded: 3 to 4"});
   list.push_back({"iterations of Newton, three masses, N = 35, 20 s", "1",
                   static_cast<double>(rows.back().costs[0].iterations) / rows.back().count, 3, 5,
-                  "found independently: 4 to 5, with another test for the end"});
+                  "recorded: 4 to 5, with another test for the end"});
   if (quick) return list;
   for (const int N : {7, 35}) {
     const Trial& t = at(trials.nodes, Solver::newton_flow_printed, N);

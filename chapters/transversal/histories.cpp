@@ -76,9 +76,9 @@ scene::Showing show(const Histories& all) {
       {"does RK6 overflow at h = 0.21", "1", coarse.rk6.overflows() ? 1.0 : 0.0, 1, 1, "as the paper says"},
       {"does MTL finish at h = 0.21", "1", coarse.mtl.status.ok() ? 1.0 : 0.0, 1, 1, "as the paper says"},
       {"MTL's error at h = 0.21", "1", coarse.mtl.error, 0.5, 4,
-       "an independent program finds an error of the size of the motion over a longer time"},
+       "recorded: an error of the size of the motion over a longer time"},
       {"MTL's error at h = 0.05 over that of RK6", "1", fine.mtl.error / fine.rk6.error, 2, 200,
-       "an independent program: a factor of 43 over a longer time"}};
+       "recorded: a factor of 43 over a longer time"}};
   return showing;
 }
 

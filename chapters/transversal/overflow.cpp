@@ -65,11 +65,11 @@ namespace {
 
 void add_quantities(const std::string& label, const Fates& all, const std::vector<double>& known,
                     std::vector<scene::Quantity>& out) {
-  const char* independent = "an independent program; steps in hundredths are the resolution";
+  const char* recorded = "recorded; steps in hundredths are the resolution";
   out.push_back(scene::near("RK6 overflows from h, " + label, "1", all.overflow_from("rk6"), known[0],
-                            0.0101 / known[0], independent));
+                            0.0101 / known[0], recorded));
   out.push_back(scene::near("RK4 overflows from h, " + label, "1", all.overflow_from("rk4"), known[1],
-                            0.0101 / known[1], independent));
+                            0.0101 / known[1], recorded));
   const Fate& bounded = all.at("mtl 3", 0.21);
   out.push_back({"error of p = 3 at h = 0.21 over the amplitude, " + label, "1",
                  bounded.error / all.amplitude, 0.5, 3,
@@ -86,7 +86,7 @@ void add_quantities(const std::string& label, const Fates& all, const std::vecto
                  "beyond the 0.21 of the paper; nothing bounds the roots that a block's equations may have"});
   out.push_back({"error of RK6 over that of p = 3 at h = 0.1, " + label, "1",
                  all.at("rk6", 0.1).error / all.at("mtl 3", 0.1).error, 0, 0.5,
-                 "order 6 against 4; an independent program finds a seventh and a quarter"});
+                 "order 6 against 4; a seventh and a quarter are recorded"});
 }
 
 /// "RK6"; "MTL p = 3" with an italic p and blanks that survive beside it.

@@ -99,10 +99,10 @@ scene::Showing show(const std::vector<Long>& all) {
                      {"xlabel", "time"},
                      {"ylabel", "relative error of the energy"}}};
   const double energies[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6}, areas[] = {-2.0e-4, -2.5e-6, -1.3e-6};
-  const char* independent = "an independent program, two digits";
+  const char* recorded = "recorded, two digits";
   for (std::size_t i = 0; i < 5; ++i) {
     showing.quantities.push_back(scene::near("error of the energy, " + all[i].name, "1", all[i].greatest(),
-                                             energies[i], 0.04, independent));
+                                             energies[i], 0.04, recorded));
     showing.quantities.push_back({"growth of that error, " + all[i].name, "1", all[i].growth(), 0.95, 1.05,
                                   "a symmetric method on a reversible oscillator: no drift"});
     showing.quantities.push_back(
@@ -111,7 +111,7 @@ scene::Showing show(const std::vector<Long>& all) {
   }
   for (std::size_t i = 0; i < 3; ++i)
     showing.quantities.push_back(scene::near("determinant of a block less 1, " + all[i].name, "1",
-                                             all[i].area, areas[i], 0.04, independent));
+                                             all[i].area, areas[i], 0.04, recorded));
   showing.quantities.push_back({"growth of the error of the energy, rk4", "1", all[5].growth(), 2.5, 3.5,
                                 "a drift, linear in time: three times the first third's"});
   return showing;

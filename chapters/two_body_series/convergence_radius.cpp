@@ -151,7 +151,7 @@ scene::Showing show(const Measured& m) {
   }
   const auto periapsis = [&](std::size_t i) { return m.radii[i].radius[m.radii[i].radius.size() / 2]; };
   const Choice &low = m.choices[0], &high = m.choices[1], &fifty = m.choices[2], &divergent = m.choices[4];
-  const char* program = "an independent program, four digits";
+  const char* program = "recorded, four digits";
   showing.quantities = {
       scene::at_most("difference from the closed form", "1", closed, 1e-12,
                      "acosh(1/e) - sqrt(1 - e^2) cancels: (1 - e)^(-3/2) eps at e = 0.99, and as much of M"),

@@ -227,22 +227,22 @@ scene::Showing show(const Measured& m, bool quick) {
       {"exponent of the energy, adaptive, e = 0.7", "1", slope(0.7, adaptive), 0.5 - scatter, 0.5 + scatter,
        walk},
       scene::at_most("energy error at the end, division, e = 0.1", "1", end(0.1, division), 2e-13,
-                     "an independent program: 5e-14 after ten thousand orbits; walks scatter"),
+                     "recorded: 5e-14 after ten thousand orbits; walks scatter"),
       scene::at_most("energy error at the end, division, compensated, e = 0.1", "1", end(0.1, compensated),
-                     7e-14, "an independent program: 1.7e-14 after ten thousand orbits; walks scatter"),
+                     7e-14, "recorded: 1.7e-14 after ten thousand orbits; walks scatter"),
       scene::at_most("energy error at the end, division, e = 0.7", "1", end(0.7, division), 5e-13,
-                     "an independent program: 1.3e-13 after ten thousand orbits; walks scatter"),
+                     "recorded: 1.3e-13 after ten thousand orbits; walks scatter"),
       scene::at_most("energy error at the end, division, compensated, e = 0.7", "1", end(0.7, compensated),
-                     2e-13, "an independent program: 4.8e-14 after ten thousand orbits; walks scatter"),
+                     2e-13, "recorded: 4.8e-14 after ten thousand orbits; walks scatter"),
       scene::at_most("position error at the end, division, compensated, e = 0.1", "1",
                      m.of(0.1, compensated).position.back(), 5e-9,
-                     "an independent program: 1.1e-9 after ten thousand orbits; walks scatter"),
+                     "recorded: 1.1e-9 after ten thousand orbits; walks scatter"),
       {"energy error at the end, reciprocals, compensated, e = 0.1", "1", end(0.1, reciprocals), 1e-14, 2e-12,
-       "an independent program: 5.1e-13 after ten thousand orbits, in proportion to their number"}};
+       "recorded: 5.1e-13 after ten thousand orbits, in proportion to their number"}};
   showing.quantities.push_back(
       {"reciprocals over division at the end, compensated, e = 0.1", "1",
        end(0.1, reciprocals) / end(0.1, compensated), 3, 100,
-       "an independent program: 30 after ten thousand orbits, and a third of the exponent's gap before"});
+       "recorded: 30 after ten thousand orbits, and a third of the exponent's gap before"});
   return showing;
 }
 

@@ -31,7 +31,7 @@ struct Subject {
   std::vector<int> steps;  ///< an orbit, coarse first
   int printed;             ///< index of the dissertation's among them; -1: none
   double seconds;          ///< of the scene
-  double low, high;        ///< error of these, from an independent program
+  double low, high;        ///< error of these, recorded
 };
 
 /// Twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
@@ -142,7 +142,7 @@ std::vector<scene::Quantity> promises(const comparison::Costs& m, const Subject&
     all.push_back({"error of the printed steps", "1",
                    steps.costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
                    subject.low, subject.high,
-                   "an independent program at the end of 20 orbits; the median of others within "
+                   "recorded at the end of 20 orbits; the median of others within "
                    "a factor of ten"});
   }
   return all;

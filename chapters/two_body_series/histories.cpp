@@ -67,13 +67,13 @@ scene::Showing show(const PublishedRuns& runs, Workshop& w) {
   // sqrt(3/points) of the norm, and oscillates by less than a factor of three.
   const double norm = low ? 1.19e-7 : 1.02e-11, points = runs.orbit.steps * 20;
   const double last = norm * std::sqrt(3 / points);
-  showing.quantities.push_back(
-      {"greatest energy error of Analytic-Cont", "1", greatest(w.result(runs.of(Propagator::series, twenty))),
-       last / 3, 3 * last, "the norm of an independent program over points whose errors grow with time"});
+  showing.quantities.push_back({"greatest energy error of Analytic-Cont", "1",
+                                greatest(w.result(runs.of(Propagator::series, twenty))), last / 3, 3 * last,
+                                "the recorded norm over points whose errors grow with time"});
   const double norm45 = low ? 9.42e-5 : 1.44e-3, last45 = norm45 * std::sqrt(3 / points);
-  showing.quantities.push_back(
-      {"greatest energy error of ode45", "1", greatest(w.result(runs.of(Propagator::ode45, twenty))),
-       last45 / 3, 3 * last45, "the norm of an independent program over points whose errors grow with time"});
+  showing.quantities.push_back({"greatest energy error of ode45", "1",
+                                greatest(w.result(runs.of(Propagator::ode45, twenty))), last45 / 3,
+                                3 * last45, "the recorded norm over points whose errors grow with time"});
   showing.figure = {std::move(data),
                     "two_body_series-history",
                     {{"heading", fmt::format("{}: {}, the others at rounding", runs.orbit.name, text)}}};

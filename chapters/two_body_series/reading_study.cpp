@@ -203,7 +203,7 @@ std::string labels_of(const Orbit& orbit) {
   return fmt::format("{}", fmt::join(labels, "|"));
 }
 
-/// Norms that an independent program found, to its two or three digits.
+/// Recorded norms, two or three digits.
 struct Known {
   Degrees degrees;
   double steps;
@@ -217,7 +217,7 @@ void promise_norms(std::vector<scene::Quantity>& all, const Orbit& orbit, const 
     for (std::size_t i = 0; i < ours.size(); ++i) {
       all.push_back(scene::near(fmt::format("norm of {} {}, {:g} steps, {} orbits", orbit.name,
                                             k.degrees.text(), k.steps, revolutions[i]),
-                                "1", ours[i], k.norms[i], k.share, "an independent program, to its digits"));
+                                "1", ours[i], k.norms[i], k.share, "recorded, to its digits"));
     }
   }
 }
@@ -227,8 +227,7 @@ void promise_early_end(std::vector<scene::Quantity>& all) {
   const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
   for (std::size_t i = 0; i < ours.size(); ++i) {
     all.push_back(scene::near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), "1",
-                              ours[i], known[i], 0.1,
-                              "an independent program; a tenth of it is rounding of both"));
+                              ours[i], known[i], 0.1, "recorded; a tenth of it is rounding of both"));
   }
 }
 
@@ -237,7 +236,7 @@ void promise_fits(std::vector<scene::Quantity>& all, const Orbit& orbit, const T
   int fit = 0;
   for (const Trial& t : trials.at_printed_steps) fit += fits(t.norms, printed) ? 1 : 0;
   all.push_back({fmt::format("readings within 10 % with the printed steps, {}", orbit.name), "1", double(fit),
-                 0, 0, "an independent program found none"});
+                 0, 0, "recorded: none"});
   const double share = period_of(orbit) / orbit.steps / orbit::convergence_radius(orbit.start, earth_mu);
   all.push_back(scene::near(fmt::format("step over radius of convergence at the periapsis, {}", orbit.name),
                             "1", share, orbit.order == low_orbit().order ? 0.126 : 0.346, 0.005,

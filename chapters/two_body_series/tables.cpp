@@ -114,7 +114,7 @@ scene::Figure draw(const std::vector<Line>& lines, const Orbit& orbit, double ra
            {"height", "640"}}};
 }
 
-/// What an independent program found: values with 5, 10 and 20 orbits.
+/// Recorded values with 5, 10 and 20 orbits.
 struct Known {
   std::array<double, 3> series, ode45;
   double series_share;  ///< relative
@@ -134,12 +134,11 @@ std::vector<scene::Quantity> promises(const PublishedRuns& runs, Workshop& w) {
     const auto name = [&](Propagator p) {
       return fmt::format("energy error norm of {}, {} orbits", name_of(p), revolutions[i]);
     };
-    all.push_back(scene::near(name(Propagator::series), "1", norm(Propagator::series, i), k.series[i],
-                              k.series_share,
-                              is_low(runs.orbit) ? "an independent program, three digits"
-                                                 : "an independent program, as far above rounding as this"));
+    all.push_back(scene::near(
+        name(Propagator::series), "1", norm(Propagator::series, i), k.series[i], k.series_share,
+        is_low(runs.orbit) ? "recorded, three digits" : "recorded, as far above rounding as this"));
     all.push_back(scene::near(name(Propagator::ode45), "1", norm(Propagator::ode45, i), k.ode45[i], 0.02,
-                              "an independent program with the published step control, three digits"));
+                              "recorded with the published step control, three digits"));
     for (const Propagator p : {Propagator::rkn1210, Propagator::universal})
       all.push_back(scene::at_most(name(p), "1", norm(p, i), 2e-12, floor));
     all.push_back(scene::at_most(name(Propagator::f_and_g), "1", norm(Propagator::f_and_g, i), 2e-11,
@@ -158,14 +157,12 @@ void add_comparisons(std::vector<scene::Quantity>& all, const PublishedRuns& run
     const double ratio = value.value / norm_of(w.result(runs.of(Propagator::series, i)).error);
     all.push_back({fmt::format("printed over ours, Analytic-Cont, {} orbits", revolutions[i]), "1", ratio,
                    low ? 11. : 1.8e4, low ? 14. : 4e4,
-                   low ? "an independent program: 11.7, 11.7 and 13.0"
-                       : "an independent program: 2.6e4, 3.2e4 and 2.2e4"});
+                   low ? "recorded: 11.7, 11.7 and 13.0" : "recorded: 2.6e4, 3.2e4 and 2.2e4"});
   }
   // An error of the velocity's last term moves the body along the orbit, by much more than the energy tells.
   const double miss = w.result(runs.of(Propagator::series, 2)).position_error;
-  all.push_back(scene::near(
-      "position error of Analytic-Cont after 20 orbits", "m", miss, low ? 7.6 : 2.4e-3, low ? 0.02 : 0.5,
-      low ? "an independent program: 7.6 m" : "an independent program: 2.4e-3 m, near rounding"));
+  all.push_back(scene::near("position error of Analytic-Cont after 20 orbits", "m", miss, low ? 7.6 : 2.4e-3,
+                            low ? 0.02 : 0.5, low ? "recorded: 7.6 m" : "recorded: 2.4e-3 m, near rounding"));
 }
 
 scene::Showing show(const PublishedRuns& runs, Workshop& w) {

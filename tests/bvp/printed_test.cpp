@@ -35,11 +35,11 @@ std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
 }
 
 TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
-  // With D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5 (independent program). To a fifth.
+  // With D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5; recorded. To a fifth.
   const GlobalMethod exact{.derivative = DerivativeMatrix::stable_gaussian};
   const double free = errors(DuffingCase::free, exact).first;
   EXPECT_NEAR(free, 2.5e-5, 5e-6);
-  // Section 5.3.5: "in the order of 1e-7". Half a unit of the independent program's last digit.
+  // Section 5.3.5: "in the order of 1e-7". Half a unit of the recorded last digit.
   nlmech::tests::expect_erratum(
       "rbf_inverse-5.3.5", {.printed = 1e-7, .corrected = free, .oracle = 2.5e-5, .tolerance = 0.05 / 2.5});
   const auto fixed = errors(DuffingCase::fixed, exact);
@@ -70,7 +70,7 @@ TEST(Printed, RowsAreThoseOfTheText) {
 
 TEST(Printed, SpuriousRootsAreRefused) {
   // Plain Newton at T = 2 from arbitrary guesses: 5 good, 22 spurious and 73 failures of 100 were counted for
-  // x2x1 by an independent program.
+  // x2x1; recorded.
   const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::x2x1));
   const GlobalMethod method{.rows = printed_rows(problem)};
   int spurious = 0;

@@ -49,8 +49,8 @@ TEST(WrongBranch, NoStepErrsWithoutNotice) {
   EXPECT_GT(silent_unless_checked, 15);  // the test is needed
 }
 
-// And what is right is let through: steps of a fifth of the leap's length, 1/mu. An independent program errs
-// by 2e-6 with half the step for mu = 10; order 4 makes that 3.2e-5.
+// And what is right is let through: steps of a fifth of the leap's length, 1/mu. An error of 2e-6 with
+// half the step is recorded for mu = 10; order 4 makes that 3.2e-5.
 TEST(WrongBranch, RightStepsPass) {
   for (const Relaxation& r : relaxations) {
     if (r.mu > 100) continue;  // too many steps for a unit test

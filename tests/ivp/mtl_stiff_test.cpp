@@ -159,8 +159,8 @@ TEST(MtlStiff, BoundedForEveryStep) {
 
 // ------------------------------------------------------------ energy
 
-// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is that of an
-// independent program, and it is there in the first tenth as in the last: no drift.
+// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is
+// recorded, and it is there in the first tenth as in the last: no drift.
 TEST(MtlEnergy, IsBounded) {
   const DrivenDuffing problem{.force = 0};
   const double known[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6};

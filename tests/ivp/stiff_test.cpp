@@ -50,7 +50,7 @@ double rms(const Method& method, double end) {
   return std::sqrt(sum / static_cast<double>(s.statistics.steps));
 }
 
-// Found independently: 2.9e-3 and 2.7e-5, printed with two digits; 1.1e-10 with 35 nodes, where a program
+// Recorded: 2.9e-3 and 2.7e-5, printed with two digits; 1.1e-10 with 35 nodes, where a program
 // with other rounding of the nodes' times may well be worse than this one.
 TEST(StiffDuffing, ErrorsOverHundredPeriods) {
   const double P = hard.period(1.0);

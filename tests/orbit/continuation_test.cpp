@@ -71,7 +71,7 @@ double energy_error(const State& s, int orbits, int steps, const FixedContinuati
   return std::sqrt(sum);
 }
 
-// Table 3.2 with 25 steps an orbit, as an independent program of normalised coefficients found it for three
+// Table 3.2 with 25 steps an orbit, recorded from normalised coefficients for three
 // readings of "order 10" (three digits).
 TEST(FixedContinuation, ReadingsOfTable32) {
   const auto near = [](double mine, double found) { EXPECT_NEAR(mine / found, 1, 0.01); };

@@ -39,7 +39,7 @@ double flown(const TransferProblem& p, const Vector3<double>& v1) {
   return d.norm();
 }
 
-// By an independent program: D without rounding and the printed shape, 0.2 m; polynomials 5e-6 m. A
+// Recorded: D without rounding and the printed shape, 0.2 m; polynomials 5e-6 m. A
 // millimetre is what the source claims.
 TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
   const TransferProblem p = printed_transfer();

@@ -54,7 +54,7 @@ using ConstraintPath = std::function<Constraints(double s)>;
 /// Solves a control task while its constraints go along a path, each extremal the start of the next; steps
 /// are chosen by success.
 ///
-/// Tests hold the cost of a bounded control to 1e-7 of an independent computation by shooting.
+/// Tests hold the cost of a bounded control to 1e-7 of a recorded one by shooting.
 /// @param problem gives model and task; its own constraints are not used
 /// @param start for s = 0
 /// @param options of each solve; with a penalty on states `whole` flights become `pieces`, because solutions

@@ -21,8 +21,8 @@ namespace nlmech::ivp {
 /// solved by Newton's iteration with the exact Jacobian. Dense output: the cubic Hermite interpolant.
 ///
 /// Tests hold both forms to their difference equations in 50 digits (1e-13 a step), the usual one to order 2
-/// and the printed one to order 1 (observed within 0.1), and the former to the errors that an independent
-/// program found for Tables 4.2, 4.4 and 4.6.
+/// and the printed one to order 1 (observed within 0.1), and the former to the errors that
+/// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
 struct Hht {
   static constexpr std::string_view name = "hht";  ///< on command lines and in tables
   /// Which equations.

@@ -76,7 +76,7 @@ TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
   method.basis = TransferBasis::stable_gaussian;
   const orbit::CollocatedTransfer digits = orbit::collocate(printed_transfer(), method);
   ASSERT_TRUE(digits.status.ok()) << digits.status.text();
-  // In decades of a metre: a millimetre, ours, and 0.216 m by D from 60 digits in an independent program. The
+  // In decades of a metre: a millimetre, ours, and 0.216 m recorded by D from 60 digits. The
   // tolerance is a factor of 1.6 for what roundings of nodes and states make of a miss.
   tests::expect_erratum("rbf_inverse-table-5.4", {.printed = -3,
                                                   .corrected = std::log10(digits.miss),
@@ -117,7 +117,7 @@ TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
       EXPECT_LE(miss_vector(t.v1).norm(), 0.01 * printed_transfer().to.norm()) << seed;
     }
   }
-  EXPECT_GE(arcs, 24);  // an independent program: 51 of 60 arcs; less three standard deviations, 0.6
+  EXPECT_GE(arcs, 24);  // recorded: 51 of 60 arcs; less three standard deviations, 0.6
 }
 
 // Eq. 5.38's transfer: 0.05 days are 4320 s, and the ellipse has its periapsis 252 km from the centre, deep

@@ -77,7 +77,7 @@ TEST(Duffing, ClosedForms) {
   EXPECT_NEAR(v[0], cost, 1e-9 * cost);
 }
 
-// |f| <= 15 costs more than no bound; an independent program: 122.3004593 with its own smoothing.
+// |f| <= 15 costs more than no bound; recorded: 122.3004593 with its own smoothing.
 TEST(Duffing, BoundCosts) {
   const std::vector<double> v = duffing("--case fixed --final-time 2 --bound 15");
   ASSERT_EQ(v.size(), 8U);

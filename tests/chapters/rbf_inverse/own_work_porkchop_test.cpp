@@ -78,7 +78,7 @@ TEST_F(PorkchopCommand, AnyNumberOfThreadsAndShardsWritesTheSameBytes) {
   }
 }
 
-// Summer of 2003, by an independent program over continuous times: 5669.373 m/s in all, leaving 1253.40 days
+// Summer of 2003, recorded over continuous times by other code: 5669.373 m/s in all, leaving 1253.40 days
 // and arriving 1457.10 days after J2000. The grid has steps of 5 days and is above by less than a thousandth,
 // since the cost is flat there.
 TEST_F(PorkchopCommand, FindsTheWindowOfSummer2003) {

@@ -47,8 +47,8 @@ TEST(KnownExtremals, AreExtremals) {
   }
 }
 
-// The polynomial limit resolves the free case with 40 nodes, the printed shape has five digits: an
-// independent program, 5e-13 and 3.2e-5.
+// The polynomial limit resolves the free case with 40 nodes, the printed shape has five digits: 5e-13
+// and 3.2e-5, recorded.
 TEST(GlobalVariants, PrintedShapeLosesDigits) {
   const KnownExtremal& known = known_extremal(DuffingCase::free);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));

@@ -188,8 +188,8 @@ TEST(Errata, EllipticSolutionHoldsForEveryHardening) {
 
 // Table 4.1 prints P = 4.77. The period is 2 pi/(agm(1, k') sqrt 2) with k'^2 = 3/4. Half a unit of the last
 // digit. With the printed one the shape c = 0.77 of RBF-Coll-1 misses the sign change of its truncation error
-// by as little as c h changes by 0.0015, and the error is a hundred times the printed 3.5e-6 (an independent
-// computation: 3.2e-4, against 2.1e-7 to 4.2e-6 with the exact period).
+// by as little as c h changes by 0.0015, and the error is a hundred times the printed 3.5e-6 (recorded:
+// 3.2e-4, against 2.1e-7 to 4.2e-6 with the exact period).
 TEST(Errata, PeriodOfTable4_1) {
   double a = 1, b = std::sqrt(0.75);
   for (int k = 0; k < 6; ++k) {

@@ -56,7 +56,7 @@ TEST(Integrate, FirstAndLastRowWithoutEvery) {
 }
 
 // Every method reaches the end exactly; each with a step at which its order leaves some digits: the error of
-// Newmark's method, the least accurate of order 2 here, is 4e-4 at P/500 (findings of an independent program:
+// Newmark's method, the least accurate of order 2 here, is 4e-4 at P/500 (recorded:
 // 3e-3 at t = 500), those of order 1 are three digits worse.
 TEST(Integrate, EveryMethodOfOursArrives) {
   const Vector<double, 2> truth = oracle::duffing(5);

@@ -74,7 +74,7 @@ std::vector<double> errors_of_recursion(const Orbit& orbit, Equation366 reading,
 }
 
 // Eq. 3.66 prints C(p, 2) where the number p/2 must stand, and no bracket. Both states are at their
-// periapsis, where f' = 0: the first shows in g'', that is in the fourth coefficient (an independent program:
+// periapsis, where f' = 0: the first shows in g'', that is in the fourth coefficient (recorded:
 // 20 %), the second where a binomial coefficient is not 1, in the sixth.
 TEST(Errata, Equation3_66) {
   for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
@@ -113,7 +113,7 @@ double greatest_error(const Orbit& orbit, int orbits, Equation366 reading) {
 }
 
 // So the program behind the tables had p/2: with the misprint the error is a thousand times the printed one
-// (an independent program: 1.9e-3 over five orbits).
+// (recorded: 1.9e-3 over five orbits).
 TEST(Errata, Equation3_66InOrbit) {
   EXPECT_NEAR(greatest_error(low_orbit(), 5, Equation366::bracketed), 1.9e-3, 0.05e-3);
   EXPECT_LT(greatest_error(low_orbit(), 5, Equation366::corrected), 1e-8);

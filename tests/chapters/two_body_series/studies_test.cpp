@@ -29,8 +29,8 @@ TEST(Drift, SlopeOfPowers) {
   EXPECT_NEAR(Drift::slope(orbits, {5, 2, 20, 200}), 1, 64 * eps);
 }
 
-// A walk of 30 000 steps of some tenths of eps, against the same share of eps in each step, the same way: an
-// independent program gives 5e-15 and 5e-14 after a thousand orbits.
+// A walk of 30 000 steps of some tenths of eps, against the same share of eps in each step, the same way:
+// 5e-15 and 5e-14 after a thousand orbits are recorded.
 TEST(Drift, DivisionWalksAndReciprocalsDrift) {
   DriftTask task{"", 0.1, 22, 30};
   task.phases = 16;
