@@ -203,7 +203,7 @@ std::string labels_of(const Orbit& orbit) {
   return fmt::format("{}", fmt::join(labels, "|"));
 }
 
-/// Recorded norms, two or three digits.
+/// Norms of two to four digits.
 struct Known {
   Degrees degrees;
   double steps;
@@ -217,7 +217,8 @@ void promise_norms(std::vector<scene::Quantity>& all, const Orbit& orbit, const 
     for (std::size_t i = 0; i < ours.size(); ++i) {
       all.push_back(scene::near(fmt::format("norm of {} {}, {:g} steps, {} orbits", orbit.name,
                                             k.degrees.text(), k.steps, revolutions[i]),
-                                "1", ours[i], k.norms[i], k.share, "recorded, to its digits"));
+                                "1", ours[i], k.norms[i], k.share,
+                                "tools/oracles/two_body_series_steps.py, to its digits"));
     }
   }
 }
@@ -266,6 +267,8 @@ scene::Showing show(const PublishedRuns& low, const PublishedRuns& high, const T
   add_f_and_g_rows(table, high.orbit);
   add_points(data, low.orbit, of_low);
   add_points(data, high.orbit, of_high);
+  // oracle: two_body_series_steps LEO (10 10) *, LEO (12 11) *, LEO (9 *, LEO (8 8) *, HEO (17 18) *, HEO (30
+  // 29) 72 *
   promise_norms(showing.quantities, low.orbit,
                 {{{10, 10}, 25, {4.98e-9, 6.40e-9, 7.51e-9}, 0.01},
                  {{12, 11}, 25, {4.3e-10, 6.4e-10, 9.9e-10}, 0.02},
