@@ -97,6 +97,8 @@ constexpr std::array elsewhere = {
     // Targets of the Makefile, and its words.
     Elsewhere{R"(make ([a-z]+)( [A-Z_]+=\S+)*( +#.*)?)", "Makefile", "\n$1: "},
     Elsewhere{R"(make (chapter-)[a-z_]+( [A-Z_]+=\S+)*( +#.*)?)", "Makefile", "\n$1%: "},
+    // What `make oracles` runs, and its sister that keeps the rows.
+    Elsewhere{R"((scripts/oracles) (record|uses).*)", "Makefile", "$1"},
     // Installing and building on it: README alone, whose lines that test runs.
     Elsewhere{R"((cmake --install|cmake -S|cmake --build build-mine|build-mine/).*)",
               "tests/consumer/consumer_test.cmake", "cmake |build-mine/"},
