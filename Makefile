@@ -25,7 +25,7 @@ help:
 	@echo "make gallery         the pictures of README drawn anew"
 	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md"
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
-	@echo "make bench           claims about speed, held or not; tables/BENCH.md"
+	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install missing Debian packages (packages.txt)"
 	@echo "make clean           remove what was built and generated"
@@ -107,7 +107,7 @@ results/%/.kept: $(BUILD)/inputs/%
 	@touch figures/$*/.complete
 	@mkdir -p $(@D) && touch $@
 
-# Claims about speed, measured with nothing beside them; tables/BENCH.md.
+# Claims about speed, measured with nothing beside them; tables/BENCH.md. Printed ratios of run times; tables/RATIOS.md.
 bench: configure
 	@cmake --build $(BUILD) --target benchmarks
 	@missed=0; for b in $(BUILD)/bin/*_bench; do $$b || missed=1; done; exit $$missed

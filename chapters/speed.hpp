@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "nlmech/scene/bench.hpp"
+#include "nlmech/scene/ratios.hpp"
 
 namespace nlmech::chapters {
 
@@ -77,6 +78,23 @@ inline int judge_speed(const std::string& name, const std::vector<scene::SpeedCl
   }
   scene::write_bench(name, series, results, ".");
   return held ? 0 : 1;
+}
+
+/// Prints a line for each ratio, and writes results/ratios/<name>.json, tables/RATIOS.md and
+/// tables/ratios.json.
+/// @return the exit code: 0, because a ratio that does not hold is a finding and no promise of ours
+inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios) {
+  const auto tell = [](const std::string& what, const scene::RatioVerdict& v) {
+    fmt::print("{:4} {}: {:.3g} printed, {:.3g} ({:.3g} to {:.3g})\n", v.holds ? "" : "NOT", what, v.printed,
+               v.ours.middle, v.ours.low, v.ours.high);
+  };
+  for (const scene::TimeRatio& r : ratios.rows) {
+    if (!r.is_reference()) tell(fmt::format("{}, {} over {}", r.place, r.row, r.reference), r.verdict);
+  }
+  for (const scene::RatioClaim& c : ratios.claims)
+    tell(fmt::format("{}, {}, {}", c.place, c.row, c.quantity), c.verdict);
+  scene::write_ratios(name, ratios, ".");
+  return 0;
 }
 
 /// The body of main(): a failure is a sentence and exit code 1.

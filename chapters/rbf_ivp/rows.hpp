@@ -44,6 +44,7 @@ struct Row {
   Reading reading;
   const scene::Run<Record<n>>* nominal;   ///< settings as printed
   const scene::Run<Record<n>>* inferred;  ///< the same run, unless the inferred reading has other settings
+  Procedure<n> procedure;                 ///< of the nominal run, whose time the table shows
 
   /// RMS error to the printed end.
   [[nodiscard]] double nominal_error(scene::Workshop& w) const {
@@ -75,15 +76,15 @@ struct Example {
   /// @param run the run's name without the example's: "rk4-1"
   void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
            Procedure<n> procedure) {
-    const auto& added = add_run(chapter, run, how, std::move(procedure));
-    rows.push_back({std::move(reading), &added, &added});
+    const auto& added = add_run(chapter, run, how, procedure);
+    rows.push_back({std::move(reading), &added, &added, std::move(procedure)});
   }
   /// Adds a row whose inferred reading has settings of its own.
   void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
            Procedure<n> as_printed, const std::string& how_inferred, Procedure<n> inferred) {
-    const auto& nominal = add_run(chapter, run, how, std::move(as_printed));
+    const auto& nominal = add_run(chapter, run, how, as_printed);
     const auto& other = add_run(chapter, run + "-inferred", how_inferred, std::move(inferred));
-    rows.push_back({std::move(reading), &nominal, &other});
+    rows.push_back({std::move(reading), &nominal, &other, std::move(as_printed)});
   }
   /// The row of a method. @throws std::out_of_range if there is none
   [[nodiscard]] const Row<n>& row(const std::string& method) const {

@@ -65,13 +65,11 @@ class Recorder {
   double step_, end_;
 };
 
-void time(EnergyRecord& record, int repeats, const std::function<void()>& work) {
-  record.milliseconds = 1e3 * time_repeats(work, repeats).median;
-}
+/// Solves at every point from the begin.
+using Solve = std::function<orbit::State(double t)>;
 
-/// A closed solution, at every point from the begin.
-template <class Solve>
-EnergyRecord closed(const Orbit& orbit, int orbits, int repeats, const Solve& solve) {
+/// A closed solution.
+EnergyRecord closed(const Orbit& orbit, int orbits, const Solve& solve) {
   Recorder r(orbit, orbits);
   orbit::State s = orbit.start;
   for (int k = 1; k <= r.points(); ++k) {
@@ -80,15 +78,12 @@ EnergyRecord closed(const Orbit& orbit, int orbits, int repeats, const Solve& so
   }
   r.finish(s);
   r.record.steps = r.points();
-  time(r.record, repeats, [&] {
-    for (int k = 1; k <= r.points(); ++k) static_cast<void>(solve(r.point(k)));
-  });
   return r.record;
 }
 
 /// An integrator for any system. @param observe what it records of a step
 template <class Method>
-EnergyRecord integrated(const Orbit& orbit, int orbits, int repeats, const Method& method,
+EnergyRecord integrated(const Orbit& orbit, int orbits, const Method& method,
                         const std::function<void(Recorder&, const ivp::Step<6>&)>& observe) {
   Recorder r(orbit, orbits);
   const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
@@ -101,14 +96,29 @@ EnergyRecord integrated(const Orbit& orbit, int orbits, int repeats, const Metho
   if (!end.status.ok()) throw Failure(end.status);
   r.finish(parted(end.x));
   r.record.steps = end.statistics.steps;
-  time(r.record, repeats, [&] { static_cast<void>(ivp::integrate(system, start, 0, r.end(), method)); });
   return r.record;
 }
 
-EnergyRecord by_ode45(const Orbit& orbit, int orbits, int repeats) {
-  const ivp::Ode45 method{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
+// The settings of the tables.
+const ivp::Ode45 ode45{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
+const ivp::Rkn1210 rkn1210{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+orbit::FixedContinuation series(const Orbit& orbit) {
+  return {.step = period_of(orbit) / orbit.steps, .order = orbit.order};
+}
+Solve textbook(const Orbit& orbit) {
+  return [orbit](double t) { return textbook_f_and_g(orbit.start, t, earth_mu); };
+}
+Solve universal(const Orbit& orbit) {
+  return [orbit](double t) {
+    const auto solution = orbit::propagate_kepler(orbit.start, t, earth_mu);
+    if (!solution.status.ok()) throw Failure(solution.status);
+    return solution.state;
+  };
+}
+
+EnergyRecord by_ode45(const Orbit& orbit, int orbits) {
   int k = 1;
-  return integrated(orbit, orbits, repeats, method, [&k](Recorder& r, const ivp::Step<6>& step) {
+  return integrated(orbit, orbits, ode45, [&k](Recorder& r, const ivp::Step<6>& step) {
     for (; k <= r.points() && r.point(k) <= step.t1; ++k) {
       ivp::State<6> x = step.x1;
       if (r.point(k) < step.t1) step.dense.at(r.point(k), x);
@@ -120,27 +130,48 @@ EnergyRecord by_ode45(const Orbit& orbit, int orbits, int repeats) {
   });
 }
 
-EnergyRecord by_rkn1210(const Orbit& orbit, int orbits, int repeats) {
-  const ivp::Rkn1210 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
-  return integrated(orbit, orbits, repeats, method,
+EnergyRecord by_rkn1210(const Orbit& orbit, int orbits) {
+  return integrated(orbit, orbits, rkn1210,
                     [](Recorder& r, const ivp::Step<6>& step) { r.add(step.t1, parted(step.x1)); });
 }
 
-EnergyRecord by_series(const Orbit& orbit, int orbits, int repeats) {
+EnergyRecord by_series(const Orbit& orbit, int orbits) {
   Recorder r(orbit, orbits);
-  const orbit::Gravity field{.mu = earth_mu};
-  const orbit::FixedContinuation method{.step = r.step(), .order = orbit.order};
   const auto observe = [&](const orbit::ContinuationStep& step) {
     r.add(step.t1, step.state1);
     return true;
   };
-  const auto end = orbit::propagate(orbit.start, 0, r.end(), field, method, observe);
+  const auto end =
+      orbit::propagate(orbit.start, 0, r.end(), orbit::Gravity{.mu = earth_mu}, series(orbit), observe);
   if (!end.status.ok()) throw Failure(end.status);
   r.finish(end.state);
   r.record.steps = end.statistics.steps;
-  time(r.record, repeats,
-       [&] { static_cast<void>(orbit::propagate(orbit.start, 0, r.end(), field, method)); });
   return r.record;
+}
+
+/// Nothing but the integration.
+template <class Method>
+std::function<void()> integration(const Orbit& orbit, int orbits, const Method& method) {
+  return [system = ivp::System<6>(problems::TwoBody{.mu = earth_mu}), start = joined(orbit.start),
+          end = Recorder(orbit, orbits).end(),
+          method] { static_cast<void>(ivp::integrate(system, start, 0, end, method)); };
+}
+
+std::function<void()> solution(const Orbit& orbit, int orbits, const Solve& solve) {
+  return [solve, points = Recorder(orbit, orbits)] {
+    for (int k = 1; k <= points.points(); ++k) static_cast<void>(solve(points.point(k)));
+  };
+}
+
+EnergyRecord recorded(const Orbit& orbit, int orbits, Propagator propagator) {
+  switch (propagator) {
+    case Propagator::f_and_g: return closed(orbit, orbits, textbook(orbit));
+    case Propagator::ode45: return by_ode45(orbit, orbits);
+    case Propagator::rkn1210: return by_rkn1210(orbit, orbits);
+    case Propagator::series: return by_series(orbit, orbits);
+    case Propagator::universal: return closed(orbit, orbits, universal(orbit));
+  }
+  throw std::invalid_argument("follow: no such propagator");
 }
 
 const char* reading_of(Propagator propagator) {
@@ -164,6 +195,17 @@ const char* word_of(Propagator propagator) {
 }
 
 }  // namespace
+
+std::string table_of(const Orbit& orbit) {
+  return orbit.order == low_orbit().order ? "table-3.2" : "table-3.3";
+}
+
+std::string row_in_source(const Orbit& orbit, Propagator propagator, int orbits) {
+  const std::string steps = propagator == Propagator::series
+                                ? fmt::format(" ({} steps; order {})", orbits * orbit.steps, orbit.order)
+                                : "";
+  return fmt::format("{} {} orbits{}", name_of(propagator), orbits, steps);
+}
 
 double period_of(const Orbit& orbit) {
   const double alpha = orbit::reciprocal_axis(orbit.start, earth_mu);
@@ -198,22 +240,24 @@ orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu,
   return {f * start.position + g * start.velocity, f_rate * start.position + g_rate * start.velocity};
 }
 
-EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int repeats) {
+std::function<void()> timed_work(const Orbit& orbit, int orbits, Propagator propagator) {
   switch (propagator) {
-    case Propagator::f_and_g:
-      return closed(orbit, orbits, repeats,
-                    [&](double t) { return textbook_f_and_g(orbit.start, t, earth_mu); });
-    case Propagator::ode45: return by_ode45(orbit, orbits, repeats);
-    case Propagator::rkn1210: return by_rkn1210(orbit, orbits, repeats);
-    case Propagator::series: return by_series(orbit, orbits, repeats);
-    case Propagator::universal:
-      return closed(orbit, orbits, repeats, [&](double t) {
-        const auto solution = orbit::propagate_kepler(orbit.start, t, earth_mu);
-        if (!solution.status.ok()) throw Failure(solution.status);
-        return solution.state;
-      });
+    case Propagator::f_and_g: return solution(orbit, orbits, textbook(orbit));
+    case Propagator::ode45: return integration(orbit, orbits, ode45);
+    case Propagator::rkn1210: return integration(orbit, orbits, rkn1210);
+    case Propagator::series:
+      return [start = orbit.start, end = Recorder(orbit, orbits).end(), method = series(orbit)] {
+        static_cast<void>(orbit::propagate(start, 0, end, orbit::Gravity{.mu = earth_mu}, method));
+      };
+    case Propagator::universal: return solution(orbit, orbits, universal(orbit));
   }
-  throw std::invalid_argument("follow: no such propagator");
+  throw std::invalid_argument("timed_work: no such propagator");
+}
+
+EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int repeats) {
+  EnergyRecord record = recorded(orbit, orbits, propagator);
+  record.milliseconds = 1e3 * time_repeats(timed_work(orbit, orbits, propagator), repeats).median;
+  return record;
 }
 
 PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit) {

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "chapters/two_body_series/orbits.hpp"
@@ -41,6 +43,14 @@ inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tabl
 
 /// As in the tables: "F&G".
 [[nodiscard]] const char* name_of(Propagator propagator);
+
+/// "table-3.2" or "table-3.3".
+[[nodiscard]] std::string table_of(const Orbit& orbit);
+/// The row of that table: "Analytic-Cont 5 orbits (125 steps; order 10)".
+[[nodiscard]] std::string row_in_source(const Orbit& orbit, Propagator propagator, int orbits);
+
+/// What is timed of a row: the propagation with its settings, without output.
+[[nodiscard]] std::function<void()> timed_work(const Orbit& orbit, int orbits, Propagator propagator);
 
 /// Follows an orbit for so many revolutions. @param repeats of the timing
 /// @throws Failure if the propagator does not get there

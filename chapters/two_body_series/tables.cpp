@@ -15,14 +15,9 @@ using scene::Workshop;
 
 bool is_low(const Orbit& orbit) { return orbit.order == low_orbit().order; }
 
-std::string table_of(const Orbit& orbit) { return is_low(orbit) ? "table-3.2" : "table-3.3"; }
-
-/// The row of the source, without the quantity.
+/// The row's name among published values, without the quantity.
 std::string row_name(const Orbit& orbit, Propagator propagator, int orbits) {
-  const std::string steps = propagator == Propagator::series
-                                ? fmt::format(" ({} steps; order {})", orbits * orbit.steps, orbit.order)
-                                : "";
-  return fmt::format("elgohary/{}/{} {} orbits{}", table_of(orbit), name_of(propagator), orbits, steps);
+  return fmt::format("elgohary/{}/{}", table_of(orbit), row_in_source(orbit, propagator, orbits));
 }
 
 constexpr std::array printed_propagators = {Propagator::f_and_g, Propagator::ode45, Propagator::rkn1210,

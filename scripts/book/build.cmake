@@ -42,7 +42,8 @@ foreach(chapter IN LISTS BOOK_CHAPTERS)
   list(APPEND page_labels "chapters/${chapter}/${chapter}.md|chapter_${chapter}")
 endforeach()
 list(APPEND page_labels "tables/REPRODUCTION.md|reproduction" "tables/COMPLETENESS.md|completeness"
-     "tables/ERRATA.md|errata" "tables/BENCH.md|bench" "tables/ADVERSARY.md|adversary" "docs/index.md|mainpage")
+     "tables/ERRATA.md|errata" "tables/BENCH.md|bench" "tables/RATIOS.md|ratios"
+     "tables/ADVERSARY.md|adversary" "docs/index.md|mainpage")
 foreach(pair IN LISTS page_labels)
   string(REGEX REPLACE "[|].*$" "" source "${pair}")
   string(REGEX REPLACE "^.*[|]" "" label "${pair}")

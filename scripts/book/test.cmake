@@ -87,6 +87,11 @@ endfunction()
 
 expect_page("is {{geodesy/fig-2.27: max error | 2}}."
   "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg.")
+file(WRITE "${BOOK_SOURCE_DIR}/tables/ratios.json" [=[{"quantities":[
+  {"name":"table-4.4, RK4-1 (0.1; 0.5), ours","value":0.0216,"unit":"1"},
+  {"name":"table-4.4, RK4-1 (0.1; 0.5), verdict","value":"does not hold","unit":""}]}]=])
+expect_page("{{ratios: table-4.4, RK4-1 (0.1; 0.5), ours | 2}} {{ratios: table-4.4, RK4-1 (0.1; 0.5), verdict}}"
+            "0.022 does not hold")
 expect_page("is {{geodesy/fig-2.27: max error|2|no unit}}." "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>.")
 expect_page("{{geodesy/fig-2.27: acceleration | 6}}; a [b]" "9.80665&nbsp;m/s<sup>2</sup>; a [b]")
 set(f "\\f$")

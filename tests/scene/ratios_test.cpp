@@ -1,0 +1,182 @@
+/// Printed ratios of run times beside ours: the rule, the table and the page; nothing here is timed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/ratios.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+using tests::TemporaryFolder;
+
+RatioVerdict judged(double printed, double ours) { return judge_ratio(printed, {ours, ours, ours}); }
+
+TEST(Ratios, HoldIfTheSameIsFasterWithinAFactorOfThree) {
+  EXPECT_TRUE(judged(6, 2).holds);
+  EXPECT_TRUE(judged(6, 18).holds);
+  EXPECT_FALSE(judged(6, 1.9).holds);
+  EXPECT_FALSE(judged(6, 18.1).holds);
+  EXPECT_TRUE(judged(0.2, 0.5).holds);
+  EXPECT_FALSE(judged(1.2, 0.9).holds) << "near, but the other one is faster";
+  EXPECT_FALSE(judged(0.9, 1.2).holds);
+}
+
+TEST(Ratios, SayHowFarApartTheyAreWhicheverIsLarger) {
+  EXPECT_DOUBLE_EQ(judged(774, 0.5).apart, 1548);
+  EXPECT_DOUBLE_EQ(judged(0.5, 774).apart, 1548);
+}
+
+TEST(Ratios, AreLostIfTheReferenceWinsInPrintAlone) {
+  EXPECT_TRUE(judged(7.2, 0.07).lost());
+  EXPECT_FALSE(judged(7.2, 1.1).lost()) << "too far apart, but the reference is still faster";
+  EXPECT_FALSE(judged(0.5, 2).lost()) << "the other way round";
+  EXPECT_FALSE(judged(0.5, 0.01).lost());
+}
+
+TEST(Ratios, HaveMediansAndQuartiles) {
+  const Spread odd = spread_of({5, 1, 3, 2, 4}), even = spread_of({2, 1}), one = spread_of({7});
+  EXPECT_DOUBLE_EQ(odd.middle, 3);
+  EXPECT_DOUBLE_EQ(odd.low, 2);
+  EXPECT_DOUBLE_EQ(odd.high, 4);
+  EXPECT_DOUBLE_EQ(even.low, 1.25);
+  EXPECT_DOUBLE_EQ(even.middle, 1.5);
+  EXPECT_DOUBLE_EQ(one.high, 7);
+  EXPECT_THROW((void)spread_of({}), std::invalid_argument);
+}
+
+TEST(Ratios, SpreadFromOppositeQuartiles) {
+  const Spread ratio = ratio_of({6, 4, 10}, {2, 1, 4});
+  EXPECT_DOUBLE_EQ(ratio.middle, 3);
+  EXPECT_DOUBLE_EQ(ratio.low, 1);
+  EXPECT_DOUBLE_EQ(ratio.high, 10);
+}
+
+TEST(Ratios, RefuseWhatIsNoRatio) {
+  EXPECT_THROW((void)judged(0, 1), std::invalid_argument);
+  EXPECT_THROW((void)judged(1, HUGE_VAL), std::invalid_argument);
+  EXPECT_THROW((void)judged(NAN, 1), std::invalid_argument);
+  EXPECT_THROW((void)judged(1, -1), std::invalid_argument);
+}
+
+PublishedValue value(const std::string& place, const std::string& row, double number, const std::string& kind,
+                     const std::string& unit) {
+  PublishedValue v;
+  v.source = "someone";
+  v.place = place;
+  v.row = row;
+  v.value = number;
+  v.kind = kind;
+  v.unit = unit;
+  return v;
+}
+
+/// Two methods over two lengths, and an error and another table that must not come in.
+std::vector<PublishedValue> published() {
+  return {value("table-1", "slow (P/10)", 8, "time", "s"),
+          value("table-1", "slow (P/10)", 1e-5, "error", "1"), value("table-1", "own", 2, "time", "s"),
+          value("table-2", "slow (P/10)", 100, "time", "s")};
+}
+
+const std::map<std::string, std::string> references = {{"slow (P/10)", "own"}, {"own", "own"}};
+
+std::vector<BenchSeries> series() {
+  return {{"table-1, slow (P/10)", "us a run", {30, 40, 50}}, {"table-1, own", "us a run", {20, 20, 25}}};
+}
+
+TEST(Ratios, TakePrintedSecondsFromTheListOfPublishedNumbers) {
+  const auto rows = compare_times(published(), "table-1", references, series());
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].row, "slow (P/10)");
+  EXPECT_EQ(rows[0].reference, "own");
+  EXPECT_EQ(rows[0].printed_seconds, 8);
+  EXPECT_DOUBLE_EQ(rows[0].seconds, 40e-6);
+  EXPECT_DOUBLE_EQ(rows[0].verdict.printed, 4);
+  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.middle, 2) << "of medians: 40 over 20";
+  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.low, 35 / 22.5);
+  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.high, 45 / 20.0);
+  EXPECT_TRUE(rows[0].verdict.holds);
+  EXPECT_TRUE(rows[1].is_reference());
+  EXPECT_EQ(rows[1].verdict.ours.middle, 1);
+}
+
+TEST(Ratios, LeaveNoPrintedRowOut) {
+  EXPECT_THROW((void)compare_times(published(), "table-1", {{"own", "own"}}, series()), std::invalid_argument)
+      << "a row without a reference";
+  EXPECT_THROW((void)compare_times(published(), "table-1", references, {series()[1]}), std::invalid_argument)
+      << "a row that was not measured";
+  EXPECT_THROW((void)compare_times(published(), "table-3", references, series()), std::invalid_argument);
+  auto minutes = published();
+  minutes[0].unit = "min";
+  EXPECT_THROW((void)compare_times(minutes, "table-1", references, series()), std::invalid_argument);
+}
+
+std::vector<TimeRatio> rows_of(std::vector<double> printed, const std::vector<double>& ours) {
+  std::vector<TimeRatio> rows;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    rows.push_back({"table-1", "row " + std::to_string(i), "own", printed[i], 1e-6,
+                    judge_ratio(printed[i], {ours[i], ours[i] / 2, ours[i] * 2})});
+  }
+  return rows;
+}
+
+TEST(Ratios, CompareAClaimWithTheMeanOfItsRows) {
+  const auto rows = rows_of({24, 46}, {2, 4});
+  const auto claim =
+      mean_claim(value("claim-1", "LEO", 35, "value", "1"), "table-1", {"row 0", "row 1"}, rows);
+  EXPECT_EQ(claim.verdict.printed, 35);
+  EXPECT_DOUBLE_EQ(claim.verdict.ours.middle, 3);
+  EXPECT_DOUBLE_EQ(claim.verdict.ours.low, 1.5);
+  EXPECT_DOUBLE_EQ(claim.verdict.ours.high, 6);
+  EXPECT_FALSE(claim.verdict.holds);
+  EXPECT_THROW((void)mean_claim(value("claim-1", "LEO", 35, "value", "1"), "table-1", {"row 2"}, rows),
+               std::invalid_argument);
+}
+
+TEST(Ratios, ArePagedWithWhatIsLostFirstAndTheWorstOfItAtTheTop) {
+  const TemporaryFolder out;
+  write_ratios("b", {rows_of({7, 700, 5}, {0.5, 0.5, 4}), {}}, out.path());
+  const std::string page = read_whole(out / "tables" / "RATIOS.md");
+  const auto lost = page.find("## Faster in print, slower here"), worst = page.find("| 1 | row 1 |"),
+             milder = page.find("| 1 | row 0 |"), table = page.find("## Table 1");
+  ASSERT_NE(table, std::string::npos) << page;
+  EXPECT_LT(lost, worst);
+  EXPECT_LT(worst, milder);
+  EXPECT_LT(milder, table);
+  EXPECT_EQ(page.find("| 1 | row 2 |"), std::string::npos) << "this one is won";
+  EXPECT_NE(page.find("Of 3 ratios 1 hold"), std::string::npos) << page;
+}
+
+TEST(Ratios, OfAllProgramsStandOnOnePageInTheOrderOfTheirTables) {
+  const TemporaryFolder out;
+  auto later = rows_of({7}, {5}), earlier = later;
+  later[0].place = "table-4.2";
+  earlier[0].place = "table-3.2";
+  write_ratios("a", {later, {}}, out.path());
+  write_ratios("b", {earlier, {}}, out.path());
+  const std::string page = read_whole(out / "tables" / "RATIOS.md");
+  EXPECT_LT(page.find("## Table 3.2"), page.find("## Table 4.2"));
+  EXPECT_NE(page.find("## Table 4.2"), std::string::npos);
+}
+
+TEST(Ratios, CanBeQuoted) {
+  const TemporaryFolder out;
+  write_ratios("a", {rows_of({7, 5}, {5, 0.5}), {}}, out.path());
+  const auto json = nlohmann::json::parse(read_whole(out / "tables" / "ratios.json"));
+  std::map<std::string, nlohmann::json> quoted;
+  for (const auto& q : json["quantities"]) quoted[q["name"].get<std::string>()] = q["value"];
+  EXPECT_EQ(quoted.at("table-1, row 0, printed"), 7);
+  EXPECT_EQ(quoted.at("table-1, row 0, ours"), 5);
+  EXPECT_EQ(quoted.at("table-1, row 0, verdict"), "holds");
+  EXPECT_EQ(quoted.at("table-1, row 0, printed seconds over ours"), 7e6);
+  EXPECT_EQ(quoted.at("ratios"), 2);
+  EXPECT_EQ(quoted.at("ratios that hold"), 1);
+  EXPECT_EQ(quoted.at("faster in print, slower here"), 1);
+}
+
+}  // namespace
+}  // namespace nlmech::scene
