@@ -2,6 +2,7 @@
 #include "nlmech/peers/ivp/arkode.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
 #include "nlmech/peers/ivp/gsl.hpp"
+#include "nlmech/peers/ivp/native.hpp"
 #include "nlmech/peers/ivp/odeint.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
@@ -41,6 +42,13 @@ TEST(AbsentPeers, RefuseToIntegrate) {
   refuses(Arkode{}, "ARKODE");
   refuses(Gsl{}, "GSL");
   refuses(Odeint{}, "Odeint");
+}
+
+TEST(AbsentPeers, GetNowhereByThemselves) {
+  double x = 1;
+  EXPECT_FALSE(gsl_natively({}, {}, 0, 1, &x));
+  EXPECT_FALSE(cvode_natively({}, {}, 0, 1, &x));
+  EXPECT_EQ(x, 1);
 }
 
 }  // namespace

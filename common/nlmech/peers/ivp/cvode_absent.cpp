@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/native.hpp"
 
 namespace nlmech::peers {
 
@@ -9,5 +9,7 @@ bool cvode_available() noexcept { return false; }
 Status integrate_by_cvode(Run&, const Cvode&) {
   throw std::logic_error("this build has no CVODE (NLMECH_PEERS)");
 }
+
+bool cvode_natively(const Cvode&, const NativeEquations&, double, double, double*) { return false; }
 
 }  // namespace nlmech::peers
