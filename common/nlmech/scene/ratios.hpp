@@ -17,8 +17,8 @@ namespace nlmech::scene {
 ///
 /// Ratios of compiled programs moved by up to a half between the machines that we tried, and seconds that are
 /// printed with one or two digits leave a tenth or two more: 3 is ample room for both. What is further off
-/// says something of MATLAB's interpreter, in which a step costs the same whatever it computes, and nothing
-/// of the methods.
+/// says more of two programs, and of MATLAB's interpreter, in which a step costs the same whatever it
+/// computes, than of two methods.
 inline constexpr double allowed_factor = 3;
 
 /// A measured number and its spread.

@@ -109,15 +109,13 @@ std::string introduction(const Evidence& all) {
       "that warms up. *Ours* is the ratio of medians; *from* and *to* are the ratios of opposite "
       "quartiles.\n\n"
       "A printed ratio *holds* if the same of the two methods is the faster one here, and the two ratios are "
-      "at "
-      "most a factor of {:g} apart: ratios of compiled programs moved by up to a half between the machines "
-      "that "
-      "we tried, and printed digits leave a tenth or two more. What is further off says something of "
-      "MATLAB's "
-      "interpreter, where a step costs the same whatever it computes, and not of the methods. Of {} ratios "
-      "{} "
-      "hold; with factors of 2, 5 and 10 it would be {}, {} and {}. No test asserts a time. Written by `make "
-      "bench`.\n",
+      "at most a factor of {:g} apart: ratios of compiled programs moved by up to a half between the "
+      "machines "
+      "that we tried, and printed digits leave a tenth or two more. What is further off says more of two "
+      "programs, and of MATLAB's interpreter, where a step costs the same whatever it computes, than of two "
+      "methods. Of {} ratios {} hold; with factors of 2, 5 and 10 it would be {}, {} and {}. No test asserts "
+      "a "
+      "time. Written by `make bench`.\n",
       allowed_factor, rows.size(), held(rows, allowed_factor), held(rows, 2), held(rows, 5), held(rows, 10));
 }
 
@@ -135,7 +133,7 @@ std::string lost_cases(const Evidence& all) {
   }
   return "\n## Faster in print, slower here\n\n" +
          (lost.empty() ? "In no row.\n"
-                       : "The source's method wins in print, and loses here to the method of the row; "
+                       : "The reference wins in print, and loses here to the method of the row; "
                          "furthest apart first.\n\n" +
                              table.markdown());
 }
