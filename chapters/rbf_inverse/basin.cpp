@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "chapters/rbf_inverse/curves.hpp"
+#include "chapters/rbf_inverse/random_guess.hpp"
 #include "chapters/rbf_inverse/scenes.hpp"
-#include "nlmech/collocation/nodes.hpp"
 
 namespace nlmech::chapters {
 namespace {
@@ -31,44 +30,12 @@ const char* name_of(Solver solver) {
   return "";
 }
 
-/// A guess: half of them independent values in (-1, 1) at each of 40 nodes, half one value in (-5, 5) for
-/// each component.
-bvp::Start guess(int number, double final_time) {
-  // The engine's numbers are the same on every machine; the library's distributions need not be.
-  std::mt19937_64 engine(static_cast<std::uint64_t>(number) + 1);
-  const auto draw = [&](double size) {
-    return size * (2 * static_cast<double>(engine() >> 11) / 9007199254740992.0 - 1);
-  };
-  if (number % 2 == 1) {
-    Eigen::VectorXd constant(4);
-    for (double& value : constant) value = draw(5);
-    return bvp::constant_start(constant);
-  }
-  constexpr int nodes = 40;
-  const Eigen::VectorXd times = final_time * (collocation::legendre_gauss_lobatto(nodes).array() + 1) / 2;
-  Eigen::MatrixXd values(4, nodes);
-  for (double& value : values.reshaped()) value = draw(1);
-  return {.states = [times, values](double t, Eigen::VectorXd& x) {
-    // Linear between the nodes, exact at them.
-    Eigen::Index k = 0;
-    while (k + 2 < times.size() && t > times[k + 1]) ++k;
-    const double part = std::clamp((t - times[k]) / (times[k + 1] - times[k]), 0.0, 1.0);
-    x = (1 - part) * values.col(k) + part * values.col(k + 1);
-  }};
-}
-
-/// The equations of the text; x1' = x2 and lambda2' = -lambda1 are used to halve them, which leaves the
-/// iterates as they are.
-bvp::GlobalMethod global(const bvp::ExtremalProblem& problem, bvp::DerivativeMatrix derivative) {
-  return {.derivative = derivative, .rows = printed_rows(problem), .condensed = {{0, 1}, {3, 2}}};
-}
-
 bvp::Extremal solve_one(Solver solver, const bvp::ExtremalProblem& problem, const bvp::Start& start) {
   using enum bvp::DerivativeMatrix;
   switch (solver) {
-    case Solver::printed: return solve_global(problem, global(problem, gaussian), start).extremal;
+    case Solver::printed: return solve_global(problem, printed_method(problem), start).extremal;
     case Solver::polynomial:
-      return solve_global(problem, global(problem, polynomial), start, 0.1, true).extremal;
+      return solve_global(problem, printed_method(problem, polynomial), start, 0.1, true).extremal;
     case Solver::refined: return solve_extremal(problem, start, {.newton_iterations = 60});
   }
   return {};
@@ -89,7 +56,7 @@ using Basin = std::array<std::vector<std::array<Shares, solvers.size()>>, final_
 Shares count(Solver solver, const bvp::DuffingSettings& settings, int guesses) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   std::vector<bvp::Start> starts;
-  for (int k = 0; k < guesses; ++k) starts.push_back(guess(k, settings.final_time));
+  for (int k = 0; k < guesses; ++k) starts.push_back(random_guess(k, settings.final_time));
   const bvp::Multistart all =
       multistart(problem, starts, [&](const bvp::Start& start) { return solve_one(solver, problem, start); },
                  {.distinct = 1e-2});

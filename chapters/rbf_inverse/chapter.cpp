@@ -14,6 +14,7 @@ scene::Chapter rbf_inverse_chapter() {
   add_boundary_errors(chapter, runs);
   add_extremals(chapter, runs);
   add_basin(chapter);
+  add_shooting(chapter);
   add_shape_study(chapter, runs);
   add_bounded_control(chapter, runs);
   add_interior_point(chapter, runs);

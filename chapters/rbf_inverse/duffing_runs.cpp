@@ -39,6 +39,10 @@ const std::vector<GlobalVariant>& global_variants() {
   return all;
 }
 
+bvp::GlobalMethod printed_method(const bvp::ExtremalProblem& problem, bvp::DerivativeMatrix derivative) {
+  return {.derivative = derivative, .rows = printed_rows(problem), .condensed = {{0, 1}, {3, 2}}};
+}
+
 NodeErrors node_errors(const bvp::GlobalResult& result) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto& intervals = result.extremal.solution.unknowns.intervals;

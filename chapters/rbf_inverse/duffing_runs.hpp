@@ -23,10 +23,10 @@ struct DuffingSubject {
 /// The six of them, in the order of the text.
 [[nodiscard]] const std::vector<DuffingSubject>& duffing_subjects();
 
-/// The final times that are tabulated. T is not stated; 2 is the reading.
+/// The final times that are tabulated. T is not stated.
 inline constexpr std::array<double, 3> final_times = {1, 2, 5};
-/// Index of T = 2 among them.
-inline constexpr std::size_t nominal = 1;
+/// Index of T = 2 among them, the inferred reading: the scene `shooting` tells what speaks for it.
+inline constexpr std::size_t inferred = 1;
 
 /// A case with the printed values, S = I.
 [[nodiscard]] bvp::DuffingSettings printed_settings(bvp::DuffingCase which, double final_time);
@@ -43,7 +43,7 @@ struct KnownExtremal {
 [[nodiscard]] const std::vector<KnownExtremal>& known_extremals();
 /// One of them.
 [[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which,
-                                                  double final_time = final_times[nominal]);
+                                                  double final_time = final_times[inferred]);
 
 /// How D is made.
 struct GlobalVariant {
@@ -53,6 +53,11 @@ struct GlobalVariant {
 };
 /// The printed one, a wider shape, the printed one in all digits, and the limit of flat functions; 40 nodes.
 [[nodiscard]] const std::vector<GlobalVariant>& global_variants();
+
+/// The equations of the text. x1' = x2 and lambda2' = -lambda1 are used to halve them, which leaves the
+/// iterates as they are.
+[[nodiscard]] bvp::GlobalMethod printed_method(
+    const bvp::ExtremalProblem& problem, bvp::DerivativeMatrix derivative = bvp::DerivativeMatrix::gaussian);
 
 /// Largest errors at the nodes against the trajectory flown from the solution's own initial values.
 struct NodeErrors {

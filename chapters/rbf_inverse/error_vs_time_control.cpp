@@ -40,7 +40,7 @@ using Answer = std::pair<std::optional<Eigen::Vector2d>, Status>;
 class Subject {
  public:
   Subject(DuffingCase which, bool quick)
-      : problem_(duffing_problem(printed_settings(which, final_times[nominal]))), quick_(quick) {
+      : problem_(duffing_problem(printed_settings(which, final_times[inferred]))), quick_(quick) {
     const KnownExtremal& known = known_extremal(which);
     reference_ = {known.first[2], known.first[3]};
     // All begin at the same trajectory: a coarse direct method's.

@@ -88,7 +88,7 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
 
 std::vector<scene::Quantity> promises(const DuffingRuns& runs, Workshop& w) {
   std::vector<scene::Quantity> all;
-  const Extremals& at2 = w.result(*runs.extremals[nominal]);
+  const Extremals& at2 = w.result(*runs.extremals[inferred]);
   double worst_first = 0;
   for (const KnownExtremal& k : known_extremals()) {
     const auto time = static_cast<std::size_t>(

@@ -75,7 +75,7 @@ scene::Table extremal_table(const DuffingRuns& runs, const DuffingSubject& subje
 }
 
 scene::Showing show_states(const DuffingRuns& runs, const DuffingSubject& subject, Workshop& w) {
-  const bvp::Extremal& e = best_of(w.result(*runs.extremals[nominal]), subject.which);
+  const bvp::Extremal& e = best_of(w.result(*runs.extremals[inferred]), subject.which);
   ControlCurves figure(state_heading(subject.which));
   figure.panel("time (s)", "states, force");
   const std::array<std::pair<const char*, const char*>, 3> curves = {
@@ -84,7 +84,7 @@ scene::Showing show_states(const DuffingRuns& runs, const DuffingSubject& subjec
     figure.begin(curves[static_cast<std::size_t>(k)].first, curves[static_cast<std::size_t>(k)].second);
     constexpr int samples = 200;
     for (int i = 0; i <= samples; ++i) {
-      const double t = final_times[nominal] * i / samples;
+      const double t = final_times[inferred] * i / samples;
       const Eigen::VectorXd z = e.solution.at(t);
       figure.add(t, k < 2 ? z[k] : -z[3]);
     }
@@ -133,7 +133,7 @@ void draw_errors(ControlCurves& figure, const bvp::GlobalResult& r, int from, in
 
 scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool costates, Workshop& w) {
   const DuffingSubject& subject = duffing_subjects()[index];
-  const auto& results = w.result(*runs.globals[nominal])[index];
+  const auto& results = w.result(*runs.globals[inferred])[index];
   const NodeErrors printed = node_errors(results[0]);
   const double worst = costates ? printed.costates : printed.states;
   ControlCurves figure(fmt::format("{} errors reach {}, where the text has 1e-7",
@@ -153,7 +153,7 @@ scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool cost
   draw_errors(figure, results[3], first, first + 1);
   figure.begin("1e-7", "l5");
   figure.add(0, 1e-7);
-  figure.add(final_times[nominal], 1e-7);
+  figure.add(final_times[inferred], 1e-7);
   figure.with("logy", "1").with("yrange", "[1e-17:1]");
   figure.with("key", "at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3")
       .overall("bottom", "0.33");

@@ -1,8 +1,8 @@
 #include "chapters/rbf_inverse/multiple_shooting.hpp"
 
 #include <limits>
-#include <stdexcept>
 
+#include "chapters/rbf_inverse/variational.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
 
@@ -12,29 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// x and the n by n derivative by its initial value, one column after the other.
-struct Variational {
-  static constexpr int dimension = Eigen::Dynamic;
-  const bvp::Problem* problem;
-
-  [[nodiscard]] int size() const { return problem->states() * (1 + problem->states()); }
-  void operator()(const double& t, const VectorXd& y, VectorXd& dydt) const {
-    const Index n = problem->states();
-    VectorXd slope(n);
-    MatrixXd by_state(n, n), none(n, 0);
-    const VectorXd x = y.head(n);
-    problem->rhs(t, x, VectorXd(), slope);
-    problem->jacobian(t, x, VectorXd(), by_state, none);
-    dydt.resize(y.size());
-    dydt.head(n) = slope;
-    dydt.tail(n * n) = (by_state * y.tail(n * n).reshaped(n, n)).reshaped();
-  }
-  /// Fixed-point iteration takes none.
-  void jacobian(double /*t*/, const VectorXd& /*y*/, MatrixXd& /*j*/) const {
-    throw std::logic_error("the variational equations give no Jacobian");
-  }
-};
 
 /// The joints and the end conditions, flown when x changes.
 class Segments {
@@ -88,8 +65,7 @@ class Segments {
                              .relative_tolerance = method_.tolerance,
                              .absolute_tolerance = method_.tolerance};
     for (int k = 0; k < method_.segments; ++k) {
-      VectorXd y(n_ + n_ * n_);
-      y << x.segment(k * n_, n_), MatrixXd::Identity(n_, n_).reshaped();
+      const VectorXd y = with_identity(x.segment(k * n_, n_));
       const auto at = static_cast<std::size_t>(k);
       const ivp::Solution<Eigen::Dynamic> s =
           integrate(system_, y, times_[at], times_[at + 1], cvode, {}, {.steps = 20'000});

@@ -21,6 +21,7 @@ void add_shape_study(scene::Chapter& chapter, const DuffingRuns& runs);      ///
 void add_bounded_control(scene::Chapter& chapter, const DuffingRuns& runs);  ///< |f| <= f_max
 void add_interior_point(scene::Chapter& chapter, const DuffingRuns& runs);   ///< x1 prescribed at T/2
 void add_continuation(scene::Chapter& chapter, const DuffingRuns& runs);     ///< folds in beta and T
+void add_shooting(scene::Chapter& chapter);                                  ///< who diverges, T unknown
 void add_scalar_homotopy(scene::Chapter& chapter);                           ///< Eqs 2.15, 2.16 as solvers
 void add_control_extremes(scene::Chapter& chapter);                          ///< large beta and T, bad tasks
 void add_error_vs_time_control(scene::Chapter& chapter);                     ///< digits against time

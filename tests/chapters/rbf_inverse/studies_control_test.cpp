@@ -8,6 +8,8 @@
 #include "chapters/rbf_inverse/curves.hpp"
 #include "chapters/rbf_inverse/duffing_runs.hpp"
 #include "chapters/rbf_inverse/multiple_shooting.hpp"
+#include "chapters/rbf_inverse/random_guess.hpp"
+#include "chapters/rbf_inverse/single_shooting.hpp"
 #include "nlmech/bvp/solve.hpp"
 
 namespace nlmech::chapters {
@@ -88,6 +90,55 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
   EXPECT_GT(shot.newton, 0);
 }
 
+/// The fixed case from zeros.
+SingleShot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
+  bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed, final_time);
+  settings.beta = beta;
+  return shoot_once(duffing_problem(settings), Eigen::VectorXd::Zero(4), method);
+}
+
+// Without beta, lambda2 = a cos t + b sin t, and x1 = -(a t sin t + b (sin t - t cos t))/2 from rest.
+TEST(SingleShooting, LinearOscillatorInClosedForm) {
+  const double T = 2, s = std::sin(T), c = std::cos(T);
+  Eigen::Matrix2d m;  // of (a, b) to (x1, x2) at T
+  m << -T * s / 2, -(s - T * c) / 2, -(s + T * c) / 2, -T * s / 2;
+  const Eigen::Vector2d ab = m.inverse() * Eigen::Vector2d(5, 2);
+  const SingleShot shot = shoot_from_zeros(0, T);
+  ASSERT_TRUE(shot.status.ok()) << shot.status.text();
+  // ode45 at 1e-8 in some hundred steps; co-states of order 10.
+  EXPECT_NEAR(shot.first[2], -ab[1], 1e-6);
+  EXPECT_NEAR(shot.first[3], ab[0], 1e-6);
+}
+
+TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
+  const SingleShot shot = shoot_from_zeros(0.9, 1);
+  ASSERT_TRUE(shot.status.ok()) << shot.status.text();
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
+  const Eigen::MatrixXd flown = fly(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
+  EXPECT_NEAR(flown(0, 1), 5, 1e-5);  // the end moves by some tens of the co-states' 1e-7
+  EXPECT_NEAR(flown(1, 1), 2, 1e-5);
+  EXPECT_GE(shot.reach, shot.first.norm());
+}
+
+TEST(SingleShooting, CutOffIsNoRoot) {
+  const SingleShot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
+  EXPECT_FALSE(shot.status.ok());
+  EXPECT_FALSE(shot.status.text().empty());
+}
+
+// The guesses are the same everywhere: the first numbers of the engine, by its definition.
+TEST(RandomGuess, ConstantOrIndependent) {
+  Eigen::VectorXd a(4), b(4);
+  random_guess(1, 2).states(0, a);
+  random_guess(1, 2).states(1.3, b);
+  EXPECT_EQ(a, b);
+  EXPECT_LE(a.cwiseAbs().maxCoeff(), 5);
+  random_guess(0, 2).states(0, a);
+  random_guess(0, 2).states(2, b);
+  EXPECT_NE(a, b);
+  EXPECT_LE(b.cwiseAbs().maxCoeff(), 1);
+}
+
 TEST(ControlCurves, CountsCurvesByPanel) {
   ControlCurves curves("heading", "time_s");
   curves.panel("x", "y");
@@ -116,7 +167,7 @@ TEST(Chapter, ShowsAllFiguresOfPartOne) {
   for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
   for (const char* name :
        {"table-5.1", "table-5.2", "table-5.3", "extremals", "basin", "shape-study", "bounded-control",
-        "interior-point", "continuation", "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
+        "interior-point", "continuation", "shooting", "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
