@@ -24,7 +24,8 @@ inline constexpr std::array<double, 12> time_units = {1, 2, 3, 7, 10, 60, 100, 6
 
 /// Runs of the printed problem.
 struct TransferRuns {
-  const scene::Run<std::vector<orbit::CollocatedTransfer>>* printed;  ///< by unit of time
+  const scene::Run<orbit::CollocatedTransfer>* as_printed;            ///< in metres and seconds
+  const scene::Run<std::vector<orbit::CollocatedTransfer>>* printed;  ///< by unit of time, the same first
   const scene::Run<orbit::CollocatedTransfer>* printed_shape;  ///< the same basis without loss of digits
   const scene::Run<orbit::CollocatedTransfer>* stable;         ///< wider Gaussian functions, c T = 3
   const scene::Run<orbit::CollocatedTransfer>* polynomial;     ///< their limit
