@@ -125,7 +125,7 @@ TEST_F(Machinery, ComputesOnlyWhatIsAskedFor) {
 TEST_F(Machinery, CopesWithEveryCharacter) {
   std::ofstream(folder_ / "data/tables/published/made-up.csv", std::ios::app)
       << "table-2,\"a;b [c] ]] (d) #e $f ${g} \\h 'i' \"\"j\"\" k\",\"l, m %n &o *p |q "
-         "~r\",1,1,value,,,context,,\n";
+         "~r\",1,1,value,,,context,,,,,,\n";
   list_tests();
   EXPECT_EQ(outcome(ctest(), "made-up/table-2/a;b [c] ]] (d) #e $f ${g} \\h 'i' \"j\" k/l, m %n &o *p |q ~r"),
             "***Skipped");
