@@ -29,7 +29,8 @@ using Printed = std::map<std::string, std::string>;
 Printed read_printed() {
   Printed printed;
   for (const scene::PublishedValue& v : scene::read_published(scene::data_folder())) {
-    if (v.source == "elgohary" && (v.kind == "error" || v.kind == "rounding")) printed[v.place + "/" + v.row] = v.printed;
+    if (v.source == "elgohary" && (v.kind == "error" || v.kind == "rounding"))
+      printed[v.place + "/" + v.row] = v.printed;
   }
   return printed;
 }
