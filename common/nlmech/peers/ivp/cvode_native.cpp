@@ -59,6 +59,7 @@ bool cvode_natively(const Cvode& method, const NativeEquations& equations, doubl
     CVodeSetLinearSolver(cvode.get(), solver->get(), matrix->get());
     CVodeSetJacFn(cvode.get(), &jacobian);
   }
+  CVodeSetStopTime(cvode.get(), t1);  // the end of a step, more accurate than what lies between
   double t = t0;
   return CVode(cvode.get(), t1, state.get(), &t, CV_NORMAL) >= 0;
 }

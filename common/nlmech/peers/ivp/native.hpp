@@ -23,8 +23,8 @@ struct NativeEquations {
 [[nodiscard]] bool gsl_natively(const Gsl& method, const NativeEquations& equations, double t0, double t1,
                                 double* x);
 
-/// One call of `CVode` in normal mode from @p t0 to @p t1, with a serial vector and dense factors, as in its
-/// examples.
+/// One call of `CVode` in normal mode from @p t0 to @p t1, with a serial vector, dense factors and the
+/// end as its stop time, as in its examples.
 /// @param x the state, to the end in place @return did CVODE get there? False also without CVODE
 [[nodiscard]] bool cvode_natively(const Cvode& method, const NativeEquations& equations, double t0, double t1,
                                   double* x);
