@@ -95,15 +95,20 @@ TEST(ReadPublished, AsksForTheEvidence) {
   EXPECT_EQ(refused("reproduced,digits,,,,,"), "");
   EXPECT_EQ(refused("reproduced,0.1,two steps,,,,"), "");
   EXPECT_EQ(refused("\"reproduced, inferred reading\",digits,,7,3 of 4,,"), "");
+  EXPECT_EQ(refused("not stated,,,7,3 of 4,,"), "");
+  EXPECT_EQ(refused("not stated,,,,,,"), "");
   for (const char* verdict :
        {"reproduced", "same rounding level", "better", "differs", "holds", "does not hold"})
     EXPECT_EQ(refused(verdict + std::string(",,,,,,")), "a verdict that compares, and no tolerance");
   EXPECT_EQ(refused("reproduced,0.1,,,,,"), "no reason for the tolerance '0.1'");
   for (const char* part : {",,", "7,,", ",3 of 4,"})
     EXPECT_EQ(refused(std::string("\"reproduced, inferred reading\",digits,,") + part + ","),
-              "readings tried and rows explained belong to an inferred reading, both");
+              "readings tried and rows explained belong to an inferred reading or one not stated, both");
+  for (const char* part : {"7,,", ",3 of 4,"})
+    EXPECT_EQ(refused(std::string("not stated,,,") + part + ","),
+              "readings tried and rows explained belong to an inferred reading or one not stated, both");
   EXPECT_EQ(refused("reproduced,digits,,7,3 of 4,,"),
-            "readings tried and rows explained belong to an inferred reading, both");
+            "readings tried and rows explained belong to an inferred reading or one not stated, both");
   for (const char* share : {"5 of 4", "0 of 4", "all", "3 of", "3 of 4 rows"})
     EXPECT_EQ(refused(std::string("\"reproduced, inferred reading\",digits,,7,") + share + ",,"),
               "'" + std::string(share) + "' is not of the form '5 of 6'");

@@ -135,9 +135,12 @@ void check_evidence(const PublishedValue& p, const std::string& where) {
          fmt::format("a misprint ({}) cannot be reproduced", echoed(p.erratum)));
   refuse(!p.tolerance.empty() && p.tolerance != "digits" && p.because.empty(), where,
          fmt::format("no reason for the tolerance '{}'", echoed(p.tolerance)));
-  refuse(is_inferred != (p.tried > 0) || is_inferred == p.explains.empty(), where,
-         "readings tried and rows explained belong to an inferred reading, both");
-  if (is_inferred)
+  // A search that finds nothing that explains the number is evidence, too.
+  const bool has_search = p.tried > 0 || !p.explains.empty();
+  refuse((p.tried > 0) == p.explains.empty() || is_inferred > has_search ||
+             (has_search && !is_inferred && p.expected != Verdict::not_stated),
+         where, "readings tried and rows explained belong to an inferred reading or one not stated, both");
+  if (has_search)
     refuse(!is_share(p.explains), where, fmt::format("'{}' is not of the form '5 of 6'", echoed(p.explains)));
 }
 

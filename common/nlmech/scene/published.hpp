@@ -67,10 +67,10 @@ struct PublishedValue {
   Verdict expected = Verdict::not_built;  ///< which verdict the findings support
   std::string tolerance;                  ///< see Tolerance
   std::string because;                    ///< why that tolerance; "digits" needs no reason
-  int tried = 0;                          ///< readings that were tried, where one is inferred
-  std::string explains;                   ///< "5 of 6": of the rows that such a reading bears on
-  std::string erratum;                    ///< id of the misprint that it is, if it is one
-  std::string reading;                    ///< how the text was understood, or the cause of a difference
+  int tried = 0;         ///< readings that were tried, where one is inferred or none was found
+  std::string explains;  ///< "5 of 6": of the rows that such a reading bears on
+  std::string erratum;   ///< id of the misprint that it is, if it is one
+  std::string reading;   ///< how the text was understood, or the cause of a difference
 
   /// "elgohary/claim-2.4/order 4/height error, order of magnitude"
   [[nodiscard]] std::string name() const;
