@@ -7,6 +7,7 @@ namespace nlmech::chapters {
 scene::Chapter hermitian_chapter() {
   scene::Chapter chapter("hermitian", "Nonlinear dynamics by Hermitian operators with jerks (Laier)");
   add_tables(chapter);
+  add_search(chapter);
   add_spectral(chapter);
   add_orders(chapter);
   add_energy(chapter);

@@ -12,9 +12,7 @@ problems::DrivenDuffing laier_duffing() {
 
 problems::VanDerPol laier_van_der_pol() { return {.mu = 1.5}; }
 
-Case duffing_case(double t0) {
-  return {.system = ivp::System<2>(laier_duffing()), .x0 = {0, 0}, .sign = 1, .t0 = t0};
-}
+Case duffing_case() { return {.system = ivp::System<2>(laier_duffing()), .x0 = {0, 0}, .sign = 1}; }
 
 Case van_der_pol_case() {
   return {.system = ivp::System<2>(laier_van_der_pol()), .x0 = {0.01, 0}, .sign = -1};
@@ -39,7 +37,7 @@ Peak first_peak(const Case& what, const ivp::Hermitian& method, double end) {
     found = true;
     return false;
   };
-  const auto solution = ivp::integrate(what.system, what.x0, what.t0, end, method, look);
+  const auto solution = ivp::integrate(what.system, what.x0, 0, end, method, look);
   if (found) return peak;
   peak.status =
       solution.status.ok()

@@ -18,12 +18,11 @@ struct Case {
   ivp::System<2> system;  ///< equation
   ivp::State<2> x0;       ///< position and velocity at first
   double sign;            ///< 1: a maximum; -1: a minimum
-  double t0 = 0;          ///< begin
 };
 
-/// Equation (11) from rest at @p t0; the paper names no start.
-[[nodiscard]] Case duffing_case(double t0 = 0);
-/// Van der Pol's oscillator from (0.01, 0); the paper names no start, its peak of -0.3193 does.
+/// Equation (11) from rest; the paper names no start.
+[[nodiscard]] Case duffing_case();
+/// Van der Pol's oscillator from (0.01, 0), the start that fits; the paper names none.
 [[nodiscard]] Case van_der_pol_case();
 
 /// Where the velocity first passes zero against the sign after the begin.

@@ -7,6 +7,7 @@
 namespace nlmech::chapters {
 
 void add_tables(scene::Chapter& chapter);         ///< the paper's tables 1, 4 and 5
+void add_search(scene::Chapter& chapter);         ///< what could have given tables 4 and 5
 void add_spectral(scene::Chapter& chapter);       ///< spectral radius and period error of the five rows
 void add_orders(scene::Chapter& chapter);         ///< error against the step
 void add_energy(scene::Chapter& chapter);         ///< symmetric, not symplectic: energy over a long time
