@@ -18,8 +18,8 @@ class Curves {
 
   /// Another curve from here on.
   /// @param legend its name, empty for none
-  /// @param look a letter, `l` line, `b` line and points, `p` points, `d` dots, and the number of a line
-  /// style: "l1"
+  /// @param look a letter, `l` line, `b` line and points, `p` points, `d` dots, `t` thin line,
+  /// `u` or `v` small triangles up or down, and the number of a line style: "l1"
   void begin(const std::string& legend, const std::string& look);
   /// A point of it.
   void add(double x, double y) { data_.add({count_, x, y}); }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "chapters/homotopy/curves.hpp"
+#include "chapters/homotopy/known_limits.hpp"
+#include "chapters/homotopy/load_stepping.hpp"
 #include "chapters/homotopy/scenes.hpp"
 #include "chapters/homotopy/toggles.hpp"
 
@@ -14,21 +16,6 @@ using scene::Workshop;
 constexpr const char* programs = "tools/oracles/homotopy_williams.py and homotopy_frames.py, all digits";
 // Bisection finds the deflection to rounding of the stiffness; the load is stationary there.
 constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
-
-/// Limit points known from elsewhere.
-struct Known {
-  double height;
-  LimitPoints williams, element;
-};
-// oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.?? minimum*
-// oracle: homotopy_frames toggle 0.?? of 1 maximum*, toggle 0.?? of 1 minimum*
-constexpr std::array known = {
-    Known{0.38,
-          {{0.23287115497799, 33.278532607761}, {0.3935882935498, 30.588387926087}},
-          {{0.23387819214942, 33.122797603353}, {0.38040896031666, 31.107808393235}}},
-    Known{0.44,
-          {{0.22818821400337, 42.771896097273}, {0.4947308255747, 30.363548710287}},
-          {{0.22710546333003, 42.435492120383}, {0.4800337802312, 32.124218754757}}}};
 
 void add_limit_points(std::vector<scene::Quantity>& all, const std::string& model, const LoadCurve& curve,
                       const LimitPoints& reference) {
@@ -67,7 +54,7 @@ scene::Showing three_curves() {
   }
   figure.begin("limit points", "p3");
   std::vector<scene::Quantity> quantities;
-  for (const Known& k : known) {
+  for (const KnownLimits& k : known_limits) {
     const auto curve = williams_curve(k.height);
     const auto at = limit_points(*curve);
     if (at) figure.add(at->maximum.deflection, at->maximum.load);
@@ -106,40 +93,48 @@ scene::Showing three_slopes() {
   return {figure.with("key", "top center").take(), {}, quantities};
 }
 
-/// Williams' equation beside one element a member.
-scene::Showing both_models(double height) {
+/// What load stepping finds on both models at one height.
+struct BothStepped {
+  Stepped williams, element;
+};
+
+/// Least slopes of a toggle without limit points.
+void add_least_slopes(std::vector<scene::Quantity>& all, const LoadCurve& williams,
+                      const LoadCurve& element) {
+  // oracle: homotopy_williams Williams 0.32 least slope
+  // oracle: homotopy_frames toggle 0.32 of 1 least slope, toggle 0.32 of 1 load at the least slope
+  const CurvePoint w = softest(williams), e = softest(element);
+  all.push_back(scene::near("least slope, Williams", "lb/in", williams.stiffness(w.deflection), 12.55869263,
+                            1e-9, "tools/oracles/homotopy_williams.py, ten digits"));
+  all.push_back(scene::near("least slope, element", "lb/in", element.stiffness(e.deflection), 14.70048679,
+                            1e-9, "tools/oracles/homotopy_frames.py, ten digits"));
+  all.push_back(scene::near("load at the least slope, element", "lb", e.load, 27.0422397, 1e-6,
+                            "tools/oracles/homotopy_frames.py; a minimum is found to half the digits"));
+}
+
+/// The paths as lines, Williams' equation beside one element a member, and what load stepping finds on them.
+scene::Showing both_models(double height, const BothStepped& steps) {
   const auto williams = williams_curve(height), element = element_curve(height);
-  Curves figure(height < 0.35 ? "No limit point: Williams' equation and one element agree"
-                              : "Agreement up to the maximum, less at the minimum",
+  Curves figure(height < 0.35 ? "No limit point: load stepping finds the whole path"
+                              : "Load stepping jumps at the limit points",
                 drop, load_of_toggle);
-  figure.begin("Williams' equation", "l1");
-  sample(figure, 0.75, [&](double d) { return williams->load(d); });
-  figure.begin("one element a member", "l5");
-  sample(figure, 0.75, [&](double d) { return element->load(d); });
+  const double end = deflection_between(*williams, stepping_top, 0, 0.9);
+  figure.begin("Williams' equation", "t1");
+  sample(figure, end, [&](double d) { return williams->load(d); });
+  figure.begin("one element a member", "t5");
+  sample(figure, end, [&](double d) { return element->load(d); });
+  draw_steps(figure, steps.williams);
+  draw_steps(figure, steps.element);
   std::vector<scene::Quantity> quantities;
-  for (const Known& k : known) {
-    if (k.height != height) continue;
-    add_limit_points(quantities, "Williams", *williams, k.williams);
-    add_limit_points(quantities, "element", *element, k.element);
-    figure.begin("limit points", "p3");
-    for (const auto* curve : {williams.get(), element.get()}) {
-      const auto at = limit_points(*curve);
-      if (at) figure.add(at->maximum.deflection, at->maximum.load);
-      if (at) figure.add(at->minimum.deflection, at->minimum.load);
-    }
+  if (const auto limits = known_limits_of(height, true)) {
+    add_limit_points(quantities, "Williams", *williams, *limits);
+    add_limit_points(quantities, "element", *element, known_limits_of(height, false).value());
+  } else {
+    add_least_slopes(quantities, *williams, *element);
   }
-  if (quantities.empty()) {
-    // oracle: homotopy_williams Williams 0.32 least slope
-    // oracle: homotopy_frames toggle 0.32 of 1 least slope, toggle 0.32 of 1 load at the least slope
-    const CurvePoint w = softest(*williams), e = softest(*element);
-    quantities = {scene::near("least slope, Williams", "lb/in", williams->stiffness(w.deflection),
-                              12.55869263, 1e-9, "tools/oracles/homotopy_williams.py, ten digits"),
-                  scene::near("least slope, element", "lb/in", element->stiffness(e.deflection), 14.70048679,
-                              1e-9, "tools/oracles/homotopy_frames.py, ten digits"),
-                  scene::near("load at the least slope, element", "lb", e.load, 27.0422397, 1e-6,
-                              "tools/oracles/homotopy_frames.py; a minimum is found to half the digits")};
-  }
-  return {figure.with("key", "top left").take(), {}, quantities};
+  add_step_quantities(quantities, steps.williams, "Williams");
+  add_step_quantities(quantities, steps.element, "element");
+  return {figure.with("below", "1").with("height", "640").with("yrange", "[0:50]").take(), {}, quantities};
 }
 
 /// The greatest load between deflections of 0.1 and 0.35 in, by golden section.
@@ -261,10 +256,21 @@ void add_load_deflection(scene::Chapter& chapter) {
   const std::array names = {"fig-2.13", "fig-2.14", "fig-2.15"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double height = heights.at(i);
-    add_scene(
-        chapter, names.at(i),
-        fmt::format("Load against deflection, Williams' equation and element, l sin(beta) = {} in", height),
-        [height] { return both_models(height); });
+    const auto& run = chapter.add_run<BothStepped>(
+        fmt::format("load-steps-{}", height),
+        "fixed-point homotopy (Eqs 2.12, 2.15 corrected) by Euler's rule under loads of 1, 2, ... 50 lb and "
+        "back, each from the solution before; the text states no loads",
+        {}, [height](Workshop&) {
+          return BothStepped{step_loads({.model = Model::williams, .height = height}),
+                             step_loads({.model = Model::element, .height = height})};
+        });
+    chapter.add({.name = names.at(i),
+                 .title = fmt::format(
+                     "Load against deflection, Williams' equation and element, l sin(beta) = {} in", height),
+                 .place = std::string("Figure ") + (names.at(i) + 4),
+                 .needs = {&run},
+                 .seconds = 0.1,
+                 .show = [height, &run](Workshop& w) { return both_models(height, w.result(run)); }});
   }
   add_scene(chapter, "limit-load", "The published loads against the limit load", published_loads);
 }

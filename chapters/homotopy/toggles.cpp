@@ -103,6 +103,12 @@ std::vector<double> deflections_under(const LoadCurve& curve, double load, doubl
   return roots([&](double d) { return curve.load(d) - load; }, end);
 }
 
+double deflection_between(const LoadCurve& curve, double load, double low, double high) {
+  const auto excess = [&](double d) { return curve.load(d) - load; };
+  if ((excess(low) > 0) == (excess(high) > 0)) return std::nan("");
+  return bisect(excess, low, high);
+}
+
 LoadedToggle::LoadedToggle(Model model, double height, double load, double length)
     : sign_(1), scale_(std::abs(load) / 2) {
   const frames::Williams williams{.height = height, .length = length};

@@ -58,6 +58,9 @@ class LoadCurve {
 [[nodiscard]] CurvePoint softest(const LoadCurve& curve, double end = 0.6);
 /// The deflections in [0, @p end] at which the curve carries @p load, by bisection.
 [[nodiscard]] std::vector<double> deflections_under(const LoadCurve& curve, double load, double end = 0.9);
+/// The deflection between two at which the curve carries @p load, by bisection to the last bit; NaN if the
+/// loads at both ends are on the same side of it.
+[[nodiscard]] double deflection_between(const LoadCurve& curve, double load, double low, double high);
 
 /// Which equations, and which Jacobian.
 enum class Model : std::uint8_t {

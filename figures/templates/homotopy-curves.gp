@@ -4,7 +4,8 @@
 #       figures/style.gp figures/templates/homotopy-curves.gp > out.svg
 #
 # Variables: data, xlabel, ylabel (required); legend and looks (required: one entry a curve in the order of the data,
-# separated by |; a look is a letter, l line, b line and points, p points, d dots, t thin line, and a line style);
+# separated by |; a look is a letter, l line, b line and points, p points, d dots, t thin line,
+# u or v small triangles up or down, and a line style);
 # heading, xrange, yrange ("[0:1]"), logy, key ("top left"), below (if it exists, the key stands below
 # the axis), labels ("text@x@y@side|...") (optional).
 #
@@ -44,6 +45,8 @@ do for [k = 1:entries(looks)] {
   style = kind eq "l" ? sprintf("lines linestyle %s", number) \
         : kind eq "b" ? sprintf("linespoints linestyle %s linewidth 1.2", number) \
         : kind eq "d" ? sprintf("points linestyle %s pointtype 7 pointsize 0.3", number) \
+        : kind eq "u" ? sprintf("points linestyle %s pointtype 8 pointsize 0.7", number) \
+        : kind eq "v" ? sprintf("points linestyle %s pointtype 10 pointsize 0.7", number) \
         : kind eq "t" ? sprintf("lines linestyle %s linewidth 1", number) \
         : sprintf("points linestyle %s pointsize 1", number)
   command = command . (k == 1 ? "plot " : ", ") . sprintf("data using \"x\":\"y\" every :::%d::%d with %s", k - 1, k - 1, style)
