@@ -18,6 +18,7 @@ scene::Chapter homotopy_chapter() {
     add_histories(chapter, rows, element);
   }
   add_iteration_study(chapter);
+  add_load_stepping_study(chapter);
   add_misprint_study(chapter);
   add_elastica(chapter);
   add_solvers(chapter);

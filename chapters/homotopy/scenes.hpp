@@ -23,12 +23,13 @@ void add_result_tables(scene::Chapter& chapter, const std::vector<Row>& rows, bo
 void add_histories(scene::Chapter& chapter, const std::vector<Row>& rows, bool element);
 
 // Ours.
-void add_iteration_study(scene::Chapter& chapter);  ///< counts against the step and the start
-void add_misprint_study(scene::Chapter& chapter);   ///< the cycle that Eq. 2.35 as printed makes
-void add_solvers(scene::Chapter& chapter);          ///< every solver on every load
-void add_elastica(scene::Chapter& chapter);         ///< element convergence to the exact curve
-void add_extremes(scene::Chapter& chapter);         ///< stiff, many elements, at the limit load
-void add_error_vs_time(scene::Chapter& chapter);    ///< digits of the deflection against time
+void add_iteration_study(scene::Chapter& chapter);      ///< counts against the step and the start
+void add_load_stepping_study(scene::Chapter& chapter);  ///< load stepping in other ways
+void add_misprint_study(scene::Chapter& chapter);       ///< the cycle that Eq. 2.35 as printed makes
+void add_solvers(scene::Chapter& chapter);              ///< every solver on every load
+void add_elastica(scene::Chapter& chapter);             ///< element convergence to the exact curve
+void add_extremes(scene::Chapter& chapter);             ///< stiff, many elements, at the limit load
+void add_error_vs_time(scene::Chapter& chapter);        ///< digits of the deflection against time
 
 // Commands.
 void add_limit_points_command(CLI::App& app);  ///< `homotopy limit-points`
