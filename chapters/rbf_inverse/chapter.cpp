@@ -11,6 +11,7 @@ scene::Chapter rbf_inverse_chapter() {
   add_end_conditions(chapter);
   add_duffing_parameters(chapter);
   add_duffing_histories(chapter, runs);
+  add_from_guesses(chapter, runs);
   add_boundary_errors(chapter, runs);
   add_extremals(chapter, runs);
   add_basin(chapter);

@@ -32,7 +32,7 @@ struct Bounded {
 
 std::vector<Bounded> bounded(const DuffingRuns& runs, Workshop& w) {
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, end_time));
-  const bvp::Solution& free = best_of(w.result(*runs.extremals[inferred]), DuffingCase::fixed).solution;
+  const bvp::Solution& free = best_of(runs, w, DuffingCase::fixed).solution;
   std::vector<Bounded> all;
   for (const double limit : {15.0, 13.5, 8.0}) {
     const bvp::ConstraintPath path = bvp::control_bound_path(peak_of(free), limit);
@@ -48,7 +48,7 @@ std::vector<Bounded> bounded(const DuffingRuns& runs, Workshop& w) {
 }
 
 scene::Showing show_bounded(const DuffingRuns& runs, const std::vector<Bounded>& all, Workshop& w) {
-  const bvp::Extremal& free = best_of(w.result(*runs.extremals[inferred]), DuffingCase::fixed);
+  const bvp::Extremal& free = best_of(runs, w, DuffingCase::fixed);
   scene::Table table({{"bound of |f|"},
                       {"status"},
                       {"cost", 10},
@@ -124,7 +124,7 @@ scene::Showing show_through(const DuffingRuns& runs, const std::vector<Through>&
                       {"jump of lambda2", 2}});
   ControlCurves figure("A prescribed position makes the force's slope jump");
   figure.panel("time (s)", "force {/:Italic f} (1/s^{2})");
-  const bvp::Solution& free = best_of(w.result(*runs.extremals[inferred]), DuffingCase::fixed).solution;
+  const bvp::Solution& free = best_of(runs, w, DuffingCase::fixed).solution;
   figure.begin("no point between", "l8");
   for (int i = 0; i <= samples; ++i) figure.add(end_time * i / samples, -free.at(end_time * i / samples)[3]);
   double worst_jump = 0;
@@ -161,11 +161,11 @@ void add_bounded_control(scene::Chapter& chapter, const DuffingRuns& runs) {
   const auto& run = chapter.add_run<std::vector<Bounded>>(
       "bounded-force",
       "fixed case, T = 2; the limit is brought down to its value with a wide smoothing, then that to 1e-4",
-      {runs.extremals[inferred]}, [runs](Workshop& w) { return bounded(runs, w); });
+      {&run_of(runs.extremals, DuffingCase::fixed)}, [runs](Workshop& w) { return bounded(runs, w); });
   chapter.add({.name = "bounded-control",
                .title = "The fixed case under a bound on the force, by continuation",
                .place = "our own",
-               .needs = {&run, runs.extremals[inferred]},
+               .needs = {&run, &run_of(runs.extremals, DuffingCase::fixed)},
                .seconds = 2,
                .show = [&run, runs](Workshop& w) { return show_bounded(runs, w.result(run), w); }});
 }
@@ -177,7 +177,7 @@ void add_interior_point(scene::Chapter& chapter, const DuffingRuns& runs) {
   chapter.add({.name = "interior-point",
                .title = "A position prescribed at half the time: the co-state jumps",
                .place = "our own",
-               .needs = {&run, runs.extremals[inferred]},
+               .needs = {&run, &run_of(runs.extremals, DuffingCase::fixed)},
                .seconds = 3,
                .show = [&run, runs](Workshop& w) { return show_through(runs, w.result(run), w); }});
 }

@@ -34,7 +34,7 @@ Line follow(const DuffingRuns& runs, DuffingCase which, bool in_beta, Workshop& 
   bvp::DuffingSettings settings = printed_settings(which, 2);
   settings.continued = in_beta ? bvp::Continued::parameter : bvp::Continued::final_time;
   const bvp::ExtremalProblem problem = duffing_problem(settings);
-  bvp::Start start = start_from(best_of(w.result(*runs.extremals[inferred]), which).solution);
+  bvp::Start start = start_from(best_of(runs, w, which).solution);
   start.parameters = problem.own_parameters();
   bvp::ContinuationOptions options;
   options.first_step = in_beta ? 0.05 : 0.02;
@@ -123,7 +123,8 @@ std::vector<scene::Quantity> promises(const Lines& lines) {
 void add_continuation(scene::Chapter& chapter, const DuffingRuns& runs) {
   const auto& run = chapter.add_run<Lines>(
       "branches", "from the cheapest extremals at T = 2 upward in T, and in beta; four folds at most",
-      {runs.extremals[inferred]}, [runs](Workshop& w) { return compute(runs, w); });
+      {&run_of(runs.extremals, DuffingCase::free), &run_of(runs.extremals, DuffingCase::fixed)},
+      [runs](Workshop& w) { return compute(runs, w); });
   chapter.add({.name = "continuation",
                .title = "Branches of extremals in T and beta, with their folds",
                .place = "our own",

@@ -67,21 +67,57 @@ struct NodeErrors {
 /// NaN if nothing was flown.
 [[nodiscard]] NodeErrors node_errors(const bvp::GlobalResult& result);
 
-/// All extremals of all cases at one final time, by the number of the case in the enumeration.
-using Extremals = std::vector<bvp::Multistart>;
-/// [subject][variant] at one final time, each begun at the cheapest extremal.
-using Globals = std::vector<std::vector<bvp::GlobalResult>>;
+/// The guesses that a case gets: zeros, then ten random ones.
+inline constexpr int guesses_a_case = 11;
 
-/// The cheapest. @throws Failure if there is none
-[[nodiscard]] const bvp::Extremal& best_of(const Extremals& all, bvp::DuffingCase which);
+/// What the printed method made of its guesses, in their order.
+using FromGuesses = std::vector<bvp::GlobalResult>;
 
-/// The shared runs, by final time.
+/// Which of the results is drawn: that from zeros if it is an extremal, else the first that is one.
+/// @throws Failure if none is
+[[nodiscard]] std::size_t drawn_of(const FromGuesses& all);
+
+/// "zeros", "random guess 3".
+[[nodiscard]] std::string guess_name(std::size_t guess);
+
+/// What guesses led to.
+struct GuessCounts {
+  std::int64_t good = 0;      ///< extremals
+  std::int64_t cheapest = 0;  ///< of them, those within a hundredth of the cheapest
+  std::int64_t spurious = 0;  ///< roots that are no solutions
+};
+/// Counts them. @param cheapest cost
+[[nodiscard]] GuessCounts count_of(const FromGuesses& all, double cheapest);
+
+/// The extremals among them, each once, cheapest first. They live as long as the results.
+[[nodiscard]] std::vector<const bvp::Extremal*> distinct_of(const FromGuesses& all);
+
+/// By final time and by the number of the case in the enumeration.
+template <class Result>
+using ByCase = std::array<std::array<const scene::Run<Result>*, 8>, final_times.size()>;
+
+/// The shared runs.
 struct DuffingRuns {
-  std::array<const scene::Run<Extremals>*, 3> extremals;  ///< what the own starts find
-  std::array<const scene::Run<Globals>*, 3> globals;      ///< one interval, 40 nodes
+  ByCase<bvp::Multistart> extremals;  ///< what the own starts find
+  ByCase<FromGuesses> printed;        ///< the printed method from guesses; the six cases that the text solves
+  /// T = 2: global_variants() begun at the root that is drawn, the first of them that root itself.
+  std::array<const scene::Run<FromGuesses>*, 8> variants;
 };
 /// Declares them.
 [[nodiscard]] DuffingRuns add_duffing_runs(scene::Chapter& chapter);
+
+/// The run of a case.
+template <class Result>
+[[nodiscard]] const scene::Run<Result>& run_of(const ByCase<Result>& runs, bvp::DuffingCase which,
+                                               std::size_t time = inferred) {
+  return *runs[time][static_cast<std::size_t>(which)];
+}
+/// What the own starts find.
+[[nodiscard]] const bvp::Multistart& extremals_of(const DuffingRuns& runs, scene::Workshop& workshop,
+                                                  bvp::DuffingCase which, std::size_t time = inferred);
+/// The cheapest. @throws Failure if there is none
+[[nodiscard]] const bvp::Extremal& best_of(const DuffingRuns& runs, scene::Workshop& workshop,
+                                           bvp::DuffingCase which, std::size_t time = inferred);
 
 /// "T = 2".
 [[nodiscard]] std::string time_label(double final_time);

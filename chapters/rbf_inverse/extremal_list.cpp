@@ -45,9 +45,8 @@ scene::Table tabulate(const DuffingRuns& runs, Workshop& w) {
                       {"miss of the flown end", 2}});
   const auto shown = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
   for (std::size_t i = 0; i < final_times.size(); ++i) {
-    const Extremals& all = w.result(*runs.extremals[i]);
     for (const DuffingCase which : bvp::duffing_cases()) {
-      for (const bvp::Found& f : all[static_cast<std::size_t>(which)].found) {
+      for (const bvp::Found& f : extremals_of(runs, w, which, i).found) {
         const Eigen::VectorXd z = f.extremal.solution.first();
         table.add(
             {final_times[i], std::string(to_string(which)), f.extremal.cost < 1e-20 ? 0.0 : f.extremal.cost,
@@ -71,7 +70,7 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
     for (const bool minimum : {true, false}) {
       figure.begin(minimum ? "minimum" : "saddle", minimum ? "o1" : "o5");
       for (std::size_t c = 0; c < cases.size(); ++c) {
-        for (const bvp::Found& f : w.result(*runs.extremals[i])[static_cast<std::size_t>(cases[c])].found) {
+        for (const bvp::Found& f : extremals_of(runs, w, cases[c], i).found) {
           const bool is_minimum = f.extremal.second_order.kind == bvp::Kind::minimum;
           if (is_minimum == minimum && f.extremal.cost > 1e-4)
             figure.add(static_cast<double>(c) + 1, f.extremal.cost);
@@ -88,12 +87,11 @@ scene::Figure draw(const DuffingRuns& runs, Workshop& w) {
 
 std::vector<scene::Quantity> promises(const DuffingRuns& runs, Workshop& w) {
   std::vector<scene::Quantity> all;
-  const Extremals& at2 = w.result(*runs.extremals[inferred]);
   double worst_first = 0;
   for (const KnownExtremal& k : known_extremals()) {
     const auto time = static_cast<std::size_t>(
         std::find(final_times.begin(), final_times.end(), k.final_time) - final_times.begin());
-    const bvp::Extremal& e = best_of(w.result(*runs.extremals[time]), k.which);
+    const bvp::Extremal& e = best_of(runs, w, k.which, time);
     all.push_back(scene::at_most(
         fmt::format("lowest cost, {}, {}", to_string(k.which), time_label(k.final_time)), "1", e.cost,
         k.cost * (1 + 1e-9), "the lowest of 270 starts, tools/oracles/rbf_inverse_extremals.py"));
@@ -106,30 +104,32 @@ std::vector<scene::Quantity> promises(const DuffingRuns& runs, Workshop& w) {
                                "the same; relative where above 1"));
   double worst_miss = 0;
   for (std::size_t i = 0; i < final_times.size(); ++i)
-    for (const bvp::Multistart& m : w.result(*runs.extremals[i]))
-      for (const bvp::Found& f : m.found)
+    for (const DuffingCase which : bvp::duffing_cases())
+      for (const bvp::Found& f : extremals_of(runs, w, which, i).found)
         worst_miss = std::max(worst_miss, f.extremal.miss / (1 + f.extremal.solution.first().norm()));
   all.push_back(scene::at_most("largest miss of all extremals over their initial values", "1", worst_miss,
                                1e-9, "the tolerance of the collocation"));
   // The kind must agree wherever the same extremal was found.
   int disagree = 0;
   for (const KnownKind& k : known_kinds())
-    for (const bvp::Found& f : at2[static_cast<std::size_t>(k.which)].found)
+    for (const bvp::Found& f : extremals_of(runs, w, k.which).found)
       if (std::abs(f.extremal.cost / k.cost - 1) < 1e-4 && f.extremal.second_order.kind != k.kind) ++disagree;
   all.push_back(scene::at_most("extremals whose kind disagrees", "1", disagree, 0, "recorded"));
   // oracle: rbf_inverse_extremals fixed T = 5 cost
-  all.push_back(scene::at_most(
-      "cost of the fixed case, T = 5", "1", best_of(w.result(*runs.extremals[2]), DuffingCase::fixed).cost,
-      46.608623 * (1 + 1e-7), "the best known, tools/oracles/rbf_inverse_extremals.py"));
-  all.push_back(scene::at_most("cost of a free start, T = 2", "1", best_of(at2, DuffingCase::final_only).cost,
-                               1e-12, "flown backward from the target without force: J = 0"));
+  all.push_back(scene::at_most("cost of the fixed case, T = 5", "1",
+                               best_of(runs, w, DuffingCase::fixed, 2).cost, 46.608623 * (1 + 1e-7),
+                               "the best known, tools/oracles/rbf_inverse_extremals.py"));
+  all.push_back(scene::at_most("cost of a free start, T = 2", "1",
+                               best_of(runs, w, DuffingCase::final_only).cost, 1e-12,
+                               "flown backward from the target without force: J = 0"));
   return all;
 }
 
 }  // namespace
 
 void add_extremals(scene::Chapter& chapter, const DuffingRuns& runs) {
-  std::vector<const scene::AnyRun*> needs(runs.extremals.begin(), runs.extremals.end());
+  std::vector<const scene::AnyRun*> needs;
+  for (const auto& at_time : runs.extremals) needs.insert(needs.end(), at_time.begin(), at_time.end());
   chapter.add({.name = "extremals",
                .title = "All extremals that the program's own starts find, with cost and kind",
                .place = "our own",

@@ -15,6 +15,7 @@ void add_duffing_histories(scene::Chapter& chapter, const DuffingRuns& runs);  /
 void add_boundary_errors(scene::Chapter& chapter, const DuffingRuns& runs);    ///< table 5.3, the claim
 
 // Optimal control: ours.
+void add_from_guesses(scene::Chapter& chapter, const DuffingRuns& runs);     ///< what eleven guesses find
 void add_extremals(scene::Chapter& chapter, const DuffingRuns& runs);        ///< all that were found
 void add_basin(scene::Chapter& chapter);                                     ///< what random guesses lead to
 void add_shape_study(scene::Chapter& chapter, const DuffingRuns& runs);      ///< c, N, and the rows

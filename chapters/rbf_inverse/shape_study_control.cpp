@@ -64,7 +64,7 @@ Study compute(const DuffingRuns& runs, Workshop& w) {
   }
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const bvp::ExtremalProblem problem = duffing_problem(printed_settings(cases[c], 2));
-    const bvp::Start start = start_from(best_of(w.result(*runs.extremals[inferred]), cases[c]).solution);
+    const bvp::Start start = start_from(best_of(runs, w, cases[c]).solution);
     const auto rows = printed_rows(problem);
     for (std::size_t d = 0; d < derivatives.size(); ++d) {
       const auto at_shape = [&](double shape) {
@@ -90,7 +90,7 @@ Study compute(const DuffingRuns& runs, Workshop& w) {
     }
   }
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
-  const bvp::Start start = start_from(best_of(w.result(*runs.extremals[0]), DuffingCase::fixed).solution);
+  const bvp::Start start = start_from(best_of(runs, w, DuffingCase::fixed, 0).solution);
   for (std::size_t shape = 0; shape < 2; ++shape)
     for (std::size_t p = 0; p < placements.size(); ++p) {
       const int a = placements[p].first, b = placements[p].second;
@@ -180,7 +180,9 @@ std::vector<scene::Quantity> promises(const Study& s) {
 void add_shape_study(scene::Chapter& chapter, const DuffingRuns& runs) {
   const auto& run = chapter.add_run<Study>(
       "shapes-and-rows", "begun at the cheapest extremal; largest error of states and co-states at the nodes",
-      {runs.extremals[0], runs.extremals[inferred]}, [runs](Workshop& w) { return compute(runs, w); });
+      {&run_of(runs.extremals, DuffingCase::fixed, 0), &run_of(runs.extremals, DuffingCase::free),
+       &run_of(runs.extremals, DuffingCase::fixed)},
+      [runs](Workshop& w) { return compute(runs, w); });
   chapter.add({.name = "shape-study",
                .title = "Errors by shape, number of nodes, and rows of the end conditions",
                .place = "our own",
