@@ -101,7 +101,7 @@ scene::Showing show_errors(const TransferRuns& runs, Workshop& w) {
 /// Components on the left: F and G from the velocity that the printed collocation found, and its nodes.
 void draw_components(ControlCurves& curves, const CollocatedTransfer& printed, bool velocity) {
   curves.panel("time (s)", velocity ? "velocity (km/s)" : "position (1000 km)",
-               "Components: F and G from the velocity that collocation found");
+               "Components; F and G from the velocity found");
   const char* const names[] = {"x", "y", "z"};
   const double unit = velocity ? 1e3 : 1e6;
   for (int k = 0; k < 3; ++k) {
@@ -118,7 +118,7 @@ void draw_components(ControlCurves& curves, const CollocatedTransfer& printed, b
       curves.add(printed.times[j], (velocity ? printed.velocities : printed.positions)(k, j) / unit);
   }
   curves.with("key", "at screen 0.27, screen 0.01 center bottom maxrows 2 samplen 3 width -6");
-  curves.with("yrange", velocity ? "[-8:8]" : "[-2:14]");
+  curves.with("yrange", velocity ? "[-8:8]" : "[-2:14]").with("xrange", "[0:4500]").with("xtics", "0,1000");
 }
 
 /// Differences on the right, and over them what a better matrix does.
@@ -129,18 +129,19 @@ void draw_differences(ControlCurves& curves, const TransferRuns& runs, Workshop&
   const auto add = [&](double t, double value) {
     if (value > 0) curves.add(t, value);  // the begin is the same
   };
-  curves.begin("as printed, from F and G of its own velocity", "b1");
+  curves.begin("as printed, off F and G of its own velocity", "b1");
   for (Eigen::Index j = 0; j < printed.times.size(); ++j)
     add(printed.times[j], off_orbit(printed, j, printed.v1, velocity));
-  curves.begin("that F and G from Izzo's orbit", "l2");
+  curves.begin("that F and G, off Izzo's orbit", "l2");
   for (int i = 0; i <= 200; ++i) {
     const orbit::State a = on_orbit(printed.v1, 4320.0 * i / 200), b = on_orbit(izzo, 4320.0 * i / 200);
     add(4320.0 * i / 200, (velocity ? a.velocity - b.velocity : a.position - b.position).norm());
   }
-  curves.begin("polynomial collocation from Izzo's orbit", "b3");
+  curves.begin("polynomial collocation, off Izzo's orbit", "b3");
   for (Eigen::Index j = 0; j < nodes.times.size(); ++j)
     add(nodes.times[j], off_orbit(nodes, j, izzo, velocity));
   curves.with("logy", "1").with("yrange", velocity ? "[1e-14:1e4]" : "[1e-10:1e6]");
+  curves.with("xrange", "[0:4500]").with("xtics", "0,1000");
   curves.with("key", "at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
 }
 
