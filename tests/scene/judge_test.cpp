@@ -94,6 +94,9 @@ TEST(Judge, NoiseSharesALevel) {
   EXPECT_TRUE(kept(noise(3.5e-6, "factor 5"), 1e-6));
   EXPECT_FALSE(kept(noise(3.5e-6, "factor 5"), 1e-7));
   EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), none));
+  EXPECT_TRUE(kept(noise(2e-16, "below 1e-15"), none, 1e-24)) << "under a reading, and shown as such";
+  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), none, 2e-15));
+  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), 2e-15, 1e-24)) << "a nominal number is judged first";
   EXPECT_FALSE(kept(noise(2e-16, "below 1e-15", "error"), 1e-24))
       << "an error is no noise unless it is said to be";
 }

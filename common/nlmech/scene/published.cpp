@@ -81,7 +81,9 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   switch (verdict) {
     case Verdict::reproduced: return matches(p, tolerance, m.nominal);
     case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
-    case Verdict::same_rounding: return same_noise(p, tolerance, m.nominal);
+    case Verdict::same_rounding:
+      // Noise under a reading is noise; the table shows it as inferred.
+      return same_noise(p, tolerance, m.nominal ? m.nominal : m.inferred);
     case Verdict::better:
       return (p.kind == "bound" || p.kind == "rounding") && as_found &&
              std::abs(*m.nominal) < std::abs(p.value);
