@@ -1,13 +1,12 @@
-/// The paper's equations (1), (3) to (5), (8) to (10) and Table 4, as printed and corrected, against
-/// accelerations and jerks that dual numbers give. Equations (6) and (7): errata_residual_test.cpp; Table 1
-/// and the signs of (1): tests/ivp/hermitian_operators_test.cpp.
+/// The paper's equations (1), (3) to (5), (8) to (10) as printed and corrected, against accelerations and
+/// jerks that dual numbers give. Equations (6) and (7): errata_residual_test.cpp; Table 1 and the signs of
+/// (1): tests/ivp/hermitian_operators_test.cpp.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "chapters/hermitian/peaks.hpp"
 #include "tests/chapters/hermitian/oscillators.hpp"
 #include "tests/errata/erratum.hpp"
 
@@ -165,57 +164,6 @@ TEST(Errata, Equation10OneMisprintAtATime) {
       expect_erratum("hermitian-10-y-3", {by_y(f_y, 2 * d * v - 1), y_right, fy, rounding, 1});
       expect_erratum("hermitian-10-v-2", {by_v(-d * q, h_v), v_right, fv, rounding, 1});
       expect_erratum("hermitian-10-v-3", {by_v(f_v, 2 * d * y), v_right, fv, rounding, 1});
-    }
-  }
-}
-
-/// The first peak of (11) from rest: Runge and Kutta's steps of 1/2000 of the way, to where the velocity is
-/// 0.
-double exact_peak() {
-  using State = std::array<double, 2>;
-  const auto slope = [](double t, const State& x) {
-    return State{x[1], 0.5 * std::cos(0.5 * t) - 0.4 * x[1] - x[0] - 0.5 * x[0] * x[0] * x[0]};
-  };
-  const auto at = [&](double end_time) {
-    State x = {0, 0};
-    const double h = end_time / 2000;
-    for (int i = 0; i < 2000; ++i) {
-      const auto moved = [&](const State& k, double by) { return State{x[0] + by * k[0], x[1] + by * k[1]}; };
-      const double t = i * h;
-      const State k1 = slope(t, x), k2 = slope(t + h / 2, moved(k1, h / 2)),
-                  k3 = slope(t + h / 2, moved(k2, h / 2)), k4 = slope(t + h, moved(k3, h));
-      for (const std::size_t c : {0U, 1U}) x[c] += h / 6 * (k1[c] + 2 * k2[c] + 2 * k3[c] + k4[c]);
-    }
-    return x;
-  };
-  double time = 2.45;
-  for (int i = 0; i < 5; ++i) {
-    const State x = at(time);
-    time -= x[1] / slope(time, x)[1];
-  }
-  return at(time)[0];
-}
-
-// Table 4: all columns are far from the peak of the motion from rest. The paper names no start.
-TEST(Errata, Table4IsNotThePeak) {
-  const double exact = exact_peak();
-  EXPECT_NEAR(exact, 0.53826530480162931, 1e-12);  // oracle: transversal_motions Laier's Duffing peak
-  struct Column {
-    const ivp::HermitianPair& operators;
-    std::array<double, 3> printed;
-    double tolerance;  ///< of a step of 0.2: order 4, or 2
-  };
-  const Column columns[] = {{ivp::laier, {0.5017, 0.5217, 0.5302}, 2e-6},
-                            {ivp::argyris, {0.4840, 0.5117, 0.5253}, 2e-6},
-                            {ivp::newmark_pair, {0.4816, 0.5111, 0.5251}, 2e-3}};
-  for (const Column& column : columns) {
-    double h = 0.2;
-    for (const double printed : column.printed) {
-      const auto peak =
-          chapters::first_peak(chapters::duffing_case(), {.operators = column.operators, .step = h}, 20);
-      ASSERT_TRUE(peak.status.ok());
-      expect_erratum("hermitian-table-4", {printed, peak.x, exact, column.tolerance});
-      h /= 2;
     }
   }
 }
