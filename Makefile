@@ -19,7 +19,7 @@ help:
 	@echo "make test            all tests but the long ones"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
-	@echo "make check           published beside reproduced, verdicts, figures; tables/REPRODUCTION.md"
+	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
 	@echo "make gallery         the pictures of README drawn anew"
@@ -97,6 +97,7 @@ check: programs
 	@missed=0; $(AT_ONCE) -k check-chapters || missed=1; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
 	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || missed=1; \
+	$(BUILD)/bin/reproduction claims --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/CLAIMS.md || missed=1; \
 	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || missed=1; \
 	exit $$missed
 

@@ -18,12 +18,13 @@ void note(Extreme& extreme, double error, double latitude_deg, double height_km)
 }
 
 template <class T>
-void fill(ErrorMap& map, const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table) {
+void fill(ErrorMap& map, const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
+          Extended longitude) {
   const auto exact = BasicEllipsoid<Extended>::wgs84();
   const auto ellipsoid = BasicEllipsoid<T>::wgs84();
   for (const double height_km : map.height_km) {
     for (const double latitude_deg : map.latitude_deg) {
-      const BasicGeodetic<Extended> truth{latitude_deg * degree, 30 * degree, height_km * Extended(1000)};
+      const BasicGeodetic<Extended> truth{latitude_deg * degree, longitude, height_km * Extended(1000)};
       const BasicCartesian<Extended> p = geodesy::forward(truth, exact);
       const BasicCartesian<T> given{static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
       const auto found = geodesy::reverse(given, ellipsoid, method, table).position;
@@ -40,7 +41,7 @@ void fill(ErrorMap& map, const geodesy::PerturbationSeries& method, const geodes
 }  // namespace
 
 ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
-                   Arithmetic arithmetic, bool quick) {
+                   Arithmetic arithmetic, bool quick, double longitude_deg) {
   ErrorMap map;
   const int steps = quick ? 90 : 720, ratios = quick ? 30 : 60;
   for (int i = 0; i <= steps; ++i) map.latitude_deg.push_back(-90 + 180. * i / steps);
@@ -48,9 +49,9 @@ ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::Ser
     map.height_km.push_back(200 * std::pow(35000.0 / 200.0, double(i) / ratios));
   map.height_km.back() = 35000;
   if (arithmetic == Arithmetic::extended)
-    fill<Extended>(map, method, table);
+    fill<Extended>(map, method, table, longitude_deg * degree);
   else
-    fill<double>(map, method, table);
+    fill<double>(map, method, table, longitude_deg * degree);
   return map;
 }
 

@@ -27,9 +27,9 @@ enum class Arithmetic {
 };
 
 /// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios,
-/// longitude 30 deg. True positions come from Eq. 2.40 in extended precision, rounded to the arithmetic under
-/// test.
+/// longitude 30 deg unless told. True positions come from Eq. 2.40 in extended precision, rounded to the
+/// arithmetic under test.
 [[nodiscard]] ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
-                                 Arithmetic arithmetic, bool quick);
+                                 Arithmetic arithmetic, bool quick, double longitude_deg = 30);
 
 }  // namespace nlmech::chapters

@@ -42,7 +42,7 @@ foreach(chapter IN LISTS BOOK_CHAPTERS)
   list(APPEND page_labels "chapters/${chapter}/${chapter}.md|chapter_${chapter}")
 endforeach()
 list(APPEND page_labels "tables/REPRODUCTION.md|reproduction" "tables/COMPLETENESS.md|completeness"
-     "tables/ERRATA.md|errata" "tables/BENCH.md|bench" "tables/RATIOS.md|ratios"
+     "tables/CLAIMS.md|claims" "tables/ERRATA.md|errata" "tables/BENCH.md|bench" "tables/RATIOS.md|ratios"
      "tables/ADVERSARY.md|adversary" "docs/index.md|mainpage")
 foreach(pair IN LISTS page_labels)
   string(REGEX REPLACE "[|].*$" "" source "${pair}")
@@ -56,7 +56,7 @@ foreach(pair IN LISTS page_labels)
     book_page("${source}" "${BOOK_FOLDER}/pages/${source}" "${label}")
   else()
     set(advice "")
-    if(source MATCHES "^tables/(REPRODUCTION|COMPLETENESS|ERRATA)")
+    if(source MATCHES "^tables/(REPRODUCTION|COMPLETENESS|CLAIMS|ERRATA)")
       set(advice "; `make check` writes it")
     endif()
     book_complain("${source}" 1 "this page of the book does not exist${advice}")

@@ -283,7 +283,7 @@ macro(_book_title_line)
   if(rest MATCHES "^[ \t]*\n" AND NOT label STREQUAL mainpage)
     string(APPEND page "${line}\n")
     _book_next_line()
-    if(label MATCHES "^(reproduction|completeness|errata)$")  # tables that need the list of sections' width
+    if(label MATCHES "^(reproduction|completeness|claims|errata)$")  # tables that need the list of sections' width
       set(line "\\htmlonly[block]<style>html { --content-maxwidth: 1500px; }</style>\\endhtmlonly")
     else()
       set(line "\\tableofcontents")

@@ -8,6 +8,9 @@
 /// `completeness --chapters FILE [--out DIR] [--page FILE]`: figures and tables of the sources; exit code 1
 /// if one is not drawn or not checked.
 ///
+/// `claims --chapters FILE [--out DIR] [--page FILE]`: what the sources claim in prose; exit code 1 if the
+/// evidence gives another verdict than the expected one.
+///
 /// `errata [--out DIR] [--page FILE]`: misprints, a table a chapter and all on one page.
 ///
 /// `tests`: names of all values, one a line.
@@ -15,11 +18,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
 
 #include "nlmech/scene/check.hpp"
+#include "nlmech/scene/claims.hpp"
 #include "nlmech/scene/command.hpp"
 #include "nlmech/scene/completeness.hpp"
 #include "nlmech/scene/errata.hpp"
@@ -96,6 +101,22 @@ int completeness(const Options& options) {
   return incomplete == 0 ? kept : missed;
 }
 
+int claims(const Options& options) {
+  const std::vector<JudgedClaim> all = judge_claims(read_built(options), data_folder(), options.out);
+  if (!options.page.empty()) write_whole(options.page, claims_page(all));
+  std::size_t misses = 0;
+  for (const JudgedClaim& c : all) {
+    if (c.kept) continue;
+    ++misses;
+    tell(fmt::format("MISSED {} {}, {}: {} = {:.6g}, {}; expected: {}", c.claim.source, c.claim.place,
+                     c.claim.scene, c.claim.quantity, c.value,
+                     std::isnan(c.value) ? "no such quantity" : to_string(c.verdict),
+                     to_string(c.claim.expected)));
+  }
+  print_result(fmt::format("{} claims in prose, {} missed\n", all.size(), misses));
+  return misses == 0 ? kept : missed;
+}
+
 /// A table for each chapter's page, and all of them on one.
 void errata(const Options& options) {
   std::vector<Erratum> all = read_errata(data_folder());
@@ -137,19 +158,22 @@ int main(int argc, char** argv) {
   CLI::App* overview =
       app.add_subcommand("completeness", "figures and tables; exit code 1 if one is lacking");
   overview->callback([&] { code = completeness(options); });
+  CLI::App* prose =
+      app.add_subcommand("claims", "claims in prose; exit code 1 if one has another verdict than expected");
+  prose->callback([&] { code = claims(options); });
   CLI::App* misprints = app.add_subcommand("errata", "misprints: a table a chapter, and all on one page");
   misprints->callback([&] { errata(options); });
-  for (CLI::App* sub : {overview, misprints})
+  for (CLI::App* sub : {overview, prose, misprints})
     sub->add_option("--page", options.page, "write the Markdown page to this file too");
   misprints->add_option("--out", options.out, "folder that gets tables/<chapter>/errata.md");
   CLI::App* judge = app.add_subcommand("verdict", "one value; exit code 77 if its chapter is not built");
   judge->add_option("name", options.name, "source/place/row/quantity")->required();
   judge->callback([&] { code = verdict(options); });
-  for (CLI::App* sub : {reporter, overview, judge}) {
+  for (CLI::App* sub : {reporter, overview, prose, judge}) {
     sub->add_option("--chapters", options.chapters, "file with the names of the chapters built")->required();
     sub->add_option("--out", options.out, "folder in which the chapters' checks left results/");
   }
   CLI::App* names = app.add_subcommand("tests", "names of all values, one a line");
   names->callback(list_names);
-  return run_command(app, argc, argv, code, {reporter, overview, misprints, judge, names});
+  return run_command(app, argc, argv, code, {reporter, overview, prose, misprints, judge, names});
 }
