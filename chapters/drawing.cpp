@@ -102,7 +102,6 @@ void add_drawing(scene::Chapter& chapter, const std::string& name, const std::st
                .title = title,
                .place = "Figure " + name.substr(4),
                .needs = {},
-               .seconds = 0.1,
                .show = [show](scene::Workshop&) { return show(); }});
 }
 

@@ -117,7 +117,6 @@ void add_bessel(scene::Chapter& chapter) {
                .title = "Bessel's equation expanded about tau = 1: error against tau and terms",
                .place = "our own, for section 3.1",
                .needs = {},
-               .seconds = 0.5,
                .show = [](Workshop& w) { return show(w.quick()); }});
 }
 

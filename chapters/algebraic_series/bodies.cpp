@@ -125,7 +125,6 @@ void add_bodies(scene::Chapter& chapter) {
                .title = "Data of the four bodies",
                .place = "Table 1",
                .needs = {},
-               .seconds = 0.1,
                .show = [](Workshop&) { return show_data(); }});
   const auto& run = chapter.add_run<Orbits>(
       "four-bodies",
@@ -136,7 +135,6 @@ void add_bodies(scene::Chapter& chapter) {
                .title = "Paths of four bodies under mutual gravitation",
                .place = "Figure 2",
                .needs = {&run},
-               .seconds = 0.3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -90,7 +90,6 @@ void add_divergence(scene::Chapter& chapter) {
                .title = "When forward Euler departs, against its step",
                .place = "our own, for Figure 5",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
   chapter.add({.name = "filipich-rosales/fig-5/forward Euler/starts to diverge before",
                .needs = {&run},

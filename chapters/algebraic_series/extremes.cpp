@@ -158,7 +158,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "Where a series ends: radius, encounters, stiffness, singular points, branches",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

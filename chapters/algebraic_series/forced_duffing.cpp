@@ -85,13 +85,11 @@ void add_forced_duffing(scene::Chapter& chapter) {
                .title = "Forced Duffing oscillator: displacement in time",
                .place = "Figure 4a",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_time(w.result(run)); }});
   chapter.add({.name = "fig-4b",
                .title = "Forced Duffing oscillator: phase plane",
                .place = "Figure 4b",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
 }
 

@@ -119,7 +119,6 @@ void add_fractional_power(scene::Chapter& chapter) {
                .title = "How many terms the fifth root of a function needs",
                .place = "our own, for the claim of section 2.5",
                .needs = {&run},
-               .seconds = 0.1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
   chapter.add({.name = "filipich-rosales/claim-2.5/fractional power n = 5/terms needed (at least)",
                .needs = {&run},

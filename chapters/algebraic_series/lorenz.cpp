@@ -86,13 +86,11 @@ void add_lorenz(scene::Chapter& chapter) {
                .title = "Lorenz system: v in time",
                .place = "Figure 3a",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_time(w.result(run)); }});
   chapter.add({.name = "fig-3b",
                .title = "Lorenz system: attractor in phase space",
                .place = "Figure 3b",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
 }
 

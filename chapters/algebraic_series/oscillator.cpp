@@ -85,13 +85,11 @@ void add_oscillator(scene::Chapter& chapter) {
                .title = "Oscillator with nonlinear damping modulated in time: series beside forward Euler",
                .place = "Figure 5",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_time(w.result(run)); }});
   chapter.add({.name = "fig-6a",
                .title = "The same in the phase plane, up to 375 s",
                .place = "Figure 6a",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
 }
 

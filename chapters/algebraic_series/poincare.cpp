@@ -95,13 +95,11 @@ void add_poincare(scene::Chapter& chapter) {
                .title = "Poincare sections every pi, 750 s",
                .place = "Figure 6b",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_printed(w.result(run)); }});
   chapter.add({.name = "poincare",
                .title = "20 000 sections: rotation number 8/31 and the island chain",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show_islands(w.result(run)); }});
   chapter.add({.name = "filipich-rosales/fig-6b/Poincare map/points", .needs = {}, .measure = [](Workshop&) {
                  return scene::Measured{static_cast<double>(sections_within(printed_time)), {}};

@@ -86,7 +86,6 @@ void add_projectile(scene::Chapter& chapter) {
                .title = "Path of a projectile under drag and a wind that grows with height",
                .place = "Figure 1",
                .needs = {&flight},
-               .seconds = 0.2,
                .show = [&flight](Workshop& w) { return show(w.result(flight)); }});
 }
 

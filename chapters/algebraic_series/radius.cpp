@@ -218,7 +218,6 @@ void add_radius(scene::Chapter& chapter) {
                .title = "Printed steps against the radius of convergence, and what it costs to ignore it",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

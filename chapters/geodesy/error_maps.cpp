@@ -111,7 +111,6 @@ void add_error_maps(scene::Chapter& chapter, const SeriesRuns& runs) {
                                         shown == Shown::latitude ? "latitude" : "height", reference.order),
                    .place = fmt::format("Figure 2.{}", figure),
                    .needs = {&run},
-                   .seconds = 0.1,
                    .show = [&run, shown, reference](Workshop& w) {
                      return show_map(w.result(run), shown, reference);
                    }});

@@ -193,7 +193,6 @@ void add_error_vs_time(scene::Chapter& chapter) {
                .title = "Latitude error against time a point: ours and the peers, one by one and in batches",
                .place = "our own",
                .needs = {&costs},
-               .seconds = 2,
                .show = [&costs](Workshop& w) { return show(w.result(costs)); }});
 }
 

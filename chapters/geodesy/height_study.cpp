@@ -61,7 +61,6 @@ void add_height_study(scene::Chapter& chapter) {
                .title = "Three formulas for the height at a latitude that is off by 1e-9 rad",
                .place = "our own",
                .needs = {},
-               .seconds = 0.1,
                .show = [](Workshop&) { return study(); }});
 }
 

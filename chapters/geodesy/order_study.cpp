@@ -107,7 +107,6 @@ void add_order_study(scene::Chapter& chapter, const SeriesRuns& runs) {
                         "gains none after 3",
                .place = "our own",
                .needs = all_of(runs),
-               .seconds = 1,
                .show = [runs](Workshop& w) { return study(runs, w); }});
 }
 

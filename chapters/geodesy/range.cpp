@@ -180,7 +180,6 @@ void add_range(scene::Chapter& chapter) {
                .title = "Latitude error from the centre to a million kilometres, and against flattening",
                .place = "our own",
                .needs = {&distance, &flattening},
-               .seconds = 0.5,
                .show = [&distance, &flattening](Workshop& w) {
                  return show(w.result(distance), w.result(flattening));
                }});

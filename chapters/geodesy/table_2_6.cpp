@@ -37,7 +37,6 @@ void add_table_2_6(scene::Chapter& chapter) {
                .title = "Coefficients of the third and fourth order: printed beside derived",
                .place = "Table 2.6",
                .needs = {&derived},
-               .seconds = 0.1,
                .show = [&derived](scene::Workshop& w) { return compare(w.result(derived)); }});
 }
 

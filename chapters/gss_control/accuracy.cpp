@@ -134,7 +134,6 @@ void add_accuracy(scene::Chapter& chapter) {
                .title = "Digits of three evaluations of the exact transfer functions",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -119,7 +119,6 @@ void add_closed_bode(scene::Chapter& chapter) {
                               hub ? "hub angle" : "deflection at 2 ft"),
          .place = std::string("Figure ") + (names.at(i) + 4),
          .needs = {},
-         .seconds = 0.3,
          .show = [designed, hub](Workshop&) { return show(designed, hub); }});
   }
 }

@@ -129,7 +129,6 @@ void add_delay_margin(scene::Chapter& chapter) {
                .title = "What a delay in the loop does: unstable modes, sensitivity",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run), w.quick()); }});
 }
 

@@ -173,7 +173,6 @@ void add_error_vs_time_response(scene::Chapter& chapter) {
                .title = "Digits of theta/u against time: exact forms, assumed modes, finite elements",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -268,7 +268,6 @@ void add_error_vs_time_step(scene::Chapter& chapter) {
                .title = "Digits of a manoeuvre against time: residues, numerical inversion, assumed modes",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

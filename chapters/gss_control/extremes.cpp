@@ -107,7 +107,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "Extreme spacecraft: poles, and errors against 100 digits",
                .place = "our own",
                .needs = {},
-               .seconds = 1,
                .show = [](Workshop& w) { return show(w.quick()); }});
 }
 

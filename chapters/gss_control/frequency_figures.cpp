@@ -147,7 +147,6 @@ void add_scene(scene::Chapter& chapter, const std::string& name, const std::stri
                .title = title,
                .place = "Figure " + name.substr(4),
                .needs = {},
-               .seconds = 0.2,
                .show = [show](Workshop&) { return show(); }});
 }
 

@@ -77,7 +77,6 @@ void add_lyapunov(scene::Chapter& chapter) {
                .title = "Lyapunov's function along the motion, corrected and as printed",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

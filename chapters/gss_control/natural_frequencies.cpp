@@ -124,7 +124,6 @@ void add_natural_frequencies(scene::Chapter& chapter) {
                .title = "Poles and hub-locked frequencies, exact and by truncated models",
                .place = "our own",
                .needs = {},
-               .seconds = 0.5,
                .show = [](Workshop&) { return show(); }});
 }
 

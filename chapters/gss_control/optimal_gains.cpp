@@ -164,7 +164,6 @@ void add_optimal_gains(scene::Chapter& chapter) {
                .title = "The cost over the gains: designed, unit, optimal, PD",
                .place = "our own",
                .needs = {},
-               .seconds = 2,
                .show = [](Workshop& w) { return show(w.quick()); }});
 }
 

@@ -64,7 +64,6 @@ void add_parameters(scene::Chapter& chapter) {
                .title = "Parameters of the spacecraft",
                .place = "Table 3.1",
                .needs = {},
-               .seconds = 0.1,
                .show = show});
 }
 

@@ -265,7 +265,6 @@ void add_step_figures(scene::Chapter& chapter) {
                  .title = fmt::format("Unit torque: {}", name_of(what).plain),
                  .place = std::string("Figure ") + (names.at(i) + 4),
                  .needs = {&run},
-                 .seconds = 0.3,
                  .show = [what, &run](Workshop& w) { return step_figure(what, w.result(run)); }});
   }
 }
@@ -281,7 +280,6 @@ void add_manoeuvre_figures(scene::Chapter& chapter) {
          .title = fmt::format("Designed gains, theta_f = 1 rad: {}", name_of(what).plain),
          .place = std::string("Figure ") + (names.at(i) + 4),
          .needs = {&designed},
-         .seconds = 0.5,
          .show = [what, &designed](Workshop& w) { return manoeuvre_figure(what, w.result(designed)); }});
   }
   chapter.add(
@@ -289,7 +287,6 @@ void add_manoeuvre_figures(scene::Chapter& chapter) {
        .title = "Peaks and settling times with designed and unit gains",
        .place = "our own",
        .needs = {&designed, &unit},
-       .seconds = 0.5,
        .show = [&designed, &unit](Workshop& w) { return manoeuvres(w.result(designed), w.result(unit)); }});
 }
 

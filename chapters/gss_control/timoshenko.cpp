@@ -100,7 +100,6 @@ void add_timoshenko(scene::Chapter& chapter) {
                .title = "Timoshenko's beam for the appendages: how much the modes move",
                .place = "our own",
                .needs = {},
-               .seconds = 0.5,
                .show = [](Workshop&) { return show(); }});
 }
 

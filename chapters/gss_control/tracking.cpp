@@ -121,7 +121,6 @@ void add_tracking(scene::Chapter& chapter) {
                .title = "Following a smooth target: the text's controller, and torque fed forward",
                .place = "our own",
                .needs = {},
-               .seconds = 1,
                .show = [](Workshop& w) { return show(w.quick()); }});
 }
 

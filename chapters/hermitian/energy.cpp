@@ -110,7 +110,6 @@ void add_energy(scene::Chapter& chapter) {
                .title = "Energy of a free Duffing oscillator over 2000 units of time",
                .place = "our own",
                .needs = {&run},
-               .seconds = 0.2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

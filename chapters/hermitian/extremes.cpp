@@ -179,7 +179,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "Relaxation oscillations, fast oscillators, steps far too long",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -107,7 +107,6 @@ void add_orders(scene::Chapter& chapter) {
                .title = "Error against the step for the five pairs of operators",
                .place = "our own",
                .needs = {&run},
-               .seconds = 0.2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

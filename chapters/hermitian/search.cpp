@@ -192,13 +192,11 @@ void add_search(scene::Chapter& chapter) {
                .title = "What fits Tables 4 and 5, and how well chance alone is fitted",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show_fits(w.result(run)); }});
   chapter.add({.name = "peak-search-rows",
                .title = "How many of the nine numbers the combinations give",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show_rows(w.result(run)); }});
 }
 

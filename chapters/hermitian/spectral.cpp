@@ -131,7 +131,6 @@ void add_spectral(scene::Chapter& chapter) {
                .title = "Spectral radius and period error of the five pairs of operators",
                .place = "our own",
                .needs = {&run},
-               .seconds = 0.1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -173,19 +173,16 @@ void add_tables(scene::Chapter& chapter) {
                .title = "The operators, corrected, and their orders",
                .place = "Table 1",
                .needs = {},
-               .seconds = 0.1,
                .show = [](Workshop&) { return show_table_1(); }});
   chapter.add({.name = "table-4",
                .title = "First peak of the Duffing oscillator",
                .place = "Table 4",
                .needs = {&duffing},
-               .seconds = 0.1,
                .show = [&duffing](Workshop& w) { return show_table_4(w.result(duffing)); }});
   chapter.add({.name = "table-5",
                .title = "First peak of the van der Pol oscillator",
                .place = "Table 5",
                .needs = {&van_der_pol},
-               .seconds = 0.1,
                .show = [&van_der_pol](Workshop& w) { return show_table_5(w.result(van_der_pol)); }});
   add_measurements(chapter, duffing, van_der_pol);
 }

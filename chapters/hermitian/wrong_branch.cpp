@@ -95,7 +95,6 @@ void add_wrong_branch(scene::Chapter& chapter) {
                .title = "Newton's iteration converges, and the solution is lost",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -182,7 +182,6 @@ void add_elastica(scene::Chapter& chapter) {
                .title = "Convergence of elements to the exact elastica",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) {
                  const Convergence& c = w.result(run);
                  return scene::Showing{draw(c), tabulate(c), quantities(c)};

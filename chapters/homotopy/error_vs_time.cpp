@@ -309,7 +309,6 @@ void add_error_vs_time(scene::Chapter& chapter) {
                .title = "Digits of the deflection against time, all solvers, before and past the limit point",
                .place = "our own",
                .needs = {&run},
-               .seconds = 5,
                .show = [&run](Workshop& w) {
                  const std::vector<Panel>& panels = w.result(run);
                  return scene::Showing{draw(panels), tabulate(panels), quantities(panels, w.quick())};

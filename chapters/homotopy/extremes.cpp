@@ -256,7 +256,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "Stiff members, many elements, the limit load itself, unhappy starts",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) {
                  const Extremes& x = w.result(run);
                  return scene::Showing{std::nullopt, tabulate(x), quantities(x)};

@@ -122,7 +122,6 @@ void add_histories(scene::Chapter& chapter, const std::vector<Row>& rows, bool e
                  .title = s.title,
                  .place = "Figure " + s.name.substr(4),
                  .needs = needs,
-                 .seconds = 0.1,
                  .show = [s, row](Workshop& w) { return show(s, row, w); }});
   }
 }

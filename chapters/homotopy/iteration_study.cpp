@@ -229,7 +229,6 @@ void add_iteration_study(scene::Chapter& chapter) {
                .title = "Iterations against the step of fictitious time, and against the start",
                .place = "our own",
                .needs = {&run},
-               .seconds = 5,
                .show = [&run](Workshop& w) {
                  const Study& s = w.result(run);
                  return scene::Showing{draw(s), tabulate(s), quantities(s)};

@@ -239,7 +239,6 @@ void add_scene(scene::Chapter& chapter, const std::string& name, const std::stri
                .title = title,
                .place = name.starts_with("fig-") ? "Figure " + name.substr(4) : "our own",
                .needs = {},
-               .seconds = 0.1,
                .show = [show](Workshop&) { return show(); }});
 }
 
@@ -269,7 +268,6 @@ void add_load_deflection(scene::Chapter& chapter) {
                      "Load against deflection, Williams' equation and element, l sin(beta) = {} in", height),
                  .place = std::string("Figure ") + (names.at(i) + 4),
                  .needs = {&run},
-                 .seconds = 0.1,
                  .show = [height, &run](Workshop& w) { return both_models(height, w.result(run)); }});
   }
   add_scene(chapter, "limit-load", "The published loads against the limit load", published_loads);

@@ -270,7 +270,6 @@ void add_load_stepping_study(scene::Chapter& chapter) {
                .title = "Load stepping: where it leaves the path, with other steps and by Newton",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) {
                  const Study& s = w.result(run);
                  return scene::Showing{draw(s), tabulate(s), quantities(s)};

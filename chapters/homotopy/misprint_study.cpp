@@ -148,7 +148,6 @@ void add_misprint_study(scene::Chapter& chapter) {
                .title = "Newton's iteration with the tangent as printed: a cycle about the root",
                .place = "our own",
                .needs = {&cycles},
-               .seconds = 0.2,
                .show = [&cycles](Workshop& w) {
                  const std::vector<Cycle>& all = w.result(cycles);
                  return scene::Showing{draw(all[0]), tabulate(all), quantities(all)};

@@ -252,7 +252,6 @@ void add_solvers(scene::Chapter& chapter) {
                .title = "Every solver on every load",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) {
                  const Solvers& s = w.result(run);
                  return scene::Showing{draw(s), tabulate(s), quantities(s)};

@@ -125,7 +125,6 @@ void add_result_table(scene::Chapter& chapter, const std::string& table, const s
                .title = title,
                .place = "Table " + table.substr(6),
                .needs = needs,
-               .seconds = 0.1,
                .show = [table, rows](Workshop& w) { return show(table, rows, w); }});
 }
 
@@ -149,7 +148,6 @@ void add_parameters(scene::Chapter& chapter) {
        .title = "Parameters of Williams' toggle",
        .place = "Table 2.1",
        .needs = {},
-       .seconds = 0.1,
        .show = [](Workshop&) {
          const frames::Williams w;
          scene::Table table({{"parameter"}, {"printed"}, {"used", 6}, {"unit"}, {"remark"}});

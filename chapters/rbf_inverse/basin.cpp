@@ -183,7 +183,6 @@ void add_basin(scene::Chapter& chapter) {
                .title = "What random guesses lead to: extremals, spurious roots, failures",
                .place = "our own",
                .needs = {&run},
-               .seconds = 18,
                .show = [&run](Workshop& w) {
                  const Basin& basin = w.result(run);
                  return scene::Showing{draw(basin), tabulate(basin), promises(basin, w.quick())};

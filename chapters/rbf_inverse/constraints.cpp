@@ -166,7 +166,6 @@ void add_bounded_control(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "The fixed case under a bound on the force, by continuation",
                .place = "our own",
                .needs = {&run, &run_of(runs.extremals, DuffingCase::fixed)},
-               .seconds = 2,
                .show = [&run, runs](Workshop& w) { return show_bounded(runs, w.result(run), w); }});
 }
 
@@ -178,7 +177,6 @@ void add_interior_point(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "A position prescribed at half the time: the co-state jumps",
                .place = "our own",
                .needs = {&run, &run_of(runs.extremals, DuffingCase::fixed)},
-               .seconds = 3,
                .show = [&run, runs](Workshop& w) { return show_through(runs, w.result(run), w); }});
 }
 

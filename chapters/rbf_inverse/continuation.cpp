@@ -129,7 +129,6 @@ void add_continuation(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "Branches of extremals in T and beta, with their folds",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) {
                  const Lines& lines = w.result(run);
                  return scene::Showing{draw(lines), tabulate(lines), promises(lines)};

@@ -247,7 +247,6 @@ void add_error_vs_time_control(scene::Chapter& chapter) {
                .title = "Digits of the initial co-states against time",
                .place = "our own",
                .needs = {&run},
-               .seconds = 10,
                .show = [&run](Workshop& w) {
                  const auto& panels = w.result(run);
                  return scene::Showing{draw(panels), tabulate(panels), promises(panels, w.quick())};

@@ -89,7 +89,6 @@ void add_error_vs_time_lambert(scene::Chapter& chapter) {
                .title = "Miss against time of a solve",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(run, w); }});
 }
 

@@ -134,7 +134,6 @@ void add_extremals(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "All extremals that the program's own starts find, with cost and kind",
                .place = "our own",
                .needs = needs,
-               .seconds = 8,
                .show = [runs](Workshop& w) {
                  return scene::Showing{draw(runs, w), tabulate(runs, w), promises(runs, w)};
                }});

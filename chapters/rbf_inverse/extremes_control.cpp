@@ -184,7 +184,6 @@ void add_control_extremes(scene::Chapter& chapter) {
                .title = "Strong nonlinearity, long and vanishing times, zero weights, contradictions",
                .place = "our own",
                .needs = {&run},
-               .seconds = 6,
                .show = [&run](Workshop& w) {
                  const Extremes& all = w.result(run);
                  return scene::Showing{{}, tabulate(all), promises(all)};

@@ -105,7 +105,6 @@ void add_from_guesses(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "What the printed method finds from zeros and ten random guesses, and at what cost",
                .place = "our own",
                .needs = needs,
-               .seconds = 8,
                .show = [runs](Workshop& w) { return show(runs, w); }});
 }
 

@@ -110,7 +110,6 @@ void add_guesses(scene::Chapter& chapter) {
                .title = "Which arc each start of Newton's iteration finds",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(run, w); }});
 }
 

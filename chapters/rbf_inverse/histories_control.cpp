@@ -240,7 +240,6 @@ void add_duffing_histories(scene::Chapter& chapter, const DuffingRuns& runs) {
                  .title = "States and control, " + subject.title,
                  .place = fmt::format("Figure 5.{}", subject.figure),
                  .needs = {&run_of(runs.extremals, subject.which), &run_of(runs.printed, subject.which)},
-                 .seconds = 3,
                  .show = [runs, i](Workshop& w) { return show_states(runs, duffing_subjects()[i], w); }});
     for (const bool costates : {false, true}) {
       const int number = subject.figure + (costates ? 2 : 1);
@@ -249,7 +248,6 @@ void add_duffing_histories(scene::Chapter& chapter, const DuffingRuns& runs) {
            .title = fmt::format("{} errors at the nodes, {}", costates ? "Co-state" : "State", subject.title),
            .place = fmt::format("Figure 5.{}", number),
            .needs = {runs.variants[static_cast<std::size_t>(subject.which)]},
-           .seconds = 1,
            .show = [runs, i, costates](Workshop& w) { return show_errors(runs, i, costates, w); }});
     }
   }

@@ -177,14 +177,12 @@ void add_porkchop(scene::Chapter& chapter) {
                .title = "Earth to Mars: excess speeds by departure and arrival",
                .place = "our own",
                .needs = {&mars},
-               .seconds = 1,
                .show = [&mars](Workshop& w) { return show_earth_to_mars(mars, w); }});
   chapter.add(
       {.name = "porkchop-geostationary",
        .title = "Low orbit to the geostationary one: excess speeds by departure and arrival",
        .place = "our own",
        .needs = {&geostationary},
-       .seconds = 1,
        .show = [&geostationary](Workshop& w) { return show_low_to_geostationary(geostationary, w); }});
 }
 

@@ -207,7 +207,6 @@ void add_scalar_homotopy(scene::Chapter& chapter) {
                .title = "Eqs 2.15 and 2.16 as solvers of the collocation equations: how slowly they go",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) {
                  const auto& all = w.result(run);
                  return scene::Showing{draw(all), tabulate(all), promises(all, w.quick())};

@@ -187,7 +187,6 @@ void add_shape_study(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "Errors by shape, number of nodes, and rows of the end conditions",
                .place = "our own",
                .needs = {&run},
-               .seconds = 5,
                .show = [&run](Workshop& w) {
                  const Study& s = w.result(run);
                  return scene::Showing{draw(s), tabulate(s), promises(s)};

@@ -89,7 +89,6 @@ void add_shape_study_lambert(scene::Chapter& chapter) {
                .title = "Miss of the transfer over shape and number of nodes",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(run, w); }});
 }
 

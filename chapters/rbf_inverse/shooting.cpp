@@ -227,7 +227,6 @@ void add_shooting(scene::Chapter& chapter) {
                .title = "Where single shooting converges, and the printed method from the same guess",
                .place = "our own",
                .needs = {&run},
-               .seconds = 8,
                .show = [&run](Workshop& w) {
                  const Map& map = w.result(run);
                  return scene::Showing{draw(map), tabulate(map), promises(map, w.quick())};

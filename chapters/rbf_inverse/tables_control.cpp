@@ -234,7 +234,6 @@ void add_end_conditions(scene::Chapter& chapter) {
                .title = "End conditions of the co-states for each set of prescribed states",
                .place = "Table 5.1",
                .needs = {},
-               .seconds = 0.1,
                .show = show_conditions});
 }
 
@@ -243,7 +242,6 @@ void add_duffing_parameters(scene::Chapter& chapter) {
                .title = "Constants of the Duffing control problem, and what the text leaves out",
                .place = "Table 5.2",
                .needs = {},
-               .seconds = 0.1,
                .show = show_parameters});
 }
 
@@ -276,7 +274,6 @@ void add_boundary_errors(scene::Chapter& chapter, const DuffingRuns& runs) {
                .title = "Residuals of the end conditions: what they measure is the linear solve",
                .place = "Table 5.3",
                .needs = needs,
-               .seconds = 0.1,
                .show = [runs](Workshop& w) { return show_errors(runs, w); }});
 }
 

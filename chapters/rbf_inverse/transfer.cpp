@@ -217,14 +217,12 @@ void add_transfer(scene::Chapter& chapter) {
                .title = "Two positions and a time of flight determine the transfer orbit",
                .place = "Figure 5.19",
                .needs = {runs.izzo},
-               .seconds = 0.1,
                .show = [runs](Workshop& w) { return show_geometry(runs, w); }});
   for (const bool velocity : {false, true}) {
     chapter.add({.name = velocity ? "fig-5.21" : "fig-5.20",
                  .title = velocity ? "Velocity on the transfer orbit" : "Position on the transfer orbit",
                  .place = velocity ? "Figure 5.21" : "Figure 5.20",
                  .needs = {runs.as_printed, runs.izzo, runs.polynomial},
-                 .seconds = 0.1,
                  .show = [runs, velocity](Workshop& w) { return show_history(runs, w, velocity); }});
   }
   chapter.add(
@@ -232,7 +230,6 @@ void add_transfer(scene::Chapter& chapter) {
        .title = "Errors at the ends of the transfer: rounding decides, the stable basis does not mind",
        .place = "Table 5.4",
        .needs = {runs.printed, runs.printed_shape, runs.stable, runs.polynomial, runs.izzo},
-       .seconds = 1,
        .show = [runs](Workshop& w) { return show_errors(runs, w); }});
   for (int k = 0; k < 3; ++k) {
     chapter.add(

@@ -85,7 +85,6 @@ void add(scene::Chapter& chapter, const Example<n>& example, const Comparison& c
                             example.keeping.window_end - example.keeping.window_begin),
        .place = fmt::format("Figure 4.{}", comparison.figure),
        .needs = needs,
-       .seconds = 0.1,
        .show = [example, comparison](Workshop& w) { return show(example, comparison, w); }});
 }
 

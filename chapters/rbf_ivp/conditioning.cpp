@@ -120,7 +120,6 @@ void add_conditioning(scene::Chapter& chapter) {
                .title = "Error of the differentiation matrix and condition of its basis against the shape",
                .place = "our own",
                .needs = {&scans},
-               .seconds = 4,
                .show = [&scans](Workshop& w) { return show(w.result(scans)); }});
 }
 

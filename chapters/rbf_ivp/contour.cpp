@@ -93,7 +93,6 @@ void add_contour(scene::Chapter& chapter) {
                .title = "The flat limit of Gaussians is the polynomial, over shape and number of nodes",
                .place = "our own",
                .needs = {&runs},
-               .seconds = 2,
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 

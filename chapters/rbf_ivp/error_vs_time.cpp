@@ -64,7 +64,6 @@ void add_scene(scene::Chapter& chapter, const Subject& subject, const Case<n>& (
        .heading = subject.heading,
        .reading = "default settings over one sweep of tolerances; steps of fixed-step methods by hand, "
                   "beginning with the dissertation's",
-       .seconds = 5,
        .measure = [problem, scales](bool quick) { return measure(problem(), scales, quick); },
        .promises = [subject](const comparison::Costs& costs,
                              bool quick) { return promises(costs, subject, quick); }});
@@ -101,7 +100,6 @@ void add_held_back(scene::Chapter& chapter) {
                 .heading = "Parameters held back while tuning (eta = 10, x = 2): digits against cost",
                 .reading = "free Duffing oscillator with eta = 10 from x = 2 to t = 100; one sweep of "
                            "tolerances for all",
-                .seconds = 3,
                 .measure = measure_held_back,
                 .promises = [](const comparison::Costs& costs, bool quick) -> std::vector<scene::Quantity> {
                   return {quick ? at_quick_tolerance(costs, "adaptive-collocation")

@@ -95,7 +95,6 @@ void add_three_masses(scene::Chapter& chapter) {
                .title = "Three masses: the three positions in time by ode45",
                .place = "Figure 4.31",
                .needs = {&ode45},
-               .seconds = 0.1,
                .show = [&ode45](scene::Workshop& w) { return show_response(w.result(ode45)); }});
   // oracle: rbf_ivp_methods 4.6 * v1
   const std::vector<History> figures = {

@@ -233,7 +233,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "How every method ends where there is no solution, and collocations at their limits",
                .place = "our own",
                .needs = {&ends, &odd},
-               .seconds = 3,
                .show = [&ends, &odd](Workshop& w) { return show(w.result(ends), w.result(odd)); }});
 }
 

@@ -123,7 +123,6 @@ void add_fixed_step_more_nodes(scene::Chapter& chapter) {
                .title = "Error against the number of nodes at a fixed step",
                .place = "our own",
                .needs = {&curves},
-               .seconds = 2,
                .show = [&curves](Workshop& w) { return show(w.result(curves)); }});
 }
 

@@ -188,7 +188,6 @@ void add(scene::Chapter& chapter, const Example<n>& example, const std::vector<H
                                       row.reading.method, row.reading.setting),
                  .place = fmt::format("Figure 4.{}", history.figure),
                  .needs = row.needs(),
-                 .seconds = 0.1,
                  .show = [example, row, history](Workshop& w) { return show(example, row, history, w); }});
   }
 }

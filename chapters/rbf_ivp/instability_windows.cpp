@@ -233,7 +233,6 @@ void add_instability_windows(scene::Chapter& chapter) {
                         "with one stiff spring",
                .place = "our own",
                .needs = {&growths},
-               .seconds = 6,
                .show = [&growths](Workshop& w) { return show(w.result(growths), w.quick()); }});
 }
 

@@ -74,7 +74,6 @@ void add_kernels(scene::Chapter& chapter) {
                .title = "The four radial functions of Eq. 4.8 and their derivatives",
                .place = "our own",
                .needs = {},
-               .seconds = 0.1,
                .show = [](scene::Workshop&) { return show(); }});
 }
 

@@ -155,7 +155,6 @@ void add_ladder(scene::Chapter& chapter) {
                .title = "From the dissertation's algorithm to the adaptive integrator, step by step",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

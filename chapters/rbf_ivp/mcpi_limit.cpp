@@ -231,7 +231,6 @@ void add_mcpi_limit(scene::Chapter& chapter) {
                .title = "Picard's contraction factor, and the largest step that converges",
                .place = "our own",
                .needs = {&limits},
-               .seconds = 1,
                .show = [&limits](Workshop& w) { return show(w.result(limits), w.quick()); }});
   chapter.add({.name = "elgohary/claim-4.4.1/MCPI/largest step before divergence",
                .needs = {&limits},

@@ -319,7 +319,6 @@ void add_node_study(scene::Chapter& chapter) {
                .title = "Placed nodes, own shapes, least squares and refinement with equally many unknowns",
                .place = "our own",
                .needs = {&study},
-               .seconds = 12,
                .show = [&study](Workshop& w) { return show(w.result(study), w.quick()); }});
 }
 

@@ -187,7 +187,6 @@ void add_orders(scene::Chapter& chapter) {
                .title = "Observed order of every method",
                .place = "our own",
                .needs = {&series, &linear},
-               .seconds = 2,
                .show = [&series, &linear](Workshop& w) { return show(w.result(series), w.result(linear)); }});
 }
 

@@ -131,7 +131,6 @@ void add(scene::Chapter& chapter, const std::string& number, const std::string& 
                .title = title,
                .place = "Table " + number,
                .needs = {},
-               .seconds = 0.1,
                .show = [show](Workshop&) { return show(); }});
 }
 

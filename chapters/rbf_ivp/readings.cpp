@@ -119,7 +119,6 @@ void add_readings(scene::Chapter& chapter) {
                .title = "How many readings were tried, and how many printed errors each explains",
                .place = "our own",
                .needs = {&tried},
-               .seconds = 2,
                .show = [&tried](Workshop& w) { return show(w.result(tried)); }});
 }
 

@@ -123,7 +123,6 @@ void add(scene::Chapter& chapter, const Example<n>& example) {
                .title = example.title + ": step, error and time of each run, published beside ours",
                .place = "Table " + example.table.substr(6),
                .needs = needs,
-               .seconds = 1,
                .show = [example](Workshop& w) {
                  const std::vector<Line> all = lines(example, w);
                  return scene::Showing{draw(all, example.title), tabulate(all), promises(example, w)};

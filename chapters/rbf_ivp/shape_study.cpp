@@ -246,7 +246,6 @@ void add_shape_study(scene::Chapter& chapter) {
                .title = "The shape by leave-one-out cross-validation, and by the error itself",
                .place = "our own",
                .needs = {&runs},
-               .seconds = 3,
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 

@@ -283,7 +283,6 @@ void add_solver_study(scene::Chapter& chapter) {
        .title = "Scalar homotopies, Picard and Newton on the equations of an interval",
        .place = "our own",
        .needs = {&rows, &trials},
-       .seconds = 8,
        .show = [&rows, &trials](Workshop& w) { return show(w.result(rows), w.result(trials), w.quick()); }});
 }
 

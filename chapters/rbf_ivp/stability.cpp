@@ -246,7 +246,6 @@ void add_stability(scene::Chapter& chapter) {
                .title = "Every method on stiff problems: largest step of use, digits, or how it fails",
                .place = "our own",
                .needs = {&fates},
-               .seconds = 12,
                .show = [&fates](Workshop& w) { return show(w.result(fates), w.quick()); }});
 }
 

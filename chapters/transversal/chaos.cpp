@@ -121,7 +121,6 @@ void add_transversal_chaos(scene::Chapter& chapter) {
                .title = "A periodic and a chaotic regime by MTL, p = 3",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -120,7 +120,6 @@ void add_transversal_drawing(scene::Chapter& chapter) {
                .title = "True and linearised paths cross at the grid points, p = 4",
                .place = "Figure 1",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

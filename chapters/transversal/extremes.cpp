@@ -186,7 +186,6 @@ void add_transversal_extremes(scene::Chapter& chapter) {
                .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
                .place = "our own",
                .needs = {&run},
-               .seconds = 3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

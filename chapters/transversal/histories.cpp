@@ -94,7 +94,6 @@ void add_transversal_histories(scene::Chapter& chapter) {
                .title = "Driven hardening Duffing oscillator by RK6 and MTL, p = 3, at three steps",
                .place = "Figure 2",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -96,7 +96,6 @@ void add_transversal_orders(scene::Chapter& chapter) {
                .title = "Observed orders for p = 1 to 6, and of hat functions",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

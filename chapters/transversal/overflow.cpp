@@ -165,7 +165,6 @@ void add_transversal_overflow(scene::Chapter& chapter) {
                .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
                .place = "our own, for Figure 2",
                .needs = {&soft, &stiff},
-               .seconds = 2,
                .show = [&soft, &stiff](Workshop& w) { return show(w.result(soft), w.result(stiff)); }});
   chapter.add({.name = "roy/fig-2/sixth-order Runge-Kutta/overflows at step",
                .needs = {&soft},

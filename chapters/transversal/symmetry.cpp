@@ -127,7 +127,6 @@ void add_transversal_symmetry(scene::Chapter& chapter) {
                .title = "Energy over a long time; area; there and back",
                .place = "our own",
                .needs = {&run},
-               .seconds = 1,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

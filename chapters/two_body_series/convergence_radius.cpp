@@ -187,7 +187,6 @@ void add_convergence_radius(scene::Chapter& chapter) {
                .title = "Printed steps against the radius of convergence along the orbit",
                .place = "our own",
                .needs = {&run},
-               .seconds = 0.3,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -207,7 +207,6 @@ void add_cost(scene::Chapter& chapter) {
                .title = "What a step costs by its order, and a run by its orbits",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

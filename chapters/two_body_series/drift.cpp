@@ -260,7 +260,6 @@ void add_drift(scene::Chapter& chapter) {
                .title = "Energy over ten thousand orbits: what compensation and divisions are worth",
                .place = "our own",
                .needs = {&run},
-               .seconds = 12,
                .show = [&run](Workshop& w) { return show(w.result(run), w.quick()); }});
 }
 

@@ -122,7 +122,6 @@ void add_elements(scene::Chapter& chapter) {
                .title = "Elements of both orbits from the printed states",
                .place = "Equations 3.72 and 3.74",
                .needs = {},
-               .seconds = 0.1,
                .show = [](Workshop&) { return show(); }});
 }
 

@@ -30,7 +30,6 @@ struct Subject {
   int order;               ///< of fixed continuation
   std::vector<int> steps;  ///< an orbit, coarse first
   int printed;             ///< index of the dissertation's among them; -1: none
-  double seconds;          ///< of the scene
   double low, high;        ///< error of these, recorded
 };
 
@@ -155,7 +154,6 @@ void add_scene(scene::Chapter& chapter, const Subject& subject) {
                 .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in "
                            "default settings, fixed steps by hand; errors are |dr|/a against Kepler's "
                            "equation in 50 digits",
-                .seconds = subject.seconds,
                 .variables = {{"floor_right", "1"}},  // Kepler stands at the left end
                 .measure = [subject](bool quick) { return measure(subject, quick); },
                 .promises = [subject](const comparison::Costs& costs,
@@ -171,7 +169,6 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 10,
                       .steps = {15, 25, 35, 50, 70, 100, 140},
                       .printed = 1,
-                      .seconds = 3,
                       .low = 1e-7,  // 7.6 m of 7.309e6 m
                       .high = 1e-5});
   add_scene(chapter, {.name = "heo",
@@ -180,7 +177,6 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 30,
                       .steps = {50, 70, 100, 140},
                       .printed = 2,
-                      .seconds = 4,
                       .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
                       .high = 9e-10});
   add_scene(chapter, {.name = "e099",
@@ -189,7 +185,6 @@ void add_error_vs_time(scene::Chapter& chapter) {
                       .order = 30,
                       .steps = {10'000, 14'000, 20'000, 28'000},
                       .printed = -1,
-                      .seconds = 5,
                       .low = 0,
                       .high = 0});
 }

@@ -239,7 +239,6 @@ void add_extremes(scene::Chapter& chapter) {
                .title = "Thin ellipses, collisions, flybys, units: what each method answers",
                .place = "our own",
                .needs = {&run},
-               .seconds = 5,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -90,7 +90,6 @@ void add_history(scene::Chapter& chapter, const PublishedRuns& runs) {
                .title = fmt::format("{}: relative energy error over 20 orbits", runs.orbit.name),
                .place = low ? "Figure 3.22" : "Figure 3.23",
                .needs = needs,
-               .seconds = 0.3,
                .show = [runs](Workshop& w) { return show(runs, w); }});
 }
 

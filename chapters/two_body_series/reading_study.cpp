@@ -307,7 +307,6 @@ void add_reading_study(scene::Chapter& chapter, const PublishedRuns& low, const 
                .title = "Which degrees and steps the printed energy errors fit",
                .place = "our own, for Tables 3.2 and 3.3",
                .needs = needs,
-               .seconds = 1,
                .show = [low, high, &of_low, &of_high](Workshop& w) {
                  return show(low, high, w.result(of_low), w.result(of_high), w);
                }});

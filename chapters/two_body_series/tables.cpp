@@ -202,7 +202,6 @@ void add_table(scene::Chapter& chapter, const PublishedRuns& runs) {
                             runs.orbit.name),
        .place = "Table " + table.substr(6),
        .needs = needs,
-       .seconds = 1,
        .show = [runs](Workshop& w) { return show(runs, w); }});
 }
 

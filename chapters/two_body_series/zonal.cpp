@@ -214,7 +214,6 @@ void add_zonal(scene::Chapter& chapter) {
                .title = "Orbits of a day with zonal harmonics, and their difference to Kepler",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 

@@ -20,7 +20,6 @@ nlmech::scene::Chapter basel() {
                .title = "What the partial sums miss",
                .place = "our own",
                .needs = {&sums},
-               .seconds = 0.1,
                .show = [&sums](Workshop& workshop) {
                  const std::vector<double>& sum = workshop.result(sums);
                  Table table({{"terms"}, {"sum", 8}});

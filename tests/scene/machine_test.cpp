@@ -106,8 +106,8 @@ TEST_F(TheMachine, IsTakenInTurn) {
   ::waitpid(child, nullptr, 0);
 }
 
-// Who waits has the first processor as soon as the workshop, which holds it, has little left to do.
-TEST_F(TheMachine, IsKeptByAWorkshopWithMuchToDo) {
+// Who waits has the first processor as soon as the workshop, which holds it, has few scenes left.
+TEST_F(TheMachine, IsKeptByAWorkshopWithManyScenesLeft) {
   Workshop workshop(false);
   workshop.take_turn(100);
   const pid_t child = ::fork();

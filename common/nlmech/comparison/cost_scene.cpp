@@ -24,7 +24,6 @@ void add_cost_scene(scene::Chapter& chapter, const CostScene& what) {
        .title = what.heading,
        .place = "our own",
        .needs = {&run},
-       .seconds = what.seconds,
        .show = [&run, what](scene::Workshop& w) {
          const Costs& costs = w.result(run);
          scene::Figure figure = cost_figure(costs.curves, what.heading, costs.condition);

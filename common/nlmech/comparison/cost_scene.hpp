@@ -38,7 +38,6 @@ struct CostScene {
   std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
   std::string heading;  ///< "Driven Duffing oscillator to t = 50: digits against cost"
   std::string reading;  ///< of the run: settings, and what else is particular
-  double seconds = 5;   ///< estimated time on one core
   std::map<std::string, std::string> variables = {};  ///< further ones of the template
   std::function<Costs(bool quick)> measure = {};      ///< called at most once a process
   std::function<std::vector<scene::Quantity>(const Costs&, bool quick)> promises = {};  ///< of the scene

@@ -153,16 +153,14 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
 
   Workshop workshop(quick);
   ChapterCheck result;
-  double seconds = 0;
-  for (const Scene& scene : chapter.scenes()) seconds += scene.seconds;
+  std::size_t left = chapter.scenes().size();
   for (const PublishedValue& value : values) {
-    workshop.take_turn(seconds);
+    workshop.take_turn(left);
     result.values.push_back(check_value(value, chapter, workshop));
   }
   refuse_orphans(chapter, result.values);
   for (const Scene& scene : chapter.scenes()) {
-    workshop.take_turn(seconds);
-    seconds -= scene.seconds;
+    workshop.take_turn(left--);
     for (CheckedQuantity& q : check_scene(chapter, scene, workshop, how))
       result.quantities.push_back(std::move(q));
   }

@@ -28,11 +28,11 @@ struct Options {
 };
 
 void list(const Chapter& chapter, bool csv) {
-  Table table({{"scene"}, {"place"}, {"title"}, {"runs"}, {"seconds"}});
+  Table table({{"scene"}, {"place"}, {"title"}, {"runs"}});
   for (const Scene& s : chapter.scenes()) {
     std::vector<std::string_view> runs;
     for (const AnyRun* run : s.needs) runs.push_back(run->name());
-    table.add({s.name, s.place, s.title, fmt::format("{}", fmt::join(runs, " ")), s.seconds});
+    table.add({s.name, s.place, s.title, fmt::format("{}", fmt::join(runs, " "))});
   }
   const std::optional<std::size_t> width = csv ? std::nullopt : terminal_width(STDOUT_FILENO);
   print_result(csv     ? table.csv()
@@ -52,13 +52,6 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options)
     if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
   }
   return scenes;
-}
-
-/// From one of them on.
-double seconds_of(const std::vector<const Scene*>& scenes, std::size_t first) {
-  double sum = 0;
-  for (std::size_t i = first; i < scenes.size(); ++i) sum += scenes[i]->seconds;
-  return sum;
 }
 
 /// On a terminal one line a scene; silence in a pipe.
@@ -88,7 +81,7 @@ int run(const Chapter& chapter, const Options& options) {
   int code = 0;
   std::size_t done = 0;
   for (const Scene* scene : scenes) {
-    workshop.take_turn(seconds_of(scenes, done));
+    workshop.take_turn(scenes.size() - done);
     const Stopwatch watch;
     const Doing doing("computing " + scene->name);
     try {
@@ -129,9 +122,8 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   Options options;
   int code = 0;
 
-  CLI::App* lister = app.add_subcommand("list",
-                                        "Scenes, what they show and need, and their time in seconds: columns "
-                                        "on a terminal, Markdown in a pipe");
+  CLI::App* lister = app.add_subcommand(
+      "list", "Scenes, what they show and need: columns on a terminal, Markdown in a pipe");
   lister->add_flag("--csv", options.csv, "as CSV");
   lister->callback([&] { list(chapter, options.csv); });
 

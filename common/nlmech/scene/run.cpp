@@ -7,9 +7,9 @@
 
 namespace nlmech::scene {
 
-void Workshop::take_turn(double seconds) {
-  constexpr double much = 15;
-  if (!machine_ || (processor_ && seconds > much)) return;
+void Workshop::take_turn(std::size_t scenes_left) {
+  constexpr std::size_t many = 12;
+  if (!machine_ || (processor_ && scenes_left > many)) return;
   processor_.reset();
   processor_.emplace(*machine_);
 }

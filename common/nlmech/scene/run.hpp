@@ -66,10 +66,9 @@ class Workshop {
   /// Is less work asked for?
   [[nodiscard]] bool quick() const { return quick_; }
 
-  /// To be called before each scene: waits for this program's turn to compute, unless quick. With much left
-  /// to do it keeps its turn, so that a long chapter is not the last and alone.
-  /// @param seconds what the scenes that are left take
-  void take_turn(double seconds);
+  /// To be called before each scene: waits for this program's turn to compute, unless quick. With many scenes
+  /// left it keeps its turn, so that a long chapter is not the last and alone.
+  void take_turn(std::size_t scenes_left);
 
   /// The run's result; computed at the first call in the life of the process.
   /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its

@@ -55,7 +55,6 @@ struct Scene {
   std::string title;                       ///< what there is to see
   std::string place;                       ///< "Figure 2.27", or "our own"
   std::vector<const AnyRun*> needs;        ///< the runs that it uses, and no others
-  double seconds = 0;                      ///< estimated time on one core, for the list
   std::function<Showing(Workshop&)> show;  ///< computes it; no side effects
 };
 
