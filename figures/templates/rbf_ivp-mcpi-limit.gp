@@ -14,9 +14,9 @@
 if (!exists("heading")) heading = "Picard's iteration against the step"
 
 on(panel, n)   = strcol("panel") eq panel && abs(column("series") - n) < 1e-6 ? column("abscissa") : NaN
-orders = "8 16 32 100"
+orders = "8 16 32 100 500"
 steps  = "0.3 0.5 0.55 0.57 0.6"
-array style[4] = [5, 4, 2, 1]
+array style[5] = [5, 4, 2, 1, 3]
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 
@@ -62,6 +62,6 @@ set xtics 0.1
 set ytics 0.05
 set arrow 2 from 0, 0.5 to 0.5, 0.5 nohead linestyle 11
 set key bottom left horizontal samplen 2 spacing 1.05
-plot for [i = 1:4] data using (on("phase", real(word(orders, i)))):"ordinate" with steps linestyle style[i] \
+plot for [i = 1:5] data using (on("phase", real(word(orders, i)))):"ordinate" with steps linestyle style[i] \
     title "N = " . word(orders, i)
 unset multiplot
