@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -73,6 +74,71 @@ scene::Showing show_phase(const Motions& m) {
   return showing;
 }
 
+/// The oscillator beside the linear equations of a small distance from its motion.
+struct WithDistance {
+  static constexpr int dimension = 4;
+  problems::ForcedDuffing duffing;
+
+  template <class T>
+  void operator()(const T& t, const Vector<T, 4>& x, Vector<T, 4>& dxdt) const {
+    Vector<T, 2> state(x[0], x[1]), slope;
+    duffing(t, state, slope);
+    dxdt[0] = slope[0];
+    dxdt[1] = slope[1];
+    dxdt[2] = x[3];
+    dxdt[3] = -duffing.damping * x[3] - 3 * duffing.hardening * (x[0] * x[0] * x[2]);
+  }
+};
+
+struct Starts {
+  std::vector<Sample<2>> near;  ///< from (3.1, 4.1), every twentieth to t = 100
+  std::vector<double> apart;    ///< distance in the plane of u and u' from the motion from (3, 4)
+  double growth;                ///< ln of the factor by which a small distance grows to t = 100
+};
+
+Starts start_nearby(const Motions& m) {
+  const auto& c = forced_duffing_example();
+  Starts starts{sampled<2>(c.system, {3.1, 4.1}, 0, 100, accurate_series(), 0.05), {}, 0};
+  for (std::size_t i = 0; i < starts.near.size(); ++i)
+    starts.apart.push_back((starts.near[i].x - m.accurate[i].x).norm());
+  const ivp::State<4> x0 = {3, 4, 1, 1};
+  const auto end = ivp::integrate(ivp::System<4>(WithDistance{}), x0, 0, 100, accurate_series());
+  if (!end.status.ok()) throw Failure(end.status);
+  starts.growth = std::log(end.x.tail<2>().norm() / x0.tail<2>().norm());
+  return starts;
+}
+
+scene::Showing show_starts(const Motions& m, const Starts& starts) {
+  scene::Table data({{"t"}, {"u"}, {"u_near"}, {"distance"}});
+  double first_above_1 = NAN, greatest = 0;
+  for (std::size_t i = 0; i <= 1000; ++i) {
+    data.add({m.accurate[i].t, m.accurate[i].x[0], starts.near[i].x[0], starts.apart[i]});
+    greatest = std::max(greatest, starts.apart[i]);
+    if (std::isnan(first_above_1) && starts.apart[i] > 1) first_above_1 = m.accurate[i].t;
+  }
+  scene::Showing showing;
+  showing.figure = {
+      std::move(data),
+      "algebraic_series-duffing-starts",
+      {{"heading", "Forced Duffing oscillator: starts 0.14 apart part within one period of the load"}}};
+  const Sample<2>&half = starts.near.at(1000), &full = starts.near.back();
+  // oracle: algebraic_series_starts
+  const char* known =
+      "tools/oracles/algebraic_series_starts.py; rounding grows by e^8 to t = 100, some more between";
+  showing.quantities = {
+      scene::near("u(50) from (3.1, 4.1)", "1", half.x[0], 1.254152050872493, 1e-10, known),
+      scene::near("u'(50) from (3.1, 4.1)", "1", half.x[1], 0.9521933087271156, 1e-10, known),
+      scene::near("u(100) from (3.1, 4.1)", "1", full.x[0], 0.2992477399516473, 1e-8, known),
+      scene::near("u'(100) from (3.1, 4.1)", "1", full.x[1], 2.943136901297957, 1e-8, known),
+      scene::near("distance at t = 0", "1", starts.apart.front(), std::sqrt(0.02), 1e-12, "0.1 in both"),
+      scene::near("distance at t = 50", "1", starts.apart[1000], 4.61340, 1e-5, known),
+      scene::near("greatest distance to t = 50", "1", greatest, 8.06175, 1e-5, known),
+      scene::near("time at which the distance exceeds 1", "1", first_above_1, 5.50, 1e-9, known),
+      scene::near("ln of the growth of a small distance to t = 100", "1", starts.growth, 8.33467, 1e-5,
+                  known)};
+  return showing;
+}
+
 }  // namespace
 
 void add_forced_duffing(scene::Chapter& chapter) {
@@ -91,6 +157,16 @@ void add_forced_duffing(scene::Chapter& chapter) {
                .place = "Figure 4b",
                .needs = {&run},
                .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
+  const auto& starts =
+      chapter.add_run<Starts>("forced-duffing-starts", "from u = 3.1, u' = 4.1, to t = 100", {&run},
+                              [&run](Workshop& w) { return start_nearby(w.result(run)); });
+  chapter.add(
+      {.name = "duffing-starts",
+       .title = "Forced Duffing oscillator from (3, 4) and from (3.1, 4.1)",
+       .place = "our own",
+       .needs = {&run, &starts},
+       .seconds = 1,
+       .show = [&run, &starts](Workshop& w) { return show_starts(w.result(run), w.result(starts)); }});
 }
 
 }  // namespace nlmech::chapters

@@ -10,7 +10,7 @@ namespace nlmech::chapters {
 void add_projectile(scene::Chapter& chapter);      ///< figure 1
 void add_bodies(scene::Chapter& chapter);          ///< table 1, figure 2
 void add_lorenz(scene::Chapter& chapter);          ///< figures 3a and 3b
-void add_forced_duffing(scene::Chapter& chapter);  ///< figures 4a and 4b
+void add_forced_duffing(scene::Chapter& chapter);  ///< figures 4a and 4b, and another start
 void add_oscillator(scene::Chapter& chapter);      ///< figures 5 and 6a
 void add_poincare(scene::Chapter& chapter);        ///< figure 6b, and the island chain that it is part of
 
