@@ -43,7 +43,7 @@ std::vector<Line> lines(const Example<n>& example, Workshop& w) {
               row.nominal->reading(),
               {},
               measure(example, row, w),
-              record.milliseconds,
+              w.result(*row.time),
               record.statistics};
     if (!row.reading.row.empty()) {
       const scene::PublishedValue& value = printed.at(name_in_source(example, row));
@@ -115,6 +115,7 @@ void add(scene::Chapter& chapter, const Example<n>& example) {
   std::vector<const scene::AnyRun*> needs;
   for (const Row<n>& row : example.rows) {
     for (const scene::AnyRun* run : row.needs()) needs.push_back(run);
+    needs.push_back(row.time);
     if (row.reading.row.empty()) continue;
     chapter.add(scene::Measurement{name_in_source(example, row), row.needs(),
                                    [example, row](Workshop& w) { return measure(example, row, w); }});

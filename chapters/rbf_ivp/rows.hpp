@@ -10,6 +10,7 @@
 
 #include "chapters/rbf_ivp/runs.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters {
 
@@ -44,7 +45,8 @@ struct Row {
   Reading reading;
   const scene::Run<Record<n>>* nominal;   ///< settings as printed
   const scene::Run<Record<n>>* inferred;  ///< the same run, unless the inferred reading has other settings
-  Procedure<n> procedure;                 ///< of the nominal run, whose time the table shows
+  const scene::Run<double>* time;         ///< of the nominal run, ms; only the table shows it
+  Procedure<n> procedure;                 ///< of the nominal run
 
   /// RMS error to the printed end.
   [[nodiscard]] double nominal_error(scene::Workshop& w) const {
@@ -77,14 +79,16 @@ struct Example {
   void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
            Procedure<n> procedure) {
     const auto& added = add_run(chapter, run, how, procedure);
-    rows.push_back({std::move(reading), &added, &added, std::move(procedure)});
+    const auto& time = add_time(chapter, run, how, procedure);
+    rows.push_back({std::move(reading), &added, &added, &time, std::move(procedure)});
   }
   /// Adds a row whose inferred reading has settings of its own.
   void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
            Procedure<n> as_printed, const std::string& how_inferred, Procedure<n> inferred) {
     const auto& nominal = add_run(chapter, run, how, as_printed);
     const auto& other = add_run(chapter, run + "-inferred", how_inferred, std::move(inferred));
-    rows.push_back({std::move(reading), &nominal, &other, std::move(as_printed)});
+    const auto& time = add_time(chapter, run, how, as_printed);
+    rows.push_back({std::move(reading), &nominal, &other, &time, std::move(as_printed)});
   }
   /// The row of a method. @throws std::out_of_range if there is none
   [[nodiscard]] const Row<n>& row(const std::string& method) const {
@@ -99,11 +103,18 @@ struct Example {
                                        const std::string& how, Procedure<n> procedure) const {
     return chapter.add_run<Record<n>>(
         name + "-" + run, how, {},
-        [made = made, procedure = std::move(procedure), keeping = keeping](scene::Workshop& w) {
-          Keeping chosen = keeping;
-          chosen.repeats = w.quick() ? 1 : 9;
-          return record<n>(made(), made().t1, procedure, chosen);
+        [made = made, procedure = std::move(procedure), keeping = keeping](scene::Workshop&) {
+          return record<n>(made(), made().t1, procedure, keeping);
         });
+  }
+  const scene::Run<double>& add_time(scene::Chapter& chapter, const std::string& run, const std::string& how,
+                                     Procedure<n> procedure) const {
+    return chapter.add_run<double>(name + "-" + run + "-time", how + "; one thread, median of nine, ms", {},
+                                   [made = made, procedure = std::move(procedure)](scene::Workshop& w) {
+                                     const Case<n>& c = made();
+                                     const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
+                                     return 1e3 * time_repeats(once, w.quick() ? 1 : 9).median;
+                                   });
   }
 };
 

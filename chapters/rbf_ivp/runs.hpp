@@ -46,7 +46,6 @@ struct Record {
   std::vector<Value> values;  ///< in the order of time
   std::vector<Drawn> window;  ///< over the asked window
   Statistics statistics;      ///< of one integration
-  double milliseconds = 0;    ///< median time of repeats
 };
 
 /// An integration of an example: from its begin to a time, with a method and its settings.
@@ -75,12 +74,11 @@ template <class Method>
   };
 }
 
-/// What of an integration is kept, and how often it is timed.
+/// What of an integration is kept.
 struct Keeping {
   double window_begin = 0;   ///< of the dense output that is kept
   double window_end = 0;     ///< none is kept if the begin is not before the end
   int window_samples = 400;  ///< intervals of the window
-  int repeats = 0;           ///< timed integrations; none if 0
 };
 
 /// Integrates to @p end and records.
@@ -110,10 +108,6 @@ template <int n>
   const ivp::Solution<n> solution = procedure(c, end, observe);
   if (!solution.status.ok()) throw Failure(solution.status);
   kept.statistics = solution.statistics;
-  if (keeping.repeats > 0) {
-    const auto again = [&] { static_cast<void>(procedure(c, end, {})); };
-    kept.milliseconds = 1e3 * time_repeats(again, keeping.repeats).median;
-  }
   return kept;
 }
 
