@@ -36,11 +36,6 @@ struct Words {
   std::vector<std::string> set;
 };
 
-// The paper's Duffing oscillator is the only one here.
-struct Duffing : problems::ForcedDuffing {
-  static constexpr std::string_view name = "duffing";
-};
-
 std::string section_rows(const Words& words) {
   double count = 0;
   if (!scene::parse_number(words.sections, count) || count != std::floor(count) || count < 1 || count > 1e7)
@@ -76,8 +71,9 @@ void add_poincare_command(CLI::App& app) {
 void algebraic_series_work(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
-      &own_problem<problems::Lorenz>, &own_problem<Duffing>, &own_problem<problems::StrongOscillator>,
-      &own_problem<problems::Projectile>, &own_problem<problems::FourBodies>};
+      &own_problem<problems::Lorenz>, &own_problem<problems::ForcedDuffing>,
+      &own_problem<problems::StrongOscillator>, &own_problem<problems::Projectile>,
+      &own_problem<problems::FourBodies>};
   comparison::add_integrate_command(app, problems, {"series"});
   comparison::add_compare_command(app, problems, "algebraic_series");
   add_poincare_command(app);

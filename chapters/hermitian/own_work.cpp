@@ -37,10 +37,10 @@ std::string peak_rows(const Words& words) {
   const double step = scene::typed_positive("--step", words.step);
   const ivp::HermitianPair pair =
       comparison::about("--method", [&] { return ivp::hermitian_pair(words.method); });
-  if (words.problem != "duffing" && words.problem != "van-der-pol")
-    throw InputError(
-        fmt::format("--problem {}: there is no such problem; there is duffing, van-der-pol", words.problem));
-  const Case what = words.problem == "duffing" ? duffing_case() : van_der_pol_case();
+  if (words.problem != "driven-duffing" && words.problem != "van-der-pol")
+    throw InputError(fmt::format(
+        "--problem {}: there is no such problem; there is driven-duffing, van-der-pol", words.problem));
+  const Case what = words.problem == "driven-duffing" ? duffing_case() : van_der_pol_case();
   // The peaks lie at 2.45 and 4.60; a step beyond that sees none.
   const Peak peak = first_peak(what, {.operators = pair, .step = step}, 40);
   if (!peak.status.ok()) throw Failure(peak.status);
@@ -50,7 +50,7 @@ std::string peak_rows(const Words& words) {
 void add_peak_command(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("peak", "The first peak of the paper's oscillators, as CSV: t,peak");
-  command->add_option("--problem", words->problem, "duffing (from rest) or van-der-pol (from 0.01)")
+  command->add_option("--problem", words->problem, "driven-duffing (from rest) or van-der-pol (from 0.01)")
       ->required();
   command->add_option("--method", words->method, "laier, argyris, newmark, hoff or bazzi")->required();
   command->add_option("--step", words->step, "length of a step")->required();

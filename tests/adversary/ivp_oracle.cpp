@@ -22,7 +22,7 @@ Question any_question(Draw& draw) {
     case 1: return question<problems::ImpactDuffing>(draw, "rbf_ivp", "impact", 100);
     case 2: return question<problems::ThreeMassChain>(draw, "rbf_ivp", "three-dof", 100);
     case 3: return question<problems::VanDerPol>(draw, "rbf_ivp", "van-der-pol", 20);
-    case 4: return question<problems::DrivenDuffing>(draw, any, "duffing", 100);
+    case 4: return question<problems::DrivenDuffing>(draw, any, "driven-duffing", 100);
     case 5: return question<problems::TwoDof>(draw, any, "two-dof", 100);
     case 6: return question<problems::LinearOscillator>(draw, any, "linear", 100);
     case 7: return question<problems::VanDerPol>(draw, any, "van-der-pol", 20);
@@ -31,7 +31,7 @@ Question any_question(Draw& draw) {
     case 10: return question<problems::Projectile>(draw, "algebraic_series", "projectile", 30, true);
     case 11: return question<problems::FourBodies>(draw, "algebraic_series", "bodies", 1000, true);
     case 12: return question<problems::ThreeMassChain>(draw, "rbf_ivp", "three-dof", 20);
-    default: return question<problems::ForcedDuffing>(draw, "algebraic_series", "duffing", 100);
+    default: return question<problems::ForcedDuffing>(draw, "algebraic_series", "forced-duffing", 100);
   }
 }
 

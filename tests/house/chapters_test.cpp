@@ -170,6 +170,36 @@ TEST_P(EveryChapter, WritesOnlyTheSceneThatIsAskedFor) {
   for (const auto& [name, bytes] : files) EXPECT_TRUE(its_own.contains(name)) << scene << " wrote " << name;
 }
 
+/// Problems of `integrate`, and their equations: what its help says between "Problems" and "Methods".
+std::map<std::string, std::string> problems_of(const std::string& chapter) {
+  const TemporaryFolder folder;
+  const scene::Finished help =
+      scene::run_program({NLMECH_BINARY_DIR "/bin/" + chapter, "integrate", "--help"}, folder.path());
+  std::map<std::string, std::string> problems;
+  if (help.exit_code != 0) return problems;  // a chapter without problems in time
+  std::istringstream lines(help.output.substr(std::min(help.output.find("Problems"), help.output.size())));
+  for (std::string line; std::getline(lines, line) && !line.starts_with("Methods");) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("  ") && line[2] != ' ' && colon != std::string::npos)
+      problems[line.substr(2, colon - 2)] = line.substr(colon + 2);
+  }
+  return problems;
+}
+
+// A user who takes a command from one page to another chapter gets the same equation, or none.
+TEST(Problems, OneNameIsOneEquation) {
+  std::map<std::string, std::string> equations, owners;
+  for (const std::string& chapter : chapters()) {
+    for (const auto& [name, equation] : problems_of(chapter)) {
+      const auto known = equations.emplace(name, equation).first;
+      const std::string& owner = owners.emplace(name, chapter).first->second;
+      EXPECT_EQ(equation, known->second) << name << " of " << chapter << " and of " << owner;
+    }
+  }
+  const auto all = chapters();
+  if (std::find(all.begin(), all.end(), "rbf_ivp") != all.end()) EXPECT_TRUE(equations.contains("duffing"));
+}
+
 INSTANTIATE_TEST_SUITE_P(House, EveryChapter, ::testing::ValuesIn(chapters()),
                          [](const auto& chapter) { return chapter.param; });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EveryChapter);

@@ -15,15 +15,15 @@ namespace nlmech::problems {
 
 /// x'' + c x' + k x + m x^3 = f cos(w t). State (x, v). The values are those of x'' + x + x^3 = cos t.
 struct DrivenDuffing {
-  static constexpr int dimension = 2;                  ///< position and velocity
-  static constexpr std::string_view name = "duffing";  ///< on command lines and in tables
-  static constexpr double initial_time = 0;            ///< t_0
-  static constexpr double final_time = 50;             ///< some periods of the force
-  double damping = 0;                                  ///< c
-  double stiffness = 1;                                ///< k
-  double hardening = 1;                                ///< m
-  double force = 1;                                    ///< f
-  double frequency = 1;                                ///< w, rad/time
+  static constexpr int dimension = 2;                         ///< position and velocity
+  static constexpr std::string_view name = "driven-duffing";  ///< on command lines and in tables
+  static constexpr double initial_time = 0;                   ///< t_0
+  static constexpr double final_time = 50;                    ///< some periods of the force
+  double damping = 0;                                         ///< c
+  double stiffness = 1;                                       ///< k
+  double hardening = 1;                                       ///< m
+  double force = 1;                                           ///< f
+  double frequency = 1;                                       ///< w, rad/time
 
   /// The equation as one types it.
   static constexpr std::string_view equation =

@@ -37,7 +37,7 @@ TEST(Integrate, EveryProblemToItsReference) {
   };
   const std::vector<Known> all = {
       {"lorenz --until 20 --tolerance 1e-14", "t,u,v,w", 1, 20, -1.356348984580380, 1e-5},
-      {"duffing --until 50", "t,u,v", 1, 50, 1.221946638567542, 1e-6},
+      {"forced-duffing --until 50", "t,u,v", 1, 50, 1.221946638567542, 1e-6},
       {"oscillator --until 378.14159265358979", "t,x,v", 1, 378.14159265358979, -0.302938936512582, 1e-6},
       {"projectile --until 9.84601516944855", "t,x,y,z,vx,vy,vz", 1, 9.84601516944855, 38476.6981780052,
        1e-4},
@@ -67,7 +67,8 @@ TEST(Integrate, PublishedStepAndOrder) {
 
 TEST(Integrate, RowsAtEqualDistancesAndParameters) {
   const Finished f = algebraic_series(
-      "integrate --problem duffing --set damping=0 --set force=0 --initial 1,0 --until 1 --every 0.25");
+      "integrate --problem forced-duffing --set damping=0 --set force=0 --initial 1,0 --until 1 --every "
+      "0.25");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   const auto rows = scene::parse_numbers(f.output, "output", {"t", "u", "v"});
   EXPECT_EQ(rows.column[0], (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
@@ -111,12 +112,12 @@ struct Bad {
 
 TEST(OwnWork, BadInputIsNamed) {
   const std::vector<Bad> cases = {
-      {"integrate --problem duffing --until 1 --order 101", {"--order", "101"}},
-      {"integrate --problem duffing --until 1 --order 1", {"--order", "1"}},
-      {"integrate --problem duffing --until 1 --order 2.5", {"--order", "2.5"}},
-      {"integrate --problem duffing --until 1 --step -1", {"--step", "-1"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --tolerance 1e-9", {"--step", "--tolerance"}},
-      {"integrate --problem dufing --until 1", {"--problem", "dufing", "duffing"}},
+      {"integrate --problem forced-duffing --until 1 --order 101", {"--order", "101"}},
+      {"integrate --problem forced-duffing --until 1 --order 1", {"--order", "1"}},
+      {"integrate --problem forced-duffing --until 1 --order 2.5", {"--order", "2.5"}},
+      {"integrate --problem forced-duffing --until 1 --step -1", {"--step", "-1"}},
+      {"integrate --problem forced-duffing --until 1 --step 0.1 --tolerance 1e-9", {"--step", "--tolerance"}},
+      {"integrate --problem duffing --until 1", {"--problem", "duffing", "forced-duffing"}},
       {"integrate --problem lorenz --until 1 --initial 1,2", {"--initial", "1,2", "u,v,w"}},
       {"integrate --problem lorenz --until 1 --set q=1", {"--set", "q=1"}},
       {"compare --problem lorenz --until 1 --methods ode45 --order 20", {"--order 20", "ode45"}},
@@ -135,7 +136,7 @@ TEST(OwnWork, BadInputIsNamed) {
 
 // A fixed step across a pole ends in a failure, or in nonsense that is finite; here in a failure.
 TEST(Integrate, FailureSaysWhereAndWhatToChange) {
-  const Finished f = algebraic_series("integrate --problem duffing --until 100 --step 0.7 --order 80");
+  const Finished f = algebraic_series("integrate --problem forced-duffing --until 100 --step 0.7 --order 80");
   EXPECT_EQ(f.exit_code, 1) << f.errors;
   EXPECT_EQ(f.output, "");
   for (const std::string word : {"series", "t = "})

@@ -36,15 +36,15 @@ struct Known {
 TEST(Peak, IsThatOfTheLimitAndOfTheTables) {
   // oracle: transversal_motions Laier's *
   const std::vector<Known> all = {
-      {"duffing --method laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
-      {"duffing --method argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"driven-duffing --method laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"driven-duffing --method argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
       {"van-der-pol --method laier --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
       {"van-der-pol --method argyris --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
-      {"duffing --method laier --step 0.2", 2.4505, 0.538264556, 1e-9},
-      {"duffing --method argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
-      {"duffing --method newmark --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"duffing --method hoff --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"duffing --method bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"driven-duffing --method laier --step 0.2", 2.4505, 0.538264556, 1e-9},
+      {"driven-duffing --method argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
+      {"driven-duffing --method newmark --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"driven-duffing --method hoff --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"driven-duffing --method bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
       {"van-der-pol --method newmark --step 0.2", 4.5895, -0.312725, 5e-7}};
   for (const Known& k : all) {
     const Finished f = hermitian("peak --problem " + k.words);
@@ -79,8 +79,8 @@ TEST(Integrate, EveryProblemByEveryOperator) {
     std::vector<std::string> header;
   };
   const std::vector<Asked> all = {
-      {"duffing --until 10", {"t", "x1", "v1"}},
-      {"duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x1", "v1"}},
+      {"driven-duffing --until 10", {"t", "x1", "v1"}},
+      {"driven-duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x1", "v1"}},
       {"van-der-pol --until 5", {"t", "x1", "v1"}},
       {"van-der-pol --set mu=3 --initial 2,0 --until 2", {"t", "x1", "v1"}},
       {"two-dof --until 10", {"t", "x1", "x2", "v1", "v2"}}};
@@ -103,7 +103,7 @@ TEST(Integrate, EveryProblemByEveryOperator) {
 
 TEST(Compare, BesideAPeer) {
   const Finished f =
-      hermitian("compare --problem duffing --until 10 --methods laier,ode45,newmark --tolerance 1e-8");
+      hermitian("compare --problem driven-duffing --until 10 --methods laier,ode45,newmark --tolerance 1e-8");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   const auto records = scene::parse_csv(f.output, "output");
   ASSERT_EQ(records.size(), 4U);
@@ -117,18 +117,19 @@ TEST(OwnWork, BadInputIsNamed) {
     std::vector<std::string> says;
   };
   const std::vector<Bad> cases = {
-      {"peak --problem duffing --method laier --step 0", {"--step", "0"}},
-      {"peak --problem duffing --method laier --step x", {"--step", "x"}},
-      {"peak --problem duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
+      {"peak --problem driven-duffing --method laier --step 0", {"--step", "0"}},
+      {"peak --problem driven-duffing --method laier --step x", {"--step", "x"}},
+      {"peak --problem driven-duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
       {"peak --problem lorenz --method laier --step 0.1", {"--problem", "lorenz", "van-der-pol"}},
-      {"peak --problem duffing --step 0.1", {"--method"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --method rk4", {"--method", "rk4", "laier"}},
-      {"integrate --problem duffing --until 1 --step -0.1", {"--step", "-0.1"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --set mass=2", {"--set", "mass=2", "damping"}},
+      {"peak --problem driven-duffing --step 0.1", {"--method"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --method rk4", {"--method", "rk4", "laier"}},
+      {"integrate --problem driven-duffing --until 1 --step -0.1", {"--step", "-0.1"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --set mass=2",
+       {"--set", "mass=2", "damping"}},
       {"integrate --problem two-dof --until 1 --step 0.1 --initial 1,2", {"--initial", "1,2"}},
       {"integrate --problem dufing --until 1", {"--problem", "dufing", "two-dof"}},
-      {"integrate --problem duffing --until x", {"--until", "x"}}};
+      {"integrate --problem driven-duffing --until x", {"--until", "x"}}};
   for (const Bad& bad : cases) {
     const Finished f = hermitian(bad.words);
     EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;

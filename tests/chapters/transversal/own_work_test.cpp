@@ -34,7 +34,7 @@ TEST(Integrate, EveryProblemToItsReference) {
   };
   const std::vector<Known> all = {
       // oracle: transversal_motions driven Duffing *, van der Pol *
-      {"duffing --until 50 --step 0.005 --points 5", "t,x1,v1", 50, 1.203734404401093, 1e-9},
+      {"driven-duffing --until 50 --step 0.005 --points 5", "t,x1,v1", 50, 1.203734404401093, 1e-9},
       {"van-der-pol --until 40 --step 0.002", "t,x1,v1", 40, 1.872808279858090, 1e-6},
       // x = cos t, whatever the step.
       {"linear --until 30 --step 3 --points 2", "t,x1,v1", 30, std::cos(30.), 1e-13},
@@ -64,13 +64,13 @@ TEST(Integrate, RowsAtEqualDistancesWithinBlocks) {
 }
 
 TEST(Integrate, ToleranceFindsAStep) {
-  const Finished f = transversal("integrate --problem duffing --until 50 --points 5 --tolerance 1e-8");
+  const Finished f = transversal("integrate --problem driven-duffing --until 50 --points 5 --tolerance 1e-8");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_NEAR(std::stod(scene::parse_csv(f.output, "output").at(2).cells.at(1)), 1.203734404401093, 1e-7);
 }
 
 TEST(Compare, BesideAPeer) {
-  const Finished f = transversal("compare --problem duffing --until 5 --methods mtl,rk6 --step 0.01");
+  const Finished f = transversal("compare --problem driven-duffing --until 5 --methods mtl,rk6 --step 0.01");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   const auto records = scene::parse_csv(f.output, "output");
   ASSERT_EQ(records.size(), 3U);
@@ -85,16 +85,17 @@ struct Bad {
 
 TEST(OwnWork, BadInputIsNamed) {
   const std::vector<Bad> cases = {
-      {"integrate --problem duffing --until 1 --step 0.1 --points 9", {"--points", "9"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --points 0", {"--points", "0"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --points 2.5", {"--points", "2.5"}},
-      {"integrate --problem duffing --until 1 --step -0.1", {"--step", "-0.1"}},
-      {"integrate --problem duffing --until 1 --step 0", {"--step", "0"}},
-      {"integrate --problem duffing --until x --step 0.1", {"--until", "x"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --points 9", {"--points", "9"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --points 0", {"--points", "0"}},
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --points 2.5", {"--points", "2.5"}},
+      {"integrate --problem driven-duffing --until 1 --step -0.1", {"--step", "-0.1"}},
+      {"integrate --problem driven-duffing --until 1 --step 0", {"--step", "0"}},
+      {"integrate --problem driven-duffing --until x --step 0.1", {"--until", "x"}},
       {"integrate --problem pendulum --until 1 --step 0.1", {"--problem", "pendulum", "two-dof"}},
       {"integrate --problem two-dof --until 1 --step 0.1 --initial 1,2", {"--initial", "1,2", "x1,x2,v1,v2"}},
-      {"integrate --problem duffing --until 1 --step 0.1 --set q=1", {"--set", "q=1"}},
-      {"compare --problem duffing --until 1 --methods rk4 --step 0.1 --points 3", {"--points 3", "rk4"}}};
+      {"integrate --problem driven-duffing --until 1 --step 0.1 --set q=1", {"--set", "q=1"}},
+      {"compare --problem driven-duffing --until 1 --methods rk4 --step 0.1 --points 3",
+       {"--points 3", "rk4"}}};
   for (const Bad& bad : cases) {
     const Finished f = transversal(bad.words);
     EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;
