@@ -27,6 +27,7 @@ scene::Chapter rbf_ivp_chapter() {
   add_contour(chapter);
   add_node_study(chapter);
   add_solver_study(chapter);
+  add_chaos(chapter);
   add_ladder(chapter);
   add_held_back(chapter);
   return chapter;

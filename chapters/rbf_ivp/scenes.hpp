@@ -32,6 +32,7 @@ void add_contour(scene::Chapter& chapter);  ///< the flat limit is the polynomia
 void add_node_study(
     scene::Chapter& chapter);  ///< placed nodes, shapes of their own, least squares, refinement
 void add_solver_study(scene::Chapter& chapter);  ///< scalar homotopy, Picard and Newton on the same equations
+void add_chaos(scene::Chapter& chapter);         ///< RBF-Coll on aperiodic and chaotic motions
 void add_ladder(scene::Chapter& chapter);        ///< what each step to the adaptive integrator bought
 void add_held_back(scene::Chapter& chapter);  ///< error against time with parameters that were never tuned on
 
