@@ -74,7 +74,7 @@ scene::Showing show(const std::vector<Errors>& all) {
   showing.figure = {
       std::move(data), "hermitian-orders", {{"heading", "Orders 4, 4 and 2"}, {"width", "900"}}};
   showing.table = std::move(table);
-  for (const std::string problem : {"duffing", "van-der-pol"}) {
+  for (const std::string problem : {"driven-duffing", "van-der-pol"}) {
     for (const std::string row : {"laier", "argyris", "newmark"}) {
       showing.quantities.push_back(scene::near(fmt::format("order of {}, {}", row, problem), "1",
                                                of(all, problem, row).order(3), row == "newmark" ? 2 : 4, 0.03,
