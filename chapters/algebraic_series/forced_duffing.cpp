@@ -165,7 +165,6 @@ void add_forced_duffing(scene::Chapter& chapter) {
        .title = "Forced Duffing oscillator from (3, 4) and from (3.1, 4.1)",
        .place = "our own",
        .needs = {&run, &starts},
-       .seconds = 1,
        .show = [&run, &starts](Workshop& w) { return show_starts(w.result(run), w.result(starts)); }});
 }
 

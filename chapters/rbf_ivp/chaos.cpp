@@ -290,7 +290,6 @@ void add_chaos(scene::Chapter& chapter) {
                .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",
                .place = "our own",
                .needs = {&runs},
-               .seconds = 3,
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 
