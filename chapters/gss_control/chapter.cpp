@@ -17,6 +17,7 @@ scene::Chapter gss_control_chapter() {
   add_optimal_gains(chapter);
   add_delay_margin(chapter);
   add_lyapunov(chapter);
+  add_energies(chapter);
   add_tracking(chapter);
   add_timoshenko(chapter);
   add_extremes(chapter);

@@ -21,6 +21,7 @@ void add_accuracy(scene::Chapter& chapter);                ///< three evaluation
 void add_optimal_gains(scene::Chapter& chapter);           ///< the cost over the gains
 void add_delay_margin(scene::Chapter& chapter);            ///< what a delay does
 void add_lyapunov(scene::Chapter& chapter);                ///< V along the motion
+void add_energies(scene::Chapter& chapter);                ///< what k2 dissipates
 void add_tracking(scene::Chapter& chapter);                ///< a moving target
 void add_timoshenko(scene::Chapter& chapter);              ///< shear and rotary inertia
 void add_extremes(scene::Chapter& chapter);                ///< stiff and extreme spacecraft

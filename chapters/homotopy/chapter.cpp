@@ -22,6 +22,7 @@ scene::Chapter homotopy_chapter() {
   add_misprint_study(chapter);
   add_elastica(chapter);
   add_solvers(chapter);
+  add_newton_cost(chapter);
   add_extremes(chapter);
   add_error_vs_time(chapter);
   return chapter;

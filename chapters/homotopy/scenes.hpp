@@ -28,6 +28,7 @@ void add_load_stepping_study(scene::Chapter& chapter);  ///< load stepping in ot
 void add_misprint_study(scene::Chapter& chapter);       ///< the cycle that Eq. 2.35 as printed makes
 void add_solvers(scene::Chapter& chapter);              ///< every solver on every load
 void add_elastica(scene::Chapter& chapter);             ///< element convergence to the exact curve
+void add_newton_cost(scene::Chapter& chapter);          ///< operations of assembly and of solving
 void add_extremes(scene::Chapter& chapter);             ///< stiff, many elements, at the limit load
 void add_error_vs_time(scene::Chapter& chapter);        ///< digits of the deflection against time
 

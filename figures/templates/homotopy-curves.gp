@@ -6,7 +6,7 @@
 # Variables: data, xlabel, ylabel (required); legend and looks (required: one entry a curve in the order of the data,
 # separated by |; a look is a letter, l line, b line and points, p points, d dots, t thin line,
 # u or v small triangles up or down, and a line style);
-# heading, xrange, yrange ("[0:1]"), logy, key ("top left"), below (if it exists, the key stands below
+# heading, xrange, yrange ("[0:1]"), logx, logy, key ("top left"), below (if it exists, the key stands below
 # the axis), labels ("text@x@y@side|...") (optional).
 #
 # Data: CSV with the header `curve,x,y`, a blank line between curves.
@@ -27,6 +27,12 @@ if (exists("logy")) {
   set ytics (1)
   do for [k = -16:6:2] {set ytics add (sprintf("10^{%d}", k) 10.0**k)}
   set ytics add ("1" 1)
+}
+
+if (exists("logx")) {
+  set logscale x
+  set xtics (1)
+  do for [k = 1:6] {set xtics add (sprintf("10^{%d}", k) 10.0**k)}
 }
 
 if (exists("labels")) {

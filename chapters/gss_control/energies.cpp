@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/gss_control/craft.hpp"
+#include "chapters/gss_control/plots.hpp"
+#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/spacecraft/assumed_modes.hpp"
+#include "nlmech/spacecraft/lyapunov.hpp"
+#include "nlmech/spacecraft/parseval.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using scene::Workshop;
+using spacecraft::Complex;
+using spacecraft::DiscreteModel;
+using spacecraft::Gains;
+using spacecraft::Parameters;
+
+constexpr int modes = 10;
+
+/// Of a slew from rest by 1 rad, from 0 to infinity.
+struct Integrals {
+  double hub = 0;    ///< int I_hub theta'^2/2 dt, lb ft s
+  double beams = 0;  ///< int of strain energy and kinetic energy about the hub, both appendages, lb ft s
+  double error = 0;  ///< int (theta - 1)^2 dt, s
+};
+
+/// Integrals of quadratic forms along the motion of a discrete model under the controller,
+///
+///     M x'' + C x' + K (x - x_f) = 0,  M = diag(I_hub, 0) + kappa/2 M_appendages,  C = diag(k3, 0),
+///     K = diag(k1, 0) + kappa/2 K_appendages,
+///
+/// in coordinates a = Omega U^-1 (x - x_f), b = U^-1 x' with U^T M U = I and U^T K U = Omega^2.
+class Motion {
+ public:
+  Motion(const DiscreteModel& model, const Gains& gains) {
+    const double part = (2 + gains.k2) / 2;
+    MatrixXd mass = part * model.full_mass(), stiffness = part * model.full_stiffness();
+    mass(0, 0) += (1 - part) * model.hub_inertia;
+    stiffness(0, 0) += gains.k1;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> own(stiffness, mass);
+    const Index n = mass.rows();
+    const VectorXd omega = own.eigenvalues().cwiseSqrt();
+    MatrixXd a = MatrixXd::Zero(2 * n, 2 * n);
+    a.topRightCorner(n, n) = omega.asDiagonal();
+    a.bottomLeftCorner(n, n) = -MatrixXd(omega.asDiagonal());
+    a.bottomRightCorner(n, n) = -gains.k3 * own.eigenvectors().row(0).transpose() * own.eigenvectors().row(0);
+    const Eigen::EigenSolver<MatrixXd> motions(a);
+    rates_ = motions.eigenvalues();
+    VectorXd start = VectorXd::Zero(2 * n);
+    start.head(n) = omega.asDiagonal() * own.eigenvectors().transpose() * mass.col(0) * -1.;
+    const Eigen::MatrixXcd vectors =
+        motions.eigenvectors() *
+        motions.eigenvectors().partialPivLu().solve(start.cast<Complex>()).asDiagonal();
+    displacements_ =
+        (own.eigenvectors() * omega.cwiseInverse().asDiagonal()).cast<Complex>() * vectors.topRows(n);
+    velocities_ = own.eigenvectors().cast<Complex>() * vectors.bottomRows(n);
+  }
+
+  /// int (x - x_f)^T Q (x - x_f) dt.
+  [[nodiscard]] double of_displacements(const MatrixXd& q) const { return integral(displacements_, q); }
+  /// int x'^T Q x' dt.
+  [[nodiscard]] double of_velocities(const MatrixXd& q) const { return integral(velocities_, q); }
+
+ private:
+  /// x = sum_i x_i e^(p_i t): each pair leaves -x_i^T Q x_j/(p_i + p_j).
+  [[nodiscard]] double integral(const Eigen::MatrixXcd& x, const MatrixXd& q) const {
+    const Eigen::MatrixXcd pairs = x.transpose() * q.cast<Complex>() * x;
+    Complex sum = 0;
+    for (Index i = 0; i < pairs.rows(); ++i) {
+      for (Index j = 0; j < pairs.cols(); ++j) sum -= pairs(i, j) / (rates_[i] + rates_[j]);
+    }
+    return sum.real();
+  }
+
+  Eigen::VectorXcd rates_;
+  Eigen::MatrixXcd displacements_, velocities_;
+};
+
+Integrals integrals(const DiscreteModel& model, const Gains& gains) {
+  const Motion motion(model, gains);
+  const Index n = model.size() + 1;
+  MatrixXd angle = MatrixXd::Zero(n, n), strain = angle, kinetic = angle;
+  angle(0, 0) = 1;
+  strain.bottomRightCorner(n - 1, n - 1) = model.stiffness / 2;
+  kinetic.bottomRightCorner(n - 1, n - 1) = model.mass / 2;
+  return {model.hub_inertia / 2 * motion.of_velocities(angle),
+          motion.of_displacements(strain) + motion.of_velocities(kinetic), motion.of_displacements(angle)};
+}
+
+/// The same in closed form, all modes.
+Integrals closed_form(const Parameters& p, const Gains& k) {
+  const double length = p.length, bending = p.youngs_modulus * p.second_moment;
+  // sum 1/omega_n^2 of the hub-locked appendage: the trace of Green's function with its masses.
+  const double sum = (p.mass_per_length * std::pow(length, 4) / 12 + p.tip_mass * std::pow(length, 3) / 3 +
+                      p.tip_inertia * length) /
+                     bending;
+  return {p.hub_inertia * k.k1 / (4 * k.k3), k.k1 * k.k1 * sum / (k.k3 * (2 + k.k2)),
+          spacecraft::step_costs(p, k, 0).error};
+}
+
+/// The last times at which an energy is a hundredth of its peak.
+struct Fading {
+  double hub = 0, beams = 0;  ///< s
+};
+
+Fading fading(const DiscreteModel& model, const Gains& gains, double until) {
+  spacecraft::DiscreteLoop loop(model, gains, 1, 0.01);
+  std::vector<std::array<double, 2>> energies;
+  while (loop.time() < until) {
+    loop.advance();
+    const VectorXd q = loop.displacement().tail(model.size()), v = loop.velocity();
+    const VectorXd w = v.tail(model.size());
+    energies.push_back(
+        {model.hub_inertia * v[0] * v[0] / 2, (q.dot(model.stiffness * q) + w.dot(model.mass * w)) / 2});
+  }
+  std::array<double, 2> last = {}, peak = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const auto& e : energies) peak.at(i) = std::max(peak.at(i), e.at(i));
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+      if (energies[k].at(i) > 0.01 * peak.at(i)) last.at(i) = 0.01 * static_cast<double>(k + 1);
+    }
+  }
+  return {last[0], last[1]};
+}
+
+struct Set {
+  const char* name;
+  Gains gains;
+};
+constexpr std::array sets = {Set{"unit", unit_gains}, Set{"designed", designed_gains}};
+
+Gains with_load(Gains gains, double k2) {
+  gains.k2 = k2;
+  return gains;
+}
+
+scene::Figure draw(const DiscreteModel& model) {
+  Plot plot("The sign of {/:Italic k}_2 changes nothing; its size the beams", "{/:Italic k}_2");
+  plot.x_range(-2, 4);
+  plot.panel("integral over that at {/:Italic k}_2 = 0");
+  plot.y_range(0, 4);
+  const Parameters p = craft(true);
+  const Integrals zero = closed_form(p, with_load(unit_gains, 0));
+  constexpr std::array names = {"energy of the hub", "energy of the beams", "(θ - θ_f)^2"};
+  constexpr std::array parts = {&Integrals::hub, &Integrals::beams, &Integrals::error};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    plot.begin(names.at(i), fmt::format("l{}", i + 1));
+    for (const double k2 : equidistant(-1.9, 4, 119))
+      plot.add(k2, closed_form(p, with_load(unit_gains, k2)).*parts.at(i) / (zero.*parts.at(i)));
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    plot.begin(i == 0 ? "ten modes" : "", fmt::format("p{}", i + 1));
+    for (const double k2 : {-1.5, -1.0, -0.5, 0.0, 1.0, 2.0, 3.0})
+      plot.add(k2, integrals(model, with_load(unit_gains, k2)).*parts.at(i) / (zero.*parts.at(i)));
+  }
+  return plot.with("key1", "top right").take();
+}
+
+scene::Showing show() {
+  const Parameters p = craft(true);
+  const DiscreteModel model = spacecraft::assumed_modes(p, modes, spacecraft::ModeFunctions::eigenfunctions);
+  scene::Table table({{"k1"},
+                      {"k2"},
+                      {"k3"},
+                      {"energy of the hub (lb ft s)", 5},
+                      {"energy of the beams (lb ft s)", 5},
+                      {"(theta - theta_f)^2 (s)", 5},
+                      {"hub below 1 % of its peak from (s)", 4},
+                      {"beams (s)", 4}});
+  std::vector<scene::Quantity> quantities;
+  for (const Set& set : sets) {
+    for (const double k2 : {-0.5, 0.0, 1.0}) {
+      const Gains gains = with_load(set.gains, k2);
+      const Integrals found = integrals(model, gains), exact = closed_form(p, gains);
+      const Fading last = fading(model, gains, 400);
+      table.add({gains.k1, gains.k2, gains.k3, found.hub, found.beams, found.error, last.hub, last.beams});
+      const std::string of = fmt::format("{} k1 and k3, k2 = {:g}", set.name, k2);
+      quantities.push_back(scene::near("energy of the hub, " + of, "lb ft s", found.hub, exact.hub, 1e-9,
+                                       "I_hub k1/(4 k3) by Parseval's theorem, for any number of modes"));
+      quantities.push_back(scene::near("energy of the beams, " + of, "lb ft s", found.beams, exact.beams,
+                                       1e-4, "k1^2/(k3 (2 + k2)) times the sum of 1/omega_n^2"));
+      quantities.push_back(scene::near("error of the angle, " + of, "s", found.error, exact.error, 1e-4,
+                                       "k3/(2 k1) + (I_hub + (2 + k2) B_0)/(2 k3)"));
+      fmt::print("{} {} {} {} {} {}\n", of, found.hub / exact.hub - 1, found.beams / exact.beams - 1,
+                 found.error / exact.error - 1, last.hub, last.beams);
+    }
+  }
+  return {draw(model), table, quantities};
+}
+
+}  // namespace
+
+void add_energies(scene::Chapter& chapter) {
+  chapter.add({.name = "energies",
+               .title = "Energies of the hub and of the beams by the gain on the root load",
+               .place = "our own",
+               .needs = {},
+               .seconds = 1,
+               .show = [](Workshop&) { return show(); }});
+}
+
+}  // namespace nlmech::chapters
