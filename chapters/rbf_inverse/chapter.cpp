@@ -28,6 +28,7 @@ scene::Chapter rbf_inverse_chapter() {
   add_guesses(chapter);
   add_shape_study_lambert(chapter);
   add_porkchop(chapter);
+  add_lambert_extremes(chapter);
   add_error_vs_time_lambert(chapter);
   return chapter;
 }

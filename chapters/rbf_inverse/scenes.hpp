@@ -32,6 +32,7 @@ void add_transfer(scene::Chapter& chapter);               ///< figures 5.19 to 5
 void add_guesses(scene::Chapter& chapter);                ///< what a guess leads to
 void add_shape_study_lambert(scene::Chapter& chapter);    ///< shapes and nodes
 void add_porkchop(scene::Chapter& chapter);               ///< maps of transfers
+void add_lambert_extremes(scene::Chapter& chapter);       ///< angles, times, revolutions, units
 void add_error_vs_time_lambert(scene::Chapter& chapter);  ///< digits against time
 
 // Commands.
