@@ -21,6 +21,7 @@ scene::Chapter gss_control_chapter() {
   add_tracking(chapter);
   add_timoshenko(chapter);
   add_extremes(chapter);
+  add_loop_extremes(chapter);
   add_error_vs_time_response(chapter);
   add_error_vs_time_step(chapter);
   return chapter;

@@ -25,6 +25,7 @@ void add_energies(scene::Chapter& chapter);                ///< what k2 dissipat
 void add_tracking(scene::Chapter& chapter);                ///< a moving target
 void add_timoshenko(scene::Chapter& chapter);              ///< shear and rotary inertia
 void add_extremes(scene::Chapter& chapter);                ///< stiff and extreme spacecraft
+void add_loop_extremes(scene::Chapter& chapter);           ///< extreme gains, stiff beams, delays
 void add_error_vs_time_response(scene::Chapter& chapter);  ///< digits of theta/u against time
 void add_error_vs_time_step(scene::Chapter& chapter);      ///< digits of a step response against time
 
