@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "chapters/drawing.hpp"
+#include "chapters/homotopy/counted.hpp"
 #include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/iterations.hpp"
+#include "nlmech/frames/toggle.hpp"
 
 namespace nlmech::chapters {
 namespace {
@@ -136,6 +138,39 @@ TEST(Iterations, RowsAreThoseOfTheTables) {
 TEST(Curves, BlanksBesideMarkupStay) {
   EXPECT_EQ(with_kept_blanks("load {/:Italic W} (lb)"), "load \u200b{/:Italic W}\u200b (lb)");
   EXPECT_EQ(with_kept_blanks("plain text"), "plain text");
+}
+
+// Four operations on a variable; none on constants.
+TEST(Counted, CountsWhatAVariableTakesPartIn) {
+  std::int64_t operations = 0;
+  const Counted x(4., &operations), y = 3 * x + sqrt(x) - 1;
+  EXPECT_EQ(y.value, 13);
+  EXPECT_EQ(operations, 4);
+  EXPECT_EQ((Counted(2) * Counted(3)).value, 6);
+  EXPECT_EQ(abs(-y).value, 13);
+  EXPECT_EQ(operations, 4);
+}
+
+// Numbers that count are those of double, to the rounding of a pole that double knows to more digits.
+TEST(Counted, TangentIsThatOfDouble) {
+  const frames::ToggleFrame toggle = make_frame(frames::Toggle{.height = 0.44, .elements = 4});
+  const Eigen::Index n = toggle.frame.size();
+  EXPECT_EQ(n, 10);
+  std::int64_t operations = 0;
+  Eigen::VectorXd x(n);
+  Eigen::Matrix<Counted, Eigen::Dynamic, 1> at(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    x[i] = 1e-3 * std::cos(static_cast<double>(i));
+    at[i] = {x[i], &operations};
+  }
+  Eigen::SparseMatrix<double> expected;
+  Eigen::SparseMatrix<Counted> found;
+  ASSERT_TRUE(toggle.frame.tangent<double>(x, expected).ok());
+  ASSERT_TRUE(toggle.frame.tangent<Counted>(at, found).ok());
+  ASSERT_EQ(found.nonZeros(), expected.nonZeros());
+  const double largest = Eigen::MatrixXd(expected).cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < expected.nonZeros(); ++k)
+    EXPECT_NEAR(found.valuePtr()[k].value, expected.valuePtr()[k], 1e-13 * largest);
 }
 
 }  // namespace
