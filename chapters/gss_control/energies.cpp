@@ -240,7 +240,6 @@ void add_energies(scene::Chapter& chapter) {
                .title = "Energies of the hub and of the beams by the gain on the root load",
                .place = "our own",
                .needs = {},
-               .seconds = 1,
                .show = [](Workshop&) { return show(); }});
 }
 

@@ -218,7 +218,6 @@ void add_loop_extremes(scene::Chapter& chapter) {
                .title = "Extreme closed loops: gains, stiff beams, delays",
                .place = "our own",
                .needs = {},
-               .seconds = 1,
                .show = [](Workshop&) { return show(); }});
 }
 

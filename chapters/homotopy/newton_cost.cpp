@@ -374,7 +374,6 @@ void add_newton_cost(scene::Chapter& chapter) {
                .title = "Operations of one iteration of Newton's: assembly, and solving in four ways",
                .place = "our own",
                .needs = {&run},
-               .seconds = 2,
                .show = [&run](Workshop& w) {
                  const Costs& c = w.result(run);
                  return scene::Showing{draw(c), tabulate(c), quantities(c)};

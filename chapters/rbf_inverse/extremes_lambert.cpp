@@ -208,7 +208,6 @@ void add_lambert_extremes(scene::Chapter& chapter) {
                .title = "Lambert's problem at its edges: angles, times, revolutions, units",
                .place = "our own",
                .needs = {},
-               .seconds = 1,
                .show = [](Workshop&) { return show(); }});
 }
 
