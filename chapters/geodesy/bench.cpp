@@ -78,7 +78,8 @@ std::vector<scene::SpeedClaim> claims(const std::vector<Contender>& all, const P
   for (const std::string set : {"baseline", "avx2", "avx512"}) {
     for (const std::string method :
          {"Bowring 1976, 2 iterations", "Bowring 1985, 2 iterations", "Fukushima 2006, 2 iterations"}) {
-      add("fast, batch " + set, method + ", batch " + set, 1);
+      // In the baseline as fast on one processor that was tried, and a third faster on another.
+      add("fast, batch " + set, method + ", batch " + set, set == "baseline" ? 0.9 : 1);
     }
   }
   return out;
