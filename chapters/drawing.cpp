@@ -13,19 +13,6 @@ Spot operator*(double s, Spot a) { return {s * a.x, s * a.y}; }
 double length(Spot a) { return std::hypot(a.x, a.y); }
 Spot direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-std::string with_kept_blanks(std::string text) {
-  const std::string mark = "\u200b";  // a space of no width
-  for (const char* const edge : {" {", "} "}) {
-    for (std::size_t at = 0; (at = text.find(edge, at)) != std::string::npos; at += mark.size() + 1)
-      text.insert(at + 1, mark);
-  }
-  // A sub- or superscript of one letter ends without a brace.
-  for (std::size_t at = 0; (at = text.find_first_of("_^", at)) != std::string::npos; ++at) {
-    if (at + 2 < text.size() && text[at + 2] == ' ') text.insert(at + 2, mark);
-  }
-  return text;
-}
-
 void Drawing::path(const std::string& kind, const std::vector<Spot>& points) {
   ++paths_;
   for (const Spot& p : points) table_.add({kind, paths_, p.x, p.y, 0.0, 0.0});

@@ -20,9 +20,7 @@ struct Spot {
 [[nodiscard]] double length(Spot a);         ///< from the origin
 [[nodiscard]] Spot direction(double angle);  ///< of length one; radians, from the x axis
 
-/// A text whose blanks beside marked-up words stay: some viewers of SVG drop them where markup begins or
-/// ends.
-[[nodiscard]] std::string with_kept_blanks(std::string text);
+using scene::with_kept_blanks;
 
 /// Collects what is drawn. Kinds of paths: `member` thick, `outline`, `ground` a thick support, `thin`,
 /// `hatch`, `rest` dashed; `body` a filled outline. Kinds of arrows: `axis`, `force`, and `arrow`, a thin one

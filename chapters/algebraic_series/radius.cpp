@@ -138,7 +138,7 @@ scene::Table table_of(const Measured& m) {
     const scene::Cell step = c.step > 0 ? scene::Cell(c.step) : scene::Cell("chosen");
     const scene::Cell order = c.step > 0 ? scene::Cell(std::int64_t{c.order}) : scene::Cell("chosen");
     const scene::Cell ratio =
-        c.step > 0 ? scene::Cell(c.step / radius_of(m, c.problem)) : scene::Cell(std::monostate{});
+        c.step > 0 ? scene::Cell(c.step / radius_of(m, c.problem)) : scene::Cell(scene::Cell());
     table.add({c.problem, step, order, c.remark, ratio, c.departure.status, from(1e-6), from(1e-3), from(0.1),
                from(1), c.departure.greatest(1e9)});
   }

@@ -209,9 +209,9 @@ void plot(const Words& words, const orbit::Porkchop& grid) {
     const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
     const Scratch folder;
     scene::write_whole(folder.path() / "data.csv", figure.data.csv());
-    scene::write_whole(picture_of(words), scene::draw(scene::data_folder() / "figures", figure.template_name,
-                                                      folder.path(), "data.csv", figure.variables)
-                                              .append(drawn_here));
+    scene::write_whole(folder.path() / "map.gp", scene::gnuplot_script(figure, "data.csv"));
+    scene::put_style(folder.path());
+    scene::write_whole(picture_of(words), scene::draw(folder.path(), "map.gp").append(drawn_here));
   } catch (const Failure& failure) {
     throw Failure(fmt::format("porkchop: all numbers are written, but {} is not drawn: {}",
                               picture_of(words).string(), failure.what()));

@@ -165,7 +165,6 @@ scene::Showing show(const std::array<std::vector<Series>, 3>& groups,
         fmt::format("|R(0) - 1| of Gaussians, N = {}", nodes), "1", std::abs(growth_of_rest(nodes)), 1e-30,
         "D of an odd number of nodes has a symmetric null vector: 0, but for 50 digits and the condition"));
   }
-  showing.table = std::move(table);
   showing.figure = {std::move(data),
                     "rbf_ivp-orders",
                     {{"heading", "Every method has its order; radial functions with c h fixed have none"},

@@ -1,17 +1,14 @@
-#include <fmt/format.h>
-
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "chapters/transversal/scenes.hpp"
 #include "nlmech/ivp/mtl.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
-
-using scene::Workshop;
 
 constexpr int p = 4;
 constexpr double h = 0.4;
@@ -70,57 +67,70 @@ double drawn_gap(double s) {
   return product;
 }
 
-scene::Showing show(const Block& b) {
-  scene::Table data({{"series", 3, true}, {"t"}, {"y"}});
+/// Signs that change along the drawn gap, which vanishes at the points.
+int drawn_crossings(const std::vector<double>& s) {
   int crossings = 0;
   double before = drawn_gap(-0.2);
-  for (int i = -10; i <= 210; ++i) {
-    const double s = i / 50.;
-    data.add({std::int64_t{1}, s, drawn_path(s)});
-  }
-  for (int i = -10; i <= 210; ++i) {
-    const double s = i / 50., gap = drawn_gap(s);
-    data.add({std::int64_t{2}, s, drawn_path(s) + gap});
+  for (const double at : s) {
+    const double gap = drawn_gap(at);
     if (gap * before < 0) ++crossings;
-    if (gap != 0) before = gap;  // it vanishes at the points
+    if (gap != 0) before = gap;
   }
-  for (int k = 0; k <= p; ++k) data.add({std::int64_t{3}, double(k), drawn_path(k)});
-  for (std::size_t i = 0; i < b.t.size(); ++i) data.add({std::int64_t{4}, b.t[i] / h, 1e3 * b.defect[i]});
+  return crossings;
+}
+
+void draw(const Block& b, const std::vector<double>& s, scene::Show& show) {
+  scene::Plot& plot = show.plots("The linearised path crosses the true one at the points");
+  plot.stacked({2, 1}).columns({"series", "t", "y"});
+  scene::Panel& sketch = plot.panel("", "{/:Italic x}, sketched");
+  sketch.x_range(-0.25, 4.25).y_range(0.2, 3.2).set("ytics format ''").set("xtics 1").key("top left");
+  std::vector<double> points;
+  for (int k = 0; k <= p; ++k) points.push_back(k);
+  sketch.curve("true path", s, std::identity(), drawn_path);
+  sketch.curve("linearised path, its distance enlarged", s, std::identity(),
+               [](double at) { return drawn_path(at) + drawn_gap(at); });
+  sketch.curve("points {/:Italic X}_{/:Italic k}", points, std::identity(), drawn_path, scene::points(3));
+  scene::Panel& defect = plot.panel("time, {/:Italic h} = 0.4", "defect × 10^3");
+  defect.x_range(-0.25, 4.25).key("off").set("ytics 2");
+  defect.set(
+      "xtics ('{/:Italic t}_0' 0, '{/:Italic t}_1' 1, '{/:Italic t}_2' 2, '{/:Italic t}_3' 3, '{/:Italic "
+      "t}_4' 4)");
+  std::vector<double> steps, thousandths;
+  for (std::size_t i = 0; i < b.t.size(); ++i) {
+    steps.push_back(b.t[i] / h);
+    thousandths.push_back(1e3 * b.defect[i]);
+  }
+  defect.curve("", steps, thousandths, scene::lines(5)).also("0 with lines linestyle 13");
+}
+
+void put(const Block& b, scene::Show& show) {
+  std::vector<double> s;
+  for (int i = -10; i <= 210; ++i) s.push_back(i / 50.);
+  draw(b, s, show);
   double at_points = 0, between = 0;
   for (std::size_t i = 0; i < b.t.size(); ++i) {
     double& where = i % 50 == 0 ? at_points : between;
     where = std::max(where, std::abs(b.defect[i]));
   }
-  scene::Showing showing;
-  showing.figure = {
-      std::move(data),
-      "transversal-drawing",
-      {{"heading", "The linearised path crosses the true one at the points"}, {"height", "520"}}};
-  showing.quantities = {
-      {"crossings drawn", "1", static_cast<double>(crossings), p + 1, p + 1,
-       "one at each of the p + 1 points"},
-      scene::at_most(
-          "greatest defect at the points", "1", at_points, 1e-12,
-          "vector fields agree there (Eq. 3): roundings of a cube of size 1, and Newton's tolerance"),
-      {"greatest defect between the points", "1", between, 1e-4, 1e-1,
-       "the interpolation error of x^3 is about h^5 = 0.01 times a fifth derivative of some units, over 5! "
-       "and "
-       "times the greatest |s (s - 1)...(s - 4)|, 3.6"}};
-  return showing;
+  show.equals("crossings drawn", drawn_crossings(s), p + 1, "one at each of the p + 1 points");
+  show.at_most("greatest defect at the points", at_points, 1e-12,
+               "vector fields agree there (Eq. 3): roundings of a cube of size 1, and Newton's tolerance");
+  show.between("greatest defect between the points", between, 1e-4, 1e-1,
+               "the interpolation error of x^3 is about h^5 = 0.01 times a fifth derivative of some units, "
+               "over 5! and "
+               "times the greatest |s (s - 1)...(s - 4)|, 3.6");
 }
 
 }  // namespace
 
-void add_transversal_drawing(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Block>(
+std::vector<scene::Scene> drawing() {
+  const scene::Result result(
       "block",
-      "the drawing is a sketch; the defect below it is that of x'' + x + x^3 = cos t, p = 4, h = 0.4", {},
-      [](Workshop&) { return block(); });
-  chapter.add({.name = "fig-1",
-               .title = "True and linearised paths cross at the grid points, p = 4",
-               .place = "Figure 1",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      "the drawing is a sketch; the defect below it is that of x'' + x + x^3 = cos t, p = 4, h = 0.4", block);
+  return {{.name = "fig-1",
+           .title = "True and linearised paths cross at the grid points, p = 4",
+           .place = "Figure 1",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

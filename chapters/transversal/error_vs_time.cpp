@@ -2,12 +2,12 @@
 #include <cmath>
 #include <vector>
 
-#include "chapters/transversal/scenes.hpp"
 #include "nlmech/comparison/cost_scene.hpp"
 #include "nlmech/comparison/example_of.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
 
 using comparison::Contender;
@@ -36,32 +36,32 @@ std::vector<Contender> contenders(bool quick) {
 
 comparison::Example<2> example() { return comparison::example_of(problems::DrivenDuffing{}, 50); }
 
-std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick) {
+void check(const comparison::Costs& costs, scene::Show& show) {
   const comparison::Curve& three = comparison::curve_of(costs.curves, "mtl, p = 3");
   const auto error = [&](std::size_t i) { return three.costs.at(i).error.value_or(NAN); };
   // Steps of 0.1 and 0.025, among all of them or among quick's.
-  const double fourth = quick ? error(1) / error(2) : error(2) / error(4);
+  const double fourth = show.quick() ? error(1) / error(2) : error(2) / error(4);
   // oracle: transversal_motions driven Duffing *
-  return {scene::near("reference position at t = 50", "1", static_cast<double>(example().reference(50)[0]),
-                      1.203734404401093362708, 1e-15, "tools/oracles/transversal_motions.py"),
-          {"error of p = 3, step over a quarter of it", "1", fourth, 150, 400, "order 4: 256"},
-          scene::at_most("least error of p = 5", "1", comparison::least_error(costs.curves, "mtl, p = 5"),
-                         1e-9, "order 6 of steps of 0.00625, above roundings")};
+  show.near("reference position at t = 50", static_cast<double>(example().reference(50)[0]),
+            1.203734404401093362708, 1e-15, "tools/oracles/transversal_motions.py");
+  show.between("error of p = 3, step over a quarter of it", fourth, 150, 400, "order 4: 256");
+  show.at_most("least error of p = 5", comparison::least_error(costs.curves, "mtl, p = 5"), 1e-9,
+               "order 6 of steps of 0.00625, above roundings");
 }
 
 }  // namespace
 
-void add_transversal_error_vs_time(scene::Chapter& chapter) {
-  comparison::add_cost_scene(
-      chapter,
-      {.name = "",
-       .heading = "Driven Duffing oscillator to t = 50: digits against cost",
-       .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, default settings over one sweep "
-                  "of tolerances",
-       .measure = [](bool quick) -> comparison::Costs {
-         return {comparison::cost_curves(example(), contenders(quick), quick)};
-       },
-       .promises = promises});
+std::vector<scene::Scene> error_vs_time() {
+  return {comparison::cost_scene({.name = "",
+                                  .heading = "Driven Duffing oscillator to t = 50: digits against cost",
+                                  .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, "
+                                             "default settings over one sweep of tolerances",
+                                  .measure =
+                                      [](bool quick) {
+                                        return comparison::Costs{
+                                            comparison::cost_curves(example(), contenders(quick), quick)};
+                                      },
+                                  .check = check})};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

@@ -7,19 +7,17 @@
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "chapters/transversal/scenes.hpp"
 #include "nlmech/ivp/mtl.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
 
 using ivp::Mtl;
 using ivp::MtlLinear;
-using scene::Workshop;
-
 /// One case.
 struct Fate {
   std::string what, how, status;
@@ -128,65 +126,58 @@ std::vector<Fate> fates(bool quick) {
   return all;
 }
 
-scene::Showing show(const std::vector<Fate>& all) {
-  scene::Table table({{"case"}, {"how"}, {"status"}, {"error of x at the end", 2}, {"right-hand sides"}});
-  for (const Fate& f : all) table.add({f.what, f.how, f.status, scene::to_cell(f.error), f.evaluations});
+void put(const std::vector<Fate>& all, scene::Show& show) {
+  show.table(all, {{"case", &Fate::what},
+                   {"how", &Fate::how},
+                   {"status", &Fate::status},
+                   {"error of x at the end", &Fate::error, 2},
+                   {"right-hand sides", &Fate::evaluations}});
   const auto error = [&](const std::string& what, const Mtl& method) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Fate& f) { return f.what == what && f.how == words(method); });
+    const auto found =
+        std::ranges::find_if(all, [&](const Fate& f) { return f.what == what && f.how == words(method); });
     return found == all.end() ? NAN : found->error.value_or(NAN);
   };
   // A success far from the solution although an estimate was asked for.
-  const auto silent = std::count_if(all.begin(), all.end(), [](const Fate& f) {
+  const auto silent = std::ranges::count_if(all, [](const Fate& f) {
     return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
   });
-  const auto caught =
-      std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
-  scene::Showing showing;
-  showing.table = std::move(table);
-  showing.quantities = {
-      scene::near("runs with an estimate that end far off and say success", "1", static_cast<double>(silent),
-                  0, 0, "the estimate stops them"),
-      {"runs that end with wrong_branch", "1", static_cast<double>(caught), 2, 10,
-       "at least both of mu = 1000 with steps that cannot resolve the leap"},
-      {"error of p = 8, h = 0.4, without an estimate", "1",
-       error("Duffing, x'' + x + x^3 = cos t, to t = 50", blind({.step = 0.4, .points = 8})), 10, 1e9,
-       "the solution stays below 2: a root of the equations of a block that is none of the problem"},
-      scene::at_most("error of van der Pol's oscillator, mu = 10, h = 0.01", "1",
-                     error("van der Pol, mu = 10, to t = 40", blind({.step = 0.01})), 1e-5,
-                     "order 4 with mu h = 0.1; 1e-7 was seen"),
-      scene::at_most(
-          "error of the creeping phase with the Jacobian, mu = 100, h = 0.05", "1",
-          error("van der Pol, mu = 100, to t = 20", blind({.step = 0.05, .linear = MtlLinear::jacobian})),
-          1e-6, "4e-9 was seen with a stabilised linear part"),
-      scene::at_most("relative error of the smooth start, h = 1/3", "1",
-                     error("Duffing, w = 1000, m = 1, smooth start, to t = 1", blind({.step = 1. / 3})),
-                     1e-12, "linear to 18 digits: exact but for 333 roundings of the phase"),
-      {"error of the oscillatory start, h = 0.01", "1",
-       error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 0.01})), 1e-5, 2e-3,
-       "the frequency's shift 3 m/(8 w) = 3.75e-4 is what sampling at w h = 10 can miss"},
-      scene::at_most("error of the oscillatory start, h = 0.0005", "1",
-                     error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 5e-4})),
-                     1e-6, "recorded: 1e-6 to 1e-8 below w h = 0.6"),
-      scene::at_most("error of the linear oscillator, w h = 1e6", "1",
-                     error("linear oscillator, w h = 1e+06, one block", blind({.step = 1e3})), 1e-8,
-                     "3e6 roundings of the angle: 7e-10, and as much by squaring"),
-      scene::at_most("error without spring and damper", "1",
-                     error("K = C = 0 under a force", blind({.step = 1})), 1e-13, "a hundred roundings")};
-  return showing;
+  show.equals("runs with an estimate that end far off and say success", silent, 0, "the estimate stops them");
+  show.between("runs that end with wrong_branch", std::ranges::count(all, "wrong_branch", &Fate::status), 2,
+               10, "at least both of mu = 1000 with steps that cannot resolve the leap");
+  show.between("error of p = 8, h = 0.4, without an estimate",
+               error("Duffing, x'' + x + x^3 = cos t, to t = 50", blind({.step = 0.4, .points = 8})), 10, 1e9,
+               "the solution stays below 2: a root of the equations of a block that is none of the problem");
+  show.at_most("error of van der Pol's oscillator, mu = 10, h = 0.01",
+               error("van der Pol, mu = 10, to t = 40", blind({.step = 0.01})), 1e-5,
+               "order 4 with mu h = 0.1; 1e-7 was seen");
+  show.at_most(
+      "error of the creeping phase with the Jacobian, mu = 100, h = 0.05",
+      error("van der Pol, mu = 100, to t = 20", blind({.step = 0.05, .linear = MtlLinear::jacobian})), 1e-6,
+      "4e-9 was seen with a stabilised linear part");
+  show.at_most("relative error of the smooth start, h = 1/3",
+               error("Duffing, w = 1000, m = 1, smooth start, to t = 1", blind({.step = 1. / 3})), 1e-12,
+               "linear to 18 digits: exact but for 333 roundings of the phase");
+  show.between("error of the oscillatory start, h = 0.01",
+               error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 0.01})), 1e-5,
+               2e-3, "the frequency's shift 3 m/(8 w) = 3.75e-4 is what sampling at w h = 10 can miss");
+  show.at_most("error of the oscillatory start, h = 0.0005",
+               error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 5e-4})), 1e-6,
+               "recorded: 1e-6 to 1e-8 below w h = 0.6");
+  show.at_most("error of the linear oscillator, w h = 1e6",
+               error("linear oscillator, w h = 1e+06, one block", blind({.step = 1e3})), 1e-8,
+               "3e6 roundings of the angle: 7e-10, and as much by squaring");
+  show.at_most("error without spring and damper", error("K = C = 0 under a force", blind({.step = 1})), 1e-13,
+               "a hundred roundings");
 }
 
 }  // namespace
 
-void add_transversal_extremes(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Fate>>(
-      "extremes", "van der Pol from (2, 0); Duffing x'' + 1e6 x + m x^3 = cos t", {},
-      [](Workshop& w) { return fates(w.quick()); });
-  chapter.add({.name = "extremes",
-               .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> extremes() {
+  const scene::Result result("extremes", "van der Pol from (2, 0); Duffing x'' + 1e6 x + m x^3 = cos t",
+                             fates);
+  return {{.name = "extremes",
+           .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "chapters/transversal/scenes.hpp"
 #include "nlmech/ivp/mtl.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
-
-using scene::Workshop;
 
 constexpr double end = 12;
 
@@ -31,6 +29,7 @@ struct Fall {
   [[nodiscard]] double observed() const {
     return std::log2(samples[samples.size() - 2].error / samples.back().error);
   }
+  [[nodiscard]] double least_error() const { return samples.back().error; }
 };
 
 Fall fall_of(const Truth& truth, const problems::DrivenDuffing& problem, int p, ivp::MtlBasis basis,
@@ -48,7 +47,7 @@ Fall fall_of(const Truth& truth, const problems::DrivenDuffing& problem, int p, 
   return fall;
 }
 
-std::vector<Fall> falls() {
+std::vector<Fall> all_falls() {
   const problems::DrivenDuffing problem{.damping = 0.1};
   const Truth truth(problem, {1, 0}, 0, end);
   std::vector<Fall> all;
@@ -59,44 +58,31 @@ std::vector<Fall> falls() {
   return all;
 }
 
-scene::Showing show(const std::vector<Fall>& all) {
-  scene::Table data({{"series", 3, true}, {"step"}, {"error"}, {"overflow"}});
-  scene::Table table({{"basis"}, {"order by theory"}, {"observed order", 4}, {"least error", 2}});
-  scene::Showing showing;
-  std::string legend;
-  std::int64_t number = 0;
-  for (const Fall& f : all) {
-    ++number;
-    for (const Sample& s : f.samples) data.add({number, s.step, s.error, {}});
-    legend += (legend.empty() ? "" : "|") + f.name;
-    table.add({f.name, std::int64_t{f.expected}, f.observed(), f.samples.back().error});
-    showing.quantities.push_back(
-        {"observed order of " + f.name, "1", f.observed(), f.expected - 0.12, f.expected + 0.12,
-         "quadrature at equidistant points; 0.12 for the next term of the error at these steps"});
-  }
-  showing.table = std::move(table);
-  showing.figure = {std::move(data),
-                    "transversal-steps",
-                    {{"heading", "Order p + 1 for odd p, p + 2 for even p"},
-                     {"legend", legend},
-                     {"xrange", "[2e-3:0.3]"},
-                     {"yrange", "[1e-13:1]"},
-                     {"xlabel", "step \u200b{/:Italic h}"},
-                     {"ylabel", "largest error at \u200b{/:Italic t}\u200b = 12"}}};
-  return showing;
+void put(const std::vector<Fall>& all, scene::Show& show) {
+  scene::Panel& panel = show.plot("Order p + 1 for odd p, p + 2 for even p", "step {/:Italic h}",
+                                  "largest error at {/:Italic t} = 12");
+  panel.log_x(2e-3, 0.3).log_y(1e-13, 1).key("outside right center");
+  show.figure().columns({"series", "step", "error"});
+  for (const Fall& f : all)
+    panel.curve(f.name, f.samples, &Sample::step, &Sample::error, scene::linespoints());
+  show.table(all, {{"basis", &Fall::name},
+                   {"order by theory", &Fall::expected},
+                   {"observed order", &Fall::observed, 4},
+                   {"least error", &Fall::least_error, 2}});
+  for (const Fall& f : all)
+    show.between("observed order of " + f.name, f.observed(), f.expected - 0.12, f.expected + 0.12,
+                 "quadrature at equidistant points; 0.12 for the next term of the error at these steps");
 }
 
 }  // namespace
 
-void add_transversal_orders(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Fall>>(
-      "falls", "x'' + 0.1 x' + x + x^3 = cos t from (1, 0) to t = 12, K = 1, C = 0.1, the load exact", {},
-      [](Workshop&) { return falls(); });
-  chapter.add({.name = "orders",
-               .title = "Observed orders for p = 1 to 6, and of hat functions",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> orders() {
+  const scene::Result falls(
+      "falls", "x'' + 0.1 x' + x + x^3 = cos t from (1, 0) to t = 12, K = 1, C = 0.1, the load exact",
+      all_falls);
+  return {{.name = "orders",
+           .title = "Observed orders for p = 1 to 6, and of hat functions",
+           .content = scene::Content(put, falls)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

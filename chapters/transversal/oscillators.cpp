@@ -7,7 +7,7 @@
 
 #include "nlmech/ivp/mtl.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 
 problems::DrivenDuffing stand_in(double e2) {
   constexpr double turn = 2 * std::numbers::pi;
@@ -42,7 +42,7 @@ Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, d
   return c;
 }
 
-ivp::NamedIntegrator<2> transversal(double step, int points) {
+ivp::NamedIntegrator<2> mtl(double step, int points) {
   // The summary's procedure has no estimate: its long steps go on.
   const ivp::Mtl method{.step = step, .points = points, .error_tolerance = 0};
   return [method](const ivp::System<2>& system, const ivp::State<2>& x0, double t0, double t1,
@@ -55,4 +55,4 @@ ivp::NamedIntegrator<2> classical(std::string_view name, double step) {
   return ivp::named_integrator<2>(name, {.step = step});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

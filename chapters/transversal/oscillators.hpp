@@ -2,6 +2,7 @@
 /// The driven Duffing oscillators of the chapter, their solutions, and how far a run strays from them.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -9,7 +10,7 @@
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 
 /// x'' + 2 pi e1 x' + 4 pi^2 e2 (x + x^3) = 4 pi^2 e3 cos 2 pi t: the form of the oscillators in the author's
 /// other papers, with e1 = 0.25 and e3 = 0.5. The summary prints neither the equation nor its parameters.
@@ -27,6 +28,8 @@ using Truth = problems::ReferenceTrajectory<long double, problems::DrivenDuffing
 struct Point {
   double t;         ///< time
   ivp::State<2> x;  ///< position and velocity
+  [[nodiscard]] double position() const { return x[0]; }
+  [[nodiscard]] double velocity() const { return x[1]; }
 };
 
 /// What became of a run.
@@ -37,6 +40,10 @@ struct Course {
   double error = 0;           ///< greatest error of the position at its points; infinite if it failed
   double largest = 0;         ///< greatest |x|
 
+  /// None if it failed.
+  [[nodiscard]] std::optional<double> finite_error() const {
+    return std::isfinite(error) ? std::optional(error) : std::nullopt;
+  }
   /// Did the numbers run out?
   [[nodiscard]] bool overflows() const { return status.outcome() == Outcome::non_finite; }
 };
@@ -47,8 +54,8 @@ struct Course {
                             const ivp::NamedIntegrator<2>& method, const Truth* truth);
 
 /// `mtl` with p points and a step, without an estimate, as in the source.
-[[nodiscard]] ivp::NamedIntegrator<2> transversal(double step, int points);
+[[nodiscard]] ivp::NamedIntegrator<2> mtl(double step, int points);
 /// A method by its name, with a step.
 [[nodiscard]] ivp::NamedIntegrator<2> classical(std::string_view name, double step);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

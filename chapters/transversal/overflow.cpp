@@ -1,21 +1,46 @@
-#include "chapters/transversal/overflow.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
-#include "chapters/transversal/scenes.hpp"
+#include "chapters/transversal/oscillators.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
 
-using scene::Workshop;
-
 constexpr double end = 40;
+
+/// One method with one step.
+struct Fate {
+  std::string method;  ///< "rk6", "mtl 3"
+  double step;         ///< h
+  std::string status;  ///< how it ended
+  double error;        ///< greatest error of x; infinite if it failed
+  double largest;      ///< greatest |x|
+
+  /// None if it failed.
+  [[nodiscard]] std::optional<double> finite_error() const {
+    return std::isfinite(error) ? std::optional(error) : std::nullopt;
+  }
+};
+
+/// All of them on one oscillator.
+struct Fates {
+  std::vector<Fate> fates;  ///< by method, then by step
+  double amplitude = 0;     ///< greatest |x| of the solution
+
+  /// The shortest step with which a method overflows; NaN if none does.
+  [[nodiscard]] double overflow_from(const std::string& name) const;
+  /// @throws std::out_of_range if there is no such run
+  [[nodiscard]] const Fate& at(const std::string& name, double step) const;
+};
 
 /// h = 0.01, 0.02, ..., 0.5, or less of it.
 std::vector<double> steps(bool quick) {
@@ -27,7 +52,7 @@ std::vector<double> steps(bool quick) {
 }
 
 ivp::NamedIntegrator<2> method(const std::string& name, double step) {
-  return name.starts_with("mtl") ? transversal(step, name.back() - '0') : classical(name, step);
+  return name.starts_with("mtl") ? mtl(step, name.back() - '0') : classical(name, step);
 }
 
 Fates fates(double e2, bool quick) {
@@ -45,8 +70,6 @@ Fates fates(double e2, bool quick) {
   return all;
 }
 
-}  // namespace
-
 double Fates::overflow_from(const std::string& name) const {
   for (const Fate& f : fates) {
     if (f.method == name && f.status == "non_finite") return f.step;
@@ -61,116 +84,94 @@ const Fate& Fates::at(const std::string& name, double step) const {
   throw std::out_of_range("no run of " + name + " with the step " + std::to_string(step));
 }
 
-namespace {
-
-void add_quantities(const std::string& label, const Fates& all, const std::vector<double>& known,
-                    std::vector<scene::Quantity>& out) {
+void check(const std::string& label, const Fates& all, double rk6, double rk4, scene::Show& show) {
   const char* recorded = "recorded; steps in hundredths are the resolution";
-  out.push_back(scene::near("RK6 overflows from h, " + label, "1", all.overflow_from("rk6"), known[0],
-                            0.0101 / known[0], recorded));
-  out.push_back(scene::near("RK4 overflows from h, " + label, "1", all.overflow_from("rk4"), known[1],
-                            0.0101 / known[1], recorded));
-  const Fate& bounded = all.at("mtl 3", 0.21);
-  out.push_back({"error of p = 3 at h = 0.21 over the amplitude, " + label, "1",
-                 bounded.error / all.amplitude, 0.5, 3,
-                 "no digit is right, and twice the amplitude and a little is all that bounded motions can be "
-                 "apart"});
-  double wild = std::numeric_limits<double>::quiet_NaN();
-  for (const Fate& f : all.fates) {
-    if (f.method == "mtl 3" && f.status == "success" && f.error > 10 * all.amplitude) {
-      wild = f.step;
-      break;
-    }
-  }
-  out.push_back({"p = 3 errs by ten amplitudes from h, " + label, "1", wild, 0.22, 0.5,
-                 "beyond the 0.21 of the paper; nothing bounds the roots that a block's equations may have"});
-  out.push_back({"error of RK6 over that of p = 3 at h = 0.1, " + label, "1",
-                 all.at("rk6", 0.1).error / all.at("mtl 3", 0.1).error, 0, 0.5,
-                 "order 6 against 4; a seventh and a quarter are recorded"});
+  show.near("RK6 overflows from h, " + label, all.overflow_from("rk6"), rk6, 0.0101 / rk6, recorded);
+  show.near("RK4 overflows from h, " + label, all.overflow_from("rk4"), rk4, 0.0101 / rk4, recorded);
+  show.between(
+      "error of p = 3 at h = 0.21 over the amplitude, " + label, all.at("mtl 3", 0.21).error / all.amplitude,
+      0.5, 3,
+      "no digit is right, and twice the amplitude and a little is all that bounded motions can be apart");
+  const auto wild = std::ranges::find_if(all.fates, [&](const Fate& f) {
+    return f.method == "mtl 3" && f.status == "success" && f.error > 10 * all.amplitude;
+  });
+  show.between("p = 3 errs by ten amplitudes from h, " + label, wild == all.fates.end() ? NAN : wild->step,
+               0.22, 0.5,
+               "beyond the 0.21 of the paper; nothing bounds the roots that a block's equations may have");
+  show.between("error of RK6 over that of p = 3 at h = 0.1, " + label,
+               all.at("rk6", 0.1).error / all.at("mtl 3", 0.1).error, 0, 0.5,
+               "order 6 against 4; a seventh and a quarter are recorded");
 }
 
-/// "RK6"; "MTL p = 3" with an italic p and blanks that survive beside it.
+/// "RK6"; "MTL p = 3" with an italic p.
 std::string in_legend(const std::string& name) {
-  if (name.starts_with("mtl")) return "MTL \u200b{/:Italic p}\u200b = " + name.substr(4);
-  return "RK" + name.substr(2);
+  return name.starts_with("mtl") ? "MTL {/:Italic p} = " + name.substr(4) : "RK" + name.substr(2);
 }
 
-scene::Showing show(const Fates& soft, const Fates& stiff) {
+/// A curve a method; steps with which it fails are crosses, a row a method.
+void draw(const Fates& all, scene::Show& show) {
+  scene::Panel& panel = show.plot("Bounded is not accurate: at {/:Italic h} = 0.21 nothing is right",
+                                  "step {/:Italic h} (periods of the force)",
+                                  "greatest error of {/:Italic x} to {/:Italic t} = 40");
+  panel.log_x(8e-3, 0.6).log_y(1e-9, 300).key("outside right center");
+  panel.level(all.amplitude, "amplitude of the motion").mark(0.21, "{/:Italic h} = 0.21");
+  panel.note("× overflow or no root", 9e-3, 90);
   scene::Table data({{"series", 3, true}, {"step"}, {"error"}, {"overflow"}});
-  scene::Table table({{"method"},
-                      {"h"},
-                      {"error, e2 = 0.5", 2},
-                      {"ends, e2 = 0.5"},
-                      {"error, e2 = 1", 2},
-                      {"ends, e2 = 1"}});
-  std::int64_t number = 0;
-  std::string legend, last, crosses;
-  const auto cell = [](const Fate& f) {
-    return scene::to_cell(std::isfinite(f.error) ? std::optional(f.error) : std::nullopt);
-  };
-  for (std::size_t i = 0; i < soft.fates.size(); ++i) {
-    const Fate &f = soft.fates[i], &g = stiff.fates[i];
-    if (f.method != last) {
-      ++number;
-      last = f.method;
-      legend += (legend.empty() ? "" : "|") + in_legend(last);
-    }
+  std::vector<std::string> methods;
+  std::set<int> failing;
+  for (const Fate& f : all.fates) {
+    if (methods.empty() || methods.back() != f.method) methods.push_back(f.method);
+    const int number = static_cast<int>(methods.size());
     std::optional<double> cross;
-    if (!std::isfinite(f.error)) cross = 20 * std::pow(1.5, static_cast<double>(number - 1));
-    data.add({number, f.step, cell(f), scene::to_cell(cross)});
-    const std::string word = std::to_string(number);
-    if (cross && !crosses.ends_with(word)) crosses += (crosses.empty() ? "" : " ") + word;
-    const int hundredths = static_cast<int>(std::lround(f.step * 100));
-    if (hundredths == 5 || hundredths == 10 || hundredths == 15 || hundredths == 20 || hundredths == 21 ||
-        hundredths == 30)
-      table.add({f.method, f.step, cell(f), f.status, cell(g), g.status});
+    if (!f.finite_error()) cross = 20 * std::pow(1.5, number - 1);
+    if (cross) failing.insert(number);
+    data.add({number, f.step, f.finite_error(), cross});
   }
-  scene::Showing showing;
-  showing.table = std::move(table);
-  showing.figure = {
-      std::move(data),
-      "transversal-steps",
-      {{"heading", "Bounded is not accurate: at \u200b{/:Italic h}\u200b = 0.21 nothing is right"},
-       {"legend", legend},
-       {"xrange", "[8e-3:0.6]"},
-       {"yrange", "[1e-9:300]"},
-       {"xlabel", "step \u200b{/:Italic h}\u200b (periods of the force)"},
-       {"ylabel", "greatest error of \u200b{/:Italic x}\u200b to \u200b{/:Italic t}\u200b = 40"},
-       {"level", fmt::format("{:.6g}", soft.amplitude)},
-       {"level_words", "amplitude of the motion"},
-       {"mark", "0.21"},
-       {"crosses", crosses},
-       {"overflow_words", "overflow or no root"}}};
-  add_quantities("e2 = 0.5", soft, {0.19, 0.31}, showing.quantities);
-  add_quantities("e2 = 1", stiff, {0.20, 0.36}, showing.quantities);
-  return showing;
+  for (int i = 0; i < static_cast<int>(methods.size()); ++i)
+    panel.columns(in_legend(methods[static_cast<std::size_t>(i)]), "step:error", scene::linespoints(), i);
+  for (const int i : failing)
+    panel.columns("", "step:overflow", {"points pointtype 2 pointsize 0.6", i}, i - 1);
+  show.figure().data(std::move(data));
+}
+
+void put(const Fates& soft, const Fates& stiff, scene::Show& show) {
+  draw(soft, show);
+  struct Row {
+    const Fate &soft, &stiff;
+  };
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < soft.fates.size(); ++i) {
+    const auto hundredths = std::lround(soft.fates[i].step * 100);
+    if (hundredths % 5 == 0 ? hundredths <= 20 || hundredths == 30 : hundredths == 21)
+      rows.push_back({soft.fates[i], stiff.fates[i]});
+  }
+  show.table(rows, {{"method", [](const Row& r) { return r.soft.method; }},
+                    {"h", [](const Row& r) { return r.soft.step; }},
+                    {"error, e2 = 0.5", [](const Row& r) { return r.soft.finite_error(); }, 2},
+                    {"ends, e2 = 0.5", [](const Row& r) { return r.soft.status; }},
+                    {"error, e2 = 1", [](const Row& r) { return r.stiff.finite_error(); }, 2},
+                    {"ends, e2 = 1", [](const Row& r) { return r.stiff.status; }}});
+  check("e2 = 0.5", soft, 0.19, 0.31, show);
+  check("e2 = 1", stiff, 0.20, 0.36, show);
+  show.measured("roy/fig-2/sixth-order Runge-Kutta/overflows at step", {}, soft.overflow_from("rk6"));
+}
+
+scene::Result<Fates> fates_of(double e2) {
+  return {fmt::format("fates-e2-{}", e2),
+          fmt::format(
+              "stand-in parameters e1 = 0.25, e2 = {}, e3 = 0.5, from rest to t = 40; RK6 is Butcher's of 7 "
+              "stages",
+              e2),
+          [e2](bool quick) { return fates(e2, quick); }};
 }
 
 }  // namespace
 
-static const scene::Run<Fates>& add_fates_run(scene::Chapter& chapter, double e2) {
-  return chapter.add_run<Fates>(
-      fmt::format("fates-e2-{}", e2),
-      fmt::format(
-          "stand-in parameters e1 = 0.25, e2 = {}, e3 = 0.5, from rest to t = 40; RK6 is Butcher's of 7 "
-          "stages",
-          e2),
-      {}, [e2](Workshop& w) { return fates(e2, w.quick()); });
+std::vector<scene::Scene> overflow() {
+  return {{.name = "overflow",
+           .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
+           .place = "our own, for Figure 2",
+           .content = scene::Content(put, fates_of(0.5), fates_of(1))}};
 }
 
-void add_transversal_overflow(scene::Chapter& chapter) {
-  const auto& soft = add_fates_run(chapter, 0.5);
-  const auto& stiff = add_fates_run(chapter, 1);
-  chapter.add({.name = "overflow",
-               .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
-               .place = "our own, for Figure 2",
-               .needs = {&soft, &stiff},
-               .show = [&soft, &stiff](Workshop& w) { return show(w.result(soft), w.result(stiff)); }});
-  chapter.add({.name = "roy/fig-2/sixth-order Runge-Kutta/overflows at step",
-               .needs = {&soft},
-               .measure = [&soft](Workshop& w) {
-                 return scene::Measured{{}, w.result(soft).overflow_from("rk6")};
-               }});
-}
-
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

@@ -1,4 +1,3 @@
-#include "chapters/transversal/chapter.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
@@ -6,9 +5,9 @@
 #include "nlmech/problems/two_dof.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 
-void transversal_work(CLI::App& app) {
+void commands(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::DrivenDuffing>, &own_problem<problems::VanDerPol>,
@@ -17,4 +16,4 @@ void transversal_work(CLI::App& app) {
   comparison::add_compare_command(app, problems, "transversal");
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "chapters/transversal/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::transversal {
 namespace {
-
-using scene::Workshop;
 
 constexpr double end = 600, step = 0.1, window = 20;
 const ivp::State<2> begin(1, 0), inside(1, 0.3);
@@ -65,69 +63,50 @@ Long long_run(const std::string& name, const ivp::NamedIntegrator<2>& method, in
 
 std::vector<Long> all_runs() {
   std::vector<Long> all;
-  for (int p = 1; p <= 5; ++p) all.push_back(long_run(fmt::format("p = {}", p), transversal(step, p), p));
+  for (int p = 1; p <= 5; ++p) all.push_back(long_run(fmt::format("p = {}", p), mtl(step, p), p));
   all.push_back(long_run("rk4", classical("rk4", step), 1));
   all.push_back(long_run("rk6", classical("rk6", step), 1));
   return all;
 }
 
-scene::Showing show(const std::vector<Long>& all) {
-  scene::Table data({{"series", 3, true}, {"step"}, {"error"}, {"overflow"}});
-  scene::Table table({{"method"},
-                      {"greatest relative error of the energy", 2},
-                      {"last third over first", 3},
-                      {"there and back", 1},
-                      {"determinant - 1", 2}});
-  std::string legend;
-  std::int64_t number = 0;
-  for (const Long& l : all) {
-    ++number;
-    legend += (legend.empty() ? "" : "|") + l.name;
-    for (std::size_t i = 0; i < l.errors.size(); ++i)
-      data.add({number, (static_cast<double>(i) + 0.5) * window, l.errors[i], {}});
-    table.add({l.name, l.greatest(), l.growth(), l.back, l.area});
-  }
-  scene::Showing showing;
-  showing.table = std::move(table);
-  showing.figure = {std::move(data),
-                    "transversal-steps",
-                    {{"heading", "Symmetric in time: the energy does not drift"},
-                     {"legend", legend},
-                     {"linear_x", "1"},
-                     {"xrange", "[0:600]"},
-                     {"yrange", "[1e-8:1e-1]"},
-                     {"xlabel", "time"},
-                     {"ylabel", "relative error of the energy"}}};
+void put(const std::vector<Long>& all, scene::Show& show) {
+  scene::Panel& panel =
+      show.plot("Symmetric in time: the energy does not drift", "time", "relative error of the energy");
+  panel.x_range(0, end).log_y(1e-8, 1e-1).key("outside right center");
+  show.figure().columns({"series", "t", "error"});
+  std::vector<double> middles;
+  for (std::size_t i = 0; i < all[0].errors.size(); ++i)
+    middles.push_back((static_cast<double>(i) + 0.5) * window);
+  for (const Long& l : all) panel.curve(l.name, middles, l.errors, scene::linespoints());
+  show.table(all, {{"method", &Long::name},
+                   {"greatest relative error of the energy", &Long::greatest, 2},
+                   {"last third over first", &Long::growth},
+                   {"there and back", &Long::back, 1},
+                   {"determinant - 1", &Long::area, 2}});
   const double energies[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6}, areas[] = {-2.0e-4, -2.5e-6, -1.3e-6};
   const char* recorded = "recorded, two digits";
   for (std::size_t i = 0; i < 5; ++i) {
-    showing.quantities.push_back(scene::near("error of the energy, " + all[i].name, "1", all[i].greatest(),
-                                             energies[i], 0.04, recorded));
-    showing.quantities.push_back({"growth of that error, " + all[i].name, "1", all[i].growth(), 0.95, 1.05,
-                                  "a symmetric method on a reversible oscillator: no drift"});
-    showing.quantities.push_back(
-        scene::at_most("there and back, " + all[i].name, "1", all[i].back, 1e-11,
-                       "roundings of 1200 steps, 2e-16 each, growing linearly with time"));
+    show.near("error of the energy, " + all[i].name, all[i].greatest(), energies[i], 0.04, recorded);
+    show.between("growth of that error, " + all[i].name, all[i].growth(), 0.95, 1.05,
+                 "a symmetric method on a reversible oscillator: no drift");
+    show.at_most("there and back, " + all[i].name, all[i].back, 1e-11,
+                 "roundings of 1200 steps, 2e-16 each, growing linearly with time");
   }
   for (std::size_t i = 0; i < 3; ++i)
-    showing.quantities.push_back(scene::near("determinant of a block less 1, " + all[i].name, "1",
-                                             all[i].area, areas[i], 0.04, recorded));
-  showing.quantities.push_back({"growth of the error of the energy, rk4", "1", all[5].growth(), 2.5, 3.5,
-                                "a drift, linear in time: three times the first third's"});
-  return showing;
+    show.near("determinant of a block less 1, " + all[i].name, all[i].area, areas[i], 0.04, recorded);
+  show.between("growth of the error of the energy, rk4", all[5].growth(), 2.5, 3.5,
+               "a drift, linear in time: three times the first third's");
 }
 
 }  // namespace
 
-void add_transversal_symmetry(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Long>>(
+std::vector<scene::Scene> symmetry() {
+  const scene::Result runs(
       "long-runs", "x'' + x + x^3 = 0 from (1, 0), h = 0.1, to t = 600; K = 1; the determinant at (1, 0.3)",
-      {}, [](Workshop&) { return all_runs(); });
-  chapter.add({.name = "symmetry",
-               .title = "Energy over a long time; area; there and back",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      all_runs);
+  return {{.name = "symmetry",
+           .title = "Energy over a long time; area; there and back",
+           .content = scene::Content(put, runs)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::transversal

@@ -55,8 +55,9 @@ class EveryChapter : public ::testing::TestWithParam<std::string> {
       if (data == files.end()) continue;
       const std::string header = "," + data->second.substr(0, data->second.find('\n'));
       if (header.find(",time_") == std::string::npos) continue;
-      for (const std::string& file : {figure(scene.scene), result(scene.scene, ".csv"),
-                                      table(scene.scene, ".csv"), table(scene.scene, ".md")}) {
+      for (const std::string& file :
+           {figure(scene.scene), result(scene.scene, ".csv"), result(scene.scene, ".gp"),
+            table(scene.scene, ".csv"), table(scene.scene, ".md")}) {
         timed.insert(file);
       }
     }
@@ -68,21 +69,24 @@ class EveryChapter : public ::testing::TestWithParam<std::string> {
   TemporaryFolder folder_;
 };
 
-/// A picture with something drawn in it, or a table with rows.
+/// A picture with something drawn in it and the script that draws it, a table with rows, or both.
 void EveryChapter::expect_something_to_see(const Files& files, const std::string& scene) const {
-  if (files.contains(result(scene, ".csv"))) {
+  const bool data = files.contains(result(scene, ".csv")), rows = files.contains(table(scene, ".csv"));
+  EXPECT_TRUE(data || rows) << scene << " has neither figure nor table";
+  if (data) {
     ASSERT_TRUE(files.contains(figure(scene))) << scene << " has data and no picture";
+    EXPECT_TRUE(files.contains(result(scene, ".gp"))) << scene << " has a picture and no script";
     const std::string& svg = files.at(figure(scene));
     const auto drawn = [&svg](const char* element) { return svg.find(element) != std::string::npos; };
     EXPECT_TRUE(drawn("<path") || drawn("<polyline") || drawn("<image") || drawn("<text"))
         << scene << ": an empty picture";
     EXPECT_NE(svg.find("</svg>"), std::string::npos) << scene;
     EXPECT_GT(scene::parse_csv(files.at(result(scene, ".csv")), scene).size(), 1U) << scene;
-    return;
   }
-  ASSERT_TRUE(files.contains(table(scene, ".csv"))) << scene << " has neither figure nor table";
-  EXPECT_TRUE(files.contains(table(scene, ".md"))) << scene;
-  EXPECT_GT(scene::parse_csv(files.at(table(scene, ".csv")), scene).size(), 1U) << scene;
+  if (rows) {
+    EXPECT_TRUE(files.contains(table(scene, ".md"))) << scene;
+    EXPECT_GT(scene::parse_csv(files.at(table(scene, ".csv")), scene).size(), 1U) << scene;
+  }
 }
 
 /// Names of the runs, the declared ones among them; at least one promise, and each of them kept.
@@ -124,7 +128,8 @@ TEST_P(EveryChapter, ShowsAllItsScenesTheSameTwice) {
   const scene::Finished first = run({"run", "--all", "--quick", "--out", (folder_ / "first").string()});
   EXPECT_EQ(first.exit_code, 0) << first.errors;
   EXPECT_EQ(first.errors, "");
-  const Files files = files_in(folder_ / "first");
+  Files files = files_in(folder_ / "first");
+  EXPECT_LE(files.erase("figures/style.gp"), 1U);  // which scripts load: one for all scenes
   std::string names;
   for (const auto& [name, bytes] : files) {
     EXPECT_NE(("\n" + first.output).find("\n" + name + "\n"), std::string::npos) << name << " is not named";
@@ -136,8 +141,8 @@ TEST_P(EveryChapter, ShowsAllItsScenesTheSameTwice) {
     expect_something_to_see(files, scene.scene);
     expect_provenance(files, scene);
     for (const std::string& file :
-         {figure(scene.scene), result(scene.scene, ".csv"), result(scene.scene, ".json"),
-          table(scene.scene, ".csv"), table(scene.scene, ".md")}) {
+         {figure(scene.scene), result(scene.scene, ".csv"), result(scene.scene, ".gp"),
+          result(scene.scene, ".json"), table(scene.scene, ".csv"), table(scene.scene, ".md")}) {
       expected.insert(file);
     }
   }
@@ -149,7 +154,8 @@ TEST_P(EveryChapter, ShowsAllItsScenesTheSameTwice) {
     }
   }
   EXPECT_EQ(run({"run", "--all", "--quick", "--out", (folder_ / "second").string()}).exit_code, 0);
-  const Files again = files_in(folder_ / "second");
+  Files again = files_in(folder_ / "second");
+  again.erase("figures/style.gp");
   ASSERT_EQ(again.size(), files.size());
   const std::set<std::string> timed = files_of_timed_scenes(files);
   for (const auto& [name, bytes] : files) {
@@ -165,8 +171,9 @@ TEST_P(EveryChapter, WritesOnlyTheSceneThatIsAskedFor) {
   EXPECT_EQ(run({"run", scene, "--quick"}).exit_code, 0);
   const Files files = files_in(folder_.path());
   EXPECT_TRUE(files.contains(result(scene, ".json")));
-  const std::set<std::string> its_own = {figure(scene), result(scene, ".csv"), result(scene, ".json"),
-                                         table(scene, ".csv"), table(scene, ".md")};
+  const std::set<std::string> its_own = {"figures/style.gp",   figure(scene),          result(scene, ".csv"),
+                                         result(scene, ".gp"), result(scene, ".json"), table(scene, ".csv"),
+                                         table(scene, ".md")};
   for (const auto& [name, bytes] : files) EXPECT_TRUE(its_own.contains(name)) << scene << " wrote " << name;
 }
 

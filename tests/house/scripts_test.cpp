@@ -98,13 +98,15 @@ class LostLabels : public ::testing::Test {
   }
   [[nodiscard]] scene::Finished with_label_moved(const std::string& by) const {
     write(folder_ / "figure.gp",
+          "width = '400'\n"
+          "height = '300'\n"
           "set terminal svg size width + 0, height + 0\n"
           "set lmargin screen 0.2\n"
           "set ylabel 'miss (m)' offset " +
               by +
               ",0\n"
               "plot [0:1] 1e4*x notitle\n");
-    return checked(R"(exec gnuplot -e "data='a.csv'; width='400'; height='300'" figure.gp)");
+    return checked("exec gnuplot figure.gp");
   }
 
   TemporaryFolder folder_;

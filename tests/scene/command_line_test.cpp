@@ -107,9 +107,9 @@ TEST_F(CommandLine, SurvivesClosedStreams) {
   EXPECT_EQ(no_output.exit_code, 1);
   expect_sentence(no_output.errors, "standard output: cannot be written: Bad file descriptor");
   EXPECT_EQ(shell("$fixture run fig-1 --quiet >&- 2>&- <&-").exit_code, 0);
-  EXPECT_EQ(written().size(), 3U) << "gnuplot draws with all three streams closed";
+  EXPECT_EQ(written().size(), 4U) << "gnuplot draws with all three streams closed";
   EXPECT_EQ(shell("$fixture run both >&- 2>&- <&-").exit_code, 1) << "nobody was told";
-  EXPECT_EQ(written().size(), 8U);
+  EXPECT_EQ(written().size(), 10U);
 }
 
 TEST_F(CommandLine, IsSilentInAPipe) {

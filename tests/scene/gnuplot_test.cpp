@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "nlmech/scene/files.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
@@ -14,20 +15,28 @@ namespace fs = std::filesystem;
 using tests::put;
 using tests::TemporaryFolder;
 
-/// A folder with a style, a template and data; and programs named gnuplot, where a test wants its own.
+/// A folder with style, template and data; and programs named gnuplot, where a test wants its own.
 class Draw : public ::testing::Test {
  protected:
   Draw() {
+    put(folder_ / "tables/published/none.csv", "");
     put(folder_ / "figures/style.gp", "set terminal svg\nset datafile separator ','\n");
     put(folder_ / "figures/templates/line.gp",
-        "set title heading\nplot data using 1:2 with lines title 'y'\n");
+        "# Variables: heading\n\nset title heading\nplot data using 1:2 with lines title 'y'\n");
     put(folder_ / "out/results/a.csv", "0,1\n1,3\n2,2\n");
+    ::setenv("NLMECH_DATA", folder_.string().c_str(), 1);
   }
-  ~Draw() override { ::setenv("PATH", path_.c_str(), 1); }
+  ~Draw() override {
+    ::setenv("PATH", path_.c_str(), 1);
+    ::unsetenv("NLMECH_DATA");
+  }
 
   std::string draw_line(const std::string& template_name = "line", const std::string& data = "results/a.csv",
-                        const std::string& heading = "A line") {
-    return draw(folder_ / "figures", template_name, folder_ / "out", data, {{"heading", heading}});
+                        const std::string& heading = "A line", PictureFormat format = PictureFormat::svg) {
+    put_style(folder_ / "out");
+    const Figure figure{Table({{"x"}}), template_name, {{"heading", heading}}};
+    put(folder_ / "out/results/a.gp", gnuplot_script(figure, data));
+    return draw(folder_ / "out", "results/a.gp", format);
   }
   /// What is said by a drawing that fails; "" if it does not.
   std::string complaint(const std::string& template_name = "line") {
@@ -63,8 +72,7 @@ TEST_F(Draw, GivesAPngWhereTheStyleKnowsHow) {
   put(folder_ / "figures/style.gp",
       "if (exists('png')) { set terminal pngcairo size 400,300 } else { set terminal svg }\nset datafile "
       "separator ','\n");
-  const std::string png = draw(folder_ / "figures", "line", folder_ / "out", "results/a.csv",
-                               {{"heading", "A line"}}, PictureFormat::png);
+  const std::string png = draw_line("line", "results/a.csv", "A line", PictureFormat::png);
   EXPECT_TRUE(png.starts_with("\x89PNG\r\n")) << png.substr(0, 8);
   EXPECT_NE(png.find("IEND"), std::string::npos);
 }
@@ -91,6 +99,13 @@ TEST_F(Draw, IsTheSameInEveryLocale) {
   ::unsetenv("LC_ALL");
   EXPECT_EQ(pictures["C"], pictures["C.UTF-8"]);
   EXPECT_EQ(pictures["C"], pictures["de_DE.UTF-8"]);
+}
+
+TEST_F(Draw, WritesAScriptThatStandsAlone) {
+  static_cast<void>(draw_line());
+  EXPECT_EQ(read_whole(folder_ / "out/results/a.gp"),
+            "data = 'results/a.csv'\nheading = 'A line'\nload 'figures/style.gp'\n\n"
+            "set title heading\nplot data using 1:2 with lines title 'y'\n");
 }
 
 TEST_F(Draw, NamesTheTemplateThatIsMissing) {

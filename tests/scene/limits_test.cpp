@@ -67,10 +67,10 @@ TEST_F(Limits, KeepTheScenesThatAreDone) {
   const Finished done =
       fixture({"run", "fig-1", "fig-2", "--no-plots", "--limit", "0.5"}, {"FIXTURE_FAULT=endless"});
   EXPECT_EQ(done.exit_code, 1);
-  EXPECT_EQ(done.output, "results/fixture/fig-1.csv\nresults/fixture/fig-1.json\n");
+  EXPECT_EQ(done.output, "results/fixture/fig-1.csv\nresults/fixture/fig-1.gp\nresults/fixture/fig-1.json\n");
   expect_sentence(done.errors, "run: not done within --limit 0.5 s (it was computing fig-2)");
   const auto files = written();
-  EXPECT_EQ(files.size(), 2U) << "something is half written";
+  EXPECT_EQ(files.size(), 3U) << "something is half written";
 }
 
 TEST_F(Limits, EndGnuplotToo) {

@@ -30,29 +30,30 @@ Names runs_of(const std::string& provenance) {
 
 TEST_F(ScenesOnDisk, AreTheFilesOfTheSceneAlone) {
   EXPECT_EQ(fixture({"run", "fig-1", "--out", "a"}).exit_code, 0);
-  EXPECT_EQ(names(written("a")),
-            (Names{"figures/fixture/fig-1.svg", "results/fixture/fig-1.csv", "results/fixture/fig-1.json"}));
+  EXPECT_EQ(names(written("a")), (Names{"figures/fixture/fig-1.svg", "results/fixture/fig-1.csv",
+                                        "results/fixture/fig-1.gp", "results/fixture/fig-1.json"}));
   EXPECT_EQ(fixture({"run", "table-1", "--out", "b"}).exit_code, 0);
   EXPECT_EQ(names(written("b")), (Names{"results/fixture/table-1.json", "tables/fixture/table-1.csv",
                                         "tables/fixture/table-1.md"}));
   EXPECT_EQ(fixture({"run", "both", "both", "--out", "c"}).exit_code, 0);
   EXPECT_EQ(names(written("c")),
-            (Names{"figures/fixture/both.svg", "results/fixture/both.csv", "results/fixture/both.json",
-                   "tables/fixture/both.csv", "tables/fixture/both.md"}));
+            (Names{"figures/fixture/both.svg", "results/fixture/both.csv", "results/fixture/both.gp",
+                   "results/fixture/both.json", "tables/fixture/both.csv", "tables/fixture/both.md"}));
   EXPECT_EQ(fixture({"run", "both", "--no-plots", "--out", "d"}).exit_code, 0);
-  EXPECT_EQ(names(written("d")), (Names{"results/fixture/both.csv", "results/fixture/both.json",
-                                        "tables/fixture/both.csv", "tables/fixture/both.md"}));
+  EXPECT_EQ(names(written("d")),
+            (Names{"results/fixture/both.csv", "results/fixture/both.gp", "results/fixture/both.json",
+                   "tables/fixture/both.csv", "tables/fixture/both.md"}));
 }
 
 TEST_F(ScenesOnDisk, KeepADotInTheNameOfTheScene) {
   EXPECT_EQ(fixture({"run", "fig-3.14"}).exit_code, 0);
   EXPECT_EQ(names(written()), (Names{"figures/fixture/fig-3.14.svg", "results/fixture/fig-3.14.csv",
-                                     "results/fixture/fig-3.14.json"}));
+                                     "results/fixture/fig-3.14.gp", "results/fixture/fig-3.14.json"}));
 }
 
 TEST_F(ScenesOnDisk, GoIntoTheCurrentFolderByDefault) {
   EXPECT_EQ(fixture({"run", "--all", "--quick"}).exit_code, 0);
-  EXPECT_EQ(written().size(), 17U);
+  EXPECT_EQ(written().size(), 21U);
 }
 
 TEST_F(ScenesOnDisk, OfACheckThatDrawsAreThoseOfARun) {
@@ -66,7 +67,7 @@ TEST_F(ScenesOnDisk, OfACheckThatDrawsAreThoseOfARun) {
 TEST_F(ScenesOnDisk, AreTheSameByteForByteInASecondRun) {
   for (const char* out : {"a", "b"}) EXPECT_EQ(fixture({"run", "--all", "--out", out}).exit_code, 0);
   EXPECT_EQ(written("a"), written("b"));
-  EXPECT_EQ(written("a").size(), 17U);
+  EXPECT_EQ(written("a").size(), 21U);
 }
 
 TEST_F(ScenesOnDisk, DoNotDependOnWhichOthersRan) {
@@ -104,7 +105,7 @@ TEST_F(ScenesOnDisk, KeepTheirDataWithoutGnuplot) {
     EXPECT_TRUE(written().contains(std::string("results/fixture/") + figure + ".csv")) << figure;
   }
   expect_sentence(done.errors, "gnuplot: cannot be started: No such file or directory");
-  EXPECT_EQ(written().size(), 13U) << "all but the four pictures";
+  EXPECT_EQ(written().size(), 17U) << "all but the four pictures";
 }
 
 TEST_F(ScenesOnDisk, KeepNoOldPictureBesideNewData) {
@@ -143,7 +144,7 @@ TEST_F(ScenesOnDisk, DoNotSufferFromOneThatFails) {
   const Finished done = fixture({"run", "--all", "--quick"}, {"FIXTURE_FAULT=run"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_EQ(done.errors, "fixture: fig-2: not_converged: summed stalled at term 3; start nearer\n");
-  EXPECT_EQ(written().size(), 14U) << "all but the three of fig-2";
+  EXPECT_EQ(written().size(), 17U) << "all but the four of fig-2";
 }
 
 TEST_F(ScenesOnDisk, KeepWhatMissesItsPromise) {

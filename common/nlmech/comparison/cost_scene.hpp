@@ -41,7 +41,11 @@ struct CostScene {
   std::map<std::string, std::string> variables = {};  ///< further ones of the template
   std::function<Costs(bool quick)> measure = {};      ///< called at most once a process
   std::function<std::vector<scene::Quantity>(const Costs&, bool quick)> promises = {};  ///< of the scene
+  std::function<void(const Costs&, scene::Show&)> check = {};                           ///< of the scene
 };
+
+/// The scene. All of them judge by the median error over LastEnds, on one thread.
+[[nodiscard]] scene::Scene cost_scene(CostScene what);
 
 /// Adds the run and the scene. All of them judge by the median error over LastEnds, on one thread.
 void add_cost_scene(scene::Chapter& chapter, const CostScene& what);

@@ -31,15 +31,26 @@ bool promises(const PublishedValue& value) {
   return value.expected != Verdict::context && value.expected != Verdict::not_stated;
 }
 
-Checked check_value(const PublishedValue& value, const Chapter& chapter, Workshop& workshop) {
+/// What a check of the chapter's scenes left behind: numbers measured beside what they show, and what failed.
+struct Measurements {
+  std::map<std::string, Measured> by_name;
+  std::string failure;  ///< of the first scene that failed; empty if none did
+};
+
+Checked check_value(const PublishedValue& value, const Chapter& chapter, Workshop& workshop,
+                    const Measurements& measured) {
   Checked checked{value, chapter.name(), {}, {}, {}};
-  if (const Measurement* m = find(chapter, value.name())) {
+  if (const auto found = measured.by_name.find(value.name()); found != measured.by_name.end()) {
+    checked.measured = found->second;
+  } else if (const Measurement* m = find(chapter, value.name())) {
     workshop.open(m->name, m->needs);
     try {
       checked.measured = m->measure(workshop);
     } catch (const Failure& failure) {
       checked.failure = failure.what();
     }
+  } else if (!measured.failure.empty()) {
+    checked.failure = measured.failure;
   } else if (promises(value)) {
     throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
   }
@@ -47,15 +58,18 @@ Checked check_value(const PublishedValue& value, const Chapter& chapter, Worksho
   return checked;
 }
 
-void refuse_orphans(const Chapter& chapter, const std::vector<Checked>& values) {
+void refuse_orphans(const Chapter& chapter, const Measurements& measured,
+                    const std::vector<Checked>& values) {
   std::set<std::string> names;
   for (const Checked& c : values) names.insert(c.value.name());
-  for (const Measurement& m : chapter.measurements()) {
-    if (!names.contains(m.name)) {
+  const auto refuse = [&](const std::string& name) {
+    if (!names.contains(name)) {
       throw std::logic_error(
-          fmt::format("chapter {} measures {}, which no source prints", chapter.name(), m.name));
+          fmt::format("chapter {} measures {}, which no source prints", chapter.name(), name));
     }
-  }
+  };
+  for (const Measurement& m : chapter.measurements()) refuse(m.name);
+  for (const auto& [name, value] : measured.by_name) refuse(name);
 }
 
 /// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
@@ -129,14 +143,19 @@ namespace {
 
 /// A scene that fails, or cannot be drawn, leaves one quantity that no number keeps.
 std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop,
-                                         const std::optional<Publishing>& how) {
+                                         const std::optional<Publishing>& how, Measurements& measured) {
   std::vector<CheckedQuantity> quantities;
   const Doing doing("computing " + scene.name);
   try {
     const Performance performance = perform(scene, workshop);
     for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});
+    for (const auto& [name, value] : performance.showing.measured) {
+      if (!measured.by_name.emplace(name, value).second)
+        throw std::logic_error(fmt::format("two scenes measure {}", name));
+    }
     if (how) publish(chapter, scene, performance, workshop.quick(), *how);
   } catch (const Failure& failure) {
+    if (measured.failure.empty()) measured.failure = fmt::format("scene {}: {}", scene.name, failure.what());
     const double none = std::numeric_limits<double>::quiet_NaN();
     quantities.push_back({scene.name, {"the scene itself", "1", none, none, none, failure.what()}});
   }
@@ -153,17 +172,16 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
 
   Workshop workshop(quick);
   ChapterCheck result;
+  Measurements measured;
   std::size_t left = chapter.scenes().size();
-  for (const PublishedValue& value : values) {
-    workshop.take_turn(left);
-    result.values.push_back(check_value(value, chapter, workshop));
-  }
-  refuse_orphans(chapter, result.values);
   for (const Scene& scene : chapter.scenes()) {
     workshop.take_turn(left--);
-    for (CheckedQuantity& q : check_scene(chapter, scene, workshop, how))
+    for (CheckedQuantity& q : check_scene(chapter, scene, workshop, how, measured))
       result.quantities.push_back(std::move(q));
   }
+  for (const PublishedValue& value : values)
+    result.values.push_back(check_value(value, chapter, workshop, measured));
+  refuse_orphans(chapter, measured, result.values);
   return result;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "nlmech/scene/files.hpp"
 #include "nlmech/scene/process.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -12,34 +14,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A gnuplot string in single quotes, inside which only the quote itself is special and is doubled.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
-  return out + "'";
-}
-
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 600;
   const std::string tidy = text.substr(std::min(text.find_first_not_of(" \n\t"), text.size()));
   return tidy.size() <= most ? tidy : tidy.substr(0, most) + "...";
 }
 
+/// A template without the comments that it begins with, which explain its variables.
+std::string body_of(const std::string& name) {
+  const fs::path file = data_folder() / "figures" / "templates" / (name + ".gp");
+  if (!fs::exists(file)) throw Failure(fmt::format("{}: no such template", file.string()));
+  const std::string text = read_whole(file);
+  std::size_t at = 0;
+  while (at < text.size() && (text[at] == '#' || text[at] == '\n')) at = text.find('\n', at) + 1;
+  return text.substr(at);
+}
+
 }  // namespace
 
-std::string draw(const fs::path& templates, const std::string& template_name, const fs::path& folder,
-                 const std::string& data, const std::map<std::string, std::string>& variables,
-                 PictureFormat format) {
-  const fs::path drawing = templates / "templates" / (template_name + ".gp");
-  if (!fs::exists(drawing)) throw Failure(fmt::format("{}: no such template", drawing.string()));
-  std::string settings = "data=" + quoted(data);
-  if (format == PictureFormat::png) settings += "; png=1";
-  for (const auto& [name, value] : variables) settings += "; " + name + "=" + quoted(value);
+std::string gnuplot_script(const Figure& figure, const std::string& data) {
+  std::string script = "data = " + gnuplot_quoted(data) + "\n";
+  for (const auto& [name, value] : figure.variables) script += name + " = " + gnuplot_quoted(value) + "\n";
+  script += figure.prelude + "load 'figures/style.gp'\n\n";
+  return script + (figure.template_name.empty() ? figure.script : body_of(figure.template_name));
+}
 
+std::string put_style(const fs::path& out) {
+  std::string style = read_whole(data_folder() / "figures" / "style.gp");
+  const fs::path copy = out / "figures" / "style.gp";
+  if (!fs::exists(copy) || read_whole(copy) != style) write_whole(copy, style);
+  return style;
+}
+
+std::string draw(const fs::path& folder, const std::string& script, PictureFormat format) {
+  std::vector<std::string> command = {"gnuplot"};
+  if (format == PictureFormat::png) command.insert(command.end(), {"-e", "png=1"});
+  command.push_back(script);
   const Finished gnuplot =
-      run_program({"gnuplot", "-e", settings, fs::absolute(templates / "style.gp").string(),
-                   fs::absolute(drawing).string()},
-                  folder, {"LC_ALL=C.UTF-8"});  // labels are UTF-8, numbers have points
+      run_program(command, folder, {"LC_ALL=C.UTF-8"});  // labels are UTF-8, numbers have points
   if (gnuplot.exit_code != 0) {
     throw Failure(fmt::format("gnuplot ended with {}: {}", gnuplot.exit_code, shortened(gnuplot.errors)));
   }

@@ -1,26 +1,32 @@
 /// @file
-/// Drawing: data and a template go into gnuplot, a picture comes out.
+/// Drawing: a script goes into gnuplot, a picture comes out.
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
+
+#include "nlmech/scene/show.hpp"
 
 namespace nlmech::scene {
 
 /// What draw() makes.
 enum class PictureFormat { svg, png };
 
-/// Runs gnuplot on `figures/style.gp` and then on the template, in the folder @p folder, and returns what it
-/// draws.
-/// @param templates folder with style.gp and templates/
-/// @param data CSV file, relative to @p folder so that no drawing holds a path of the machine; the template's
-/// `data`
-/// @param variables further string variables of the template
+/// All that gnuplot is told to draw a figure: complete, so that it can be edited and run by hand. It loads
+/// `figures/style.gp`, and a figure with a template gets that one's text.
+/// @param data CSV file, relative to the folder in which gnuplot runs, so that no drawing holds a path of the
+/// machine
+/// @throws Failure if there is no such template
+[[nodiscard]] std::string gnuplot_script(const Figure& figure, const std::string& data);
+
+/// Puts the style that scripts load into `figures` of the folder @p out, and returns it.
+/// @throws Failure if it cannot be written
+std::string put_style(const std::filesystem::path& out);
+
+/// Runs gnuplot on a script in the folder @p folder, and returns what it draws.
+/// @param script relative to @p folder, so that no drawing holds a path of the machine
 /// @throws Failure if gnuplot cannot be started, fails, complains, or draws nothing; with its own words
-[[nodiscard]] std::string draw(const std::filesystem::path& templates, const std::string& template_name,
-                               const std::filesystem::path& folder, const std::string& data,
-                               const std::map<std::string, std::string>& variables,
+[[nodiscard]] std::string draw(const std::filesystem::path& folder, const std::string& script,
                                PictureFormat format = PictureFormat::svg);
 
 }  // namespace nlmech::scene

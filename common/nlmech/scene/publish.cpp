@@ -15,22 +15,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a picture was drawn from, as a last line of the SVG: style, template, variables and data in one
-/// number (Fowler, Noll and Vo's hash, FNV-1a, of 64 bits).
-std::string drawn_from(const fs::path& templates, const Figure& figure) {
+/// What a picture was drawn from, as a last line of the SVG: style, script and data in one number (Fowler,
+/// Noll and Vo's hash, FNV-1a, of 64 bits).
+std::string drawn_from(const std::string& style, const std::string& script, const std::string& data) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&hash](std::string_view text) {
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     hash = (hash ^ 0xff) * 0x100000001b3;  // no byte of UTF-8: the texts do not run into each other
   };
-  add(read_whole(templates / "style.gp"));
-  const fs::path drawing = templates / "templates" / (figure.template_name + ".gp");
-  if (fs::exists(drawing)) add(read_whole(drawing));  // if not, draw() says so
-  for (const auto& [name, value] : figure.variables) {
-    add(name);
-    add(value);
-  }
-  add(figure.data.csv());
+  add(style);
+  add(script);
+  add(data);
   return fmt::format("<!-- drawn from {:016x} -->\n", hash);
 }
 
@@ -39,24 +34,21 @@ bool ends_with(const fs::path& file, const std::string& text) {
 }
 
 /// An SVG that was drawn from the same is left as it is.
-void draw_figure(const std::string& chapter, const std::string& scene, const Figure& figure,
+void draw_figure(const std::string& chapter, const std::string& scene, const std::string& origin,
                  const Publishing& how) {
-  const std::string data = fmt::format("results/{}/{}.csv", chapter, scene);
-  const fs::path templates = data_folder() / "figures";
-  const std::string origin = drawn_from(templates, figure);
+  const std::string script = fmt::format("results/{}/{}.gp", chapter, scene);
   const auto draw_as = [&](PictureFormat format) {
     const bool svg = format == PictureFormat::svg;
     const std::string name = scene + (svg ? ".svg" : ".png");
     const fs::path picture = how.out / "figures" / chapter / name;
     if (svg && ends_with(picture, origin)) return;
     try {
-      write_whole(picture, draw(templates, figure.template_name, how.out, data, figure.variables, format) +
-                               (svg ? origin : ""));
+      write_whole(picture, draw(how.out, script, format) + (svg ? origin : ""));
     } catch (const Failure& failure) {
       std::error_code ignored;
       fs::remove(picture, ignored);  // a drawing of older data beside new data would mislead
-      throw Failure(fmt::format("figure {} of {} was not drawn: {}; its data are in {}", name, chapter,
-                                failure.what(), (how.out / data).string()));
+      throw Failure(fmt::format("figure {} of {} was not drawn: {}; its script is {}", name, chapter,
+                                failure.what(), (how.out / script).string()));
     }
   };
   draw_as(PictureFormat::svg);
@@ -73,14 +65,24 @@ std::vector<fs::path> publish(const Chapter& chapter, const Scene& scene, const 
     files.push_back(fs::path(folder) / chapter.name() / (scene.name + extension));
     write_whole(how.out / files.back(), text);
   };
-  if (showing.figure) put("results", ".csv", showing.figure->data.csv());
+  std::string origin;
+  if (showing.figure) {
+    const std::string data = showing.figure->data.csv(),
+                      name = fmt::format("results/{}/{}", chapter.name(), scene.name),
+                      remark = fmt::format("# {}: {}\n#\n#   gnuplot {}.gp > {}.svg\n\n", scene.place,
+                                           scene.title, name, scene.name),
+                      script = remark + gnuplot_script(*showing.figure, name + ".csv");
+    put("results", ".csv", data);
+    put("results", ".gp", script);
+    origin = drawn_from(put_style(how.out), script, data);
+  }
   if (showing.table) {
     put("tables", ".csv", showing.table->csv());
     put("tables", ".md", showing.table->markdown());
   }
   put("results", ".json", provenance(chapter, scene, performance, quick));
   if (showing.figure && how.plots) {
-    draw_figure(chapter.name(), scene.name, *showing.figure, how);
+    draw_figure(chapter.name(), scene.name, origin, how);
     for (const char* extension : {".svg", ".png"}) {
       if (extension == std::string_view(".svg") || how.png)
         files.push_back(fs::path("figures") / chapter.name() / (scene.name + extension));

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -50,7 +54,6 @@ class Run : public AnyRun {
  private:
   friend class Workshop;
   Compute compute_;
-  mutable std::optional<Result> result_;  // filled by the workshop, at most once
 };
 
 /// Where scenes get the results of runs. It lets through only what the scene has declared, and remembers what
@@ -70,14 +73,17 @@ class Workshop {
   /// left it keeps its turn, so that a long chapter is not the last and alone.
   void take_turn(std::size_t scenes_left);
 
-  /// The run's result; computed at the first call in the life of the process.
+  /// The run's result; computed at the first call.
   /// @throws std::logic_error if the scene at work, or the run at work, has not declared this run among its
   /// needs
-  template <class Result>
-  const Result& result(const Run<Result>& run) {
+  template <class T>
+  const T& result(const Run<T>& run) {
     const AtWork at_work(*this, run);
-    if (!run.result_) run.result_ = run.compute_(*this);
-    return *run.result_;
+    Kept& kept = kept_[run.name()];
+    if (!kept.value) kept = {std::make_shared<const T>(run.compute_(*this)), &typeid(T), run.reading()};
+    if (*kept.type != typeid(T) || kept.reading != run.reading())
+      throw std::logic_error("two results are named " + run.name());
+    return *static_cast<const T*>(kept.value.get());
   }
 
   /// Starts a scene: from here on only @p needs, and what they need in turn, is let through.
@@ -88,6 +94,11 @@ class Workshop {
   [[nodiscard]] std::vector<std::string> used() const;
 
  private:
+  struct Kept {
+    std::shared_ptr<const void> value;
+    const std::type_info* type = nullptr;
+    std::string reading;
+  };
   struct Desk {
     std::string name;
     std::vector<const AnyRun*> needs;
@@ -111,6 +122,7 @@ class Workshop {
   std::optional<Machine::Processor> processor_;
   std::vector<Desk> desks_;  // the scene, then the runs being computed, innermost last
   std::set<std::string> used_;
+  std::map<std::string, Kept> kept_;  // results by name, computed at most once
 };
 
 }  // namespace nlmech::scene

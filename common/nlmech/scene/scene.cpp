@@ -34,6 +34,13 @@ Quantity at_most(std::string name, std::string unit, double value, double bound,
 
 Chapter::Chapter(std::string name, std::string title) : name_(std::move(name)), title_(std::move(title)) {}
 
+Chapter::Chapter(std::string name, std::string title, std::vector<std::vector<Scene>> scenes)
+    : Chapter(std::move(name), std::move(title)) {
+  for (auto& group : scenes) {
+    for (Scene& scene : group) add(std::move(scene));
+  }
+}
+
 void Chapter::refuse_known_run(const std::string& name) const {
   for (const auto& other : runs_) {
     if (other->name() == name) throw std::invalid_argument(fmt::format("two runs are named {}", name));
@@ -44,6 +51,10 @@ void Chapter::add(Scene scene) {
   for (const Scene& other : scenes_) {
     if (other.name == scene.name)
       throw std::invalid_argument(fmt::format("two scenes are named {}", scene.name));
+  }
+  if (scene.content.show) {
+    scene.show = scene.content.show;
+    for (const auto& need : scene.content.needs) scene.needs.push_back(need.get());
   }
   scenes_.push_back(std::move(scene));
 }
@@ -74,6 +85,8 @@ Performance perform(const Scene& scene, Workshop& workshop) {
   const bool figure = showing.figure && !showing.figure->data.rows().empty();
   const bool table = showing.table && !showing.table->rows().empty();
   if (!figure && !table) throw std::logic_error(fmt::format("scene {} shows nothing", scene.name));
+  if (showing.figure.has_value() != figure || showing.table.has_value() != table)
+    throw std::logic_error(fmt::format("scene {} has an empty {}", scene.name, figure ? "table" : "figure"));
   if (showing.quantities.empty())
     throw std::logic_error(fmt::format("scene {} checks no quantity", scene.name));
 

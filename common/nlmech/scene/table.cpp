@@ -33,6 +33,10 @@ std::string markdown_text(std::string_view text) {
 
 }  // namespace
 
+Cell::Cell(const std::optional<double>& value) {
+  if (value) *this = Cell(*value);
+}
+
 Cell to_cell(const std::optional<double>& value) {
   if (value) return *value;
   return {};

@@ -2,17 +2,29 @@
 /// A rectangular table: the numbers behind a figure, or a table of a page. Written as CSV and as Markdown.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace nlmech::scene {
 
-/// A text, a real number, a whole number, or nothing.
-using Cell = std::variant<std::monostate, std::string, double, std::int64_t>;
+/// A text, a real number, a whole number, or nothing. A truth value is 1 or 0.
+struct Cell : std::variant<std::monostate, std::string, double, std::int64_t> {
+  Cell() = default;
+  template <std::floating_point Number>
+  Cell(Number x) : variant(static_cast<double>(x)) {}
+  template <std::integral Number>
+  Cell(Number n) : variant(static_cast<std::int64_t>(n)) {}
+  Cell(const std::optional<double>& value);  ///< empty where there is no number
+  Cell(std::string text) : variant(std::move(text)) {}
+  Cell(const char* text) : variant(std::string(text)) {}
+  Cell(std::string_view text) : variant(std::string(text)) {}
+};
 
 /// A cell that is empty where there is no number.
 [[nodiscard]] Cell to_cell(const std::optional<double>& value);

@@ -1,0 +1,106 @@
+#include "nlmech/scene/plot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace nlmech::scene {
+namespace {
+
+/// Does a script hold the line?
+void expect_line(const std::string& script, const std::string& line) {
+  EXPECT_NE(("\n" + script).find("\n" + line + "\n"), std::string::npos) << line << " is not in\n" << script;
+}
+
+TEST(Plot, KeepsCurvesInBlocksWithTheirNumbers) {
+  Plot plot("Two curves");
+  Panel& panel = plot.columns({"series", "t", "x"}).panel("time", "position");
+  panel.curve("first", {0, 1}, {2, 3}).curve("it's", {0}, {4}, points(5));
+  EXPECT_EQ(plot.data().csv(), "series,t,x\n1,0,2\n1,1,3\n\n2,0,4\n");
+  EXPECT_EQ(plot.curves(), 2U);
+  expect_line(plot.script(), "set title 'Two curves'");
+  expect_line(plot.script(), "set xlabel 'time'");
+  expect_line(plot.script(),
+              "plot data using \"t\":\"x\" every :::0::0 with lines linestyle 1 title 'first', \\\n"
+              "     data using \"t\":\"x\" every :::1::1 with points linestyle 5 title 'it''s'");
+}
+
+TEST(Plot, CountsCurvesOverPanels) {
+  Plot plot("Two panels");
+  plot.columns({"panel", "curve", "x", "y"});
+  plot.panel("x", "y").curve("", {1}, {2});
+  plot.panel("x", "z").curve("", {3}, {4});
+  EXPECT_EQ(plot.data().csv(), "panel,curve,x,y\n1,1,1,2\n\n2,2,3,4\n");
+  const std::string script = plot.script();
+  expect_line(script, "set multiplot");
+  expect_line(script, "plot data using \"x\":\"y\" every :::1::1 with lines linestyle 1 notitle");
+  expect_line(script, "unset multiplot");
+}
+
+struct Sample {
+  double t, x;
+  [[nodiscard]] double twice() const { return 2 * x; }
+};
+
+TEST(Plot, TakesAccessorsOfRows) {
+  Plot plot("Rows");
+  const std::vector<Sample> samples = {{0, 1}, {1, 5}};
+  plot.panel("t", "2 x").curve("twice", samples, &Sample::t, &Sample::twice);
+  EXPECT_EQ(plot.data().csv(), "curve,x,y\n1,0,2\n1,1,10\n");
+}
+
+TEST(Plot, DrawsColumnsOfOtherData) {
+  Plot plot("Columns");
+  Table table({{"t"}, {"laier"}});
+  table.add({0.0, 1.0});
+  plot.data(std::move(table)).panel("t", "x").columns("Laier", "t:laier").also("0 with lines");
+  expect_line(plot.script(),
+              "plot data using \"t\":\"laier\" with lines linestyle 1 title 'Laier', \\\n     0 with lines");
+  EXPECT_EQ(plot.data().csv(), "t,laier\n0,1\n");
+}
+
+TEST(Plot, LabelsShortLogarithmicAxesWithNumbersAndLongOnesWithPowers) {
+  Plot plot("Axes");
+  plot.panel("h", "error").log_x(0.02, 0.5).log_y(1e-12, 1).curve("", {0.1}, {0.1});
+  const std::string script = plot.script();
+  expect_line(script, "set xrange [0.02:0.5]");
+  expect_line(script, "set xtics (1e-2, 2e-2, 5e-2, 1e-1, 2e-1, 5e-1)");
+  expect_line(script, "set ytics 1e2");
+  expect_line(script, "set format y power_of_ten");
+}
+
+TEST(Plot, StacksPanelsByTheirShares) {
+  Plot plot("Stack");
+  plot.stacked({3, 1}).size(800, 500);
+  plot.panel("t", "x").curve("", {1}, {2});
+  plot.panel("t", "v").curve("", {1}, {2});
+  EXPECT_EQ(plot.prelude(), "width = 800\nheight = 500\n");
+  const std::string script = plot.script();
+  // From 1 - 50/500 to 72/500 of the height, three quarters for the first, 0.02 apart from the line between.
+  expect_line(script, "set margins screen 0.135, screen 0.965, screen 0.353, screen 0.9");
+  expect_line(script, "set margins screen 0.135, screen 0.965, screen 0.144, screen 0.313");
+  expect_line(script, "set xlabel ''");
+}
+
+TEST(Plot, KeepsBlanksBesideMarkup) {
+  EXPECT_EQ(with_kept_blanks("step {/:Italic h} (s)"), "step \u200b{/:Italic h}\u200b (s)");
+  EXPECT_EQ(with_kept_blanks("t_0 s"), "t_0\u200b s");
+}
+
+TEST(Plot, RefusesWhatCannotBeDrawn) {
+  Plot plot("Refused");
+  Panel& panel = plot.panel("x", "y");
+  EXPECT_THROW(panel.curve("", {1, 2}, {1}), std::invalid_argument);
+  EXPECT_THROW(panel.curve("", {}, {}), std::invalid_argument);
+  EXPECT_THROW(plot.columns({"x", "y"}), std::invalid_argument);
+  EXPECT_THROW(plot.size(0, 100), std::invalid_argument);
+  panel.curve("", {1}, {1});
+  EXPECT_THROW(plot.columns({"curve", "x", "y"}), std::invalid_argument)
+      << "curves were drawn under other names";
+  plot.data(Table({{"t"}}));
+  EXPECT_THROW(panel.curve("", {1}, {1}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace nlmech::scene
