@@ -36,7 +36,7 @@ struct Claim {
 
 /// A claim, and what the evidence on disk says of it.
 struct JudgedClaim {
-  Claim claim;
+  Claim claim;                           ///< as listed
   double value = 0;                      ///< of the quantity; NaN if it is not there
   Verdict verdict = Verdict::not_built;  ///< by the evidence
   bool kept = false;                     ///< the expected verdict, or the chapter is not built

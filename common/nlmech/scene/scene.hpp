@@ -97,6 +97,7 @@ Result<T>::Result(std::string name, std::string reading, Compute compute, const 
     : run_(std::make_shared<const Run<T>>(
           std::move(name), std::move(reading), needed::pointers(needed::all(needs...)),
           [compute, needs...](Workshop& w) -> T { return needed::call(compute, w, needs...); })) {}
+/// The type is that of what is computed.
 template <class Compute, class... Needs>
 Result(std::string, std::string, Compute, const Needs&...)
     -> Result<std::decay_t<decltype(needed::call(std::declval<const Compute&>(), std::declval<Workshop&>(),

@@ -51,6 +51,8 @@ struct Showing {
 
 /// A number with its unit: `3.2`, or `{3.2, "deg"}`.
 struct Amount {
+  /// @param number of any arithmetic type
+  /// @param unit_name "1" for a number
   template <class Number>
   requires std::is_arithmetic_v<Number> Amount(Number number, std::string unit_name = "1")
       : value(static_cast<double>(number)), unit(std::move(unit_name)) {}
@@ -62,6 +64,9 @@ struct Amount {
 /// digits.
 template <class Row>
 struct ColumnOf {
+  /// @param heading of the column
+  /// @param get member or function of a row
+  /// @param significant digits of real numbers in Markdown
   template <class Get>
   ColumnOf(std::string heading, Get get, int significant = 3)
       : name(std::move(heading)),
@@ -71,6 +76,7 @@ struct ColumnOf {
   std::function<Cell(const Row&)> cell;  ///< of a row
   int digits;                            ///< significant, of real numbers in Markdown
 };
+/// Columns for the rows of a range.
 template <class Rows>
 using ColumnsOf = std::vector<ColumnOf<std::ranges::range_value_t<Rows>>>;
 

@@ -15,15 +15,17 @@ namespace nlmech::scene {
 
 /// A text, a real number, a whole number, or nothing. A truth value is 1 or 0.
 struct Cell : std::variant<std::monostate, std::string, double, std::int64_t> {
-  Cell() = default;
+  Cell() = default;  ///< nothing
+  /// A real number.
   template <std::floating_point Number>
   Cell(Number x) : variant(static_cast<double>(x)) {}
+  /// A whole number.
   template <std::integral Number>
   Cell(Number n) : variant(static_cast<std::int64_t>(n)) {}
-  Cell(const std::optional<double>& value);  ///< empty where there is no number
-  Cell(std::string text) : variant(std::move(text)) {}
-  Cell(const char* text) : variant(std::string(text)) {}
-  Cell(std::string_view text) : variant(std::string(text)) {}
+  Cell(const std::optional<double>& value);                    ///< nothing where there is no number
+  Cell(std::string text) : variant(std::move(text)) {}         ///< a text
+  Cell(const char* text) : variant(std::string(text)) {}       ///< a text
+  Cell(std::string_view text) : variant(std::string(text)) {}  ///< a text
 };
 
 /// A cell that is empty where there is no number.
