@@ -1,19 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/scenes.hpp"
 #include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
-
-using scene::Workshop;
 
 constexpr double step = 0.2, end = 2000;
 constexpr int windows = 400;
@@ -70,47 +66,43 @@ std::vector<Energy> energies() {
   return {energy_of(ivp::laier), energy_of(ivp::argyris), energy_of(ivp::newmark_pair)};
 }
 
-scene::Showing show(const std::vector<Energy>& all) {
+void draw(const std::vector<Energy>& all, scene::Show& show) {
   scene::Table data({{"t"}, {"laier"}, {"argyris"}, {"newmark"}});
   for (std::size_t i = 0; i < windows; ++i)
     data.add(
         {(static_cast<double>(i) + 0.5) * end / windows, all[0].worst[i], all[1].worst[i], all[2].worst[i]});
-  scene::Table table({{"operators"},
-                      {"greatest energy error", 3},
-                      {"slope per unit of time", 2},
-                      {"determinant of a step - 1", 2}});
-  const auto greatest = [](const Energy& e) { return *std::max_element(e.worst.begin(), e.worst.end()); };
-  for (const Energy& e : all) table.add({e.row, greatest(e), e.slope, e.determinant});
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "hermitian-energy",
-                    {{"heading", "Symmetric operators keep the energy error bounded"}}};
-  showing.table = std::move(table);
-  const auto half = [&](const Energy& e, bool second) {
-    const auto middle = e.worst.begin() + windows / 2;
-    return second ? *std::max_element(middle, e.worst.end()) : *std::max_element(e.worst.begin(), middle);
-  };
+  show.plot("Symmetric operators keep the energy error bounded", "time (s)",
+            "greatest |{/:Italic E}/{/:Italic E}_0 − 1| in 5 s")
+      .log_y(1e-5, 1)
+      .columns("Newmark, Hoff, Bazzi", "t:newmark", {"lines dashtype 1", 3})
+      .columns("Laier", "t:laier", scene::lines(1))
+      .columns("Argyris", "t:argyris", scene::lines(5));
+  show.figure().data(std::move(data));
+}
+
+void put(const std::vector<Energy>& all, scene::Show& show) {
+  draw(all, show);
+  show.table(all, {{"operators", &Energy::row},
+                   {"greatest energy error", [](const Energy& e) { return std::ranges::max(e.worst); }},
+                   {"slope per unit of time", &Energy::slope, 2},
+                   {"determinant of a step - 1", &Energy::determinant, 2}});
   for (const Energy& e : all) {
-    showing.quantities.push_back(scene::near("energy error of " + e.row + ", second half over first", "1",
-                                             half(e, true) / half(e, false), 1, 0.02,
-                                             "a symmetric step on a reversible problem: no drift"));
+    const auto middle = e.worst.begin() + windows / 2;
+    show.near("energy error of " + e.row + ", second half over first",
+              *std::max_element(middle, e.worst.end()) / *std::max_element(e.worst.begin(), middle), 1, 0.02,
+              "a symmetric step on a reversible problem: no drift");
   }
-  showing.quantities.push_back({"determinant of a step of Laier, minus 1", "1", all[0].determinant, -1e-3,
-                                -1e-7, "not symplectic; the differences are good to 1e-9"});
-  return showing;
+  show.between("determinant of a step of Laier, minus 1", all[0].determinant, -1e-3, -1e-7,
+               "not symplectic; the differences are good to 1e-9");
 }
 
 }  // namespace
 
-void add_energy(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Energy>>(
-      "energies", "x'' + x + x^3 = 0 from (1, 0.3), step 0.2, to t = 2000", {},
-      [](Workshop&) { return energies(); });
-  chapter.add({.name = "energy",
-               .title = "Energy of a free Duffing oscillator over 2000 units of time",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> energy() {
+  const scene::Result result("energies", "x'' + x + x^3 = 0 from (1, 0.3), step 0.2, to t = 2000", energies);
+  return {{.name = "energy",
+           .title = "Energy of a free Duffing oscillator over 2000 units of time",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/scenes.hpp"
 #include "nlmech/comparison/cost_scene.hpp"
 #include "nlmech/comparison/example_of.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
 
 using comparison::Contender;
@@ -29,39 +29,39 @@ std::vector<Contender> contenders(double scale, bool quick) {
   return all;
 }
 
-std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick) {
+void check(const comparison::Costs& costs, scene::Show& show) {
   const comparison::Cost& tightest = comparison::curve_of(costs.curves, "laier").costs.back();
   const double steps = static_cast<double>(tightest.work.steps);
-  return {comparison::condition_quantity(costs),
-          scene::at_most("error of laier at the tightest tolerance", "1", tightest.error.value_or(HUGE_VAL),
-                         comparison::tightest_tolerance(quick) * steps * std::max(1.0, costs.condition),
-                         "the tolerance in each step, all of one sign, times the condition")};
+  comparison::check_condition(costs, show);
+  show.at_most("error of laier at the tightest tolerance", tightest.error.value_or(HUGE_VAL),
+               comparison::tightest_tolerance(show.quick()) * steps * std::max(1.0, costs.condition),
+               "the tolerance in each step, all of one sign, times the condition");
 }
 
 /// @param scale longest of the fixed steps @param change of the begin, for the condition
 template <class Problem>
-void add_scene(scene::Chapter& chapter, const Problem& problem, const std::string& heading, double end,
-               double scale, double change) {
+scene::Scene scene_of(const Problem& problem, const std::string& heading, double end, double scale,
+                      double change) {
   const auto measure = [=](bool quick) {
     return comparison::costs_of(comparison::example_of(problem, end), contenders(scale, quick), change,
                                 quick);
   };
-  comparison::add_cost_scene(
-      chapter, {.name = std::string(Problem::name),
-                .heading = heading,
-                .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
-                .variables = {{"own_name", "Hermitian operators"}},
-                .measure = measure,
-                .promises = promises});
+  return comparison::cost_scene(
+      {.name = std::string(Problem::name),
+       .heading = heading,
+       .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
+       .variables = {{"own_name", "Hermitian operators"}},
+       .measure = measure,
+       .check = check});
 }
 
 }  // namespace
 
-void add_error_vs_time(scene::Chapter& chapter) {
-  add_scene(chapter, problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50: digits against cost",
-            50, 0.4, 1e-8);
-  add_scene(chapter, problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200: digits against cost",
-            200, 0.01, 1e-6);
+std::vector<scene::Scene> error_vs_time() {
+  return {scene_of(problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50: digits against cost", 50,
+                   0.4, 1e-8),
+          scene_of(problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200: digits against cost",
+                   200, 0.01, 1e-6)};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/scenes.hpp"
 #include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
 
 using ivp::Hermitian;
-using scene::Workshop;
-
 /// One case.
-struct Fate {
+struct Attempt {
   std::string what, operators, setting, status;
   std::optional<double> error;  ///< of the position at the end
   std::int64_t steps, evaluations;
@@ -35,18 +35,18 @@ struct Subject {
   double end, truth;
 };
 
-Fate fate(const Subject& s, const Hermitian& method) {
+Attempt attempt(const Subject& s, const Hermitian& method) {
   const auto run = ivp::integrate(s.system, s.x0, 0, s.end, method, {}, {.steps = 5'000'000});
-  Fate f{s.what,
-         std::string(method.operators.name),
-         method.step > 0 ? fmt::format("step {:.4g}", method.step)
-                         : fmt::format("tolerance {:.0e}", method.relative_tolerance),
-         std::string(to_string(run.status.outcome())),
-         {},
-         run.statistics.steps,
-         run.statistics.right_hand_sides};
-  if (run.status.ok()) f.error = std::abs(run.x[0] - s.truth);
-  return f;
+  Attempt a{s.what,
+            std::string(method.operators.name),
+            method.step > 0 ? fmt::format("step {:.4g}", method.step)
+                            : fmt::format("tolerance {:.0e}", method.relative_tolerance),
+            std::string(to_string(run.status.outcome())),
+            {},
+            run.statistics.steps,
+            run.statistics.right_hand_sides};
+  if (run.status.ok()) a.error = std::abs(run.x[0] - s.truth);
+  return a;
 }
 
 Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
@@ -76,27 +76,27 @@ Subject fast_duffing(const std::string& what, double hardening, double x0) {
   return {what, ivp::System<2>(problem), {x0, 0}, 1, static_cast<double>(reference(1)[0])};
 }
 
-std::vector<Fate> fates(bool quick) {
-  std::vector<Fate> all;
+std::vector<Attempt> attempts(bool quick) {
+  std::vector<Attempt> all;
   for (const Subject& s : relaxations()) {
-    for (const double step : {0.5, 0.125, 0.03125, 0.00390625}) all.push_back(fate(s, {.step = step}));
+    for (const double step : {0.5, 0.125, 0.03125, 0.00390625}) all.push_back(attempt(s, {.step = step}));
     for (const double tolerance : {1e-4, 1e-8, 1e-12})
-      all.push_back(fate(s, controlled(ivp::laier, tolerance)));
-    all.push_back(fate(s, controlled(ivp::argyris, 1e-8)));
-    all.push_back(fate(s, controlled(ivp::newmark_pair, 1e-6)));
+      all.push_back(attempt(s, controlled(ivp::laier, tolerance)));
+    all.push_back(attempt(s, controlled(ivp::argyris, 1e-8)));
+    all.push_back(attempt(s, controlled(ivp::newmark_pair, 1e-6)));
   }
   const Subject smooth = fast_duffing("fast Duffing, smooth start", 1, 1e-6);
   const Subject swinging = fast_duffing("fast Duffing, oscillating start", 1, 1);
   const Subject hard = fast_duffing("the same, 1000 x^3", 1000, 1);
   for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris, ivp::newmark_pair}) {
     for (const double step : {0.1, 0.01, 0.001})
-      all.push_back(fate(smooth, {.operators = pair, .step = step}));
+      all.push_back(attempt(smooth, {.operators = pair, .step = step}));
   }
   for (const Subject& s : {swinging, hard}) {
     for (const double step : {1e-3, 1e-4, 1e-5}) {
-      if (!quick || step > 5e-5) all.push_back(fate(s, {.step = step}));
+      if (!quick || step > 5e-5) all.push_back(attempt(s, {.step = step}));
     }
-    all.push_back(fate(s, controlled(ivp::laier, 1e-10)));
+    all.push_back(attempt(s, controlled(ivp::laier, 1e-10)));
   }
   for (const double z : {1e2, 1e4, 1e6}) {
     const Subject linear{fmt::format("linear, h omega = {:.0e}", z),
@@ -105,81 +105,76 @@ std::vector<Fate> fates(bool quick) {
                          100,
                          std::cos(100 * z)};
     for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris, ivp::newmark_pair})
-      all.push_back(fate(linear, {.operators = pair, .step = 1}));
+      all.push_back(attempt(linear, {.operators = pair, .step = 1}));
   }
   return all;
 }
 
-const Fate& of(const std::vector<Fate>& all, const std::string& what, const std::string& operators,
-               const std::string& setting) {
-  for (const Fate& f : all) {
-    if (f.what == what && f.operators == operators && f.setting == setting) return f;
+const Attempt& of(const std::vector<Attempt>& all, const std::string& what, const std::string& operators,
+                  const std::string& setting) {
+  for (const Attempt& a : all) {
+    if (a.what == what && a.operators == operators && a.setting == setting) return a;
   }
   throw std::out_of_range("no case " + what + ", " + operators + ", " + setting);
 }
 
-scene::Showing show(const std::vector<Fate>& all) {
-  scene::Table table({{"case"},
-                      {"operators"},
-                      {"setting"},
-                      {"status"},
-                      {"error at the end", 2},
-                      {"steps"},
-                      {"evaluations"}});
-  double silent = 0;
-  for (const Fate& f : all) {
-    table.add({f.what, f.operators, f.setting, f.status, scene::to_cell(f.error), f.steps, f.evaluations});
-    if (f.what.starts_with("van der Pol") && f.error.value_or(0) > 0.1) ++silent;
-  }
+void put(const std::vector<Attempt>& all, scene::Show& show) {
+  show.table(all, {{"case", &Attempt::what},
+                   {"operators", &Attempt::operators},
+                   {"setting", &Attempt::setting},
+                   {"status", &Attempt::status},
+                   {"error at the end", &Attempt::error, 2},
+                   {"steps", &Attempt::steps},
+                   {"evaluations", &Attempt::evaluations}});
   const auto error = [&](const std::string& what, const std::string& operators, const std::string& setting) {
     return of(all, what, operators, setting).error.value_or(NAN);
   };
-  const auto caught =
-      std::count_if(all.begin(), all.end(), [](const Fate& f) { return f.status == "wrong_branch"; });
-  double well = 0;
-  for (const char* step : {"step 0.1", "step 0.01"})
-    well += error("fast Duffing, smooth start", "argyris", step) < 1e-9 ? 1 : 0;  // NaN: it failed
-  scene::Showing showing;
-  showing.table = std::move(table);
-  showing.quantities = {
-      scene::near("successes on van der Pol's oscillator that err by more than 0.1", "1", silent, 0, 0,
-                  "the estimate is there to catch them"),
-      {"steps that are refused as wrong branches", "1", static_cast<double>(caught), 6, 12,
-       "all that are longer than the leap of the three oscillators"},
-      scene::at_most("error for mu = 1000, steps chosen, tolerance 1e-8", "1",
-                     error("van der Pol, mu = 1000", "laier", "tolerance 1e-08"), 1e-6,
-                     "tolerance 1e-8; the motion forgets its errors between leaps"),
-      {"evaluations for mu = 1000, steps chosen, tolerance 1e-8", "1",
-       static_cast<double>(of(all, "van der Pol, mu = 1000", "laier", "tolerance 1e-08").evaluations), 0,
-       60000, "fixed steps: 8.2 million for an error of 5e-4; recorded"},
-      scene::at_most("fast Duffing, smooth start: greatest error of Laier", "1",
-                     std::max({error("fast Duffing, smooth start", "laier", "step 0.1"),
-                               error("fast Duffing, smooth start", "laier", "step 0.01"),
-                               error("fast Duffing, smooth start", "laier", "step 0.001")}),
-                     4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost"),
-      scene::near("the same, runs of Argyris with h omega = 10 or 100 that end well", "1", well, 0, 0,
-                  "both lie beyond sqrt(60); the other run ends at 3e20"),
-      scene::at_most("fast Duffing, oscillating start: error with tolerance 1e-10", "1",
-                     error("fast Duffing, oscillating start", "laier", "tolerance 1e-10"), 1e-4,
-                     "an error of 1e-10 a step, of one sign, over all its steps"),
-      scene::at_most("linear, h omega = 1e6: error of Laier after 100 steps", "1",
-                     error("linear, h omega = 1e+06", "laier", "step 1"), 2.001,
-                     "|x| <= 1 for the exact and, with the spectral radius 1, for the computed motion")};
-  return showing;
+  const auto smooth = [&](const std::string& operators) {
+    std::vector<double> errors;
+    for (const char* step : {"step 0.1", "step 0.01", "step 0.001"})
+      errors.push_back(error("fast Duffing, smooth start", operators, step));
+    return errors;
+  };
+  show.equals("successes on van der Pol's oscillator that err by more than 0.1",
+              std::ranges::count_if(all,
+                                    [](const Attempt& a) {
+                                      return a.what.starts_with("van der Pol") && a.error.value_or(0) > 0.1;
+                                    }),
+              0, "the estimate is there to catch them");
+  show.between("steps that are refused as wrong branches",
+               std::ranges::count(all, "wrong_branch", &Attempt::status), 6, 12,
+               "all that are longer than the leap of the three oscillators");
+  show.at_most("error for mu = 1000, steps chosen, tolerance 1e-8",
+               error("van der Pol, mu = 1000", "laier", "tolerance 1e-08"), 1e-6,
+               "tolerance 1e-8; the motion forgets its errors between leaps");
+  show.at_most("evaluations for mu = 1000, steps chosen, tolerance 1e-8",
+               of(all, "van der Pol, mu = 1000", "laier", "tolerance 1e-08").evaluations, 60000,
+               "fixed steps: 8.2 million for an error of 5e-4; recorded");
+  show.at_most("fast Duffing, smooth start: greatest error of Laier", std::ranges::max(smooth("laier")),
+               4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost");
+  // A run that failed has no error and compares false.
+  show.equals(
+      "the same, runs of Argyris with h omega = 10 or 100 that end well",
+      std::ranges::count_if(smooth("argyris") | std::views::take(2), [](double e) { return e < 1e-9; }), 0,
+      "both lie beyond sqrt(60); the other run ends at 3e20");
+  show.at_most("fast Duffing, oscillating start: error with tolerance 1e-10",
+               error("fast Duffing, oscillating start", "laier", "tolerance 1e-10"), 1e-4,
+               "an error of 1e-10 a step, of one sign, over all its steps");
+  show.at_most("linear, h omega = 1e6: error of Laier after 100 steps",
+               error("linear, h omega = 1e+06", "laier", "step 1"), 2.001,
+               "|x| <= 1 for the exact and, with the spectral radius 1, for the computed motion");
 }
 
 }  // namespace
 
-void add_extremes(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Fate>>(
+std::vector<scene::Scene> extremes() {
+  const scene::Result result(
       "extremes",
       "van der Pol from (2, 0) to t = 40, 200, 2000; Duffing with omega = 1000 to t = 1; linear to t = 100",
-      {}, [](Workshop& w) { return fates(w.quick()); });
-  chapter.add({.name = "extremes",
-               .title = "Relaxation oscillations, fast oscillators, steps far too long",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      attempts);
+  return {{.name = "extremes",
+           .title = "Relaxation oscillations, fast oscillators, steps far too long",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

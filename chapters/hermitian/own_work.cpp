@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/chapter.hpp"
 #include "chapters/hermitian/peaks.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
@@ -15,7 +14,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/typed.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
 
 // The paper's own parameters and starts.
@@ -59,7 +58,7 @@ void add_peak_command(CLI::App& app) {
 
 }  // namespace
 
-void hermitian_work(CLI::App& app) {
+void commands(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {&own_problem<Duffing>, &own_problem<VanDerPol>,
                                             &own_problem<problems::LinearOscillator>,
@@ -70,4 +69,4 @@ void hermitian_work(CLI::App& app) {
   add_peak_command(app);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

@@ -1,12 +1,16 @@
 #include "chapters/hermitian/peak_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
 
-namespace nlmech::chapters {
+#include "chapters/printed_values.hpp"
+
+namespace nlmech::chapters::hermitian {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -88,6 +92,26 @@ double miss(double ours, double printed) {
 }
 
 }  // namespace
+
+std::string PeakTable::name(std::size_t row, std::size_t column) const {
+  return fmt::format("laier/{}/dt = {} {}/first peak of the {} oscillator", place, peak_steps.at(row),
+                     peak_columns.at(column), oscillator);
+}
+
+Nine PeakTable::printed() const {
+  const auto values = printed_values(place);
+  Nine all{};
+  for (std::size_t i = 0; i < 9; ++i) all.at(i) = values.at(name(i / 3, i % 3)).value;
+  return all;
+}
+
+// oracle: transversal_motions Laier's Duffing peak
+PeakTable table_4() { return {"Table 4", "table-4", "Duffing", duffing_case(), 0.53826530480162931}; }
+
+// oracle: transversal_motions Laier's van der Pol peak
+PeakTable table_5() {
+  return {"Table 5", "table-5", "van der Pol", van_der_pol_case(), -0.31932967523380421};
+}
 
 Turn turn_of(const ivp::System<2>& system, const Program& program, const ivp::HermitianPair& pair,
              double step, double sign) {
@@ -229,4 +253,4 @@ double chance_of(std::span<const double> others, double ours) {
   return (1 + static_cast<double>(as_good)) / (1 + static_cast<double>(others.size()));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

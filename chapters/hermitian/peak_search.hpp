@@ -8,12 +8,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "chapters/hermitian/peaks.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 
 /// A table of first peaks: by Laier's, Argyris' and Newmark's operators with the step 0.2, then 0.1 and 0.05.
 using Nine = std::array<double, 9>;
@@ -23,16 +24,26 @@ inline constexpr std::array peak_steps = {0.2, 0.1, 0.05};
 /// The table's columns, in its order.
 inline constexpr std::array peak_operators = {ivp::laier, ivp::argyris, ivp::newmark_pair};
 
-/// Table 4 as printed.
-inline constexpr Nine printed_duffing = {0.5017, 0.4840, 0.4816, 0.5217, 0.5117,
-                                         0.5111, 0.5302, 0.5253, 0.5251};
-/// Table 5 as printed.
-inline constexpr Nine printed_van_der_pol = {-0.3193, -0.3192, -0.3130, -0.3193, -0.3192,
-                                             -0.3177, -0.3193, -0.3193, -0.3189};
-/// The Duffing oscillator's first peak from rest. oracle: transversal_motions Laier's Duffing peak
-inline constexpr double exact_duffing = 0.53826530480162931;
-/// Van der Pol's from (0.01, 0). oracle: transversal_motions Laier's van der Pol peak
-inline constexpr double exact_van_der_pol = -0.31932967523380421;
+/// Names of these operators.
+inline constexpr std::array peak_columns = {"Laier", "Argyris", "Newmark"};
+
+/// One of the paper's two tables of first peaks.
+struct PeakTable {
+  std::string title;       ///< "Table 4"
+  std::string place;       ///< "table-4"
+  std::string oscillator;  ///< "Duffing"
+  Case what;               ///< equation and start
+  double exact;            ///< the first peak
+
+  /// What is printed in a row and a column, as PublishedValue::name().
+  [[nodiscard]] std::string name(std::size_t row, std::size_t column) const;
+  /// All that is printed.
+  [[nodiscard]] Nine printed() const;
+};
+/// The Duffing oscillator from rest.
+[[nodiscard]] PeakTable table_4();
+/// Van der Pol's oscillator from (0.01, 0).
+[[nodiscard]] PeakTable table_5();
 
 /// What the paper does not say of the run that gave a number.
 struct Program {
@@ -118,4 +129,4 @@ enum class Surrogates {
 /// (1 + those of @p others that are not above @p ours) / (1 + all of them): how often chance fits as well.
 [[nodiscard]] double chance_of(std::span<const double> others, double ours);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

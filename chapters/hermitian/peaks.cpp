@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 
 problems::DrivenDuffing laier_duffing() {
   return {.damping = 0.4, .stiffness = 1, .hardening = 0.5, .force = 0.5, .frequency = 0.5};
@@ -49,4 +49,4 @@ Peak first_peak(const Case& what, const ivp::Hermitian& method, double end) {
   return peak;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

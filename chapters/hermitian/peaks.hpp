@@ -6,7 +6,7 @@
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 
 /// Duffing's equation (11) of the paper: x'' + 0.4 x' + x + 0.5 x^3 = 0.5 cos(0.5 t).
 [[nodiscard]] problems::DrivenDuffing laier_duffing();
@@ -36,4 +36,4 @@ struct Peak {
 /// The first peak before @p end. @param method operators and step
 [[nodiscard]] Peak first_peak(const Case& what, const ivp::Hermitian& method, double end);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include "chapters/hermitian/scenes.hpp"
 #include "nlmech/ivp/hermitian_operators.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
 
 using ivp::HermitianStep;
-using scene::Workshop;
-
 /// Spectral radius and period error of the five rows against z = h omega.
 struct Spectrum {
   double z;
@@ -62,7 +61,7 @@ double distance_from_one() {
   return worst;
 }
 
-scene::Showing show(const std::vector<Spectrum>& all) {
+void draw(const std::vector<Spectrum>& all, scene::Show& show) {
   scene::Table data({{"z"},
                      {"rho_laier"},
                      {"rho_argyris"},
@@ -70,28 +69,45 @@ scene::Showing show(const std::vector<Spectrum>& all) {
                      {"period_laier"},
                      {"period_argyris"},
                      {"period_newmark"}});
-  const auto to_cell = [](double period) {
-    return std::isfinite(period) && period > 0 ? scene::Cell(period) : scene::Cell();
+  const auto period = [](double error) {
+    return std::isfinite(error) && error > 0 ? std::optional(error) : std::nullopt;
   };
   for (const Spectrum& s : all) {
     const bool turns = s.radius[4] < 1 + 1e-12;  // else the phase is 0 or pi: no period
-    data.add({s.z, s.radius[0], s.radius[4], s.radius[1], to_cell(s.period[0]),
-              turns ? to_cell(s.period[4]) : scene::Cell(), to_cell(s.period[1])});
+    data.add({s.z, s.radius[0], s.radius[4], s.radius[1], period(s.period[0]),
+              turns ? period(s.period[4]) : std::nullopt, period(s.period[1])});
   }
+  scene::Plot& plot = show.plots("Argyris' operators are stable only in part").size(900, 520);
+  plot.data(std::move(data));
+  scene::Panel& radius = plot.panel("{/:Italic h ω}", "spectral radius of a step");
+  radius.set("logscale x").x_range(0.5, 100).set("xtics (0.5, 1, 2, 5, 10, 20, 50, 100)");
+  radius.y_range(0, 9).key("at graph 0.03, graph 0.97 left top Left reverse");
+  for (const auto& [square, height] : {std::pair{10., 2.}, {12., 2.}, {60., 4.2}})
+    radius.set(
+        fmt::format("arrow from {0},graph 0 to {0},{1} nohead linestyle 11", std::sqrt(square), height));
+  radius.note("√60", std::sqrt(60), 4.5, "center").note("√10, √12", 3.31, 2.3, "center");
+  radius.columns("Argyris", "z:rho_argyris", scene::lines(5))
+      .columns("Laier", "z:rho_laier", {"lines linewidth 3", 1})
+      .columns("Newmark, Hoff, Bazzi", "z:rho_newmark", scene::lines(3));
+  scene::Panel& period_error = plot.panel("{/:Italic h ω}", "|period error|");
+  period_error.set("logscale x").x_range(0.1, 10).set("xtics (0.1, 0.2, 0.5, 1, 2, 5, 10)");
+  period_error.log_y(1e-8, 1).key("off");
+  period_error.columns("", "z:period_argyris", scene::lines(5))
+      .columns("", "z:period_laier", scene::lines(1))
+      .columns("", "z:period_newmark", scene::lines(3));
+}
+
+void put(const std::vector<Spectrum>& all, scene::Show& show) {
+  draw(all, show);
   scene::Table table(
       {{"operators"}, {"greatest spectral radius", 4}, {"period error at h omega = 0.1", 4}, {"at 1", 4}});
   for (std::size_t row = 0; row < 5; ++row) {
     const HermitianStep step = step_of(row);
     double greatest = 0;
     for (const Spectrum& s : all) greatest = std::max(greatest, s.radius.at(row));
-    table.add({std::string(ivp::hermitian_table.at(row).name), greatest, period_error(step, 0.1),
-               period_error(step, 1)});
+    table.add({ivp::hermitian_table.at(row).name, greatest, period_error(step, 0.1), period_error(step, 1)});
   }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "hermitian-spectral",
-                    {{"heading", "Argyris' operators are stable only in part"}, {"width", "900"}}};
-  showing.table = std::move(table);
+  show.table(std::move(table));
   const auto coefficient = [](const ivp::HermitianPair& pair, int power) {
     const double z = 0.05;
     return period_error(ivp::solved_for_end(pair), z) / std::pow(z, power);
@@ -102,36 +118,27 @@ scene::Showing show(const std::vector<Spectrum>& all) {
   for (const Spectrum& s : all)
     same = std::max({same, std::abs(s.radius[1] - s.radius[2]), std::abs(s.radius[1] - s.radius[3]),
                      std::abs(s.period[1] - s.period[2]), std::abs(s.period[1] - s.period[3])});
-  showing.quantities = {
-      scene::at_most("distance of Laier's spectral radius from 1, z from 0.01 to 10000", "1",
-                     distance_from_one(), 4e-16, "the determinant is 1: rounding"),
-      scene::near("begin of the window of instability", "1", edge(3, 3.3), std::sqrt(10.0), 1e-9,
-                  "half trace -1: z^2 = 10"),
-      scene::near("end of the window of instability", "1", edge(3.6, 3.3), std::sqrt(12.0), 1e-9,
-                  "half trace -1: z^2 = 12"),
-      scene::near("last stable h omega of Argyris", "1", edge(7, 9), std::sqrt(60.0), 1e-9,
-                  "half trace 1: z^2 = 60"),
-      scene::near("spectral radius of Argyris for a very long step", "1", far, 3 + std::sqrt(8.0), 1e-9,
-                  "half trace 3"),
-      scene::near("period error of Laier over z^4", "1", coefficient(ivp::laier, 4), 1. / 720, 0.01, series),
-      scene::near("period error of Argyris over z^4", "1", coefficient(ivp::argyris, 4), 1. / 1440, 0.01,
-                  series),
-      scene::near("period error of Newmark over z^2", "1", coefficient(ivp::newmark_pair, 2), 1. / 12, 0.01,
-                  series),
-      scene::at_most("difference of Newmark, Hoff and Bazzi", "1", same, 0, "one method")};
-  return showing;
+  show.at_most("distance of Laier's spectral radius from 1, z from 0.01 to 10000", distance_from_one(), 4e-16,
+               "the determinant is 1: rounding");
+  show.near("begin of the window of instability", edge(3, 3.3), std::sqrt(10.0), 1e-9,
+            "half trace -1: z^2 = 10");
+  show.near("end of the window of instability", edge(3.6, 3.3), std::sqrt(12.0), 1e-9,
+            "half trace -1: z^2 = 12");
+  show.near("last stable h omega of Argyris", edge(7, 9), std::sqrt(60.0), 1e-9, "half trace 1: z^2 = 60");
+  show.near("spectral radius of Argyris for a very long step", far, 3 + std::sqrt(8.0), 1e-9, "half trace 3");
+  show.near("period error of Laier over z^4", coefficient(ivp::laier, 4), 1. / 720, 0.01, series);
+  show.near("period error of Argyris over z^4", coefficient(ivp::argyris, 4), 1. / 1440, 0.01, series);
+  show.near("period error of Newmark over z^2", coefficient(ivp::newmark_pair, 2), 1. / 12, 0.01, series);
+  show.at_most("difference of Newmark, Hoff and Bazzi", same, 0, "one method");
 }
 
 }  // namespace
 
-void add_spectral(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Spectrum>>("spectrum", "undamped linear oscillator, one step",
-                                                           {}, [](Workshop&) { return spectrum(); });
-  chapter.add({.name = "spectral",
-               .title = "Spectral radius and period error of the five pairs of operators",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> spectral() {
+  const scene::Result result("spectrum", "undamped linear oscillator, one step", spectrum);
+  return {{.name = "spectral",
+           .title = "Spectral radius and period error of the five pairs of operators",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

@@ -1,101 +1,109 @@
-#include <fmt/format.h>
-
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/scenes.hpp"
 #include "nlmech/ivp/hermitian.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
-
-using scene::Workshop;
 
 constexpr double mu = 100, end = 200,
                  truth = 1.718587208019240655;  // at t = 200, by Taylor series in 70 digits
 
 /// A fixed step with and without the test of its estimate.
-struct Fate {
-  double step = 0;
+struct Pair {
+  double step;
   std::string unchecked, checked;  ///< how the runs end
-  double error = 0;                ///< of the unchecked run at the end; NaN if it fails
-  double stopped = 0;              ///< where the checked run ends
+  std::optional<double> error;     ///< of the unchecked run at the end; none if it fails
+  double stopped;                  ///< where the checked run ends
+
+  /// Does the unchecked run look well?
+  [[nodiscard]] bool finishes() const { return unchecked == "success"; }
 };
 
-struct Trace {
-  std::vector<std::array<double, 2>> wrong;  ///< step 0.0625, not checked
-  std::vector<std::array<double, 2>> right;  ///< steps chosen
-  std::vector<Fate> fates;
+struct Point {
+  double t, x;
 };
 
-constexpr double drawn_step = 0.0625;
+struct Branches {
+  std::vector<Point> wrong;  ///< step 0.0625, not checked
+  std::vector<Point> right;  ///< steps chosen
+  std::vector<Pair> pairs;
+};
 
-Trace trace() {
-  const ivp::System<2> system(problems::VanDerPol{.mu = mu});
-  const ivp::State<2> x0(2, 0);
-  Trace t;
-  const auto keep = [](std::vector<std::array<double, 2>>& points) {
-    return [&points](const ivp::Step<2>& s) {
-      if (points.empty() || s.t1 - points.back()[0] > 0.2 || std::abs(s.x1[0] - points.back()[1]) > 0.02)
-        points.push_back({s.t1, s.x1[0]});
-      return true;
-    };
+/// Runs from (2, 0) to the end. @param points gets those that a picture needs; may be null
+ivp::Solution<2> run(const ivp::Hermitian& method, std::vector<Point>* points = nullptr) {
+  const auto keep = [points](const ivp::Step<2>& s) {
+    if (points &&
+        (points->empty() || s.t1 - points->back().t > 0.2 || std::abs(s.x1[0] - points->back().x) > 0.02))
+      points->push_back({s.t1, s.x1[0]});
+    return true;
   };
-  static_cast<void>(ivp::integrate(
-      system, x0, 0, end, ivp::Hermitian{.step = drawn_step, .branch_tolerance = HUGE_VAL}, keep(t.wrong)));
-  static_cast<void>(ivp::integrate(system, x0, 0, end,
-                                   ivp::Hermitian{.relative_tolerance = 1e-8, .absolute_tolerance = 1e-8},
-                                   keep(t.right)));
-  for (const double step : {0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125}) {
-    const auto blind =
-        ivp::integrate(system, x0, 0, end, ivp::Hermitian{.step = step, .branch_tolerance = HUGE_VAL});
-    const auto seeing = ivp::integrate(system, x0, 0, end, ivp::Hermitian{.step = step});
-    t.fates.push_back({step, std::string(to_string(blind.status.outcome())),
-                       std::string(to_string(seeing.status.outcome())),
-                       blind.status.ok() ? std::abs(blind.x[0] - truth) : NAN, seeing.t});
-  }
-  return t;
+  return ivp::integrate(ivp::System<2>(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method, keep);
 }
 
-scene::Showing show(const Trace& t) {
-  scene::Table data({{"run"}, {"t"}, {"x"}});
-  for (const auto& [time, x] : t.right) data.add({std::string("right"), time, x});
-  for (const auto& [time, x] : t.wrong) data.add({std::string("wrong"), time, x});
-  scene::Table table({{"step", 4}, {"not checked"}, {"error at t = 200", 2}, {"checked"}, {"ends at t", 5}});
-  double silent = 0, refused = 0, accepted = 0;
-  for (const Fate& f : t.fates) {
-    table.add({f.step, f.unchecked, std::isnan(f.error) ? scene::Cell() : scene::Cell(f.error), f.checked,
-               f.stopped});
-    if (f.unchecked == "success" && f.error > 0.1 && f.checked != "wrong_branch") ++silent;
-    if (f.unchecked == "success" && f.error < 0.01 && f.checked != "success") ++refused;
-    if (f.checked == "success") accepted = std::max(accepted, f.error);
+ivp::Hermitian unchecked(double step) { return {.step = step, .branch_tolerance = HUGE_VAL}; }
+
+Branches compute() {
+  Branches b;
+  static_cast<void>(run(unchecked(0.0625), &b.wrong));
+  static_cast<void>(run({.relative_tolerance = 1e-8, .absolute_tolerance = 1e-8}, &b.right));
+  for (const double step : {0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125}) {
+    const auto blind = run(unchecked(step)), seeing = run({.step = step});
+    b.pairs.push_back({step, std::string(to_string(blind.status.outcome())),
+                       std::string(to_string(seeing.status.outcome())),
+                       blind.status.ok() ? std::optional(std::abs(blind.x[0] - truth)) : std::nullopt,
+                       seeing.t});
   }
-  scene::Showing showing;
-  showing.figure = {
-      std::move(data), "hermitian-wrong-branch", {{"heading", "Converged at every step, and wrong"}}};
-  showing.table = std::move(table);
-  showing.quantities = {
-      scene::near("steps that err by more than 0.1 without notice", "1", silent, 0, 0, "each must be caught"),
-      scene::near("steps that err by less than 0.01 and are refused", "1", refused, 0, 0, "none may be"),
-      scene::at_most("greatest error of an accepted step", "1", accepted, 0.05,
-                     "far below the amplitude of 2")};
-  return showing;
+  return b;
+}
+
+void draw(const Branches& b, scene::Show& show) {
+  scene::Table data({{"run"}, {"t"}, {"x"}});
+  for (const Point& p : b.right) data.add({"right", p.t, p.x});
+  for (const Point& p : b.wrong) data.add({"wrong", p.t, p.x});
+  show.plot("Converged at every step, and wrong", "time (s)", "{/:Italic x}")
+      .x_range(0, end)
+      .set("bmargin 7")
+      .key("at screen 0.55, screen 0.02 center bottom maxrows 2")
+      .columns("Laier, steps chosen, tolerance 10^{-8}", "t:(strcol('run') eq 'right' ? column('x') : NaN)",
+               {"lines linewidth 3", 1})
+      .columns("Laier, fixed step of 0.0625 s, not checked",
+               "t:(strcol('run') eq 'wrong' ? column('x') : NaN)", {"lines dashtype 1", 5});
+  show.figure().data(std::move(data));
+}
+
+void put(const Branches& b, scene::Show& show) {
+  draw(b, show);
+  show.table(b.pairs, {{"step", &Pair::step, 4},
+                       {"not checked", &Pair::unchecked},
+                       {"error at t = 200", &Pair::error, 2},
+                       {"checked", &Pair::checked},
+                       {"ends at t", &Pair::stopped, 5}});
+  int silent = 0, refused = 0;
+  double accepted = 0;
+  for (const Pair& p : b.pairs) {
+    const double error = p.error.value_or(NAN);
+    if (p.finishes() && error > 0.1 && p.checked != "wrong_branch") ++silent;
+    if (p.finishes() && error < 0.01 && p.checked != "success") ++refused;
+    if (p.checked == "success") accepted = std::max(accepted, error);
+  }
+  show.equals("steps that err by more than 0.1 without notice", silent, 0, "each must be caught");
+  show.equals("steps that err by less than 0.01 and are refused", refused, 0, "none may be");
+  show.at_most("greatest error of an accepted step", accepted, 0.05, "far below the amplitude of 2");
 }
 
 }  // namespace
 
-void add_wrong_branch(scene::Chapter& chapter) {
-  const auto& run =
-      chapter.add_run<Trace>("branches", "van der Pol, mu = 100, from (2, 0); Laier's operators", {},
-                             [](Workshop&) { return trace(); });
-  chapter.add({.name = "wrong-branch",
-               .title = "Newton's iteration converges, and the solution is lost",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> wrong_branch() {
+  const scene::Result result("branches", "van der Pol, mu = 100, from (2, 0); Laier's operators", compute);
+  return {{.name = "wrong-branch",
+           .title = "Newton's iteration converges, and the solution is lost",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian

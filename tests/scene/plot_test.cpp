@@ -60,6 +60,13 @@ TEST(Plot, DrawsColumnsOfOtherData) {
   EXPECT_EQ(plot.data().csv(), "t,laier\n0,1\n");
 }
 
+TEST(Plot, TakesExpressionsForColumns) {
+  Plot plot("Expressions");
+  plot.data(Table({{"t"}})).panel("t", "x").columns("", "t:(f(column('t')) > 0 ? 1 : NaN)");
+  expect_line(plot.script(),
+              "plot data using \"t\":(f(column('t')) > 0 ? 1 : NaN) with lines linestyle 1 notitle");
+}
+
 TEST(Plot, LabelsShortLogarithmicAxesWithNumbersAndLongOnesWithPowers) {
   Plot plot("Axes");
   plot.panel("h", "error").log_x(0.02, 0.5).log_y(1e-12, 1).curve("", {0.1}, {0.1});

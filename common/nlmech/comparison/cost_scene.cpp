@@ -6,9 +6,9 @@
 
 namespace nlmech::comparison {
 
-scene::Quantity condition_quantity(const Costs& costs) {
-  return scene::near("condition", "1", costs.condition, costs.again, 0.05,
-                     "a hundred times the change of the begin: the answer is linear");
+void check_condition(const Costs& costs, scene::Show& show) {
+  show.near("condition", costs.condition, costs.again, 0.05,
+            "a hundred times the change of the begin: the answer is linear");
 }
 
 scene::Scene cost_scene(CostScene what) {

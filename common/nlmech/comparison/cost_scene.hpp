@@ -27,8 +27,8 @@ template <int n>
           condition_of(c, accurate, 100 * change)};
 }
 
-/// That the condition is one: the answer to a change of the begin is linear to 5 %.
-[[nodiscard]] scene::Quantity condition_quantity(const Costs& costs);
+/// Checks that the condition is one: the answer to a change of the begin is linear to 5 %.
+void check_condition(const Costs& costs, scene::Show& show);
 
 /// The tightest tolerance that by_tolerances() gives, in full or quick.
 [[nodiscard]] constexpr double tightest_tolerance(bool quick) { return quick ? 1e-8 : 1e-13; }

@@ -30,11 +30,23 @@ std::string decades(const char* axis, double low, double high) {
   return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
 }
 
-/// `using "t":"laier"` of "t:laier".
+/// `using "t":"laier"` of "t:laier"; what stands in parentheses stays.
 std::string by_name(const std::string& columns) {
-  std::string quoted = "using \"";
-  for (const char c : columns) quoted += c == ':' ? std::string("\":\"") : std::string(1, c);
-  return quoted + "\"";
+  std::string out = "using ", part;
+  int depth = 0;
+  const auto end = [&] { out += part.starts_with('(') ? part : '"' + part + '"'; };
+  for (const char c : columns) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c != ':' || depth > 0) {
+      part += c;
+      continue;
+    }
+    end();
+    out += c;
+    part.clear();
+  }
+  end();
+  return out;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "nlmech/scene/published.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::hermitian {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -156,24 +156,26 @@ TEST(PeakSearch, FitsOfATinyExample) {
 
 // Columns keep their shape and their peak, or not even that; the same seed gives the same tables.
 TEST(PeakSearch, SurrogatesAreLikeThePrintedTable) {
-  const auto tables = surrogates(printed_duffing, exact_duffing, Surrogates::same_peak, 50);
+  const double exact = table_4().exact;
+  const Nine printed = table_4().printed();
+  const auto tables = surrogates(printed, exact, Surrogates::same_peak, 50);
   ASSERT_EQ(tables.size(), 50U);
-  EXPECT_EQ(tables, surrogates(printed_duffing, exact_duffing, Surrogates::same_peak, 50));
-  EXPECT_NE(tables, surrogates(printed_duffing, exact_duffing, Surrogates::same_peak, 50, 2));
+  EXPECT_EQ(tables, surrogates(printed, exact, Surrogates::same_peak, 50));
+  EXPECT_NE(tables, surrogates(printed, exact, Surrogates::same_peak, 50, 2));
   EXPECT_EQ(std::set<Nine>(tables.begin(), tables.end()).size(), 50U);
   for (const Nine& table : tables) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double scale = (table.at(k) - exact_duffing) / (printed_duffing.at(k) - exact_duffing);
+      const double scale = (table.at(k) - exact) / (printed.at(k) - exact);
       EXPECT_GT(scale, 0.49);
       EXPECT_LT(scale, 1.51);
       for (const std::size_t i : {3 + k, 6 + k}) {
-        EXPECT_NEAR(table.at(i), exact_duffing + scale * (printed_duffing.at(i) - exact_duffing), 1e-4);
+        EXPECT_NEAR(table.at(i), exact + scale * (printed.at(i) - exact), 1e-4);
         EXPECT_NEAR(std::round(table.at(i) * 1e4), table.at(i) * 1e4, 1e-9);
       }
     }
   }
   double least = 1, most = 0;
-  for (const Nine& table : surrogates(printed_duffing, exact_duffing, Surrogates::any_peak, 200)) {
+  for (const Nine& table : surrogates(printed, exact, Surrogates::any_peak, 200)) {
     least = std::min(least, table[6]);
     most = std::max(most, table[6]);
   }
@@ -236,8 +238,8 @@ TEST(PeakSearch, IsWhatThePublishedRowsSay) {
     for (const Combination& c : all) most = std::max(most, rows_met(c.peaks, printed));
     return std::pair{static_cast<int>(all.size()), std::to_string(most) + " of 9"};
   };
-  const auto duffing = count(duffing_combinations(), printed_duffing);
-  const auto van_der_pol = count(van_der_pol_combinations(), printed_van_der_pol);
+  const auto duffing = count(duffing_combinations(), table_4().printed());
+  const auto van_der_pol = count(van_der_pol_combinations(), table_5().printed());
   int rows = 0;
   for (const scene::PublishedValue& value : scene::read_published(NLMECH_SOURCE_DIR)) {
     if (value.source != "laier") continue;
@@ -250,4 +252,4 @@ TEST(PeakSearch, IsWhatThePublishedRowsSay) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::hermitian
