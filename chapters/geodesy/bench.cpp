@@ -16,8 +16,8 @@
 namespace {
 
 using namespace nlmech;
-using chapters::Contender;
-using chapters::Points;
+using chapters::geodesy::Contender;
+using chapters::geodesy::Points;
 
 /// Keeps the CPU time of every repetition, in nanoseconds a point.
 class Keeper : public benchmark::BenchmarkReporter {
@@ -89,8 +89,9 @@ int bench(int argc, char** argv) {
   chapters::begin_speed(argc, argv, "0.01");
 
   const geodesy::Ellipsoid earth = geodesy::Ellipsoid::wgs84();
-  const std::vector<Contender> all = chapters::contenders(earth);
-  Points small = chapters::sample_points(4096, earth), large = chapters::sample_points(1000000, earth);
+  const std::vector<Contender> all = chapters::geodesy::contenders(earth);
+  Points small = chapters::geodesy::sample_points(4096, earth),
+         large = chapters::geodesy::sample_points(1000000, earth);
   register_passes(all, small);  // second-level cache
   register_passes(all, large);  // memory
   Keeper keeper;

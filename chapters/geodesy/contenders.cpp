@@ -10,13 +10,13 @@
 #include "nlmech/peers/geodesy/scalar_methods.hpp"
 #include "nlmech/peers/geodesy/simd_peers.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 namespace {
 
-using geodesy::Cartesian;
-using geodesy::Ellipsoid;
-using geodesy::Geodetic;
-using geodesy::InstructionSet;
+using nlmech::geodesy::Cartesian;
+using nlmech::geodesy::Ellipsoid;
+using nlmech::geodesy::Geodetic;
+using nlmech::geodesy::InstructionSet;
 namespace peers = nlmech::peers::geodesy;
 
 template <class Method>
@@ -50,7 +50,7 @@ void add_geographiclib(std::vector<Contender>& all, const Ellipsoid& e) {
 }
 
 void add_batches(std::vector<Contender>& all, const Ellipsoid& e, InstructionSet set) {
-  const geodesy::ReverseTransform reverse(e, set);
+  const nlmech::geodesy::ReverseTransform reverse(e, set);
   all.push_back({.method = "fast", .batch = set, .pass = [reverse](Points& p) {
                    static_cast<void>(reverse(p.x, p.y, p.z, p.latitude, p.longitude, p.height));
                  }});
@@ -73,16 +73,16 @@ std::string Contender::name() const {
 
 std::vector<Contender> contenders(const Ellipsoid& e) {
   std::vector<Contender> all;
-  const geodesy::ReverseTransform fast(e), portable(e, InstructionSet::baseline);
+  const nlmech::geodesy::ReverseTransform fast(e), portable(e, InstructionSet::baseline);
   all.push_back(one_by_one("fast", [fast](const Cartesian& p) { return fast(p).position; }));
   all.push_back(
       one_by_one("fast, baseline only", [portable](const Cartesian& p) { return portable(p).position; }));
-  all.push_back(
-      one_by_one("series, order 4", [e](const Cartesian& p) { return geodesy::reverse(p, e, {}).position; }));
+  all.push_back(one_by_one("series, order 4",
+                           [e](const Cartesian& p) { return nlmech::geodesy::reverse(p, e, {}).position; }));
   add_geographiclib(all, e);
   add_published(all, e);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (geodesy::available(set)) add_batches(all, e, set);
+    if (nlmech::geodesy::available(set)) add_batches(all, e, set);
   }
   return all;
 }
@@ -90,7 +90,8 @@ std::vector<Contender> contenders(const Ellipsoid& e) {
 std::vector<OnePointMethod> range_methods(const Ellipsoid& e) {
   const auto by_series = [e](int order) {
     return [e, order](const Cartesian& p) -> std::optional<Geodetic> {
-      const geodesy::Reversed found = geodesy::reverse(p, e, {order, geodesy::HeightFrom::projection});
+      const nlmech::geodesy::Reversed found =
+          nlmech::geodesy::reverse(p, e, {order, nlmech::geodesy::HeightFrom::projection});
       return found.outcome == Outcome::success ? std::optional(found.position) : std::nullopt;
     };
   };
@@ -104,7 +105,7 @@ std::vector<OnePointMethod> range_methods(const Ellipsoid& e) {
     methods.push_back(
         {"GeographicLib", [e](const Cartesian& p) { return peers::geographiclib_reverse(e, p); }});
   }
-  const geodesy::ReverseTransform fast(e);
+  const nlmech::geodesy::ReverseTransform fast(e);
   methods.push_back(
       {"fast", [fast](const Cartesian& p) -> std::optional<Geodetic> { return fast(p).position; }});
   return methods;
@@ -118,7 +119,7 @@ Points sample_points(std::size_t n, const Ellipsoid& ellipsoid) {
   for (std::size_t i = 0; i < n; ++i) {
     const double latitude = std::asin(2 * unit() - 1), longitude = (2 * unit() - 1) * std::numbers::pi;
     const double height = unit() < 0.5 ? -5e3 + 105e3 * unit() : 35e6 * unit();
-    const Cartesian p = geodesy::forward(Geodetic{latitude, longitude, height}, ellipsoid);
+    const Cartesian p = nlmech::geodesy::forward(Geodetic{latitude, longitude, height}, ellipsoid);
     const auto shake = [&unit] { return 1e-3 * (2 * unit() - 1); };
     points.x[i] = p.x + shake();
     points.y[i] = p.y + shake();
@@ -127,4 +128,4 @@ Points sample_points(std::size_t n, const Ellipsoid& ellipsoid) {
   return points;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "nlmech/geodesy/perturbation.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 
 /// Largest magnitude on a grid, and where it stands.
 struct Extreme {
@@ -20,16 +21,19 @@ struct ErrorMap {
   Extreme latitude, height;
 };
 
-/// Arithmetic in which the transformation under test runs.
-enum class Arithmetic {
-  double_precision,
-  extended  ///< 64-bit significand: shows the truncation error of the series below the rounding of doubles
+/// Forms of the series.
+enum class Form {
+  corrected,  ///< corrected coefficients, double precision
+  extended,   ///< the same with a 64-bit significand: the truncation error alone
+  projected,  ///< height by projection instead of by the series
+  printed     ///< Table 2.6 as printed; the dissertation ends at order 4
 };
 
-/// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios,
-/// longitude 30 deg unless told. True positions come from Eq. 2.40 in extended precision, rounded to the
-/// arithmetic under test.
-[[nodiscard]] ErrorMap error_map(const geodesy::PerturbationSeries& method, const geodesy::SeriesTable& table,
-                                 Arithmetic arithmetic, bool quick, double longitude_deg = 30);
+/// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios.
+/// True positions come from Eq. 2.40 in extended precision, rounded to the arithmetic under test.
+[[nodiscard]] ErrorMap error_map(Form form, int order, bool quick, double longitude_deg = 30);
 
-}  // namespace nlmech::chapters
+/// The same as a result of the chapter.
+[[nodiscard]] scene::Result<ErrorMap> map_of(Form form, int order);
+
+}  // namespace nlmech::chapters::geodesy

@@ -1,113 +1,147 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
-#include "chapters/geodesy/scenes.hpp"
+#include "chapters/geodesy/error_map.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 namespace {
 
-using scene::Workshop;
+using Maps = std::vector<const ErrorMap*>;  // by order, from 1
+using scene::Cell;
 
-std::vector<const scene::AnyRun*> all_of(const SeriesRuns& runs) {
-  std::vector<const scene::AnyRun*> all;
-  all.insert(all.end(), runs.corrected.begin(), runs.corrected.end());
-  all.insert(all.end(), runs.extended.begin(), runs.extended.end());
-  all.insert(all.end(), runs.projected.begin(), runs.projected.end());
-  all.insert(all.end(), runs.printed.begin(), runs.printed.end());
-  return all;
-}
-
-scene::Table largest_errors(const SeriesRuns& runs, Workshop& w) {
-  scene::Table table({{"order"},
-                      {"latitude_corrected_deg"},
-                      {"latitude_extended_deg"},
-                      {"latitude_printed_deg"},
-                      {"height_corrected_m"},
-                      {"height_extended_m"},
-                      {"height_printed_m"},
-                      {"height_projected_m"}});
-  for (std::size_t i = 0; i < runs.corrected.size(); ++i) {
-    const ErrorMap &corrected = w.result(*runs.corrected[i]), &extended = w.result(*runs.extended[i]);
-    scene::Cell latitude_printed, height_printed;
-    if (i < runs.printed.size()) {
-      const ErrorMap& printed = w.result(*runs.printed[i]);
-      latitude_printed = printed.latitude.magnitude;
-      height_printed = printed.height.magnitude;
-    }
-    table.add({std::int64_t(i) + 1, corrected.latitude.magnitude, extended.latitude.magnitude,
-               latitude_printed, corrected.height.magnitude, extended.height.magnitude, height_printed,
-               w.result(*runs.projected[i]).height.magnitude});
-  }
-  return table;
-}
-
-/// The same numbers under headings for people.
-scene::Table readable(const scene::Table& errors) {
-  scene::Table table({{"order"},
-                      {"latitude, double (deg)"},
-                      {"latitude, exact (deg)"},
-                      {"latitude, printed (deg)"},
-                      {"height, double (m)"},
-                      {"height, exact (m)"},
-                      {"height, printed (m)"},
-                      {"height, projected (m)"}});
-  for (const auto& row : errors.rows()) table.add(row);
-  return table;
-}
+/// What comes out of an order.
+struct Order {
+  int order;
+  const ErrorMap &corrected, &extended, &projected;
+  const ErrorMap* printed;  ///< up to order 4
+};
 
 /// The series sees the distance from the axis and the height above the equator only.
 double change_with_longitude(const ErrorMap& at_30_deg, bool quick) {
   double change = 0;
   for (const double longitude_deg : {-170.0, -90.0, 0.0, 77.0}) {
-    const ErrorMap map = error_map({4, geodesy::HeightFrom::series}, geodesy::corrected_series(),
-                                   Arithmetic::extended, quick, longitude_deg);
+    const ErrorMap map = error_map(Form::extended, 4, quick, longitude_deg);
     change = std::max(change, std::abs(map.latitude.magnitude / at_30_deg.latitude.magnitude - 1));
   }
   return change;
 }
 
-scene::Showing study(const SeriesRuns& runs, Workshop& w) {
-  scene::Table table = largest_errors(runs, w);
-  const ErrorMap &fifth = w.result(*runs.extended[4]), &sixth = w.result(*runs.extended[5]);
-  const ErrorMap& printed = w.result(*runs.printed[3]);
+/// A column: its name behind the figure and its heading in the table.
+struct Shown {
+  std::string column, heading;
+  std::function<Cell(const Order&)> error;
+};
+const std::vector<Shown>& all_shown() {
+  using O = Order;
+  static const std::vector<Shown> all = {
+      {"order", "order", &O::order},
+      {"latitude_corrected_deg", "latitude, double (deg)",
+       [](const O& o) { return o.corrected.latitude.magnitude; }},
+      {"latitude_extended_deg", "latitude, exact (deg)",
+       [](const O& o) { return o.extended.latitude.magnitude; }},
+      {"latitude_printed_deg", "latitude, printed (deg)",
+       [](const O& o) { return o.printed ? Cell(o.printed->latitude.magnitude) : Cell(); }},
+      {"height_corrected_m", "height, double (m)", [](const O& o) { return o.corrected.height.magnitude; }},
+      {"height_extended_m", "height, exact (m)", [](const O& o) { return o.extended.height.magnitude; }},
+      {"height_printed_m", "height, printed (m)",
+       [](const O& o) { return o.printed ? Cell(o.printed->height.magnitude) : Cell(); }},
+      {"height_projected_m", "height, projected (m)",
+       [](const O& o) { return o.projected.height.magnitude; }}};
+  return all;
+}
+
+/// One key for both panels, in a strip under the heading. The printed series has the larger points: where the
+/// corrected one covers them, the two agree.
+void draw(const std::vector<Order>& orders, scene::Show& show) {
+  scene::Plot& plot = show.plots("Each order gains two digits; as printed, none after 3");
+  const auto panel = [&](const std::string& quantity, const std::string& unit) -> scene::Panel& {
+    const std::string by_order = "order:" + quantity;
+    return plot.panel("order of the expansion", "maximum |" + quantity + " error| (" + unit + ")")
+        .x_range(0.7, 6.3)
+        .log_y()
+        .set("xtics 1")
+        .set("ytics 100")
+        .columns("as printed", by_order + "_printed_" + unit, {"linespoints pointsize 1.2", 5})
+        .columns("corrected, double", by_order + "_corrected_" + unit, {"linespoints", 1})
+        .columns("corrected, extended", by_order + "_extended_" + unit, {"linespoints", 3});
+  };
+  panel("latitude", "deg")
+      .set("margins screen 0.125, screen 0.49, screen 0.13, screen 0.83")
+      .key("at screen 0.5, screen 0.93 center top maxrows 2 samplen 3")
+      .also("keyentry with linespoints linestyle 2 title 'height by projection'");
+  panel("height", "m")
+      .set("margins screen 0.615, screen 0.98, screen 0.13, screen 0.83")
+      .key("off")
+      .columns("", "order:height_projected_m", {"linespoints", 2});
+  scene::ColumnsOf<std::vector<Order>> columns;
+  for (const Shown& s : all_shown()) columns.emplace_back(s.column, s.error);
+  plot.data(scene::table_of(orders, columns));
+}
+
+/// Nominal is the series with its coefficients as printed, inferred with the misprints corrected.
+void measure_claims(const Maps& corrected, const Maps& printed, scene::Show& show) {
+  const auto gain = [](const Maps& maps, std::size_t i) {
+    const ErrorMap &before = *maps[i - 1], &map = *maps[i];
+    return std::min(before.latitude.magnitude / map.latitude.magnitude,
+                    before.height.magnitude / map.height.magnitude);
+  };
+  const std::string claim = "elgohary/claim-2.4/";
+  show.measured(claim + "order 4/latitude error, order of magnitude", printed[3]->latitude.magnitude,
+                corrected[3]->latitude.magnitude);
+  show.measured(claim + "order 4/height error, order of magnitude", printed[3]->height.magnitude,
+                corrected[3]->height.magnitude);
+  show.measured(claim + "order 2 to 3/improvement", gain(printed, 2), gain(corrected, 2));
+  show.measured(claim + "order 3 to 4/improvement", gain(printed, 3), gain(corrected, 3));
+}
+
+void put(const Maps& corrected, const Maps& extended, const Maps& projected, const Maps& printed,
+         scene::Show& show) {
+  std::vector<Order> orders;
+  for (std::size_t i = 0; i < corrected.size(); ++i)
+    orders.push_back({static_cast<int>(i) + 1, *corrected[i], *extended[i], *projected[i],
+                      i < printed.size() ? printed[i] : nullptr});
+  draw(orders, show);
+  scene::ColumnsOf<std::vector<Order>> headings;
+  for (const Shown& s : all_shown()) headings.emplace_back(s.heading, s.error);
+  show.table(orders, headings);
+
   // oracle: geodesy_series order 5: latitude, order 5: height, order 6: latitude, order 4 as printed: *
   const char* program = "truncation error by tools/oracles/geodesy_series.py; 1 % for the grid";
-  scene::Showing showing;
-  showing.table = readable(table);
-  showing.figure = {
-      std::move(table),
-      "geodesy-order-study",
-      {{"heading", "Each order gains two digits; the table as printed gains none after order 3"}}};
-  showing.quantities = {
-      scene::near("max latitude error of order 5", "deg", fifth.latitude.magnitude, 1.143e-13, 0.01, program),
-      scene::near("max height error of order 5", "m", fifth.height.magnitude, 3.219e-9, 0.01, program),
-      scene::near("max latitude error of order 6", "deg", sixth.latitude.magnitude, 6.18e-16, 0.03,
-                  "the same; 3 % for the rounding of extended precision, 2e-17 deg"),
-      scene::near("max height error of order 4 as printed", "m", printed.height.magnitude, 1.508e-3, 0.005,
-                  "the same with C6 as printed"),
-      scene::near("max latitude error of order 4 as printed", "deg", printed.latitude.magnitude, 4.85e-7,
-                  0.01, "the same with C3 and C8 as printed"),
-      scene::at_most(
-          "max height error of order 2 by projection", "m", w.result(*runs.projected[1]).height.magnitude,
-          3e-8,
-          "truncation 1.3e-8 m by (M + h)/2 times the squared latitude error, plus two ulp of 41000 km"),
-      scene::at_most(
-          "change of the latitude error of order 4 with longitude, relative", "1",
-          change_with_longitude(w.result(*runs.extended[3]), w.quick()), 1e-6,
-          "four roundings, 1.1e-19 of the distance from the axis each, over the error of 4.2e-13 rad"),
-  };
-  return showing;
+  show.near("max latitude error of order 5", {extended[4]->latitude.magnitude, "deg"}, 1.143e-13, 0.01,
+            program);
+  show.near("max height error of order 5", {extended[4]->height.magnitude, "m"}, 3.219e-9, 0.01, program);
+  show.near("max latitude error of order 6", {extended[5]->latitude.magnitude, "deg"}, 6.18e-16, 0.03,
+            "the same; 3 % for the rounding of extended precision, 2e-17 deg");
+  show.near("max height error of order 4 as printed", {printed[3]->height.magnitude, "m"}, 1.508e-3, 0.005,
+            "the same with C6 as printed");
+  show.near("max latitude error of order 4 as printed", {printed[3]->latitude.magnitude, "deg"}, 4.85e-7,
+            0.01, "the same with C3 and C8 as printed");
+  show.at_most("max height error of order 2 by projection", {projected[1]->height.magnitude, "m"}, 3e-8,
+               "truncation 1.3e-8 m by (M + h)/2 times the squared latitude error, plus two ulp of 41000 km");
+  show.at_most("change of the latitude error of order 4 with longitude, relative",
+               change_with_longitude(*extended[3], show.quick()), 1e-6,
+               "four roundings, 1.1e-19 of the distance from the axis each, over the error of 4.2e-13 rad");
+  measure_claims(corrected, printed, show);
+}
+
+std::vector<scene::Result<ErrorMap>> maps_of(Form form, int orders) {
+  std::vector<scene::Result<ErrorMap>> maps;
+  for (int order = 1; order <= orders; ++order) maps.push_back(map_of(form, order));
+  return maps;
 }
 
 }  // namespace
 
-void add_order_study(scene::Chapter& chapter, const SeriesRuns& runs) {
-  chapter.add({.name = "order-study",
-               .title = "Largest error against the order: each order gains two digits; the printed table "
-                        "gains none after 3",
-               .place = "our own",
-               .needs = all_of(runs),
-               .show = [runs](Workshop& w) { return study(runs, w); }});
+std::vector<scene::Scene> order_study() {
+  constexpr int highest = nlmech::geodesy::highest_order;
+  return {{.name = "order-study",
+           .title = "Largest error against the order: each order gains two digits; the printed table gains "
+                    "none after 3",
+           .content = scene::Content(put, maps_of(Form::corrected, highest), maps_of(Form::extended, highest),
+                                     maps_of(Form::projected, highest), maps_of(Form::printed, 4))}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

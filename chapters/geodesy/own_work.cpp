@@ -7,19 +7,19 @@
 #include <tuple>
 #include <utility>
 
-#include "chapters/geodesy/chapter.hpp"
 #include "nlmech/geodesy/perturbation.hpp"
 #include "nlmech/geodesy/reverse_transform.hpp"
+#include "nlmech/scene/command_line.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 namespace {
 
-using geodesy::Cartesian;
-using geodesy::Ellipsoid;
-using geodesy::Geodetic;
+using nlmech::geodesy::Cartesian;
+using nlmech::geodesy::Ellipsoid;
+using nlmech::geodesy::Geodetic;
 
 constexpr double degree = std::numbers::pi / 180;
 const std::vector<std::string> cartesian_names = {"x", "y", "z"};
@@ -94,7 +94,7 @@ Input read_input(const Request& request, const std::vector<std::string>& names) 
 std::string reverse_fast(const Input& in, const Ellipsoid& ellipsoid) {
   const auto& [x, y, z] = std::tie(in.points.column[0], in.points.column[1], in.points.column[2]);
   std::vector<double> latitude(x.size()), longitude(x.size()), height(x.size());
-  const auto report = geodesy::ReverseTransform(ellipsoid)(x, y, z, latitude, longitude, height);
+  const auto report = nlmech::geodesy::ReverseTransform(ellipsoid)(x, y, z, latitude, longitude, height);
   if (report.non_finite > 0) {
     throw Failure(Status::failure(
         Outcome::non_finite,
@@ -107,15 +107,15 @@ std::string reverse_fast(const Input& in, const Ellipsoid& ellipsoid) {
 }
 
 std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const Request& request) {
-  const geodesy::PerturbationSeries method{request.order, request.height == "series"
-                                                              ? geodesy::HeightFrom::series
-                                                              : geodesy::HeightFrom::projection};
+  const nlmech::geodesy::PerturbationSeries method{
+      request.order, request.height == "series" ? nlmech::geodesy::HeightFrom::series
+                                                : nlmech::geodesy::HeightFrom::projection};
   CsvWriter out(geodetic_names);
   double largest_miss = 0;
   std::size_t largest_line = 0;
   for (std::size_t i = 0; i < in.points.rows(); ++i) {
     const Cartesian p{in.points.column[0][i], in.points.column[1][i], in.points.column[2][i]};
-    const geodesy::Reversed found = geodesy::reverse(p, ellipsoid, method);
+    const nlmech::geodesy::Reversed found = nlmech::geodesy::reverse(p, ellipsoid, method);
     if (found.outcome != Outcome::success) {
       throw Failure(Status::failure(
           found.outcome,
@@ -136,7 +136,7 @@ std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const
 void reverse(const Request& request) {
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
   try {
-    static_cast<void>(geodesy::ClosestPoint(ellipsoid));
+    static_cast<void>(nlmech::geodesy::ClosestPoint(ellipsoid));
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("--ellipsoid {}: {}", request.ellipsoid, error.what()));
   }
@@ -155,7 +155,7 @@ void forward(const Request& request) {
       throw InputError(fmt::format("{}: line {}, column 1 (latitude_deg): {:g} is not between -90 and 90",
                                    name, points.line[i], latitude));
     }
-    const Cartesian p = geodesy::forward(
+    const Cartesian p = nlmech::geodesy::forward(
         Geodetic{latitude * degree, points.column[1][i] * degree, points.column[2][i]}, ellipsoid);
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       throw Failure(Status::failure(
@@ -176,7 +176,7 @@ void add_common(CLI::App& command, Request& request) {
 
 }  // namespace
 
-void geodesy_work(CLI::App& app) {
+void commands(CLI::App& app) {
   const auto request = std::make_shared<Request>();  // lives as long as the callbacks
 
   CLI::App* to_geodetic =
@@ -185,7 +185,7 @@ void geodesy_work(CLI::App& app) {
       ->check(CLI::IsMember({"fast", "series"}))
       ->capture_default_str();
   to_geodetic->add_option("--order", request->order, "order of the series")
-      ->check(CLI::Range(1, geodesy::highest_order))
+      ->check(CLI::Range(1, nlmech::geodesy::highest_order))
       ->capture_default_str();
   to_geodetic
       ->add_option("--height", request->height, "height from the series or by projection on the normal")
@@ -207,4 +207,4 @@ void geodesy_work(CLI::App& app) {
   to_cartesian->callback([request] { forward(*request); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

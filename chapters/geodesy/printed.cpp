@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 
 const std::vector<PrintedCoefficient>& printed_coefficients() {
   static const std::vector<PrintedCoefficient> all = {
@@ -44,24 +44,25 @@ auto& find_term(const PrintedCoefficient& c, Table& table) {
 
 }  // namespace
 
-const geodesy::SeriesTerm& term_of(const PrintedCoefficient& c, const geodesy::SeriesTable& table) {
+const nlmech::geodesy::SeriesTerm& term_of(const PrintedCoefficient& c,
+                                           const nlmech::geodesy::SeriesTable& table) {
   return find_term(c, table);
 }
 
-std::vector<int> row_of(const PrintedCoefficient& c, const geodesy::SeriesTable& table) {
-  const geodesy::SeriesTerm& term = term_of(c, table);
+std::vector<int> row_of(const PrintedCoefficient& c, const nlmech::geodesy::SeriesTable& table) {
+  const nlmech::geodesy::SeriesTerm& term = term_of(c, table);
   const auto& row = term.coefficient.at(static_cast<std::size_t>(c.power));
   return {row.begin(), row.begin() + term.degree + 1};
 }
 
-geodesy::SeriesTable with_printed(geodesy::SeriesTable table, const PrintedCoefficient& c) {
+nlmech::geodesy::SeriesTable with_printed(nlmech::geodesy::SeriesTable table, const PrintedCoefficient& c) {
   auto& row = find_term(c, table).coefficient.at(static_cast<std::size_t>(c.power));
   for (std::size_t i = 0; i < c.by_height.size(); ++i) row.at(i) = c.by_height[i];
   return table;
 }
 
-geodesy::SeriesTable printed_series() {
-  geodesy::SeriesTable table = geodesy::corrected_series();
+nlmech::geodesy::SeriesTable printed_series() {
+  nlmech::geodesy::SeriesTable table = nlmech::geodesy::corrected_series();
   for (const PrintedCoefficient& c : printed_coefficients()) table = with_printed(table, c);
   return table;
 }
@@ -81,4 +82,4 @@ std::string polynomial_text(const std::vector<int>& by_height) {
   return text.empty() ? "0" : text;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

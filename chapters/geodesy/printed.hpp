@@ -7,7 +7,7 @@
 
 #include "nlmech/geodesy/perturbation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 
 /// One printed coefficient: the row for cos(phi_0)^(2 power) of a term of the series, over a common factor.
 struct PrintedCoefficient {
@@ -24,19 +24,20 @@ struct PrintedCoefficient {
 [[nodiscard]] const std::vector<PrintedCoefficient>& printed_coefficients();
 
 /// The place of a coefficient in a table of the series.
-[[nodiscard]] const geodesy::SeriesTerm& term_of(const PrintedCoefficient& c,
-                                                 const geodesy::SeriesTable& table);
+[[nodiscard]] const nlmech::geodesy::SeriesTerm& term_of(const PrintedCoefficient& c,
+                                                         const nlmech::geodesy::SeriesTable& table);
 
 /// The coefficients of b^(n-i) h_0^i that a table has in the coefficient's place.
-[[nodiscard]] std::vector<int> row_of(const PrintedCoefficient& c, const geodesy::SeriesTable& table);
+[[nodiscard]] std::vector<int> row_of(const PrintedCoefficient& c, const nlmech::geodesy::SeriesTable& table);
 
 /// The corrected table with the coefficient put in as printed.
-[[nodiscard]] geodesy::SeriesTable with_printed(geodesy::SeriesTable table, const PrintedCoefficient& c);
+[[nodiscard]] nlmech::geodesy::SeriesTable with_printed(nlmech::geodesy::SeriesTable table,
+                                                        const PrintedCoefficient& c);
 
 /// The corrected table with all of C1 to C10 as printed.
-[[nodiscard]] geodesy::SeriesTable printed_series();
+[[nodiscard]] nlmech::geodesy::SeriesTable printed_series();
 
 /// "37b^3 - 66b^2h0 + 33bh0^2 - 4h0^3"
 [[nodiscard]] std::string polynomial_text(const std::vector<int>& by_height);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

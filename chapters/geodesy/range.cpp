@@ -1,34 +1,32 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "chapters/geodesy/contenders.hpp"
 #include "chapters/geodesy/reference.hpp"
-#include "chapters/geodesy/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 namespace {
 
-using geodesy::Cartesian;
-using geodesy::Ellipsoid;
-using geodesy::Geodetic;
-using scene::Workshop;
+using nlmech::geodesy::Cartesian;
+using nlmech::geodesy::Ellipsoid;
+using nlmech::geodesy::Geodetic;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Largest latitude error of a method at each abscissa; nothing where the method had no answer at one of the
+/// Largest latitude error of each method at an abscissa; nothing where the method had no answer at one of the
 /// points.
-struct RangeCurve {
-  std::string method;
-  std::vector<double> abscissa;
-  std::vector<std::optional<double>> error;
+struct Errors {
+  double abscissa;
+  std::map<std::string, std::optional<double>> of;
 };
-
-/// Points on rays from the equator to the pole, or whatever a study lets an abscissa stand for.
-using PointsAt = std::function<std::vector<Cartesian>(double)>;
-using EllipsoidAt = std::function<Ellipsoid(double)>;
 
 std::optional<double> worst(const OnePointMethod& method, const std::vector<Cartesian>& points,
                             const std::vector<Extended>& truth) {
@@ -41,148 +39,139 @@ std::optional<double> worst(const OnePointMethod& method, const std::vector<Cart
   return largest;
 }
 
-std::vector<RangeCurve> measure(const std::vector<double>& abscissas, const EllipsoidAt& ellipsoid_at,
-                                const PointsAt& points_at) {
-  std::vector<RangeCurve> curves;
-  for (const double abscissa : abscissas) {
-    const Ellipsoid e = ellipsoid_at(abscissa);
-    const std::vector<Cartesian> points = points_at(abscissa);
-    std::vector<Extended> truth;
-    truth.reserve(points.size());
-    for (const Cartesian& p : points) truth.push_back(reference_reverse(p, e).latitude);
-    const std::vector<OnePointMethod> methods = range_methods(e);
-    if (curves.empty()) {
-      for (const OnePointMethod& m : methods) curves.push_back({m.name, {}, {}});
-    }
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-      curves[i].abscissa.push_back(abscissa);
-      curves[i].error.push_back(worst(methods[i], points, truth));
-    }
-  }
-  return curves;
+Errors errors_of(double abscissa, const Ellipsoid& e, const std::vector<Cartesian>& points) {
+  std::vector<Extended> truth;
+  for (const Cartesian& p : points) truth.push_back(reference_reverse(p, e).latitude);
+  Errors errors{abscissa, {}};
+  for (const OnePointMethod& m : range_methods(e)) errors.of[m.name] = worst(m, points, truth);
+  return errors;
 }
 
 std::vector<double> equal_ratios(double first, double last, int count) {
   std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i <= count; ++i) values.push_back(first * std::pow(last / first, double(i) / count));
   return values;
 }
 
-/// Latitudes of the rays: none on the equator or the axis, where symmetry makes every method look better than
-/// it is.
-std::vector<double> ray_latitudes() {
-  std::vector<double> latitudes;
-  for (int i = 0; i < 45; ++i) latitudes.push_back((1 + 2 * i) * degree);
-  return latitudes;
+/// A point on each of 45 rays: none on the equator or the axis, where symmetry makes every method look better
+/// than it is. @param at the point at a latitude
+template <class At>
+std::vector<Cartesian> on_rays(At at) {
+  std::vector<Cartesian> points;
+  for (int i = 0; i < 45; ++i) points.push_back(at((1 + 2 * i) * degree));
+  return points;
 }
 
-std::vector<RangeCurve> over_distance(bool quick) {
-  const auto points_at = [](double distance_km) {
-    std::vector<Cartesian> points;
-    for (const double u : ray_latitudes()) {
-      points.push_back({distance_km * 1e3 * std::cos(u), 0, distance_km * 1e3 * std::sin(u)});
-    }
-    return points;
-  };
-  return measure(
-      equal_ratios(1e-3, 1e6, quick ? 45 : 135), [](double) { return Ellipsoid::wgs84(); }, points_at);
-}
-
-std::vector<RangeCurve> over_flattening(bool quick) {
-  const auto ellipsoid_at = [](double f) { return Ellipsoid(6378137, f); };
-  const auto points_at = [&](double f) {
-    std::vector<Cartesian> points;
-    for (const double u : ray_latitudes())
-      points.push_back(geodesy::forward(Geodetic{u, 0, 1e5}, ellipsoid_at(f)));
-    return points;
-  };
-  return measure(equal_ratios(1e-4, 0.9, quick ? 20 : 80), ellipsoid_at, points_at);
-}
-
-/// Columns of the figure's data, and the methods that fill them.
-const std::vector<std::pair<std::string, std::string>> method_columns = {
-    {"fast", "fast_rad"},
-    {"GeographicLib", "geographiclib_rad"},
-    {"series, order 4", "series_4_rad"},
-    {"series, order 6", "series_6_rad"},
-    {"Bowring 1976, 2 iterations", "bowring_rad"},
-    {"Vermeille 2011", "vermeille_rad"}};
-
-const RangeCurve* find(const std::vector<RangeCurve>& curves, const std::string& method) {
-  for (const RangeCurve& curve : curves) {
-    if (curve.method == method) return &curve;
+std::vector<Errors> over_distance(bool quick) {
+  std::vector<Errors> all;
+  for (const double km : equal_ratios(1e-3, 1e6, quick ? 45 : 135)) {
+    const auto at = [&](double u) { return Cartesian{km * 1e3 * std::cos(u), 0, km * 1e3 * std::sin(u)}; };
+    all.push_back(errors_of(km, Ellipsoid::wgs84(), on_rays(at)));
   }
-  return nullptr;
+  return all;
 }
 
-void add_rows(scene::Table& table, const std::string& panel, const std::vector<RangeCurve>& curves) {
-  for (std::size_t i = 0; i < curves.front().abscissa.size(); ++i) {
-    std::vector<scene::Cell> row = {panel, curves.front().abscissa[i]};
-    for (const auto& [method, column] : method_columns) {
-      const RangeCurve* curve = find(curves, method);
-      row.push_back(scene::to_cell(curve ? curve->error[i] : std::nullopt));
-    }
+std::vector<Errors> over_flattening(bool quick) {
+  std::vector<Errors> all;
+  for (const double f : equal_ratios(1e-4, 0.9, quick ? 20 : 80)) {
+    const Ellipsoid e(6378137, f);
+    all.push_back(errors_of(f, e, on_rays([&](double u) { return forward(Geodetic{u, 0, 1e5}, e); })));
+  }
+  return all;
+}
+
+/// A method: the column of its errors, and how they are drawn.
+struct Drawn {
+  std::string method, column, look;
+};
+const std::vector<Drawn> all_drawn = {{"fast", "fast_rad", "lines linestyle 1 linewidth 3"},
+                                      {"GeographicLib", "geographiclib_rad", "lines linestyle 3"},
+                                      {"series, order 4", "series_4_rad", "lines linestyle 5"},
+                                      {"series, order 6", "series_6_rad", "lines linestyle 4"},
+                                      {"Bowring 1976, 2 iterations", "bowring_rad", "lines linestyle 2"},
+                                      {"Vermeille 2011", "vermeille_rad", "lines linestyle 6"}};
+
+scene::Table table_of(const std::vector<Errors>& distance, const std::vector<Errors>& flattening) {
+  std::vector<scene::Column> columns = {{"panel", 3, true}, {"abscissa"}};
+  for (const Drawn& d : all_drawn) columns.push_back({d.column});
+  scene::Table table(columns);
+  const auto add = [&](const char* panel, const Errors& errors) {
+    std::vector<scene::Cell> row = {panel, errors.abscissa};
+    for (const Drawn& d : all_drawn)
+      row.emplace_back(errors.of.contains(d.method) ? errors.of.at(d.method) : std::nullopt);
     table.add(std::move(row));
+  };
+  for (const Errors& errors : distance) add("distance", errors);
+  for (const Errors& errors : flattening) add("flattening", errors);
+  return table;
+}
+
+/// Curves of a block of the data, ours on top. An empty cell breaks a curve; zero, which has no logarithm,
+/// is drawn at 1e-17.
+void add_curves(scene::Panel& panel, int block, const Errors& errors) {
+  for (const std::size_t i : {2, 3, 4, 5, 1, 0}) {
+    const auto& [method, column, look] = all_drawn[i];
+    if (!errors.of.contains(method)) continue;  // a peer that this build has not
+    panel.also(
+        fmt::format("data using \"abscissa\":(column(\"{0}\") < 1e-17 ? 1e-17 : column(\"{0}\")) "
+                    "every :::{1}::{1} with {2} title '{3}'",
+                    column, block, look, method));
   }
 }
 
-/// Largest error of a method over the abscissas from @p first on; infinite where it once had no answer.
-double largest_from(const std::vector<RangeCurve>& curves, const std::string& method, double first) {
-  const RangeCurve& curve = *find(curves, method);
+void draw(const std::vector<Errors>& distance, const std::vector<Errors>& flattening, scene::Show& show) {
+  const bool with_peer = distance.front().of.contains("GeographicLib");
+  scene::Plot& plot = show.plots(with_peer ? "Full accuracy from 1 m to a million km, flattenings to 0.9"
+                                           : "Full accuracy at every distance (without GeographicLib)");
+  plot.data(table_of(distance, flattening));
+  scene::Panel& left = plot.panel("distance from the centre (km)", "max |latitude error| (rad)");
+  left.log_x(1e-3, 1e6).log_y(1e-17, 10).set("xtics 1000").set("ytics 100");
+  left.set("margins screen 0.12, screen 0.56, screen 0.13, screen 0.76");
+  left.key("at screen 0.55, screen 0.93 center top maxrows 3 samplen 3 spacing 1.1");
+  left.set("arrow 1 from 42.7, graph 0 to 42.7, graph 1 nohead linestyle 11");
+  left.set("arrow 2 from 6371, graph 0 to 6371, graph 1 nohead linestyle 11");
+  left.set("label 3 'evolute' at 42.7, graph 0.5 right offset -0.5,0 textcolor rgb soft_ink");
+  left.set("label 4 'ground' at 6371, graph 0.5 left offset 0.5,0 textcolor rgb soft_ink");
+  add_curves(left, 0, distance.front());
+  scene::Panel& right = plot.panel("flattening f, 100 km high", "");
+  right.log_x(1e-4, 1).log_y(1e-17, 10).set("xtics 10").set("ytics 100").set("format y ''").key("off");
+  right.set("margins screen 0.61, screen 0.97, screen 0.13, screen 0.76");
+  add_curves(right, 1, flattening.front());
+}
+
+/// Largest error of fast over the abscissas from @p first on; infinite where it once had no answer.
+double largest_from(const std::vector<Errors>& all, double first) {
   double largest = 0;
-  for (std::size_t i = 0; i < curve.abscissa.size(); ++i) {
-    if (curve.abscissa[i] >= first) largest = std::max(largest, curve.error[i].value_or(HUGE_VAL));
+  for (const Errors& errors : all) {
+    if (errors.abscissa >= first) largest = std::max(largest, errors.of.at("fast").value_or(HUGE_VAL));
   }
   return largest;
 }
 
-scene::Showing show(const std::vector<RangeCurve>& distance, const std::vector<RangeCurve>& flattening) {
-  std::vector<scene::Column> columns = {{"panel", 3, true}, {"abscissa"}};
-  for (const auto& [method, column] : method_columns) columns.push_back({column});
-  scene::Table data(columns);
-  add_rows(data, "distance", distance);
-  add_rows(data, "flattening", flattening);
-  scene::Showing showing;
-  const bool with_peer = find(distance, "GeographicLib") != nullptr;
-  showing.figure = {
-      std::move(data),
-      "geodesy-full-range",
-      {{"heading", with_peer ? "Full accuracy from 1 m to a million km, and for flattenings to 0.9"
-                             : "Full accuracy at every distance (built without GeographicLib)"},
-       {"geographiclib", with_peer ? "yes" : "no"}}};
+void put(const std::vector<Errors>& distance, const std::vector<Errors>& flattening, scene::Show& show) {
+  draw(distance, flattening, show);
   constexpr double surface_km = 6368;  // above -10 km everywhere
-  showing.quantities = {
-      scene::at_most("max latitude error of fast above -10 km", "rad",
-                     largest_from(distance, "fast", surface_km), 4.5e-16,
-                     "error statement of ReverseTransform"),
-      scene::at_most("max latitude error of fast down to 100 km from the centre", "rad",
-                     largest_from(distance, "fast", 100), 1e-15,
-                     "a few roundings: the condition number of the latitude is below 2 there"),
-      scene::at_most("max latitude error of fast for flattenings to 0.9", "rad",
-                     largest_from(flattening, "fast", 0), 3e-15,
-                     "a few roundings of latitude, times the condition number 1/(1 - f) of the flattest"),
-  };
-  return showing;
+  show.at_most("max latitude error of fast above -10 km", {largest_from(distance, surface_km), "rad"},
+               4.5e-16, "error statement of ReverseTransform");
+  show.at_most("max latitude error of fast down to 100 km from the centre",
+               {largest_from(distance, 100), "rad"}, 1e-15,
+               "a few roundings: the condition number of the latitude is below 2 there");
+  show.at_most("max latitude error of fast for flattenings to 0.9", {largest_from(flattening, 0), "rad"},
+               3e-15, "a few roundings of latitude, times the condition number 1/(1 - f) of the flattest");
 }
 
 }  // namespace
 
-void add_range(scene::Chapter& chapter) {
-  const auto& distance = chapter.add_run<std::vector<RangeCurve>>(
-      "latitude-error-over-distance", "WGS84, 45 rays; truth in extended precision for the doubles given", {},
-      [](Workshop& w) { return over_distance(w.quick()); });
-  const auto& flattening = chapter.add_run<std::vector<RangeCurve>>(
-      "latitude-error-over-flattening",
-      "a = 6378137 m, 100 km high, 45 latitudes; truth in extended precision", {},
-      [](Workshop& w) { return over_flattening(w.quick()); });
-  chapter.add({.name = "range",
-               .title = "Latitude error from the centre to a million kilometres, and against flattening",
-               .place = "our own",
-               .needs = {&distance, &flattening},
-               .show = [&distance, &flattening](Workshop& w) {
-                 return show(w.result(distance), w.result(flattening));
-               }});
+std::vector<scene::Scene> range() {
+  const scene::Result distance("latitude-error-over-distance",
+                               "WGS84, 45 rays; truth in extended precision for the doubles given",
+                               over_distance);
+  const scene::Result flattening("latitude-error-over-flattening",
+                                 "a = 6378137 m, 100 km high, 45 latitudes; truth in extended precision",
+                                 over_flattening);
+  return {{.name = "range",
+           .title = "Latitude error from the centre to a million kilometres, and against flattening",
+           .content = scene::Content(put, distance, flattening)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

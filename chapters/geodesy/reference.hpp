@@ -7,7 +7,7 @@
 
 #include "nlmech/geodesy/ellipsoid.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 
 using Extended = long double;  // x86: 64-bit significand, 11 bits more than double
 
@@ -16,8 +16,8 @@ using Extended = long double;  // x86: 64-bit significand, 11 bits more than dou
 /// root and never passes it.
 /// @param p any point with z != 0, or with r beyond the disc of radius a e^2; its coordinates are taken as
 /// exact
-[[nodiscard]] inline geodesy::BasicGeodetic<Extended> reference_reverse(const geodesy::Cartesian& p,
-                                                                        const geodesy::Ellipsoid& e) {
+[[nodiscard]] inline nlmech::geodesy::BasicGeodetic<Extended> reference_reverse(
+    const nlmech::geodesy::Cartesian& p, const nlmech::geodesy::Ellipsoid& e) {
   const Extended a = e.a(), b = a * (1 - Extended(e.f())), z = p.z,
                  r = std::hypot(Extended(p.x), Extended(p.y));
   // u = t + b^2 instead of t: near the centre t is close to -b^2 and would cancel
@@ -35,4 +35,4 @@ using Extended = long double;  // x86: 64-bit significand, 11 bits more than dou
   return {std::atan2(normal_z, normal_r), std::atan2(Extended(p.y), Extended(p.x)), height};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

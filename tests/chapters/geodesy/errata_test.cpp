@@ -13,10 +13,10 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/geodesy/oracle.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::geodesy {
 namespace {
 
-using namespace geodesy;
+using namespace nlmech::geodesy;
 using oracle::Real;
 using tests::expect_erratum;
 
@@ -292,4 +292,4 @@ TEST(PolynomialText, ReadsLikeTheTable) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::geodesy

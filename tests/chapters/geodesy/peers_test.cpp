@@ -15,7 +15,7 @@
 namespace nlmech::peers::geodesy {
 namespace {
 
-using nlmech::chapters::Points;
+using nlmech::chapters::geodesy::Points;
 using nlmech::geodesy::BasicGeodetic;
 using nlmech::geodesy::InstructionSet;
 namespace reference = nlmech::geodesy::reference;
@@ -24,7 +24,7 @@ const Ellipsoid wgs84 = Ellipsoid::wgs84();
 constexpr double rounding = 5e-16;  // rad: two units in the last place of pi/2
 
 struct Sample {
-  Points points = nlmech::chapters::sample_points(8192, wgs84);
+  Points points = nlmech::chapters::geodesy::sample_points(8192, wgs84);
   std::vector<BasicGeodetic<reference::Real>> exact;
   Sample() {
     for (std::size_t i = 0; i < points.x.size(); ++i)
