@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::ClosedLoop;
 using spacecraft::Complex;
 
@@ -56,71 +57,88 @@ Peak largest(const F& f, double low, double high) {
   return {(a + b) / 2, f((a + b) / 2)};
 }
 
-scene::Showing show(bool designed, bool hub) {
-  const ClosedLoop loop(craft(true), designed ? designed_gains : unit_gains);
-  const auto value = [&](double omega) {
-    const auto r = loop.response(Complex(0, omega), 2);
-    return hub ? r.theta : r.deflection;
-  };
-  Plot plot(hub ? (designed ? "Designed gains: hardly a peak of the hub angle"
-                            : "Unit gains: a peak of 14 dB, and a phase that is ordinary")
-                : (designed ? "Designed gains: the deflection still rings at 52 rad/s"
-                            : "Unit gains: the deflection rings at every mode"),
-            "{/:Italic ω} (rad/s)");
-  plot.log_x(0.01, 1000);
-  plot.panel(hub ? "|{/:Italic θ}/{/:Italic θ}_f|" : "|{/:Italic y}(2 ft)/{/:Italic θ}_f| (ft/rad)");
-  plot.log_y(hub ? 1e-8 : 1e-7, hub ? 10 : 1);
+/// One of the four figures.
+struct Figure {
+  const char *name, *heading;
+  bool designed, hub;
+
+  /// theta/theta_f or y/theta_f at a frequency.
+  [[nodiscard]] std::function<Complex(double)> value(const ClosedLoop& loop) const {
+    return [hub_angle = hub, &loop](double omega) {
+      const auto r = loop.response(Complex(0, omega), 2);
+      return hub_angle ? r.theta : r.deflection;
+    };
+  }
+  [[nodiscard]] std::string title() const {
+    return fmt::format("Closed loop, {} gains: Bode plot of the {}", designed ? "designed" : "unit",
+                       hub ? "hub angle" : "deflection at 2 ft");
+  }
+};
+constexpr std::array figures = {
+    Figure{"fig-3.13", "Unit gains: a peak of 14 dB, and a phase that is ordinary", false, true},
+    Figure{"fig-3.14", "Unit gains: the deflection rings at every mode", false, false},
+    Figure{"fig-3.15", "Designed gains: hardly a peak of the hub angle", true, true},
+    Figure{"fig-3.16", "Designed gains: the deflection still rings at 52 rad/s", true, false}};
+
+void draw(const Figure& f, const ClosedLoop& loop, scene::Show& show) {
   const std::vector<double> omega = frequencies(loop);
-  plot.begin("", "l1");
-  for (const double w : omega) plot.add(w, std::abs(value(w)));
-  plot.panel("phase (deg)");
-  plot.begin("", "l1");
-  // Followed from point to point, so that it does not jump by a turn.
-  double phase = std::arg(value(omega.front())), low = phase, high = phase;
+  std::vector<double> size, phase;
+  // The phase is followed from point to point, so that it does not jump by a turn.
+  const auto value = f.value(loop);
+  double angle = std::arg(value(omega.front()));
   for (const double w : omega) {
-    phase += std::remainder(std::arg(value(w)) - phase, 2 * std::numbers::pi);
-    low = std::min(low, phase);
-    high = std::max(high, phase);
-    plot.add(w, phase * 180 / std::numbers::pi);
+    size.push_back(std::abs(value(w)));
+    angle += std::remainder(std::arg(value(w)) - angle, 2 * std::numbers::pi);
+    phase.push_back(angle * 180 / std::numbers::pi);
   }
-  const auto quarter = [](double angle) { return 90 * std::round(angle * 2 / std::numbers::pi); };
-  plot.y_range(quarter(low) - 30, quarter(high) + 30);
-  plot.y_tics(quarter(low), 90);
-  std::vector<scene::Quantity> quantities;
+  scene::Plot& plot = show.plots(f.heading);
+  plot.stacked().size(760, 560).columns({"curve", "panel", "x", "y"});
+  plot.panel("{/:Italic ω} (rad/s)",
+             f.hub ? "|{/:Italic θ}/{/:Italic θ}_f|" : "|{/:Italic y}(2 ft)/{/:Italic θ}_f| (ft/rad)")
+      .log_x(0.01, 1000)
+      .log_y(f.hub ? 1e-8 : 1e-7, f.hub ? 10 : 1)
+      .set("ylabel offset -0.5,0")
+      .curve("", omega, size);
+  const auto [low, high] = std::ranges::minmax(phase);
+  const auto quarter = [](double degrees) { return 90 * std::round(degrees / 90); };
+  plot.panel("{/:Italic ω} (rad/s)", "phase (deg)")
+      .log_x(0.01, 1000)
+      .y_range(quarter(low) - 30, quarter(high) + 30)
+      .set(fmt::format("ytics {}, 90", quarter(low)))
+      .set("ylabel offset -0.5,0")
+      .curve("", omega, phase);
+}
+
+void put(const Figure& f, scene::Show& show) {
+  const ClosedLoop loop(craft(true), f.designed ? designed_gains : unit_gains);
+  draw(f, loop, show);
+  const auto modulus = [value = f.value(loop)](double w) { return std::abs(value(w)); };
   // oracle: gss_control_loop * resonance*, * flexible peak
-  if (hub) {
-    const Peak peak = largest([&](double w) { return std::abs(value(w)); }, 0.02, 4);
-    quantities = {
-        scene::near("largest modulus of theta/theta_f", "1", peak.size, designed ? 1.099208 : 4.840390, 5e-7,
-                    "tools/oracles/gss_control_loop.py, seven digits"),
-        scene::near("frequency of it", "rad/s", peak.omega, designed ? 0.5256 : 0.2055, 5e-4,
-                    "tools/oracles/gss_control_loop.py, four digits"),
-        scene::near("largest theta/theta_f in dB", "dB", 20 * std::log10(peak.size), designed ? 0.82 : 13.70,
-                    1e-2, "tools/oracles/gss_control_loop.py, two decimals")};
+  if (f.hub) {
+    const Peak peak = largest(modulus, 0.02, 4);
+    show.near("largest modulus of theta/theta_f", peak.size, f.designed ? 1.099208 : 4.840390, 5e-7,
+              "tools/oracles/gss_control_loop.py, seven digits");
+    show.near("frequency of it", {peak.omega, "rad/s"}, f.designed ? 0.5256 : 0.2055, 5e-4,
+              "tools/oracles/gss_control_loop.py, four digits");
+    show.near("largest theta/theta_f in dB", {20 * std::log10(peak.size), "dB"}, f.designed ? 0.82 : 13.70,
+              1e-2, "tools/oracles/gss_control_loop.py, two decimals");
   } else {
-    const Peak peak = largest([&](double w) { return std::abs(value(w)); }, 52.1, 52.7);
-    const Peak exact = largest([&](double w) { return std::abs(value(w)); }, 51.5, 53);
-    quantities = {scene::near("flexible peak of y(2 ft)/theta_f near 52 rad/s", "ft/rad",
-                              std::max(peak.size, exact.size), designed ? 0.794 : 0.721, 1e-3,
-                              "tools/oracles/gss_control_loop.py, three digits")};
+    const double peak = std::max(largest(modulus, 52.1, 52.7).size, largest(modulus, 51.5, 53).size);
+    show.near("flexible peak of y(2 ft)/theta_f near 52 rad/s", {peak, "ft/rad"}, f.designed ? 0.794 : 0.721,
+              1e-3, "tools/oracles/gss_control_loop.py, three digits");
   }
-  return {plot.take(), {}, quantities};
 }
 
 }  // namespace
 
-void add_closed_bode(scene::Chapter& chapter) {
-  const std::array names = {"fig-3.13", "fig-3.14", "fig-3.15", "fig-3.16"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool designed = i >= 2, hub = i % 2 == 0;
-    chapter.add(
-        {.name = names.at(i),
-         .title = fmt::format("Closed loop, {} gains: Bode plot of the {}", designed ? "designed" : "unit",
-                              hub ? "hub angle" : "deflection at 2 ft"),
-         .place = std::string("Figure ") + (names.at(i) + 4),
-         .needs = {},
-         .show = [designed, hub](Workshop&) { return show(designed, hub); }});
-  }
+std::vector<scene::Scene> closed_bode() {
+  std::vector<scene::Scene> all;
+  for (const Figure& f : figures)
+    all.push_back({.name = f.name,
+                   .title = f.title(),
+                   .place = std::string("Figure ") + (f.name + 4),
+                   .content = scene::Content([f](scene::Show& show) { put(f, show); })});
+  return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -5,7 +5,7 @@
 #include "nlmech/spacecraft/closed_loop.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// Table 3.1, with its tips or without.
 [[nodiscard]] inline spacecraft::Parameters craft(bool tip) {
@@ -16,4 +16,4 @@ namespace nlmech::chapters {
 using spacecraft::designed_gains;
 using spacecraft::unit_gains;
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -1,11 +1,13 @@
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "chapters/drawing.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 /// A hub that has turned by an angle, and the deflections drawn too large.
@@ -30,7 +32,7 @@ void draw_appendage(Drawing& d, const Craft& c, double sign) {
   d.arc("body", bent.back(), 0.22, 0, 2 * std::numbers::pi);
 }
 
-scene::Showing draw_spacecraft() {
+void draw_spacecraft(scene::Show& show) {
   const Craft c;
   Drawing d;
   d.arrow({0, 0}, {8, 0});
@@ -59,19 +61,18 @@ scene::Showing draw_spacecraft() {
   const double h = p.length / n;
   for (int i = 0; i < n; ++i)
     slices += 2 * p.mass_per_length * h * (std::pow(p.hub_radius + (i + 0.5) * h, 2) + h * h / 12);
-  return {d.take({{"heading", "A rigid hub with two flexible appendages and tip bodies"},
-                  {"xrange", "[-7.6:9]"},
-                  {"yrange", "[-4.1:4.3]"},
-                  {"height", "400"}}),
-          {},
-          {scene::near("inertia of the rigid body", "slug ft^2", p.total_inertia(), slices, 1e-12,
-                       "the sum over 2000 rigid slices of an appendage, each with its own inertia: exact but "
-                       "for rounding"),
-           scene::near("the same, by hand", "slug ft^2", p.total_inertia(), 18.0961, 1e-12,
-                       "8 + 2 x 0.1569 x 25 + 2 x 0.0018 + 2 x 0.0271875 x 124/3 by hand")}};
+  show.draw(d.take({{"heading", "A rigid hub with two flexible appendages and tip bodies"},
+                    {"xrange", "[-7.6:9]"},
+                    {"yrange", "[-4.1:4.3]"},
+                    {"height", "400"}}));
+  show.near(
+      "inertia of the rigid body", {p.total_inertia(), "slug ft^2"}, slices, 1e-12,
+      "the sum over 2000 rigid slices of an appendage, each with its own inertia: exact but for rounding");
+  show.near("the same, by hand", {p.total_inertia(), "slug ft^2"}, 18.0961, 1e-12,
+            "8 + 2 x 0.1569 x 25 + 2 x 0.0018 + 2 x 0.0271875 x 124/3 by hand");
 }
 
-scene::Showing draw_appendage_axes() {
+void draw_appendage_axes(scene::Show& show) {
   Craft c{.radius = 1.6, .length = 5.6, .angle = 0.3, .bend = 1.7};
   Drawing d;
   const double at = 0.62;
@@ -107,24 +108,27 @@ scene::Showing draw_appendage_axes() {
   // The drawn shape is a clamped one: it leaves the hub along b_1, and carries no moment at its tip.
   const auto xi = [](double t) { return t * t * (3 - t) / 2; };
   constexpr double h = 1e-3;
-  return {
-      d.take({{"heading", "The deflection is measured from the axis that turns with the hub"},
-              {"xrange", "[-2.2:9.8]"},
-              {"yrange", "[-2:5.2]"},
-              {"height", "430"}}),
-      {},
-      {scene::near("slope of the drawn shape at the hub", "1", (xi(h) - xi(-h)) / (2 * h) + 1, 1, 1e-6,
-                   "clamped: the central difference of a cubic, off by h^2/2"),
-       scene::near("curvature of the drawn shape at the tip", "1",
-                   (xi(1 + h) - 2 * xi(1) + xi(1 - h)) / (h * h) + 1, 1, 1e-9,
-                   "no moment there: the second difference of a cubic is exact but for rounding over h^2")}};
+  show.draw(d.take({{"heading", "The deflection is measured from the axis that turns with the hub"},
+                    {"xrange", "[-2.2:9.8]"},
+                    {"yrange", "[-2:5.2]"},
+                    {"height", "430"}}));
+  show.near("slope of the drawn shape at the hub", (xi(h) - xi(-h)) / (2 * h) + 1, 1, 1e-6,
+            "clamped: the central difference of a cubic, off by h^2/2");
+  show.near("curvature of the drawn shape at the tip", (xi(1 + h) - 2 * xi(1) + xi(1 - h)) / (h * h) + 1, 1,
+            1e-9, "no moment there: the second difference of a cubic is exact but for rounding over h^2");
 }
 
 }  // namespace
 
-void add_drawings(scene::Chapter& chapter) {
-  add_drawing(chapter, "fig-3.1", "The symmetric rotating spacecraft (drawn)", draw_spacecraft);
-  add_drawing(chapter, "fig-3.2", "Deformation and axes of an appendage (drawn)", draw_appendage_axes);
+std::vector<scene::Scene> drawings() {
+  return {{.name = "fig-3.1",
+           .title = "The symmetric rotating spacecraft (drawn)",
+           .place = "Figure 3.1",
+           .content = scene::Content(draw_spacecraft)},
+          {.name = "fig-3.2",
+           .title = "Deformation and axes of an appendage (drawn)",
+           .place = "Figure 3.2",
+           .content = scene::Content(draw_appendage_axes)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

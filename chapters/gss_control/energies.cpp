@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/finite_elements.hpp"
 #include "nlmech/spacecraft/lyapunov.hpp"
@@ -19,13 +19,12 @@
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using scene::Workshop;
 using spacecraft::Complex;
 using spacecraft::DiscreteModel;
 using spacecraft::Gains;
@@ -152,26 +151,29 @@ Gains with_load(Gains gains, double k2) {
   return gains;
 }
 
-scene::Figure draw(const DiscreteModel& model) {
-  Plot plot("Nothing turns where {/:Italic k}_2 changes its sign", "{/:Italic k}_2");
-  plot.x_range(-2, 4);
-  plot.panel("integral over that at {/:Italic k}_2 = 0");
-  plot.y_range(0, 4);
+void draw(const DiscreteModel& model, scene::Show& show) {
+  scene::Panel& panel = show.plot("Nothing turns where {/:Italic k}_2 changes its sign", "{/:Italic k}_2",
+                                  "integral over that at {/:Italic k}_2 = 0");
+  panel.x_range(-2, 4).y_range(0, 4);
+  show.figure().columns({"curve", "panel", "x", "y"});
   const Parameters p = craft(true);
   const Integrals zero = closed_form(p, with_load(unit_gains, 0));
-  constexpr std::array names = {"energy of the hub", "energy of the beams", "(θ - θ_f)^2"};
-  constexpr std::array parts = {&Integrals::hub, &Integrals::beams, &Integrals::error};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    plot.begin(names.at(i), fmt::format("l{}", i + 1));
-    for (const double k2 : equidistant(-1.9, 4, 119))
-      plot.add(k2, closed_form(p, with_load(unit_gains, k2)).*parts.at(i) / (zero.*parts.at(i)));
-  }
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    plot.begin(i == 0 ? "ten modes" : "", fmt::format("p{}", i + 1));
-    for (const double k2 : {-1.5, -1.0, -0.5, 0.0, 1.0, 2.0, 3.0})
-      plot.add(k2, integrals(model, with_load(unit_gains, k2)).*parts.at(i) / (zero.*parts.at(i)));
-  }
-  return plot.with("key1", "top right").take();
+  struct Drawn {
+    const char *name, *dots;
+    double Integrals::*part;
+  };
+  constexpr std::array parts = {Drawn{"energy of the hub", "ten modes", &Integrals::hub},
+                                Drawn{"energy of the beams", "", &Integrals::beams},
+                                Drawn{"(θ - θ_f)^2", "", &Integrals::error}};
+  for (const Drawn& d : parts)
+    panel.curve(d.name, equidistant(-1.9, 4, 119), std::identity(), [&](double k2) {
+      return closed_form(p, with_load(unit_gains, k2)).*d.part / (zero.*d.part);
+    });
+  for (int style = 1; const Drawn& d : parts)
+    panel.curve(
+        d.dots, std::array{-1.5, -1.0, -0.5, 0.0, 1.0, 2.0, 3.0}, std::identity(),
+        [&](double k2) { return integrals(model, with_load(unit_gains, k2)).*d.part / (zero.*d.part); },
+        scene::points(style++));
 }
 
 /// The last time at which the hub's energy is a hundredth of its peak, by the exact poles.
@@ -185,62 +187,80 @@ double exact_fading(const Gains& gains) {
   return settled.time;
 }
 
-std::vector<scene::Quantity> quantities(const std::string& of, const Integrals& found,
-                                        const Integrals& exact) {
-  // Rounding: eps times the fastest over the slowest decay of ten modes, 2.3e3 and 1.2e-5 a second.
-  return {
-      scene::near("energy of the hub, " + of, "lb ft s", found.hub, exact.hub, 1e-7,
-                  "I_hub k1/(4 k3) by Parseval's theorem, for any number of modes; rounding of fast motions "
-                  "that hardly decay"),
-      scene::near("energy of the beams, " + of, "lb ft s", found.beams, exact.beams, 1e-5,
-                  "k1^2/(k3 (2 + k2)) times the sum of 1/omega_n^2; ten modes leave out 8e-6 of it, for "
-                  "omega_n is near ((n - 3/2) pi/L)^2 sqrt(EI/rho)"),
-      scene::near("error of the angle, " + of, "s", found.error, exact.error, 1e-7,
-                  "k3/(2 k1) + (I_hub + (2 + k2) B_0)/(2 k3); rounding as the hub's"),
-      scene::near("dissipated energy, " + of, "lb ft", found.dissipated, exact.dissipated, 1e-7,
-                  "V(0) = k1/2: all of it, whatever k2")};
-}
+/// A motion: what is found, and the same in closed form, by exact poles, by finite elements.
+struct Motions {
+  std::string of;
+  Gains gains;
+  Integrals found, exact;
+  Fading last, other;
 
-scene::Showing show() {
-  const DiscreteModel model =
-      spacecraft::assumed_modes(craft(true), modes, spacecraft::ModeFunctions::eigenfunctions);
-  scene::Table table({{"k1"},
-                      {"k2"},
-                      {"k3"},
-                      {"energy of the hub (lb ft s)", 5},
-                      {"energy of the beams (lb ft s)", 5},
-                      {"(theta - theta_f)^2 (s)", 5},
-                      {"hub below 1 % of its peak from (s)", 4},
-                      {"beams (s)", 4}});
+  [[nodiscard]] double k1() const { return gains.k1; }
+  [[nodiscard]] double k2() const { return gains.k2; }
+  [[nodiscard]] double k3() const { return gains.k3; }
+  [[nodiscard]] double hub() const { return found.hub; }
+  [[nodiscard]] double beams() const { return found.beams; }
+  [[nodiscard]] double error() const { return found.error; }
+  [[nodiscard]] double hub_fades() const { return last.hub; }
+  [[nodiscard]] double beams_fade() const { return last.beams; }
+};
+
+std::vector<Motions> all_motions(const DiscreteModel& model) {
   const DiscreteModel elements = spacecraft::finite_elements(craft(true), 12);
-  std::vector<scene::Quantity> all;
+  std::vector<Motions> all;
   for (const Set& set : sets) {
     for (const double k2 : {-0.5, 0.0, 1.0}) {
       const Gains gains = with_load(set.gains, k2);
-      const Integrals found = integrals(model, gains);
-      const Fading last = fading(model, gains, 400);
-      table.add({gains.k1, gains.k2, gains.k3, found.hub, found.beams, found.error, last.hub, last.beams});
-      const std::string of = fmt::format("{} k1 and k3, k2 = {:g}", set.name, k2);
-      for (scene::Quantity& q : quantities(of, found, closed_form(craft(true), gains)))
-        all.push_back(std::move(q));
-      all.push_back(scene::near("time of the hub below 1 %, " + of, "s", last.hub, exact_fading(gains),
-                                0.02 / last.hub, "the exact poles; samples 0.01 s apart"));
-      all.push_back(scene::near("time of the beams below 1 %, " + of, "s", last.beams,
-                                fading(elements, gains, 400).beams, 0.02 / last.beams,
-                                "12 finite elements; samples 0.01 s apart"));
+      all.push_back({fmt::format("{} k1 and k3, k2 = {:g}", set.name, k2),
+                     gains,
+                     integrals(model, gains),
+                     closed_form(craft(true), gains),
+                     fading(model, gains, 400),
+                     {exact_fading(gains), fading(elements, gains, 400).beams}});
     }
   }
-  return {draw(model), table, all};
+  return all;
+}
+
+void check(const Motions& m, scene::Show& show) {
+  // Rounding: eps times the fastest over the slowest decay of ten modes, 2.3e3 and 1.2e-5 a second.
+  show.near("energy of the hub, " + m.of, {m.found.hub, "lb ft s"}, m.exact.hub, 1e-7,
+            "I_hub k1/(4 k3) by Parseval's theorem, for any number of modes; rounding of fast motions that "
+            "hardly decay");
+  show.near("energy of the beams, " + m.of, {m.found.beams, "lb ft s"}, m.exact.beams, 1e-5,
+            "k1^2/(k3 (2 + k2)) times the sum of 1/omega_n^2; ten modes leave out 8e-6 of it, for omega_n is "
+            "near ((n - 3/2) pi/L)^2 sqrt(EI/rho)");
+  show.near("error of the angle, " + m.of, {m.found.error, "s"}, m.exact.error, 1e-7,
+            "k3/(2 k1) + (I_hub + (2 + k2) B_0)/(2 k3); rounding as the hub's");
+  show.near("dissipated energy, " + m.of, {m.found.dissipated, "lb ft"}, m.exact.dissipated, 1e-7,
+            "V(0) = k1/2: all of it, whatever k2");
+  show.near("time of the hub below 1 %, " + m.of, {m.last.hub, "s"}, m.other.hub, 0.02 / m.last.hub,
+            "the exact poles; samples 0.01 s apart");
+  show.near("time of the beams below 1 %, " + m.of, {m.last.beams, "s"}, m.other.beams, 0.02 / m.last.beams,
+            "12 finite elements; samples 0.01 s apart");
+}
+
+void put(scene::Show& show) {
+  const DiscreteModel model =
+      spacecraft::assumed_modes(craft(true), modes, spacecraft::ModeFunctions::eigenfunctions);
+  draw(model, show);
+  const std::vector<Motions> all = all_motions(model);
+  show.table(all, {{"k1", &Motions::k1},
+                   {"k2", &Motions::k2},
+                   {"k3", &Motions::k3},
+                   {"energy of the hub (lb ft s)", &Motions::hub, 5},
+                   {"energy of the beams (lb ft s)", &Motions::beams, 5},
+                   {"(theta - theta_f)^2 (s)", &Motions::error, 5},
+                   {"hub below 1 % of its peak from (s)", &Motions::hub_fades, 4},
+                   {"beams (s)", &Motions::beams_fade, 4}});
+  for (const Motions& m : all) check(m, show);
 }
 
 }  // namespace
 
-void add_energies(scene::Chapter& chapter) {
-  chapter.add({.name = "energies",
-               .title = "Energies of the hub and of the beams by the gain on the root load",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop&) { return show(); }});
+std::vector<scene::Scene> energies() {
+  return {{.name = "energies",
+           .title = "Energies of the hub and of the beams by the gain on the root load",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

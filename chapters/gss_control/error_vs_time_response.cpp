@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/extended.hpp"
-#include "chapters/gss_control/plots.hpp"
+#include "chapters/gss_control/grids.hpp"
 #include "chapters/gss_control/response_forms.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/finite_elements.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
-
-using scene::Workshop;
 
 constexpr double place = 2;
 
@@ -27,7 +29,17 @@ struct Cost {
   double middle = 0;   ///< median of the relative error of theta/u
   double largest = 0;  ///< greatest of it
   Timing time;         ///< of one frequency, theta/u and y/u together
+
+  [[nodiscard]] double seconds() const { return time.median; }
+  [[nodiscard]] double digits() const { return -std::log10(middle); }
 };
+
+/// Those of a method.
+std::vector<Cost> of(const std::vector<Cost>& all, const std::string& method) {
+  std::vector<Cost> found;
+  std::ranges::copy_if(all, std::back_inserter(found), [&](const Cost& c) { return c.method == method; });
+  return found;
+}
 
 /// theta/u and y/u at one frequency.
 using Evaluate = std::function<FormValue(double)>;
@@ -106,74 +118,69 @@ std::vector<Cost> measure_all(bool quick) {
   return all;
 }
 
-scene::Figure draw(const std::vector<Cost>& all) {
-  Plot plot("The exact forms have all digits, truncated models few", "time a frequency (s)", "time_s");
-  plot.log_x(1e-8, 1e-2);
-  plot.panel("digits of {/:Italic θ}/{/:Italic u}, median over frequencies");
-  plot.y_range(0, 17);
-  plot.y_tics(0, 2);
-  const std::vector<std::pair<std::string, std::string>> looks = {
-      {form_name(Form::closed), "p2"},        {form_name(Form::krylov), "p4"},
-      {form_name(Form::scaled), "p1"},        {"assumed modes, dense", "b3"},
-      {"assumed modes, diagonalised", "b8"},  {"finite elements, dense", "b5"},
-      {"finite elements, diagonalised", "b6"}};
-  for (const auto& [method, look] : looks) {
-    plot.begin(method, look);
-    for (const Cost& c : all) {
-      if (c.method == method) plot.add(c.time.median, -std::log10(c.middle));
-    }
+void draw(const std::vector<Cost>& all, scene::Show& show) {
+  scene::Panel& panel =
+      show.plot("The exact forms have all digits, truncated models few", "time a frequency (s)",
+                "digits of {/:Italic θ}/{/:Italic u}, median over frequencies");
+  panel.log_x(1e-9, 1e-2)
+      .y_range(0, 17)
+      .set("ytics 0, 2")
+      .set("bmargin at screen 0.31")
+      .key("at screen 0.53, screen 0.005 center bottom samplen 3 width -2 spacing 1.1 maxrows 5 maxcols 2");
+  show.figure().size(760, 560).columns({"curve", "panel", "time_s", "y"});
+  const std::vector<std::pair<std::string, scene::Look>> looks = {
+      {form_name(Form::closed), scene::points(2)},
+      {form_name(Form::krylov), scene::points(4)},
+      {form_name(Form::scaled), scene::points(1)},
+      {"assumed modes, dense", scene::linespoints(3)},
+      {"assumed modes, diagonalised", scene::linespoints(8)},
+      {"finite elements, dense", scene::linespoints(5)},
+      {"finite elements, diagonalised", scene::linespoints(6)}};
+  for (const auto& [method, look] : looks)
+    panel.curve(method, of(all, method), &Cost::seconds, &Cost::digits, look);
+  for (const char* method : {"assumed modes, dense", "finite elements, dense"}) {
+    for (const Cost& c : of(all, method))
+      panel.note(fmt::format(" {}", c.size), c.seconds(), c.digits() + 0.45);
   }
-  for (const Cost& c : all) {
-    if (c.size > 0 && (c.method == "assumed modes, dense" || c.method == "finite elements, dense"))
-      plot.label(fmt::format(" {}", c.size), c.time.median, -std::log10(c.middle) + 0.45);
-  }
-  return plot.with("below", "2").with("height", "560").take();
 }
 
-scene::Showing show(const std::vector<Cost>& all) {
-  scene::Table table({{"method"},
-                      {"size"},
-                      {"median error of theta/u", 2},
-                      {"largest error", 2},
-                      {"time a frequency (ns)", 3},
-                      {"from", 3},
-                      {"to", 3}});
-  for (const Cost& c : all)
-    table.add({c.method, c.size == 0 ? scene::Cell{} : scene::Cell{std::int64_t{c.size}}, c.middle, c.largest,
-               1e9 * c.time.median, 1e9 * c.time.smallest, 1e9 * c.time.largest});
-  const auto named = [&](const std::string& method, int size) -> const Cost& {
-    return *std::find_if(all.begin(), all.end(),
-                         [&](const Cost& c) { return c.method == method && c.size == size; });
+void put(const std::vector<Cost>& all, scene::Show& show) {
+  draw(all, show);
+  show.table(all, {{"method", &Cost::method},
+                   {"size", [](const Cost& c) { return c.size == 0 ? scene::Cell() : scene::Cell(c.size); }},
+                   {"median error of theta/u", &Cost::middle, 2},
+                   {"largest error", &Cost::largest, 2},
+                   {"time a frequency (ns)", [](const Cost& c) { return 1e9 * c.time.median; }, 3},
+                   {"from", [](const Cost& c) { return 1e9 * c.time.smallest; }, 3},
+                   {"to", [](const Cost& c) { return 1e9 * c.time.largest; }, 3}});
+  const auto ten = [&](const std::string& method) {
+    const std::vector<Cost> sizes = of(all, method);
+    return std::ranges::find(sizes, 10, &Cost::size)->middle;
   };
-  return {
-      draw(all),
-      table,
-      {scene::at_most("median error of the scaled form", "1", named(form_name(Form::scaled), 0).middle, 1e-14,
-                      "a few dozen roundings"),
-       scene::at_most("largest error of the scaled form", "1", named(form_name(Form::scaled), 0).largest,
-                      1e-11, "1e-12 |omega G'/G|, which is ten at most away from the very poles"),
-       // oracle: gss_control_plant tip error of assumed mode 1, tip error of assumed mode 10
-       {"median error of ten assumed modes", "1", named("assumed modes, diagonalised", 10).middle, 1e-6, 1e-2,
-        "their first pole is off by 4.5e-5, the tenth by 0.17: tools/oracles/gss_control_plant.py"},
-       scene::near("dense over diagonalised: median errors of ten assumed modes", "1",
-                   named("assumed modes, dense", 10).middle / named("assumed modes, diagonalised", 10).middle,
-                   1, 1e-3, "the same model: they differ by rounding alone")}};
+  const Cost scaled = of(all, form_name(Form::scaled)).front();
+  show.at_most("median error of the scaled form", scaled.middle, 1e-14, "a few dozen roundings");
+  show.at_most("largest error of the scaled form", scaled.largest, 1e-11,
+               "1e-12 |omega G'/G|, which is ten at most away from the very poles");
+  // oracle: gss_control_plant tip error of assumed mode 1, tip error of assumed mode 10
+  show.between("median error of ten assumed modes", ten("assumed modes, diagonalised"), 1e-6, 1e-2,
+               "their first pole is off by 4.5e-5, the tenth by 0.17: tools/oracles/gss_control_plant.py");
+  show.near("dense over diagonalised: median errors of ten assumed modes",
+            ten("assumed modes, dense") / ten("assumed modes, diagonalised"), 1, 1e-3,
+            "the same model: they differ by rounding alone");
 }
 
 }  // namespace
 
-void add_error_vs_time_response(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Cost>>(
+std::vector<scene::Scene> error_vs_time_response() {
+  const scene::Result times(
       "response-times",
       "theta/u and y(2 ft)/u at frequencies from 0.01 to 1000 rad/s, logarithmically spaced, with tips; "
       "error "
       "of theta/u against 100 digits; one thread, median of repeats; models are made beforehand",
-      {}, [](Workshop& w) { return measure_all(w.quick()); });
-  chapter.add({.name = "error-vs-time-response",
-               .title = "Digits of theta/u against time: exact forms, assumed modes, finite elements",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      measure_all);
+  return {{.name = "error-vs-time-response",
+           .title = "Digits of theta/u against time: exact forms, assumed modes, finite elements",
+           .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
+#include "chapters/gss_control/grids.hpp"
 #include "chapters/gss_control/modal_loop.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/inverse_laplace.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::Complex;
 
 constexpr std::array places = {2.0};
@@ -35,6 +37,9 @@ struct Cost {
   std::string method, setting;
   double middle = 0, largest = 0;  ///< of the errors over the times
   Timing time;                     ///< of all times together
+
+  [[nodiscard]] double seconds() const { return time.median; }
+  [[nodiscard]] double digits() const { return std::clamp(-std::log10(middle), 0., 17.); }
 };
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
@@ -200,75 +205,78 @@ class Field {
   std::vector<Cost> costs_;
 };
 
+std::vector<Cost> measure_all(bool quick) { return Field(quick).measure(); }
+
+/// Those of a method; none of CVODE's without CVODE.
+std::vector<Cost> of(const std::vector<Cost>& all, const std::string& method) {
+  std::vector<Cost> found;
+  std::ranges::copy_if(all, std::back_inserter(found), [&](const Cost& c) { return c.method == method; });
+  return found;
+}
+
 double best(const std::vector<Cost>& all, const std::string& method) {
-  double least = HUGE_VAL;
-  for (const Cost& c : all) {
-    if (c.method == method) least = std::min(least, c.middle);
-  }
-  return least;
+  return std::ranges::min(of(all, method), {}, &Cost::middle).middle;
 }
 
-scene::Figure draw(const std::vector<Cost>& all) {
-  Plot plot("Residues gain digits; ten assumed modes stop at three", "time for 16 instants (s)", "time_s");
-  plot.log_x(1e-6, 10);
-  plot.panel("digits of {/:Italic θ} and {/:Italic y}, median");
-  plot.y_range(0, 17);
-  plot.y_tics(0, 2);
-  const std::vector<std::pair<std::string, std::string>> looks = {{"residues, poles known", "b1"},
-                                                                  {"residues and their poles", "b6"},
-                                                                  {"Talbot", "b2"},
-                                                                  {"de Hoog", "b4"},
-                                                                  {"Bromwich", "b3"},
-
-                                                                  {"5 assumed modes by CVODE", "b7"},
-                                                                  {"10 assumed modes by CVODE", "b5"},
-                                                                  {"20 assumed modes by CVODE", "b8"}};
-  for (const auto& [method, look] : looks) {
-    if (!std::isfinite(best(all, method))) continue;
-    plot.begin(method, look);
-    for (const Cost& c : all) {
-      if (c.method == method) plot.add(c.time.median, std::clamp(-std::log10(c.middle), 0., 17.));
-    }
+void draw(const std::vector<Cost>& all, scene::Show& show) {
+  scene::Panel& panel =
+      show.plot("Residues gain digits; ten assumed modes stop at three", "time for 16 instants (s)",
+                "digits of {/:Italic θ} and {/:Italic y}, median");
+  panel.log_x(1e-6, 10)
+      .y_range(0, 17)
+      .set("ytics 0, 2")
+      .set("bmargin at screen 0.31")
+      .key("at screen 0.53, screen 0.005 center bottom samplen 3 width -2 spacing 1.1 maxrows 5 maxcols 2");
+  show.figure().size(760, 600).columns({"curve", "panel", "time_s", "y"});
+  struct Drawn {
+    const char* method;
+    int style;
+  };
+  for (const Drawn& d : {Drawn{"residues, poles known", 1},
+                         {"residues and their poles", 6},
+                         {"Talbot", 2},
+                         {"de Hoog", 4},
+                         {"Bromwich", 3},
+                         {"5 assumed modes by CVODE", 7},
+                         {"10 assumed modes by CVODE", 5},
+                         {"20 assumed modes by CVODE", 8}}) {
+    const std::vector<Cost> costs = of(all, d.method);
+    if (!costs.empty())
+      panel.curve(d.method, costs, &Cost::seconds, &Cost::digits, scene::linespoints(d.style));
   }
-  return plot.with("below", "2").with("height", "600").take();
 }
 
-scene::Showing show(const std::vector<Cost>& all) {
-  scene::Table table({{"method"},
-                      {"setting"},
-                      {"median error", 2},
-                      {"largest error", 2},
-                      {"time (ms)", 3},
-                      {"from", 3},
-                      {"to", 3}});
-  for (const Cost& c : all)
-    table.add({c.method, c.setting, c.middle, c.largest, 1e3 * c.time.median, 1e3 * c.time.smallest,
-               1e3 * c.time.largest});
-  std::vector<scene::Quantity> quantities = {
-      scene::at_most("least error of residues", "1", best(all, "residues, poles known"), 1e-7,
-                     "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part"),
-      scene::at_most("least error of the Bromwich integral", "1", best(all, "Bromwich"), 1e-6,
-                     "what lies beyond 1.2e4 rad/s, below 1e-8 ft in y")};
+void put(const std::vector<Cost>& all, scene::Show& show) {
+  draw(all, show);
+  show.table(all, {{"method", &Cost::method},
+                   {"setting", &Cost::setting},
+                   {"median error", &Cost::middle, 2},
+                   {"largest error", &Cost::largest, 2},
+                   {"time (ms)", [](const Cost& c) { return 1e3 * c.time.median; }, 3},
+                   {"from", [](const Cost& c) { return 1e3 * c.time.smallest; }, 3},
+                   {"to", [](const Cost& c) { return 1e3 * c.time.largest; }, 3}});
+  show.at_most("least error of residues", best(all, "residues, poles known"), 1e-7,
+               "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");
+  show.at_most("least error of the Bromwich integral", best(all, "Bromwich"), 1e-6,
+               "what lies beyond 1.2e4 rad/s, below 1e-8 ft in y");
   if (peers::cvode_available())
-    quantities.push_back(
-        {"least error of five assumed modes by CVODE", "1", best(all, "5 assumed modes by CVODE"), 1e-6, 0.2,
-         "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft (tests/spacecraft/lyapunov_test.cpp)"});
-  return {draw(all), table, quantities};
+    show.between("least error of five assumed modes by CVODE", best(all, "5 assumed modes by CVODE"), 1e-6,
+                 0.2,
+                 "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft "
+                 "(tests/spacecraft/lyapunov_test.cpp)");
 }
 
 }  // namespace
 
-void add_error_vs_time_step(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Cost>>(
+std::vector<scene::Scene> error_vs_time_step() {
+  const scene::Result times(
       "step-times",
       "designed gains, from rest to 1 rad; theta and y(2 ft) at 16 instants from 3 to 6 s; error against 400 "
       "residues, the deflection's over its peak; one thread, median of repeats; models are made beforehand",
-      {}, [](Workshop& w) { return Field(w.quick()).measure(); });
-  chapter.add({.name = "error-vs-time-step",
-               .title = "Digits of a manoeuvre against time: residues, numerical inversion, assumed modes",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      measure_all);
+  return {{.name = "error-vs-time-step",
+           .title = "Digits of a manoeuvre against time: residues, numerical inversion, assumed modes",
+           .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

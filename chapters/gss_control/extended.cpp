@@ -3,7 +3,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <utility>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
@@ -90,4 +90,4 @@ Extended extended_response(const spacecraft::Parameters& parameters, double omeg
   return e;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

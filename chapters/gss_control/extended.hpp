@@ -7,7 +7,7 @@
 
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// theta/u and y/u at one frequency, rounded to double, and how much a relative change of the frequency
 /// changes them: |omega G'/G|.
@@ -19,4 +19,4 @@ struct Extended {
 /// @param omega rad/s, positive
 [[nodiscard]] Extended extended_response(const spacecraft::Parameters& parameters, double omega);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -1,20 +1,18 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/extended.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::Complex;
 using spacecraft::Parameters;
 
@@ -30,7 +28,7 @@ Parameters changed(double Parameters::*field, double value) {
   return p;
 }
 
-std::vector<Extreme> extremes() {
+std::vector<Extreme> extreme_craft() {
   return {{"Table 3.1", craft(true)},
           {"no tip", craft(false)},
           {"tip mass 1e-12 slug", changed(&Parameters::tip_mass, 1e-12)},
@@ -62,52 +60,54 @@ double worst_error(const Parameters& p, int samples) {
   return worst;
 }
 
-scene::Showing show(bool quick) {
-  scene::Table table({{"spacecraft"},
-                      {"first pole (rad/s)", 13},
-                      {"fifth pole (rad/s)", 13},
-                      {"poles found of 5"},
-                      {"largest error over its condition", 2}});
-  double worst = 0, found = 0;
-  const std::vector<Extreme> all = extremes();
-  for (const Extreme& e : all) {
-    const auto poles = spacecraft::poles(spacecraft::Plant(e.craft), 5);
-    const double error = worst_error(e.craft, quick ? 17 : 49);
-    worst = std::max(worst, error);
-    found += poles.status.ok() ? 1 : 0;
-    const bool some = !poles.omega.empty();
-    table.add({e.name, some ? scene::Cell{poles.omega.front()} : scene::Cell{poles.status.text()},
-               some ? scene::Cell{poles.omega.back()} : scene::Cell{},
-               static_cast<std::int64_t>(poles.omega.size()), error});
+/// What became of a spacecraft.
+struct Trial {
+  std::string name;
+  spacecraft::Frequencies poles;  ///< five were asked for
+  double error;                   ///< over its condition
+
+  [[nodiscard]] scene::Cell first() const {
+    return poles.omega.empty() ? scene::Cell(poles.status.text()) : scene::Cell(poles.omega.front());
   }
+  [[nodiscard]] scene::Cell fifth() const {
+    return poles.omega.empty() ? scene::Cell() : scene::Cell(poles.omega.back());
+  }
+  [[nodiscard]] std::size_t count() const { return poles.omega.size(); }
+};
+
+void put(scene::Show& show) {
+  std::vector<Trial> all;
+  for (const Extreme& e : extreme_craft())
+    all.push_back({e.name, spacecraft::poles(spacecraft::Plant(e.craft), 5),
+                   worst_error(e.craft, show.quick() ? 17 : 49)});
+  show.table(all, {{"spacecraft", &Trial::name},
+                   {"first pole (rad/s)", &Trial::first, 13},
+                   {"fifth pole (rad/s)", &Trial::fifth, 13},
+                   {"poles found of 5", &Trial::count},
+                   {"largest error over its condition", &Trial::error, 2}});
+  show.at_most("largest error of theta/u and y/u over max(1, condition), all spacecraft",
+               std::ranges::max(all, {}, &Trial::error).error, 1e-12,
+               "against 100 digits, 1e-8 to 1e8 rad/s");
+  show.equals("spacecraft all of whose first five poles are counted and found",
+              std::ranges::count_if(all, [](const Trial& t) { return t.poles.status.ok(); }),
+              static_cast<double>(all.size()), "the argument principle says that none is missing");
   // On a pole there is no value.
   const spacecraft::Plant plant(craft(true));
-  const auto poles = spacecraft::poles(plant, 1);
-  const bool said = plant.response(Complex(0, poles.omega.front()), 2).outcome == Outcome::at_pole ||
-                    std::abs(plant.response(Complex(0, poles.omega.front()), 2).theta) > 1e8;
-  const auto refused = spacecraft::stability({12, -2, 16});
-  return {
-      {},
-      table,
-      {scene::at_most("largest error of theta/u and y/u over max(1, condition), all spacecraft", "1", worst,
-                      1e-12, "against 100 digits, 1e-8 to 1e8 rad/s"),
-       scene::near("spacecraft all of whose first five poles are counted and found", "1", found,
-                   static_cast<double>(all.size()), 0, "the argument principle says that none is missing"),
-       scene::near("a pole is said or its value is beyond 1e8", "1", said ? 1 : 0, 1, 0,
-                   "at s = j omega of the first pole, rounded to double"),
-       scene::near("k2 = -2 is called marginal", "1",
-                   refused.verdict == spacecraft::Stability::marginal ? 1 : 0, 1, 0,
-                   "the hub does not feel the appendages, which ring on undamped")}};
+  const auto there = plant.response(Complex(0, spacecraft::poles(plant, 1).omega.front()), 2);
+  show.equals("a pole is said or its value is beyond 1e8",
+              there.outcome == Outcome::at_pole || std::abs(there.theta) > 1e8, 1,
+              "at s = j omega of the first pole, rounded to double");
+  show.equals("k2 = -2 is called marginal",
+              spacecraft::stability({12, -2, 16}).verdict == spacecraft::Stability::marginal, 1,
+              "the hub does not feel the appendages, which ring on undamped");
 }
 
 }  // namespace
 
-void add_extremes(scene::Chapter& chapter) {
-  chapter.add({.name = "extremes",
-               .title = "Extreme spacecraft: poles, and errors against 100 digits",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop& w) { return show(w.quick()); }});
+std::vector<scene::Scene> extremes() {
+  return {{.name = "extremes",
+           .title = "Extreme spacecraft: poles, and errors against 100 digits",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,16 +10,15 @@
 #include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/margins.hpp"
 #include "nlmech/spacecraft/parseval.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::Complex;
 using spacecraft::ExponentialSum;
 using spacecraft::Gains;
@@ -86,12 +86,22 @@ double rounding_of_square(const ExponentialSum& f) {
   return sum;
 }
 
+/// A row of the table. Empty where there is nothing to say.
+struct Row {
+  std::string loop, status;
+  scene::Cell poles = {}, error = {}, rate = {};
+};
+
 struct Trial {
   std::string name;
   Status status;
   std::size_t poles = 0;                     ///< that are summed
   double error = HUGE_VAL, rate = HUGE_VAL;  ///< relative misses of int e^2 and int theta'^2
   double rounding = 0;                       ///< allowance of the former
+
+  [[nodiscard]] Row row() const {
+    return {name, std::string(to_string(status.outcome())), poles, error, rate};
+  }
 };
 
 Trial attempt(const Extreme& e) {
@@ -109,22 +119,23 @@ Trial attempt(const Extreme& e) {
   return t;
 }
 
+std::string words(const Gains& k) { return fmt::format("k1 = {:g}, k2 = {:g}, k3 = {:g}", k.k1, k.k2, k.k3); }
+
 /// Gains that do not settle, what must be said of them, and whether a loop must refuse them.
 struct Bad {
   Gains gains;
   Stability verdict;
   bool refused;
 };
+constexpr std::array bad_gains = {
+    Bad{{12, -2, 16}, Stability::marginal, true}, Bad{{12, -2.1, 16}, Stability::unstable, true},
+    Bad{{-1, 0, 16}, Stability::unstable, true},  Bad{{12, 0, -1}, Stability::unstable, true},
+    Bad{{12, 0, 0}, Stability::marginal, false},  Bad{{0, 0, 16}, Stability::marginal, false}};
 
 /// How many of them end as they must; a row each.
-double judge_bad(scene::Table& table) {
-  double right = 0;
-  for (const Bad& bad : {Bad{{12, -2, 16}, Stability::marginal, true},
-                         {{12, -2.1, 16}, Stability::unstable, true},
-                         {{-1, 0, 16}, Stability::unstable, true},
-                         {{12, 0, -1}, Stability::unstable, true},
-                         {{12, 0, 0}, Stability::marginal, false},
-                         {{0, 0, 16}, Stability::marginal, false}}) {
+int judge_bad(std::vector<Row>& rows) {
+  int right = 0;
+  for (const Bad& bad : bad_gains) {
     const auto said = spacecraft::stability(bad.gains);
     bool refused = false;
     try {
@@ -132,24 +143,20 @@ double judge_bad(scene::Table& table) {
     } catch (const std::invalid_argument&) {
       refused = true;
     }
-    right += said.verdict == bad.verdict && refused == bad.refused ? 1 : 0;
-    const char* word = said.verdict == Stability::marginal ? "marginal" : "unstable";
-    table.add({fmt::format("k1 = {:g}, k2 = {:g}, k3 = {:g}", bad.gains.k1, bad.gains.k2, bad.gains.k3),
-               fmt::format("{}{}", word, refused ? ", refused" : ""),
-               {},
-               {},
-               {}});
+    if (said.verdict == bad.verdict && refused == bad.refused) ++right;
+    const std::string word = said.verdict == Stability::marginal ? "marginal" : "unstable";
+    rows.push_back({words(bad.gains), word + (refused ? ", refused" : "")});
   }
   return right;
 }
 
 /// Unstable ones of the first five poles, just below and just above the delay margin, all loops together.
 struct Delays {
-  double below = 0, above = 0;
+  int below = 0, above = 0;
   double margin = 0, expected = 0;  ///< with designed gains, s; pi/(2 omega) of the highest mode
 };
 
-Delays delays(scene::Table& table) {
+Delays delays(std::vector<Row>& rows) {
   Delays all;
   for (const Gains& gains : {designed_gains, unit_gains, Gains{12, -1.9, 16}, Gains{12, 1e3, 16}}) {
     const spacecraft::ClosedLoop loop(craft(true), gains);
@@ -161,12 +168,8 @@ Delays delays(scene::Table& table) {
     }
     all.below += low.unstable;
     all.above += high.unstable;
-    table.add({fmt::format("k1 = {:g}, k2 = {:g}, k3 = {:g}, delay {:.3g} ms", gains.k1, gains.k2, gains.k3,
-                           1e3 * margins.delay_margin),
-               fmt::format("{} and {} unstable of 5", low.unstable, high.unstable),
-               {},
-               {},
-               {}});
+    rows.push_back({fmt::format("{}, delay {:.3g} ms", words(gains), 1e3 * margins.delay_margin),
+                    fmt::format("{} and {} unstable of 5", low.unstable, high.unstable)});
     if (gains.k1 == designed_gains.k1 && gains.k2 == 0) {
       all.margin = margins.delay_margin;
       all.expected = std::numbers::pi / (2 * loop.poles(5).s.back().imag());
@@ -175,50 +178,47 @@ Delays delays(scene::Table& table) {
   return all;
 }
 
-scene::Showing show() {
-  scene::Table table({{"loop"},
-                      {"status"},
-                      {"poles summed"},
-                      {"int e^2, relative miss", 2},
-                      {"int theta'^2, relative miss", 2}});
-  double found = 0, error = 0, rate = 0;
+void put(scene::Show& show) {
+  std::vector<Row> rows;
+  int found = 0;
+  double error = 0, rate = 0;
   const std::vector<Extreme> loops = stable_loops();
   for (const Extreme& e : loops) {
     const Trial t = attempt(e);
-    found += t.status.ok() ? 1 : 0;
+    if (t.status.ok()) ++found;
     error = std::max(error, t.error / (1e-9 + t.rounding));
     rate = std::max(rate, t.rate);
-    table.add({t.name, std::string(to_string(t.status.outcome())), static_cast<std::int64_t>(t.poles),
-               t.error, t.rate});
+    rows.push_back(t.row());
   }
-  const double bad = judge_bad(table);
-  const Delays d = delays(table);
-  return {{},
-          table,
-          {scene::near("stable loops whose motion is found", "1", found, static_cast<double>(loops.size()), 0,
-                       "k1, k3 > 0 and k2 > -2 are stable"),
-           scene::at_most("largest miss of int theta'^2, relative", "1", rate, 1e-9,
-                          "k1/(2 k3) by Parseval's theorem; sums leave out 1e-9 of their largest terms"),
-           scene::at_most("largest miss of int e^2, over 1e-9 and rounding", "1", error, 1,
-                          "the closed form; a decay is known to 8 eps of the pole's modulus"),
-           scene::near("bad gains that end as they must", "1", bad, 6, 0,
-                       "marginal without k1 or k3 or at k2 = -2; unstable below, and with k1 or k3 below 0"),
-           scene::near("unstable poles at 0.999 of the delay margins, four loops", "1", d.below, 0, 0,
-                       "no pole has reached the axis"),
-           scene::near("unstable poles at 1.001 of the delay margins, four loops", "1", d.above, 4, 0,
-                       "a pair has crossed it in each"),
-           scene::near("delay margin of five modes, designed gains", "s", d.margin, d.expected, 1e-2,
-                       "pi/(2 omega) of the highest mode, for k2 = 0 and little damping")}};
+  const int bad = judge_bad(rows);
+  const Delays d = delays(rows);
+  show.table(rows, {{"loop", &Row::loop},
+                    {"status", &Row::status},
+                    {"poles summed", &Row::poles},
+                    {"int e^2, relative miss", &Row::error, 2},
+                    {"int theta'^2, relative miss", &Row::rate, 2}});
+  show.equals("stable loops whose motion is found", found, static_cast<double>(loops.size()),
+              "k1, k3 > 0 and k2 > -2 are stable");
+  show.at_most("largest miss of int theta'^2, relative", rate, 1e-9,
+               "k1/(2 k3) by Parseval's theorem; sums leave out 1e-9 of their largest terms");
+  show.at_most("largest miss of int e^2, over 1e-9 and rounding", error, 1,
+               "the closed form; a decay is known to 8 eps of the pole's modulus");
+  show.equals("bad gains that end as they must", bad, 6,
+              "marginal without k1 or k3 or at k2 = -2; unstable below, and with k1 or k3 below 0");
+  show.equals("unstable poles at 0.999 of the delay margins, four loops", d.below, 0,
+              "no pole has reached the axis");
+  show.equals("unstable poles at 1.001 of the delay margins, four loops", d.above, 4,
+              "a pair has crossed it in each");
+  show.near("delay margin of five modes, designed gains", {d.margin, "s"}, d.expected, 1e-2,
+            "pi/(2 omega) of the highest mode, for k2 = 0 and little damping");
 }
 
 }  // namespace
 
-void add_loop_extremes(scene::Chapter& chapter) {
-  chapter.add({.name = "extremes-loop",
-               .title = "Extreme closed loops: gains, stiff beams, delays",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop&) { return show(); }});
+std::vector<scene::Scene> extremes_loop() {
+  return {{.name = "extremes-loop",
+           .title = "Extreme closed loops: gains, stiff beams, delays",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -4,17 +4,18 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::Plant;
 
 constexpr const char* sixty_digits = "tools/oracles/gss_control_plant.py, 40 digits, 15 of them printed";
@@ -56,7 +57,7 @@ std::vector<double> frequencies(const std::vector<double>& near, double low, dou
 }
 
 /// |y(x)/u| by the exact transfer function and by ten assumed modes.
-scene::Showing compare(bool tip, double x) {
+void compare(bool tip, double x, scene::Show& show) {
   const Plant plant(craft(tip));
   const auto exact_poles = spacecraft::poles(plant, 10);
   const spacecraft::ModalModel model = diagonalise(spacecraft::assumed_modes(plant.parameters(), 10));
@@ -64,106 +65,122 @@ scene::Showing compare(bool tip, double x) {
   std::vector<double> both = exact_poles.omega;
   for (const double w : model.omega) both.push_back(w);
   const std::vector<double> omega = frequencies(both, 1, axis_end);
-  Plot plot(
+  scene::Panel& panel = show.plot(
       fmt::format("{} at {} ft: ten assumed modes miss the upper modes", tip ? "With tips," : "No tips,", x),
-      "{/:Italic ω} (rad/s)");
-  plot.panel(fmt::format("|{{/:Italic y}}({} ft)/{{/:Italic u}}| (ft per ft lb)", x));
-  plot.log_x(1, axis_end);
-  plot.log_y(1e-9, 1);
-  plot.begin("exact", "l1");
-  for (const double w : omega) plot.add(w, std::abs(plant.at_frequency(w, x).deflection));
-  plot.begin("ten assumed modes", "l5");
-  for (const double w : omega) plot.add(w, std::abs(modes.at_frequency(w).deflection));
-  std::vector<scene::Quantity> quantities;
+      "{/:Italic ω} (rad/s)", fmt::format("|{{/:Italic y}}({} ft)/{{/:Italic u}}| (ft per ft lb)", x));
+  panel.log_x(1, axis_end).log_y(1e-9, 1).key("bottom left");
+  show.figure().columns({"curve", "panel", "x", "y"});
+  panel.curve("exact", omega, std::identity(),
+              [&](double w) { return std::abs(plant.at_frequency(w, x).deflection); });
+  panel.curve(
+      "ten assumed modes", omega, std::identity(),
+      [&](double w) { return std::abs(modes.at_frequency(w).deflection); }, scene::lines(5));
   for (const Known& k : tip ? with_tip : without)
-    quantities.push_back(scene::near(fmt::format("y/u at {} rad/s", k.omega), "1/lb",
-                                     plant.at_frequency(k.omega, x).deflection, x == 2 ? k.middle : k.tip,
-                                     fourteen_digits, sixty_digits));
-  const auto error = [&](int n) {
-    return model.omega[n - 1] / exact_poles.omega[static_cast<std::size_t>(n - 1)] - 1;
-  };
-  const auto near_two_digits = [&](int n, double reference) {
-    quantities.push_back({fmt::format("frequency of mode {}, assumed over exact, less 1", n), "1", error(n),
-                          0.94 * reference, 1.06 * reference,
-                          "tools/oracles/gss_control_plant.py, two digits"});
-  };
+    show.near(fmt::format("y/u at {} rad/s", k.omega), {plant.at_frequency(k.omega, x).deflection, "1/lb"},
+              x == 2 ? k.middle : k.tip, fourteen_digits, sixty_digits);
   // oracle: gss_control_plant * assumed mode 1, * assumed mode 3, * assumed mode 10
-  near_two_digits(1, tip ? 4.5e-5 : 2.0e-5);
-  near_two_digits(3, tip ? 1.2e-2 : 7.4e-4);
-  near_two_digits(10, tip ? 1.7e-1 : 1.5e-2);
-  return {plot.with("key1", "bottom left").take(), {}, quantities};
+  for (const auto& [n, known] :
+       {std::pair{1, tip ? 4.5e-5 : 2.0e-5}, {3, tip ? 1.2e-2 : 7.4e-4}, {10, tip ? 1.7e-1 : 1.5e-2}})
+    show.between(fmt::format("frequency of mode {}, assumed over exact, less 1", n),
+                 model.omega[n - 1] / exact_poles.omega[static_cast<std::size_t>(n - 1)] - 1, 0.94 * known,
+                 1.06 * known, "tools/oracles/gss_control_plant.py, two digits");
 }
 
-/// Magnitude and phase of the response to a unit step, G/s on the imaginary axis, where G is real: the phase
-/// is -90 or 90 degrees, as the text has it.
-scene::Showing bode(bool hub) {
+/// One of the two Bode plots of the response to a unit step, G/s on the imaginary axis, where G is real: the
+/// phase is -90 or 90 degrees, as the text has it.
+struct Bode {
+  const char *heading, *label, *quantity, *unit;
+  double greatest;              ///< of the axis
+  double Known::*known;         ///< of the responses at the five frequencies
+  double first_zero;            ///< rad/s
+  std::vector<double> notches;  ///< frequencies of the zeros on the axis
+  bool hub;
+};
+
+Bode bode_of_hub(const Plant& plant) {
+  return {"Hub angle: poles and zeros take turns, all undamped",
+          "|{/:Italic θ}| of a unit step (rad s)",
+          "theta/u",
+          "1/(lb ft)",
+          1000,
+          &Known::theta,
+          4.372658473946,  // oracle: gss_control_plant tip locked 1
+          spacecraft::hub_zeros(plant, 10).omega,
+          true};
+}
+
+Bode bode_of_deflection(const Plant& plant) {
+  std::vector<double> notches;
+  for (const spacecraft::Complex& s : spacecraft::deflection_zeros(plant, 2, 1500).s) {
+    if (std::abs(s.real()) < 1e-6 * std::abs(s)) notches.push_back(s.imag());
+  }
+  return {"Deflection at 2 ft: fewer zeros than poles",
+          "|{/:Italic y}| of a unit step (ft s)",
+          "y/u",
+          "1/lb",
+          10,
+          &Known::middle,
+          37.81075762923,  // oracle: gss_control_plant tip first zero of y2
+          notches,
+          false};
+}
+
+void put_bode(Bode (*bode_of)(const Plant&), scene::Show& show) {
   const Plant plant(craft(true));
   const auto p = spacecraft::poles(plant, 10);
-  std::vector<double> peaks = p.omega, notches;
-  std::vector<scene::Quantity> quantities;
-  if (hub) {
-    notches = spacecraft::hub_zeros(plant, 10).omega;
-  } else {
-    for (const spacecraft::Complex& s : spacecraft::deflection_zeros(plant, 2, 1500).s) {
-      if (std::abs(s.real()) < 1e-6 * std::abs(s)) notches.push_back(s.imag());
-    }
-  }
-  peaks.insert(peaks.end(), notches.begin(), notches.end());
+  const Bode b = bode_of(plant);
+  std::vector<double> peaks = p.omega;
+  peaks.insert(peaks.end(), b.notches.begin(), b.notches.end());
   const std::vector<double> omega = frequencies(peaks, 0.1, 1000);
-  Plot plot(hub ? "Hub angle: poles and zeros take turns, all undamped"
-                : "Deflection at 2 ft: fewer zeros than poles",
-            "{/:Italic ω} (rad/s)");
-  plot.log_x(0.1, 1000);
-  plot.panel(hub ? "|{/:Italic θ}| of a unit step (rad s)" : "|{/:Italic y}| of a unit step (ft s)");
-  plot.log_y(1e-11, hub ? 1000 : 10);
   const auto value = [&](double w) {
     const auto r = plant.at_frequency(w, 2);
-    return hub ? r.theta : r.deflection;
+    return b.hub ? r.theta : r.deflection;
   };
-  plot.begin("", "l1");
   const auto step = [&](double w) { return value(w) / spacecraft::Complex(0, w); };
-  for (const double w : omega) plot.add(w, std::abs(step(w)));
-  plot.panel("phase (deg)");
-  plot.y_range(-120, 120);
-  plot.y_tics(-90, 90);
-  plot.begin("", "l1");
-  for (const double w : omega) plot.add(w, std::arg(step(w)) * 180 / std::numbers::pi);
+  scene::Plot& plot = show.plots(b.heading);
+  plot.stacked().size(760, 560).columns({"curve", "panel", "x", "y"});
+  plot.panel("{/:Italic ω} (rad/s)", b.label)
+      .log_x(0.1, 1000)
+      .log_y(1e-11, b.greatest)
+      .curve("", omega, std::identity(), [&](double w) { return std::abs(step(w)); });
+  plot.panel("{/:Italic ω} (rad/s)", "phase (deg)")
+      .log_x(0.1, 1000)
+      .y_range(-120, 120)
+      .set("ytics -90, 90")
+      .curve("", omega, std::identity(),
+             [&](double w) { return std::arg(step(w)) * 180 / std::numbers::pi; });
   for (const Known& k : with_tip)
-    quantities.push_back(scene::near(fmt::format("{} at {} rad/s", hub ? "theta/u" : "y/u", k.omega),
-                                     hub ? "1/(lb ft)" : "1/lb", value(k.omega), hub ? k.theta : k.middle,
-                                     fourteen_digits, sixty_digits));
-  // oracle: gss_control_plant tip pole 1, tip locked 1, tip first zero of y2
-  quantities.push_back(scene::near("first pole", "rad/s", p.omega.front(), 6.452959965749, 1e-12,
-                                   "tools/oracles/gss_control_plant.py, 13 digits"));
-  quantities.push_back(scene::near("first zero", "rad/s", notches.empty() ? NAN : notches.front(),
-                                   hub ? 4.372658473946 : 37.81075762923, 1e-12,
-                                   "tools/oracles/gss_control_plant.py, 13 digits"));
-  return {plot.take(), {}, quantities};
+    show.near(fmt::format("{} at {} rad/s", b.quantity, k.omega), {value(k.omega), b.unit}, k.*(b.known),
+              fourteen_digits, sixty_digits);
+  // oracle: gss_control_plant tip pole 1
+  const char* reason = "tools/oracles/gss_control_plant.py, 13 digits";
+  show.near("first pole", {p.omega.front(), "rad/s"}, 6.452959965749, 1e-12, reason);
+  show.near("first zero", {b.notches.empty() ? NAN : b.notches.front(), "rad/s"}, b.first_zero, 1e-12,
+            reason);
 }
 
-void add_scene(scene::Chapter& chapter, const std::string& name, const std::string& title,
-               const std::function<scene::Showing()>& show) {
-  chapter.add({.name = name,
-               .title = title,
-               .place = "Figure " + name.substr(4),
-               .needs = {},
-               .show = [show](Workshop&) { return show(); }});
+scene::Scene scene_of(const std::string& name, const std::string& title, scene::Content content) {
+  return {.name = name, .title = title, .place = "Figure " + name.substr(4), .content = std::move(content)};
 }
 
 }  // namespace
 
-void add_frequency_figures(scene::Chapter& chapter) {
-  const std::array names = {"fig-3.3", "fig-3.4", "fig-3.5", "fig-3.6"};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool tip = i >= 2;
-    const double x = i % 2 == 0 ? 2 : 4;
-    add_scene(chapter, names.at(i),
-              fmt::format("Deflection at {} ft, {} tip mass: exact and by ten assumed modes", x,
-                          tip ? "with" : "without"),
-              [tip, x] { return compare(tip, x); });
+std::vector<scene::Scene> frequency_figures() {
+  std::vector<scene::Scene> all;
+  for (const bool tip : {false, true}) {
+    for (const double x : {2.0, 4.0})
+      all.push_back(scene_of(fmt::format("fig-3.{}", 3 + all.size()),
+                             fmt::format("Deflection at {} ft, {} tip mass: exact and by ten assumed modes",
+                                         x, tip ? "with" : "without"),
+                             scene::Content([tip, x](scene::Show& show) { compare(tip, x, show); })));
   }
-  add_scene(chapter, "fig-3.7", "Bode plot of a unit step: deflection at 2 ft", [] { return bode(false); });
-  add_scene(chapter, "fig-3.8", "Bode plot of a unit step: hub angle", [] { return bode(true); });
+  const auto bode = [](Bode (*of)(const Plant&)) {
+    return scene::Content([of](scene::Show& show) { put_bode(of, show); });
+  };
+  all.push_back(
+      scene_of("fig-3.7", "Bode plot of a unit step: deflection at 2 ft", bode(bode_of_deflection)));
+  all.push_back(scene_of("fig-3.8", "Bode plot of a unit step: hub angle", bode(bode_of_hub)));
+  return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

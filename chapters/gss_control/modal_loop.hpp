@@ -8,7 +8,7 @@
 #include "nlmech/spacecraft/closed_loop.hpp"
 #include "nlmech/spacecraft/discrete_model.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// eta_i'' + omega_i^2 eta_i = b_i u, theta = theta_0 + sum b_i eta_i, J theta_0'' = u, and the controller
 /// (3.55) with the root load (u - I_hub theta'')/2. State: theta_0, eta, and their rates; from rest it is 0.
@@ -58,4 +58,4 @@ struct ModalLoop {
   }
 };
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -2,21 +2,21 @@
 
 #include <array>
 #include <cmath>
+#include <ranges>
+#include <string>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/finite_elements.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
-
-constexpr int modes = 10;
-using Ten = std::array<double, modes>;
+constexpr int ten = 10;
+using Ten = std::array<double, ten>;
 
 // Poles and hub-locked frequencies, 13 digits. oracle: gss_control_plant * pole *, * locked *
 constexpr Ten bare_poles = {12.85700141881, 72.75595661757, 202.3917222511, 396.146445565,  654.6049452155,
@@ -37,13 +37,14 @@ double worst(const std::vector<double>& ours, const Ten& theirs) {
 
 /// A discretisation whose poles are drawn.
 struct Drawn {
-  const char *legend, *look;
+  const char* legend;
+  int style;
   bool elements;
   int size;
 };
-constexpr std::array drawn = {Drawn{"10 assumed modes", "b1", false, 10},
-                              Drawn{"40 assumed modes", "b2", false, 40}, Drawn{"5 elements", "b4", true, 5},
-                              Drawn{"20 elements", "b5", true, 20}};
+constexpr std::array drawn = {Drawn{"10 assumed modes", 1, false, 10},
+                              Drawn{"40 assumed modes", 2, false, 40}, Drawn{"5 elements", 4, true, 5},
+                              Drawn{"20 elements", 5, true, 20}};
 
 Eigen::VectorXd frequencies(const spacecraft::Parameters& p, const Drawn& d) {
   return diagonalise(d.elements ? spacecraft::finite_elements(p, d.size)
@@ -51,80 +52,103 @@ Eigen::VectorXd frequencies(const spacecraft::Parameters& p, const Drawn& d) {
       .omega;
 }
 
-scene::Showing show() {
-  Plot plot("With tips, assumed modes stop at percents, elements do not", "number of the mode");
-  scene::Table table({{"model"},
-                      {"mode"},
-                      {"pole (rad/s)", 13},
-                      {"hub-locked (rad/s)", 13},
-                      {"10 assumed modes, relative error", 2},
-                      {"40 assumed modes", 2},
-                      {"5 elements", 2},
-                      {"20 elements", 2}});
-  std::vector<scene::Quantity> quantities;
-  plot.x_range(0.5, 10.5);
-  for (const bool tip : {false, true}) {
-    const char* model = tip ? "with tips" : "no tips";
-    const spacecraft::Plant plant(craft(tip));
-    const auto poles = spacecraft::poles(plant, modes), zeros = spacecraft::hub_zeros(plant, modes);
-    plot.panel(fmt::format("relative error, {}", model));
-    plot.log_y(1e-9, 1);
-    std::array<Eigen::VectorXd, drawn.size()> found;
+/// A mode: its pole, its frequency with the hub locked, and relative errors of the discretisations' poles.
+struct Mode {
+  const char* model;
+  int number;
+  double pole, locked;
+  std::array<double, drawn.size()> error;
+};
+
+/// Column of the errors of a discretisation.
+scene::ColumnOf<Mode> errors_of(const std::string& heading, std::size_t k) {
+  return {heading, [k](const Mode& m) { return m.error.at(k); }, 2};
+}
+
+/// With tips or without.
+struct Model {
+  const char* name;
+  spacecraft::Parameters craft;
+  std::vector<double> poles, locked;
+  std::vector<Mode> modes;
+
+  explicit Model(bool tip) : name(tip ? "with tips" : "no tips"), craft(gss_control::craft(tip)) {
+    const spacecraft::Plant plant(craft);
+    poles = spacecraft::poles(plant, ten).omega;
+    locked = spacecraft::hub_zeros(plant, ten).omega;
+    for (std::size_t i = 0; i < ten; ++i)
+      modes.push_back({name, static_cast<int>(i) + 1, poles.at(i), locked.at(i), {}});
     for (std::size_t k = 0; k < drawn.size(); ++k) {
-      found.at(k) = frequencies(plant.parameters(), drawn.at(k));
-      plot.begin(tip ? "" : drawn.at(k).legend, drawn.at(k).look);
-      for (int i = 0; i < modes; ++i)
-        plot.add(i + 1, std::max(1e-9, std::abs(found.at(k)[i] / poles.omega.at(std::size_t(i)) - 1)));
+      const Eigen::VectorXd found = frequencies(craft, drawn.at(k));
+      for (Mode& m : modes) m.error.at(k) = found[m.number - 1] / m.pole - 1;
     }
-    for (std::size_t i = 0; i < modes; ++i) {
-      const auto error = [&](std::size_t k) {
-        return found.at(k)[static_cast<Eigen::Index>(i)] / poles.omega.at(i) - 1;
-      };
-      table.add({model, std::int64_t(i) + 1, poles.omega.at(i), zeros.omega.at(i), error(0), error(1),
-                 error(2), error(3)});
-    }
-    const char* reason = "tools/oracles/gss_control_plant.py, 13 digits";
-    quantities.push_back(scene::at_most(fmt::format("largest relative difference of a pole, {}", model), "1",
-                                        worst(poles.omega, tip ? tip_poles : bare_poles), 1e-12, reason));
-    quantities.push_back(
-        scene::at_most(fmt::format("largest relative difference of a hub-locked frequency, {}", model), "1",
-                       worst(zeros.omega, tip ? tip_zeros : bare_zeros), 1e-12, reason));
-    quantities.push_back(scene::near(fmt::format("first pole, {}", model), "rad/s", poles.omega.front(),
-                                     tip ? tip_poles.front() : bare_poles.front(), 1e-12, reason));
-    quantities.push_back(scene::near(fmt::format("second pole, {}", model), "rad/s", poles.omega.at(1),
-                                     tip ? tip_poles.at(1) : bare_poles.at(1), 1e-12, reason));
-    // oracle: gss_control_plant * error of assumed mode 10
-    const double tenth = found.at(0)[9] / poles.omega.at(9) - 1, known_tenth = tip ? 0.17 : 0.015;
-    quantities.push_back({fmt::format("error of mode 10 by ten assumed modes, {}", model), "1", tenth,
-                          known_tenth - (tip ? 0.005 : 0.0005), known_tenth + (tip ? 0.005 : 0.0005),
-                          "tools/oracles/gss_control_plant.py, two digits"});
-    double upper = 0;
-    for (int i = 3; i < modes; ++i)
-      upper = std::max(upper, found.at(1)[i] / poles.omega.at(std::size_t(i)) - 1);
-    if (tip)
-      quantities.push_back({"largest error of modes 4 to 10 by 40 assumed modes, with tips", "1", upper, 0.03,
-                            0.05,
-                            "such modes bend no tip body, and converge like 1/N: some percents with 40"});
-    // Hermite's cubics: errors of a frequency grow like (q h)^4/1440, q h the wave number times the length.
-    const double q = std::sqrt(poles.omega.at(9) / std::sqrt(plant.parameters().bending_stiffness() /
-                                                             plant.parameters().mass_per_length)) *
-                     plant.parameters().length / 20;
-    quantities.push_back({fmt::format("error of mode 10 by 20 elements, {}", model), "1",
-                          found.at(3)[9] / poles.omega.at(9) - 1, 0.5 * std::pow(q, 4) / 1440,
-                          2 * std::pow(q, 4) / 1440,
-                          "dispersion of a long beam of Hermite's cubics, (q h)^4/1440, within a factor 2"});
   }
-  return {plot.with("key1", "bottom right maxrows 2").with("height", "600").take(), table, quantities};
+};
+
+void draw(const std::array<Model, 2>& both, scene::Show& show) {
+  scene::Plot& plot = show.plots("With tips, assumed modes stop at percents, elements do not");
+  plot.stacked().size(760, 600).columns({"curve", "panel", "x", "y"});
+  for (const Model& model : both) {
+    scene::Panel& panel = plot.panel("number of the mode", fmt::format("relative error, {}", model.name));
+    panel.x_range(0.5, 10.5).log_y(1e-9, 1).key("bottom right maxrows 2");
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+      panel.curve(
+          &model == &both.front() ? drawn.at(k).legend : "", model.modes, &Mode::number,
+          [k](const Mode& m) { return std::max(1e-9, std::abs(m.error.at(k))); },
+          scene::linespoints(drawn.at(k).style));
+  }
+}
+
+void check(const Model& model, const Ten& known_poles, const Ten& known_locked, double tenth, double digit,
+           scene::Show& show) {
+  const std::string of = std::string(", ") + model.name;
+  const char* reason = "tools/oracles/gss_control_plant.py, 13 digits";
+  show.at_most("largest relative difference of a pole" + of, worst(model.poles, known_poles), 1e-12, reason);
+  show.at_most("largest relative difference of a hub-locked frequency" + of,
+               worst(model.locked, known_locked), 1e-12, reason);
+  show.near("first pole" + of, {model.poles[0], "rad/s"}, known_poles[0], 1e-12, reason);
+  show.near("second pole" + of, {model.poles[1], "rad/s"}, known_poles[1], 1e-12, reason);
+  show.between("error of mode 10 by ten assumed modes" + of, model.modes[9].error[0], tenth - digit,
+               tenth + digit, "tools/oracles/gss_control_plant.py, two digits");
+  if (model.craft.tip_mass > 0) {
+    double upper = 0;
+    for (const Mode& m : model.modes | std::views::drop(3)) upper = std::max(upper, m.error[1]);
+    show.between("largest error of modes 4 to 10 by 40 assumed modes" + of, upper, 0.03, 0.05,
+                 "such modes bend no tip body, and converge like 1/N: some percents with 40");
+  }
+  // Hermite's cubics: errors of a frequency grow like (q h)^4/1440, q h the wave number times the length.
+  const spacecraft::Parameters& p = model.craft;
+  const double q =
+      std::sqrt(model.poles[9] / std::sqrt(p.bending_stiffness() / p.mass_per_length)) * p.length / 20;
+  show.between("error of mode 10 by 20 elements" + of, model.modes[9].error[3], 0.5 * std::pow(q, 4) / 1440,
+               2 * std::pow(q, 4) / 1440,
+               "dispersion of a long beam of Hermite's cubics, (q h)^4/1440, within a factor 2");
+}
+
+void put(scene::Show& show) {
+  const std::array both = {Model(false), Model(true)};
+  draw(both, show);
+  std::vector<Mode> rows = both[0].modes;
+  rows.insert(rows.end(), both[1].modes.begin(), both[1].modes.end());
+  show.table(rows, {{"model", &Mode::model},
+                    {"mode", &Mode::number},
+                    {"pole (rad/s)", &Mode::pole, 13},
+                    {"hub-locked (rad/s)", &Mode::locked, 13},
+                    errors_of("10 assumed modes, relative error", 0),
+                    errors_of("40 assumed modes", 1),
+                    errors_of("5 elements", 2),
+                    errors_of("20 elements", 3)});
+  // oracle: gss_control_plant * error of assumed mode 10
+  check(both[0], bare_poles, bare_zeros, 0.015, 0.0005, show);
+  check(both[1], tip_poles, tip_zeros, 0.17, 0.005, show);
 }
 
 }  // namespace
 
-void add_natural_frequencies(scene::Chapter& chapter) {
-  chapter.add({.name = "natural-frequencies",
-               .title = "Poles and hub-locked frequencies, exact and by truncated models",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop&) { return show(); }});
+std::vector<scene::Scene> natural_frequencies() {
+  return {{.name = "natural-frequencies",
+           .title = "Poles and hub-locked frequencies, exact and by truncated models",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "chapters/gss_control/own_work.hpp"
 #include "chapters/gss_control/own_work_words.hpp"
-#include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/poles.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using spacecraft::Complex;
@@ -179,4 +179,4 @@ void add_response_command(CLI::App& app) {
   command->add_option("--at", words->at, "places on the appendage x1,x2,..., their distances from the rim");
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

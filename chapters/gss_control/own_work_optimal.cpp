@@ -3,14 +3,14 @@
 #include <memory>
 #include <string>
 
+#include "chapters/gss_control/own_work.hpp"
 #include "chapters/gss_control/own_work_words.hpp"
-#include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/optimal_gains.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 /// What was typed.
@@ -51,4 +51,4 @@ void add_optimal_gains_command(CLI::App& app) {
   command->callback([words] { optimise(*words); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

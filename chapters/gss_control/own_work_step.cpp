@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "chapters/gss_control/own_work.hpp"
 #include "chapters/gss_control/own_work_words.hpp"
-#include "chapters/gss_control/scenes.hpp"
 #include "chapters/gss_control/spacecraft_file.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 /// What was typed.
@@ -71,4 +71,4 @@ void add_step_command(CLI::App& app) {
   command->callback([words] { step(*words); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "chapters/gss_control/plots.hpp"
+#include "chapters/gss_control/grids.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 std::vector<double> typed_frequencies(const char* option, const std::string& text) {
   if (text.find(':') == std::string::npos) {
     std::vector<double> all;
@@ -72,4 +72,4 @@ std::vector<double> typed_times(const std::string& until, const std::string& eve
   return times;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

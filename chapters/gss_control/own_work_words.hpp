@@ -8,7 +8,7 @@
 #include "nlmech/spacecraft/closed_loop.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// Of the option --spacecraft, on every command.
 inline constexpr const char* spacecraft_help =
@@ -43,4 +43,4 @@ struct Place {
 /// @throws InputError for more than ten million
 [[nodiscard]] std::vector<double> typed_times(const std::string& until, const std::string& every);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -2,7 +2,7 @@
 
 #include "nlmech/spacecraft/closed_form.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using spacecraft::Complex;
@@ -40,4 +40,4 @@ FormValue ResponseForms::evaluate(Form form, double omega, double x) const {
   return {r.theta, r.deflection};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

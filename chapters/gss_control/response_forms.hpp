@@ -7,7 +7,7 @@
 
 #include "nlmech/spacecraft/plant.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// Which evaluation.
 enum class Form : std::uint8_t {
@@ -36,4 +36,4 @@ class ResponseForms {
   spacecraft::Plant plant_;
 };
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -13,7 +13,7 @@
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using spacecraft::Parameters;
@@ -95,4 +95,4 @@ spacecraft::Parameters read_spacecraft(const std::string& path) {
   return parse_spacecraft(scene::read_whole(path), path == "-" ? "standard input" : path);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -7,7 +7,7 @@
 
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 
 /// Reads `hub_inertia`, `mass_per_length`, `youngs_modulus`, `length`, `hub_radius`, `second_moment`,
 /// `tip_mass` and `tip_inertia`; keys that are not there keep their value of Table 3.1.
@@ -20,4 +20,4 @@ namespace nlmech::chapters {
 /// if the file cannot be read
 [[nodiscard]] spacecraft::Parameters read_spacecraft(const std::string& path);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

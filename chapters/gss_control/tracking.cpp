@@ -1,19 +1,18 @@
 #include "nlmech/spacecraft/tracking.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/plots.hpp"
-#include "chapters/gss_control/scenes.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
-using scene::Workshop;
 using spacecraft::SmoothTurn;
 using spacecraft::Tracking;
 using spacecraft::TrackingLaw;
@@ -44,84 +43,76 @@ Tracking track(double duration, TrackingLaw law) {
   return tracking;
 }
 
-void draw(Plot& plot, double duration) {
-  const Tracking regulator = track(duration, TrackingLaw::regulator),
+void draw(double duration, scene::Show& show) {
+  const Tracking text = track(duration, TrackingLaw::regulator),
                  forward = track(duration, TrackingLaw::feedforward);
   const std::vector<double> times = equidistant(0, 1.5 * duration, 601);
-  plot.panel("{/:Italic θ} (rad)");
-  plot.begin("controller of the text", "l5");
-  for (const double t : times) plot.add(t, regulator.at(t).theta);
-  plot.begin("torque fed forward", "l1");
-  for (const double t : times) plot.add(t, forward.at(t).theta);
-  plot.begin("target", "l3");
-  for (const double t : times) plot.add(t, regulator.turn().value(t));
-  plot.panel("{/:Italic y}(2 ft) (ft)");
-  plot.begin("", "l5");
-  for (const double t : times) plot.add(t, regulator.at(t).deflection.front());
-  plot.begin("", "l1");
-  for (const double t : times) plot.add(t, forward.at(t).deflection.front());
+  scene::Plot& plot = show.plots("Feeding the torque forward removes the lag");
+  plot.stacked().size(760, 560).columns({"curve", "panel", "x", "y"});
+  scene::Panel& angle = plot.panel("{/:Italic t} (s)", "{/:Italic θ} (rad)");
+  angle.x_range(0, 15).key("bottom right");
+  const auto theta = [](const Tracking& of) { return [&of](double t) { return of.at(t).theta; }; };
+  angle.curve("controller of the text", times, std::identity(), theta(text), scene::lines(5));
+  angle.curve("torque fed forward", times, std::identity(), theta(forward), scene::lines(1));
+  angle.curve(
+      "target", times, std::identity(), [&](double t) { return text.turn().value(t); }, scene::lines(3));
+  scene::Panel& deflection = plot.panel("{/:Italic t} (s)", "{/:Italic y}(2 ft) (ft)");
+  deflection.x_range(0, 15);
+  const auto y = [](const Tracking& of) { return [&of](double t) { return of.at(t).deflection.front(); }; };
+  deflection.curve("", times, std::identity(), y(text), scene::lines(5));
+  deflection.curve("", times, std::identity(), y(forward), scene::lines(1));
 }
 
-scene::Showing show(bool quick) {
-  constexpr double drawn = 10;
-  Plot plot("Feeding the torque forward removes the lag", "{/:Italic t} (s)");
-  plot.x_range(0, 15);
-  draw(plot, drawn);
-  scene::Table table({{"turn (s)"},
-                      {"law"},
-                      {"largest |theta - r| (rad)", 3},
-                      {"largest |y(2 ft)| (ft)", 3},
-                      {"after the turn (ft)", 2}});
-  std::vector<scene::Quantity> quantities;
-  const int samples = quick ? 401 : 1601;
-  double before = 0;
+/// A turn with a law.
+struct Turn {
+  double duration;  ///< s
+  const char* law;
+  Largest largest;
+
+  [[nodiscard]] double error() const { return largest.error; }
+  [[nodiscard]] double deflection() const { return largest.deflection; }
+  [[nodiscard]] double afterwards() const { return largest.afterwards; }
+};
+
+void put(scene::Show& show) {
+  draw(10, show);
+  std::vector<Turn> turns;
   for (const double duration : {5.0, 10.0, 20.0, 40.0}) {
-    for (const TrackingLaw law : {TrackingLaw::regulator, TrackingLaw::feedforward}) {
-      const Largest l = largest(track(duration, law), samples);
-      const bool forward = law == TrackingLaw::feedforward;
-      table.add({duration, forward ? "fed forward" : "text", l.error, l.deflection, l.afterwards});
-      if (duration < 40) {
-        if (forward) before = l.error;
-        continue;
-      }
-      // The polynomial of degree 7: its largest slope is 35/16 a duration.
-      if (!forward)
-        quantities.push_back(scene::near(
-            "largest lag of the text's controller, 40 s", "rad", l.error, 16. / 12 * 35 / 16 / duration, 0.1,
-            "k3/k1 times the largest slope of the target, 35/(16 T), for a slow turn, "
-            "within 10 %"));
-      else {
-        quantities.push_back(
-            {"least order in 1/T of the error with the torque fed forward", "1", std::log2(before / l.error),
-             3.5, 20,
-             "theta - r is of the order of the target's fourth derivative: T^-4, and more where "
-             "the modes that the ends excite still add"});
-        quantities.push_back(scene::at_most("largest error with the torque fed forward, 40 s", "rad", l.error,
-                                            1e-4, "kappa strain/k1 times the fourth derivative"));
-      }
-    }
+    for (const auto& [name, law] :
+         {std::pair{"text", TrackingLaw::regulator}, {"fed forward", TrackingLaw::feedforward}})
+      turns.push_back({duration, name, largest(track(duration, law), show.quick() ? 401 : 1601)});
   }
+  show.table(turns, {{"turn (s)", &Turn::duration},
+                     {"law", &Turn::law},
+                     {"largest |theta - r| (rad)", &Turn::error, 3},
+                     {"largest |y(2 ft)| (ft)", &Turn::deflection, 3},
+                     {"after the turn (ft)", &Turn::afterwards, 2}});
+  const Turn &text = turns[6], &forward = turns[7], &before = turns[5];
+  // The polynomial of degree 7: its largest slope is 35/16 a duration.
+  show.near("largest lag of the text's controller, 40 s", {text.error(), "rad"},
+            16. / 12 * 35 / 16 / text.duration, 0.1,
+            "k3/k1 times the largest slope of the target, 35/(16 T), for a slow turn, within 10 %");
+  show.between("least order in 1/T of the error with the torque fed forward",
+               std::log2(before.error() / forward.error()), 3.5, 20,
+               "theta - r is of the order of the target's fourth derivative: T^-4, and more where the modes "
+               "that the ends excite still add");
+  show.at_most("largest error with the torque fed forward, 40 s", {forward.error(), "rad"}, 1e-4,
+               "kappa strain/k1 times the fourth derivative");
   // A torque step of 1/T^2 size bends the appendages by that times their static deflection.
-  const Largest slow = largest(track(40, TrackingLaw::feedforward), samples);
   const double gain =
       std::abs(spacecraft::Plant(craft(true)).static_deflection(2)) * craft(true).total_inertia();
   // Degree 7: r'' = 140 (3 z^2 - 12 z^3 + 15 z^4 - 6 z^5)/T^2, largest 7.5132 at z = 1/2 - sqrt(5)/10.
-  quantities.push_back(
-      scene::near("largest deflection with the torque fed forward, 40 s", "ft", slow.deflection,
-                  gain * 7.5132 / 1600, 2e-2,
-                  "the static deflection under the largest angular acceleration, 7.51/T^2, within "
-                  "2 %"));
-  return {plot.with("key1", "bottom right").take(), table, quantities};
+  show.near("largest deflection with the torque fed forward, 40 s", {forward.deflection(), "ft"},
+            gain * 7.5132 / 1600, 2e-2,
+            "the static deflection under the largest angular acceleration, 7.51/T^2, within 2 %");
 }
 
 }  // namespace
 
-void add_tracking(scene::Chapter& chapter) {
-  chapter.add({.name = "tracking",
-               .title = "Following a smooth target: the text's controller, and torque fed forward",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop& w) { return show(w.quick()); }});
+std::vector<scene::Scene> tracking() {
+  return {{.name = "tracking",
+           .title = "Following a smooth target: the text's controller, and torque fed forward",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -21,7 +21,7 @@ TEST(AdversaryReaders, SpacecraftAsToml) {
       "length = 3.5\n", ""};
   hunt({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
-      const spacecraft::Parameters p = chapters::parse_spacecraft(text, "craft.toml");
+      const spacecraft::Parameters p = chapters::gss_control::parse_spacecraft(text, "craft.toml");
       for (const double x : {p.mass_per_length, p.youngs_modulus, p.length, p.second_moment}) {
         if (!(x > 0 && std::isfinite(x))) return false;
       }
@@ -66,7 +66,7 @@ TEST(AdversaryReaders, KeysOfManyTables) {
                  return false;
                }).verdict == Case::Verdict::refused;
       };
-      EXPECT_TRUE(refused(chapters::parse_spacecraft)) << tables;
+      EXPECT_TRUE(refused(chapters::gss_control::parse_spacecraft)) << tables;
       EXPECT_TRUE(refused(chapters::read_porkchop)) << tables;
     }
   }

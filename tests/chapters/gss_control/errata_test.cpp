@@ -14,7 +14,7 @@
 #include "nlmech/spacecraft/poles.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 using spacecraft::Complex;
@@ -126,4 +126,4 @@ TEST(Claims, TheExactPlantHasMorePolesThanAnyTruncation) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -9,7 +9,7 @@
 #include "chapters/gss_control/own_work_words.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 /// The complaint about a text, empty if there is none.
@@ -113,4 +113,4 @@ TEST(Words, Loops) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control

@@ -1,19 +1,18 @@
 /// What the chapter's figures and tables are made with.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/extended.hpp"
+#include "chapters/gss_control/grids.hpp"
 #include "chapters/gss_control/modal_loop.hpp"
-#include "chapters/gss_control/plots.hpp"
 #include "chapters/gss_control/response_forms.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/lyapunov.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::gss_control {
 namespace {
 
 // 15 digits. oracle: gss_control_plant bare * at 0.1, bare * at 1000, tip * at 1, tip * at 100
@@ -86,7 +85,7 @@ TEST(ModalLoop, IsTheDiscretisedClosedLoop) {
   }
 }
 
-TEST(Plots, GridsHoldTheirEnds) {
+TEST(Grids, HoldTheirEnds) {
   const auto grid = logarithmic(1e-8, 1e8, 33);
   EXPECT_EQ(grid.front(), 1e-8);
   EXPECT_EQ(grid.back(), 1e8);
@@ -97,21 +96,5 @@ TEST(Plots, GridsHoldTheirEnds) {
   EXPECT_THROW((void)logarithmic(1, 2, 1), std::invalid_argument);
 }
 
-RC_GTEST_PROP(Plots, TicsAreNineAtMost, ()) {
-  const int low = *rc::gen::inRange(-30, 10), span = *rc::gen::inRange(1, 40);
-  Plot plot("heading", "x");
-  plot.panel("y");
-  plot.log_x(std::pow(10, low), std::pow(10, low + span));
-  plot.begin("", "l1");
-  plot.add(1, 1);
-  const std::string tics = plot.take().variables.at("xtics");
-  std::size_t named = 0;
-  for (std::size_t at = tics.find('"'); at != std::string::npos;
-       at = tics.find('"', tics.find('"', at + 1) + 1))
-    named += tics[at + 1] != '"' ? 1 : 0;
-  RC_ASSERT(named >= 1);
-  RC_ASSERT(named <= 9);
-}
-
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::gss_control
