@@ -1,13 +1,14 @@
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "chapters/algebraic_series/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
-using scene::Workshop;
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
 
@@ -71,10 +72,9 @@ double growth_of_the_free_solution(int nu, int T, int terms) {
   return static_cast<double>(abs(e.value.back() / e.value[e.value.size() - 2]));
 }
 
-scene::Showing show(bool quick) {
+void draw(const Expansion& two, const Expansion& zero, scene::Show& show) {
   scene::Table data({{"case", 3, true}, {"tau"}, {"error"}});
-  const Expansion two = expand(2, 5, 100), zero = expand(0, 10, 100);
-  const int samples = quick ? 50 : 200;
+  const int samples = show.quick() ? 50 : 200;
   const auto add = [&](const char* name, const Expansion& e, int terms) {
     for (int k = 1; k < samples; ++k) {
       const double tau = static_cast<double>(k) / samples;
@@ -85,39 +85,46 @@ scene::Showing show(bool quick) {
   add("J2 T=5, 100 terms", two, 100);
   add("J0 T=10, 20 terms", zero, 20);
   add("J0 T=10, 100 terms", zero, 100);
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "algebraic_series-bessel",
-                    {{"heading", "Bessel functions about tau = 1: the terms decide, not the unit interval"}}};
+  show.plot("Bessel about tau = 1: terms decide, not the unit interval",
+            "{/:Italic τ} = {/:Italic x}/{/:Italic T}", "error")
+      .x_range(0, 1)
+      .log_y(1e-70, 1e5)
+      .key("at graph 0.34, 0.52 left top")
+      .columns("J_0, T = 10, 20 terms", "tau:error", scene::lines(5), 2)
+      .columns("J_2, T = 5, 20 terms", "tau:error", scene::lines(2), 0)
+      .columns("J_0, T = 10, 100 terms", "tau:error", scene::lines(1), 3)
+      .columns("J_2, T = 5, 100 terms", "tau:error", scene::lines(4), 1);
+  show.figure().data(std::move(data));
+}
+
+void put(scene::Show& show) {
+  const Expansion two = expand(2, 5, 100), zero = expand(0, 10, 100);
+  draw(two, zero, show);
   // oracle: algebraic_series_sums J_*
   const char* known = "tools/oracles/algebraic_series_sums.py, one digit; a factor of two either way";
   const Real near_zero = Real(1) / 100, near_one = Real(9) / 10;
-  const auto about = [&](const char* name, double value, double reference) {
-    return scene::Quantity{name, "1", value, reference / 2, reference * 2, known};
-  };
-  showing.quantities = {
-      about("error of 20 terms, J_2, T = 5, tau = 0.9", error(two, near_one, 20), 1e-26),
-      about("error of 20 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 20), 2e-7),
-      scene::near("error of 20 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 20), 5.2, 0.02,
-                  "tools/oracles/algebraic_series_sums.py: 5.2; half a unit of its last digit"),
-      scene::at_most("error of 100 terms, J_2, T = 5, tau = 0.01", "1", error(two, near_zero, 100), 4e-27,
-                     "recorded in fewer digits: 2e-27, rounding"),
-      scene::at_most("error of 100 terms, J_0, T = 10, tau = 0.01", "1", error(zero, near_zero, 100), 8e-26,
-                     "recorded in fewer digits: 4e-26, rounding"),
-      scene::near("ratio of the last coefficients of the solution with A_0 = 1, A_1 = 0", "1",
-                  growth_of_the_free_solution(2, 5, 400), 1, 0.02,
-                  "a singularity at tau = 0: the ratio tends to 1/rho = 1 like 1 + O(1/i)")};
-  return showing;
+  show.between("error of 20 terms, J_2, T = 5, tau = 0.9", error(two, near_one, 20), 1e-26 / 2, 1e-26 * 2,
+               known);
+  show.between("error of 20 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 20), 2e-7 / 2, 2e-7 * 2,
+               known);
+  show.near("error of 20 terms, J_0, T = 10, tau = 0.01", error(zero, near_zero, 20), 5.2, 0.02,
+            "tools/oracles/algebraic_series_sums.py: 5.2; half a unit of its last digit");
+  show.at_most("error of 100 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 100), 4e-27,
+               "recorded in fewer digits: 2e-27, rounding");
+  show.at_most("error of 100 terms, J_0, T = 10, tau = 0.01", error(zero, near_zero, 100), 8e-26,
+               "recorded in fewer digits: 4e-26, rounding");
+  show.near("ratio of the last coefficients of the solution with A_0 = 1, A_1 = 0",
+            growth_of_the_free_solution(2, 5, 400), 1, 0.02,
+            "a singularity at tau = 0: the ratio tends to 1/rho = 1 like 1 + O(1/i)");
 }
 
 }  // namespace
 
-void add_bessel(scene::Chapter& chapter) {
-  chapter.add({.name = "bessel",
-               .title = "Bessel's equation expanded about tau = 1: error against tau and terms",
-               .place = "our own, for section 3.1",
-               .needs = {},
-               .show = [](Workshop& w) { return show(w.quick()); }});
+std::vector<scene::Scene> bessel() {
+  return {{.name = "bessel",
+           .title = "Bessel's equation expanded about tau = 1: error against tau and terms",
+           .place = "our own, for section 3.1",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

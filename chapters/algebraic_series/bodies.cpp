@@ -1,35 +1,28 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/algebraic_series/samples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
 #include "nlmech/problems/bodies.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
 using problems::FourBodies;
-using scene::Workshop;
 using State = ivp::State<Eigen::Dynamic>;
 
 struct Orbits {
   std::vector<Sample<Eigen::Dynamic>> path;  ///< to t = 3000, every 5
-  std::int64_t steps = 0;
-  double energy_drift = 0;    ///< greatest, relative
-  double momentum_drift = 0;  ///< greatest, relative to the momentum of body 4
-  double nearest = HUGE_VAL;  ///< of two bodies
+  double energy_drift = 0;                   ///< greatest, relative
+  double momentum_drift = 0;                 ///< greatest, relative to the momentum of body 4
 };
-
-double nearest_distance(const State& x) {
-  double nearest = HUGE_VAL;
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    for (Eigen::Index k = i + 1; k < 4; ++k)
-      nearest = std::min(nearest, (x.segment<3>(3 * k) - x.segment<3>(3 * i)).norm());
-  }
-  return nearest;
-}
 
 Orbits orbits() {
   const FourBodies problem;
@@ -37,105 +30,105 @@ Orbits orbits() {
   const State x0 = FourBodies::initial_state();
   Orbits all;
   all.path = sampled<Eigen::Dynamic>(system, x0, 0, FourBodies::final_time, accurate_series(), 5);
-  const auto kept = [&](const State& x) { return problem.invariants(0.0, Vector<double, 24>(x)); };
-  const Vector<double, 4> first = kept(x0);
+  const auto invariants = [&](const State& x) { return problem.invariants(0.0, Vector<double, 24>(x)); };
+  const Vector<double, 4> first = invariants(x0);
   const double momentum = first.head<3>().norm();
   for (const auto& s : all.path) {
-    const Vector<double, 4> now = kept(s.x);
+    const Vector<double, 4> now = invariants(s.x);
     all.energy_drift = std::max(all.energy_drift, std::abs(now[3] / first[3] - 1));
     all.momentum_drift = std::max(all.momentum_drift, (now - first).head<3>().norm() / momentum);
-    all.nearest = std::min(all.nearest, nearest_distance(s.x));
   }
   return all;
 }
 
-scene::Showing show_data() {
+void put_data(scene::Show& show) {
   const FourBodies problem;
   const auto x0 = FourBodies::initial_state();
-  scene::Table table({{"body"}, {"initial position"}, {"initial velocity"}, {"mass"}, {"remark"}});
   const auto triple = [&](int at) {
     return "(" + scene::format_number(x0[at], 4) + ", " + scene::format_number(x0[at + 1], 4) + ", " +
            scene::format_number(x0[at + 2], 4) + ")";
   };
-  double mass = 0;
-  for (int i = 0; i < 4; ++i) {
-    mass += problem.mass[static_cast<std::size_t>(i)];
-    table.add({std::int64_t{i + 1}, triple(3 * i), triple(12 + 3 * i),
-               problem.mass[static_cast<std::size_t>(i)], "as printed"});
+  scene::Table table({{"body"}, {"initial position"}, {"initial velocity"}, {"mass"}, {"remark"}});
+  int body = 0;
+  for (const double mass : problem.mass) {
+    table.add({body + 1, triple(3 * body), triple(12 + 3 * body), mass, "as printed"});
+    ++body;
   }
   table.add({"G", "", "", problem.gravity, "not printed: assumed, see the page"});
+  show.table(std::move(table));
   // By hand from the printed table: 3^-1 + 5/5 + 5/4 + 1/sqrt(4.5) (twice) + 5/sqrt(8.5).
   const double energy = 0.5 * (0.00125 * 0.00125 + 2 * 0.0005 * 0.0005) -
                         1e-6 * (1 / 3.0 + 1 + 1.25 + 2 / std::sqrt(4.5) + 5 / std::sqrt(8.5));
-  return {{},
-          table,
-          {scene::near("sum of the masses", "1", mass, 8, 0, "1 + 1 + 5 + 1 by hand; exact"),
-           scene::near("energy", "1", problem.invariants(0.0, x0)[3], energy, 1e-14,
-                       "from distances by hand; rounding")}};
+  show.equals("sum of the masses", std::reduce(problem.mass.begin(), problem.mass.end()), 8,
+              "1 + 1 + 5 + 1 by hand; exact");
+  show.near("energy", problem.invariants(0.0, x0)[3], energy, 1e-14, "from distances by hand; rounding");
 }
 
-scene::Showing show(const Orbits& all) {
-  scene::Table data({{"t_s"},
-                     {"x1"},
-                     {"y1"},
-                     {"z1"},
-                     {"x2"},
-                     {"y2"},
-                     {"z2"},
-                     {"x3"},
-                     {"y3"},
-                     {"z3"},
-                     {"x4"},
-                     {"y4"},
-                     {"z4"}});
-  for (const auto& s : all.path) {
-    std::vector<scene::Cell> row = {s.t};
-    for (int i = 0; i < 12; ++i) row.emplace_back(s.x[i]);
-    data.add(std::move(row));
+/// How a body is drawn.
+struct Curve {
+  int style, width;
+  const char* name;
+};
+constexpr std::array curves = {Curve{1, 2, "body 1, mass 1"}, Curve{5, 2, "body 2, mass 1"},
+                               Curve{3, 4, "body 3, mass 5"}, Curve{4, 2, "body 4, mass 1"}};
+
+void draw(const Orbits& all, scene::Show& show) {
+  scene::ColumnsOf<decltype(all.path)> columns = {{"t_s", &Sample<Eigen::Dynamic>::t}};
+  for (int i = 0; i < 12; ++i)
+    columns.push_back({fmt::format("{}{}", "xyz"[i % 3], i / 3 + 1), component<Eigen::Dynamic>(i)});
+  scene::Plot& plot = show.plots("Four bodies to t = 3000: bodies 1 and 2 are about to meet");
+  plot.size(900, 520).data(scene::table_of(all.path, columns));
+  for (const char up : {'y', 'z'}) {
+    scene::Panel& panel = plot.panel("{/:Italic x}", fmt::format("{{/:Italic {}}}", up));
+    panel.x_range(-0.5, 3.5).key("inside top right samplen 2");
+    up == 'y' ? panel.y_range(-0.5, 4.5) : panel.y_range(-0.2, 2);
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const Curve& c = curves.at(k);
+      panel.columns(up == 'z' ? c.name : "", fmt::format("x{0}:{1}{0}", k + 1, up),
+                    {fmt::format("lines dashtype solid linewidth {}", c.width), c.style});
+      panel.columns("", fmt::format("x{0}:(column(0) == 0 ? column('{1}{0}') : NaN)", k + 1, up),
+                    {"points pointtype 7 pointsize 1", c.style});
+    }
   }
-  scene::Showing showing;
-  showing.figure = {
-      std::move(data),
-      "algebraic_series-bodies",
-      {{"heading", "Four bodies to t = 3000: bodies 1 and 2 are about to meet"}, {"width", "900"}}};
+}
+
+void put_paths(const Orbits& all, scene::Show& show) {
+  draw(all, show);
   const State& end = all.path.back().x;
   // oracle: algebraic_series_motions bodies *
-  const char* known =
-      "tools/oracles/algebraic_series_motions.py; double precision loses five digits to the encounters";
-  const auto near = [&](const char* name, double value, double reference) {
-    return scene::near(name, "1", value, reference, 1e-10, known);
+  const auto check = [&](const char* name, double value, double known) {
+    show.near(
+        name, value, known, 1e-10,
+        "tools/oracles/algebraic_series_motions.py; double precision loses five digits to the encounters");
   };
-  showing.quantities = {near("x of body 4 at t = 3000", end[9], -0.2510470313435667),
-                        near("y of body 4 at t = 3000", end[10], 3.071464269641001),
-                        near("z of body 4 at t = 3000", end[11], 0.9195961609759894),
-                        near("x of body 1 at t = 3000", end[0], 1.882222659858648),
-                        near("y of body 1 at t = 3000", end[1], 2.142167279707004),
-                        near("z of body 1 at t = 3000", end[2], 0.1432282180354737),
-                        scene::at_most("relative drift of the energy", "1", all.energy_drift, 1e-12,
-                                       "rounding of a few thousand steps, sums of opposite signs"),
-                        scene::at_most("relative drift of the momentum", "1", all.momentum_drift, 1e-13,
-                                       "rounding of a few thousand steps")};
-  return showing;
+  check("x of body 4 at t = 3000", end[9], -0.2510470313435667);
+  check("y of body 4 at t = 3000", end[10], 3.071464269641001);
+  check("z of body 4 at t = 3000", end[11], 0.9195961609759894);
+  check("x of body 1 at t = 3000", end[0], 1.882222659858648);
+  check("y of body 1 at t = 3000", end[1], 2.142167279707004);
+  check("z of body 1 at t = 3000", end[2], 0.1432282180354737);
+  show.at_most("relative drift of the energy", all.energy_drift, 1e-12,
+               "rounding of a few thousand steps, sums of opposite signs");
+  show.at_most("relative drift of the momentum", all.momentum_drift, 1e-13,
+               "rounding of a few thousand steps");
 }
 
 }  // namespace
 
-void add_bodies(scene::Chapter& chapter) {
-  chapter.add({.name = "table-1",
-               .title = "Data of the four bodies",
-               .place = "Table 1",
-               .needs = {},
-               .show = [](Workshop&) { return show_data(); }});
-  const auto& run = chapter.add_run<Orbits>(
+std::vector<scene::Scene> bodies() {
+  const scene::Result result(
       "four-bodies",
       "G T^2 = 1e-6 assumed, with the printed velocities in physical time; G, T, the order and the duration "
       "are not printed; order and steps by the radius of convergence",
-      {}, [](Workshop&) { return orbits(); });
-  chapter.add({.name = "fig-2",
-               .title = "Paths of four bodies under mutual gravitation",
-               .place = "Figure 2",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      orbits);
+  return {{.name = "table-1",
+           .title = "Data of the four bodies",
+           .place = "Table 1",
+           .content = scene::Content(put_data)},
+          {.name = "fig-2",
+           .title = "Paths of four bodies under mutual gravitation",
+           .place = "Figure 2",
+           .content = scene::Content(put_paths, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

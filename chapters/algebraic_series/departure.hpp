@@ -9,7 +9,7 @@
 #include "chapters/algebraic_series/samples.hpp"
 #include "nlmech/comparison/example.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 /// The distance from the solution at the ends of steps.
 struct Departure {
@@ -48,4 +48,40 @@ template <int n, class Method>
   return seen;
 }
 
-}  // namespace nlmech::chapters
+/// The solution and the printed steps at a time.
+template <int n>
+struct Both {
+  double t;                      ///< time
+  ivp::State<n> exact, printed;  ///< states
+};
+
+/// A motion by the printed steps beside the solution.
+template <int n>
+struct Motion {
+  std::vector<Both<n>> path;  ///< at equidistant times
+  Departure departure;        ///< of the printed steps
+};
+
+/// The motion of an example to @p end, which may lie beyond its own; states every @p dt.
+template <int n>
+[[nodiscard]] Motion<n> motion(const comparison::Example<n>& example, const ivp::Series& printed, double end,
+                               double dt) {
+  const auto exact = sampled<n>(example.system, example.x0, example.t0, end, accurate_series(), dt);
+  const auto steps = sampled<n>(example.system, example.x0, example.t0, end, printed, dt);
+  Motion<n> motion{{}, departure(example, printed, end)};
+  for (std::size_t i = 0; i < exact.size(); ++i) motion.path.push_back({exact[i].t, exact[i].x, steps[i].x});
+  return motion;
+}
+
+/// Reads one component of the solution.
+template <int n>
+[[nodiscard]] auto exact(Eigen::Index i) {
+  return [i](const Both<n>& b) { return b.exact[i]; };
+}
+/// Reads one component of what the printed steps give.
+template <int n>
+[[nodiscard]] auto printed(Eigen::Index i) {
+  return [i](const Both<n>& b) { return b.printed[i]; };
+}
+
+}  // namespace nlmech::chapters::algebraic_series

@@ -1,101 +1,98 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "chapters/algebraic_series/examples.hpp"
 #include "chapters/algebraic_series/samples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
-using scene::Workshop;
-
-/// What becomes of forward Euler with one step.
-struct Fate {
+/// Forward Euler with one step.
+struct Euler {
   double step;
   std::optional<double> visible;   ///< time at which x errs by 0.05, a tenth of the amplitude
   std::optional<double> large;     ///< time at which |x| exceeds 1, twice the amplitude
   std::optional<double> overflow;  ///< time at which no number is left
 };
 
-Fate fate_of(double step, double until) {
+Euler with(double step, double until) {
   const auto& c = oscillator_example();
-  Fate fate{step, {}, {}, {}};
+  Euler seen{step, {}, {}, {}};
   const auto observe = [&](const ivp::Step<2>& s) {
     const auto error = [&] { return std::abs(s.x1[0] - static_cast<double>(c.reference(s.t1)[0])); };
-    if (!fate.visible && !(error() <= 0.05)) fate.visible = s.t1;
-    if (!fate.large && !(std::abs(s.x1[0]) <= 1)) fate.large = s.t1;
+    if (!seen.visible && !(error() <= 0.05)) seen.visible = s.t1;
+    if (!seen.large && !(std::abs(s.x1[0]) <= 1)) seen.large = s.t1;
     return true;
   };
   const auto end = ivp::integrate(c.system, c.x0, c.t0, until, ivp::Euler{.step = step}, observe);
-  if (end.status.outcome() == Outcome::non_finite) fate.overflow = end.t;
-  return fate;
+  if (end.status.outcome() == Outcome::non_finite) seen.overflow = end.t;
+  return seen;
 }
 
 /// @param quick without the two shortest steps
-std::vector<Fate> fates(bool quick) {
-  std::vector<Fate> all;
+std::vector<Euler> compute(bool quick) {
+  std::vector<Euler> all;
   for (const double h : {0.2, 0.125, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {
     if (quick && h < 0.005) break;
-    all.push_back(fate_of(h, std::numbers::pi + 80));
+    all.push_back(with(h, std::numbers::pi + 80));
   }
   return all;
 }
 
-const Fate& with_step(const std::vector<Fate>& all, double step) {
-  for (const Fate& f : all) {
+const Euler& with_step(const std::vector<Euler>& all, double step) {
+  for (const Euler& f : all) {
     if (f.step == step) return f;
   }
   throw std::out_of_range("no run of forward Euler with that step");
 }
 
-scene::Showing show(const std::vector<Fate>& all) {
-  scene::Table table({{"h (s)"}, {"10 % departure at (s)"}, {"|x| above 1 at (s)"}, {"overflow at (s)"}});
-  scene::Table data({{"step"}, {"visible"}, {"large"}, {"overflow"}});
-  for (const Fate& f : all) {
-    table.add({f.step, scene::to_cell(f.visible), scene::to_cell(f.large), scene::to_cell(f.overflow)});
-    data.add({f.step, scene::to_cell(f.visible), scene::to_cell(f.large), scene::to_cell(f.overflow)});
-  }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "algebraic_series-divergence",
-                    {{"heading", "Forward Euler departs before 30 s if its step is 0.01 s or longer"}}};
-  showing.table = std::move(table);
+void put(const std::vector<Euler>& all, scene::Show& show) {
+  show.plot("Forward Euler departs before 30 s with steps from 0.01 s", "step {/:Italic h} (s)", "time (s)")
+      .set("logscale x")
+      .x_range(8e-4, 0.25)
+      .y_range(0, 80)
+      .level(30, "30 s, as the paper says")
+      .key("bottom left")
+      .columns("overflow", "step:overflow", {"linespoints", 3})
+      .columns("|x| above 1, twice the amplitude", "step:large", {"linespoints", 5})
+      .columns("error of a tenth of the amplitude", "step:visible", {"linespoints", 1});
+  show.figure().data(scene::table_of(all, {{"step", &Euler::step},
+                                           {"visible", &Euler::visible},
+                                           {"large", &Euler::large},
+                                           {"overflow", &Euler::overflow}}));
+  show.table(all, {{"h (s)", &Euler::step},
+                   {"10 % departure at (s)", &Euler::visible},
+                   {"|x| above 1 at (s)", &Euler::large},
+                   {"overflow at (s)", &Euler::overflow}});
   // oracle: algebraic_series_motions Euler *
   const char* known = "tools/oracles/algebraic_series_motions.py, three digits; steps are the resolution";
-  const auto near = [&](double h, double reference) {
-    return scene::near("departure with h = " + scene::format_number(h, 4), "s",
-                       with_step(all, h).visible.value_or(NAN), reference, 0.1 / reference + h / reference,
-                       known);
-  };
-  showing.quantities = {near(0.125, 9.5), near(0.1, 11.1),  near(0.05, 15.6),
-                        near(0.02, 22.4), near(0.01, 28.6), near(0.005, 34.9)};
-  showing.quantities.push_back(scene::near("|x| above 1 with h = 0.125", "s",
-                                           with_step(all, 0.125).large.value_or(NAN), 44.5, 0.006, known));
-  showing.quantities.push_back(scene::near("|x| above 1 with h = 0.1", "s",
-                                           with_step(all, 0.1).large.value_or(NAN), 47.2, 0.006, known));
-  return showing;
+  for (const auto& [h, t] :
+       {std::pair{0.125, 9.5}, {0.1, 11.1}, {0.05, 15.6}, {0.02, 22.4}, {0.01, 28.6}, {0.005, 34.9}})
+    show.near("departure with h = " + scene::format_number(h, 4),
+              {with_step(all, h).visible.value_or(NAN), "s"}, t, 0.1 / t + h / t, known);
+  show.near("|x| above 1 with h = 0.125", {with_step(all, 0.125).large.value_or(NAN), "s"}, 44.5, 0.006,
+            known);
+  show.near("|x| above 1 with h = 0.1", {with_step(all, 0.1).large.value_or(NAN), "s"}, 47.2, 0.006, known);
+  show.measured("filipich-rosales/fig-5/forward Euler/starts to diverge before", {},
+                with_step(all, 0.01).visible);
 }
 
 }  // namespace
 
-void add_divergence(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Fate>>(
-      "euler-fates", "departure: 10 % of the amplitude, 0.05; forward Euler from t = pi to 80 s later", {},
-      [](Workshop& w) { return fates(w.quick()); });
-  chapter.add({.name = "divergence",
-               .title = "When forward Euler departs, against its step",
-               .place = "our own, for Figure 5",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
-  chapter.add({.name = "filipich-rosales/fig-5/forward Euler/starts to diverge before",
-               .needs = {&run},
-               .measure = [&run](Workshop& w) {
-                 return scene::Measured{{}, with_step(w.result(run), 0.01).visible};
-               }});
+std::vector<scene::Scene> divergence() {
+  const scene::Result result(
+      "euler-fates", "departure: 10 % of the amplitude, 0.05; forward Euler from t = pi to 80 s later",
+      compute);
+  return {{.name = "divergence",
+           .title = "When forward Euler departs, against its step",
+           .place = "our own, for Figure 5",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

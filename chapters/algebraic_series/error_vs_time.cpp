@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "chapters/algebraic_series/examples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
 #include "nlmech/comparison/cost_scene.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
 using comparison::Contender;
@@ -20,42 +20,41 @@ std::vector<Contender> contenders(bool quick) {
 }
 
 // A tolerance bounds the error of a step; the condition tells how a change at the begin grows. What steps err
-// by on the way may grow more than that, so the promise of one tolerance a step has a margin. It is
+// by on the way may grow more than that, so the bound of one tolerance a step has a margin. It is
 // empirical: on the oscillator the error was 13 times the bound without it at 1e-8, 3.4 times at 1e-13. The
 // run is the most accurate by its setting, not by the luck of errors that cancel.
-std::vector<scene::Quantity> promises(const comparison::Costs& costs, bool quick) {
+void check(const comparison::Costs& costs, scene::Show& show) {
   const comparison::Cost& last = comparison::curve_of(costs.curves, "series").costs.back();
-  const double bound = 20 * comparison::tightest_tolerance(quick) * static_cast<double>(last.work.steps);
-  return {
-      comparison::condition_quantity(costs),
-      scene::at_most("error of series at its tightest tolerance", "1",
-                     last.error.value_or(std::numeric_limits<double>::quiet_NaN()), bound * costs.condition,
-                     "20 tolerances in each step, all of one sign, times the condition: 13 have been seen")};
+  const double bound =
+      20 * comparison::tightest_tolerance(show.quick()) * static_cast<double>(last.work.steps);
+  comparison::check_condition(costs, show);
+  show.at_most("error of series at its tightest tolerance",
+               last.error.value_or(std::numeric_limits<double>::quiet_NaN()), bound * costs.condition,
+               "20 tolerances in each step, all of one sign, times the condition: 13 have been seen");
 }
 
 /// @param change of the begin, for the condition
 template <int n>
-void add_scene(scene::Chapter& chapter, const comparison::Example<n>& (*example)(), const std::string& name,
-               const std::string& heading, double change) {
-  comparison::add_cost_scene(chapter, {.name = name,
-                                       .heading = heading,
-                                       .reading = "default settings over one sweep of tolerances",
-                                       .measure =
-                                           [example, change](bool quick) {
-                                             return comparison::costs_of(example(), contenders(quick), change,
-                                                                         quick);
-                                           },
-                                       .promises = promises});
+scene::Scene scene_of(const comparison::Example<n>& (*example)(), const std::string& name,
+                      const std::string& heading, double change) {
+  return comparison::cost_scene({.name = name,
+                                 .heading = heading,
+                                 .reading = "default settings over one sweep of tolerances",
+                                 .measure =
+                                     [example, change](bool quick) {
+                                       return comparison::costs_of(example(), contenders(quick), change,
+                                                                   quick);
+                                     },
+                                 .check = check});
 }
 
 }  // namespace
 
-void add_error_vs_time(scene::Chapter& chapter) {
-  add_scene<3>(chapter, lorenz_example, "lorenz", "Lorenz system to t = 20: digits against cost", 1e-9);
-  add_scene<2>(chapter, oscillator_example, "oscillator",
-               "Strongly nonlinear oscillator to 375 s: digits against cost", 1e-8);
-  add_scene<Eigen::Dynamic>(chapter, bodies_example, "bodies", "Four bodies to t = 3000: digits against cost",
-                            1e-9);
+std::vector<scene::Scene> error_vs_time() {
+  return {scene_of(lorenz_example, "lorenz", "Lorenz system to t = 20: digits against cost", 1e-9),
+          scene_of(oscillator_example, "oscillator",
+                   "Strongly nonlinear oscillator to 375 s: digits against cost", 1e-8),
+          scene_of(bodies_example, "bodies", "Four bodies to t = 3000: digits against cost", 1e-9)};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

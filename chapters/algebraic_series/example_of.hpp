@@ -11,7 +11,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 /// Lorenz's motion loses sixteen digits in 40 units of time. The strong oscillator loses six in 750; 64 bits
 /// are left with 4e-14 there, a thousandth of what double can reach, in a twentieth of the time.
@@ -51,4 +51,4 @@ comparison::Example<n> example_of(const std::type_identity_t<Extended>& t0, doub
           .reference = at};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -2,7 +2,7 @@
 
 #include "chapters/algebraic_series/example_of.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
 template <class Real>
@@ -20,4 +20,4 @@ const comparison::Example<Eigen::Dynamic>& bodies_example() {
   return example;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -11,7 +11,7 @@
 #include "nlmech/problems/projectile.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 /// Lorenz equations (section 4.3) from 0 to 20; the reference reaches 40 and is good to 1e-17 there. Made at
 /// the first call, as all of these.
@@ -24,4 +24,4 @@ namespace nlmech::chapters {
 /// Four bodies (section 4.2, with G = 1e-6 in physical time) from 0 to 3000.
 [[nodiscard]] const comparison::Example<Eigen::Dynamic>& bodies_example();
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

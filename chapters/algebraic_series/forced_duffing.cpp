@@ -1,77 +1,63 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 #include "chapters/algebraic_series/departure.hpp"
 #include "chapters/algebraic_series/examples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
-using scene::Workshop;
+Motion<2> compute() { return motion<2>(forced_duffing_example(), published_series(0.35, 20), 100, 0.05); }
 
-struct Motions {
-  std::vector<Sample<2>> printed, accurate;  ///< every twentieth to t = 100
-  Departure departure;                       ///< of the printed steps, to t = 100
-};
-
-Motions move() {
-  const auto& c = forced_duffing_example();
-  const auto printed = published_series(0.35, 20);
-  return {sampled<2>(c.system, c.x0, 0, 100, printed, 0.05),
-          sampled<2>(c.system, c.x0, 0, 100, accurate_series(), 0.05), departure(c, printed, 100)};
+scene::Table data_of(const Motion<2>& m, double end) {
+  const auto inside = m.path | std::views::take_while([end](const Both<2>& b) { return b.t <= end + 1e-9; });
+  return scene::table_of(inside, {{"tau", [](const Both<2>& b) { return b.t / 0.35; }},
+                                  {"u", exact<2>(0)},
+                                  {"v", exact<2>(1)},
+                                  {"u_printed", printed<2>(0)},
+                                  {"v_printed", printed<2>(1)}});
 }
 
-scene::Table data_of(const Motions& m, double end) {
-  scene::Table data({{"tau"}, {"u"}, {"v"}, {"u_printed"}, {"v_printed"}});
-  for (std::size_t i = 0; i < m.accurate.size() && m.accurate[i].t <= end + 1e-9; ++i) {
-    const auto &x = m.accurate[i].x, &y = m.printed[i].x;
-    data.add({m.accurate[i].t / 0.35, x[0], x[1], y[0], y[1]});
-  }
-  return data;
-}
-
-scene::Showing show_time(const Motions& m) {
-  scene::Showing showing;
-  showing.figure = {data_of(m, 50),
-                    "algebraic_series-duffing-time",
-                    {{"heading", "Forced Duffing oscillator: the printed steps are right to the eye"}}};
-  const Sample<2>&half = m.accurate.at(1000), &full = m.accurate.back();
+void put_time(const Motion<2>& m, scene::Show& show) {
+  scene::Plot& plot = show.plots("Forced Duffing: the printed steps are right to the eye");
+  plot.stacked({4, 3}).data(data_of(m, 50));
+  plot.panel("", "{/:Italic u}").x_range(0, 143).columns("", "tau:u", {"lines linewidth 1.6", 1});
+  plot.panel("{/:Italic τ} = {/:Italic t}/{/:Italic T}, {/:Italic T} = 0.35", "error, printed steps")
+      .x_range(0, 143)
+      .log_y(1e-9, 10)
+      .columns("", "tau:(abs(column('u_printed') - column('u')) + 1e-12)",
+               {"lines dashtype solid linewidth 1.2", 5});
+  const ivp::State<2>&half = m.path.at(1000).exact, &full = m.path.back().exact;
   // oracle: algebraic_series_motions Duffing u(*, Duffing v(*, Duffing T = 0.35: greatest error, Duffing T =
   // 0.35: above 1e-3 from
   const char* known = "tools/oracles/algebraic_series_motions.py; rounding grows to 1e-11 on the way";
-  showing.quantities = {
-      scene::near("u(50)", "1", half.x[0], 1.221946638567542, 1e-10, known),
-      scene::near("u'(50)", "1", half.x[1], 5.565479787665349, 1e-10, known),
-      scene::near("u(100)", "1", full.x[0], 0.694891370844674, 1e-8, known),
-      scene::near("u'(100)", "1", full.x[1], 3.554260292257302, 1e-8, known),
-      scene::near("greatest error of the printed steps to t = 100", "1", m.departure.greatest(100), 0.63,
-                  0.01, "tools/oracles/algebraic_series_motions.py: 0.63; half a unit of its last digit"),
-      scene::near("time at which the printed steps err by more than 1e-3", "1",
-                  m.departure.first_above(1e-3).value_or(NAN), 1.75, 1e-9,
-                  "tools/oracles/algebraic_series_motions.py: the fifth step")};
-  return showing;
+  show.near("u(50)", half[0], 1.221946638567542, 1e-10, known);
+  show.near("u'(50)", half[1], 5.565479787665349, 1e-10, known);
+  show.near("u(100)", full[0], 0.694891370844674, 1e-8, known);
+  show.near("u'(100)", full[1], 3.554260292257302, 1e-8, known);
+  show.near("greatest error of the printed steps to t = 100", m.departure.greatest(100), 0.63, 0.01,
+            "tools/oracles/algebraic_series_motions.py: 0.63; half a unit of its last digit");
+  show.near("time at which the printed steps err by more than 1e-3",
+            m.departure.first_above(1e-3).value_or(NAN), 1.75, 1e-9,
+            "tools/oracles/algebraic_series_motions.py: the fifth step");
 }
 
-scene::Showing show_phase(const Motions& m) {
-  scene::Showing showing;
-  showing.figure = {data_of(m, 100),
-                    "algebraic_series-duffing-phase",
-                    {{"heading", "Its phase plane: bounded, and never twice the same way"},
-                     {"width", "620"},
-                     {"height", "600"}}};
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const auto& s : m.accurate) {
-    least = std::min(least, s.x[0]);
-    most = std::max(most, s.x[0]);
-  }
+void put_phase(const Motion<2>& m, scene::Show& show) {
+  show.plot("Its phase plane: bounded, and never twice the same way", "{/:Italic u}",
+            "d{/:Italic u}/d{/:Italic t}")
+      .x_range(-4, 4)
+      .y_range(-7, 7)
+      .columns("", "u:v", {"lines linewidth 1.2", 1});
+  show.figure().size(620, 600).data(data_of(m, 100));
+  const auto [least, most] = std::ranges::minmax(m.path | std::views::transform(exact<2>(0)));
   // oracle: algebraic_series_motions Duffing least, Duffing greatest
   const char* known =
       "tools/oracles/algebraic_series_motions.py; samples every 0.05 miss a peak by 0.02 or less";
-  showing.quantities = {scene::near("least u", "1", least, -3.354, 0.006, known),
-                        scene::near("greatest u", "1", most, 3.344, 0.006, known)};
-  return showing;
+  show.near("least u", least, -3.354, 0.006, known);
+  show.near("greatest u", most, 3.344, 0.006, known);
 }
 
 /// The oscillator beside the linear equations of a small distance from its motion.
@@ -90,17 +76,26 @@ struct WithDistance {
   }
 };
 
-struct Starts {
-  std::vector<Sample<2>> near;  ///< from (3.1, 4.1), every twentieth to t = 100
-  std::vector<double> apart;    ///< distance in the plane of u and u' from the motion from (3, 4)
-  double growth;                ///< ln of the factor by which a small distance grows to t = 100
+/// The motion from (3, 4) beside that from (3.1, 4.1), at a time.
+struct Pair {
+  double t, u, u_near;
+  double apart;  ///< distance in the plane of u and u'
 };
 
-Starts start_nearby(const Motions& m) {
+struct Starts {
+  std::vector<Pair> pairs;   ///< every twentieth to t = 100
+  ivp::State<2> half, full;  ///< from (3.1, 4.1), at t = 50 and 100
+  double growth;             ///< ln of the factor by which a small distance grows to t = 100
+};
+
+Starts start_nearby(const Motion<2>& m) {
   const auto& c = forced_duffing_example();
-  Starts starts{sampled<2>(c.system, {3.1, 4.1}, 0, 100, accurate_series(), 0.05), {}, 0};
-  for (std::size_t i = 0; i < starts.near.size(); ++i)
-    starts.apart.push_back((starts.near[i].x - m.accurate[i].x).norm());
+  const auto near = sampled<2>(c.system, {3.1, 4.1}, 0, 100, accurate_series(), 0.05);
+  Starts starts{{}, near.at(1000).x, near.back().x, 0};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Both<2>& b = m.path[i];
+    starts.pairs.push_back({b.t, b.exact[0], near[i].x[0], (near[i].x - b.exact).norm()});
+  }
   const ivp::State<4> x0 = {3, 4, 1, 1};
   const auto end = ivp::integrate(ivp::System<4>(WithDistance{}), x0, 0, 100, accurate_series());
   if (!end.status.ok()) throw Failure(end.status);
@@ -108,64 +103,58 @@ Starts start_nearby(const Motions& m) {
   return starts;
 }
 
-scene::Showing show_starts(const Motions& m, const Starts& starts) {
-  scene::Table data({{"t"}, {"u"}, {"u_near"}, {"distance"}});
-  double first_above_1 = NAN, greatest = 0;
-  for (std::size_t i = 0; i <= 1000; ++i) {
-    data.add({m.accurate[i].t, m.accurate[i].x[0], starts.near[i].x[0], starts.apart[i]});
-    greatest = std::max(greatest, starts.apart[i]);
-    if (std::isnan(first_above_1) && starts.apart[i] > 1) first_above_1 = m.accurate[i].t;
-  }
-  scene::Showing showing;
-  showing.figure = {
-      std::move(data),
-      "algebraic_series-duffing-starts",
-      {{"heading", "Forced Duffing oscillator: starts 0.14 apart part within one period of the load"}}};
-  const Sample<2>&half = starts.near.at(1000), &full = starts.near.back();
+void put_starts(const Starts& starts, scene::Show& show) {
+  const auto to_50 = starts.pairs | std::views::take(1001);
+  scene::Plot& plot = show.plots("Forced Duffing: starts 0.14 apart part within one period");
+  plot.stacked({5, 3}).data(scene::table_of(
+      to_50, {{"t", &Pair::t}, {"u", &Pair::u}, {"u_near", &Pair::u_near}, {"distance", &Pair::apart}}));
+  plot.panel("", "{/:Italic u}")
+      .x_range(0, 50)
+      .y_range(-4, 6)
+      .key("top right horizontal samplen 2")
+      .columns("from (3, 4)", "t:u", {"lines linewidth 1.6", 1})
+      .columns("from (3.1, 4.1)", "t:u_near", {"lines linewidth 1.6", 5});
+  plot.panel("{/:Italic t}", "distance")
+      .x_range(0, 50)
+      .log_y(0.05, 20)
+      .columns("", "t:distance", {"lines linewidth 1.2", 1});
   // oracle: algebraic_series_starts
   const char* known =
       "tools/oracles/algebraic_series_starts.py; rounding grows by e^8 to t = 100, some more between";
-  showing.quantities = {
-      scene::near("u(50) from (3.1, 4.1)", "1", half.x[0], 1.254152050872493, 1e-10, known),
-      scene::near("u'(50) from (3.1, 4.1)", "1", half.x[1], 0.9521933087271156, 1e-10, known),
-      scene::near("u(100) from (3.1, 4.1)", "1", full.x[0], 0.2992477399516473, 1e-8, known),
-      scene::near("u'(100) from (3.1, 4.1)", "1", full.x[1], 2.943136901297957, 1e-8, known),
-      scene::near("distance at t = 0", "1", starts.apart.front(), std::sqrt(0.02), 1e-12, "0.1 in both"),
-      scene::near("distance at t = 50", "1", starts.apart[1000], 4.61340, 1e-5, known),
-      scene::near("greatest distance to t = 50", "1", greatest, 8.06175, 1e-5, known),
-      scene::near("time at which the distance exceeds 1", "1", first_above_1, 5.50, 1e-9, known),
-      scene::near("ln of the growth of a small distance to t = 100", "1", starts.growth, 8.33467, 1e-5,
-                  known)};
-  return showing;
+  show.near("u(50) from (3.1, 4.1)", starts.half[0], 1.254152050872493, 1e-10, known);
+  show.near("u'(50) from (3.1, 4.1)", starts.half[1], 0.9521933087271156, 1e-10, known);
+  show.near("u(100) from (3.1, 4.1)", starts.full[0], 0.2992477399516473, 1e-8, known);
+  show.near("u'(100) from (3.1, 4.1)", starts.full[1], 2.943136901297957, 1e-8, known);
+  show.near("distance at t = 0", starts.pairs[0].apart, std::sqrt(0.02), 1e-12, "0.1 in both");
+  show.near("distance at t = 50", starts.pairs[1000].apart, 4.61340, 1e-5, known);
+  show.near("greatest distance to t = 50", std::ranges::max(to_50, {}, &Pair::apart).apart, 8.06175, 1e-5,
+            known);
+  const auto above = std::ranges::find_if(to_50, [](const Pair& p) { return p.apart > 1; });
+  show.near("time at which the distance exceeds 1", above == to_50.end() ? NAN : above->t, 5.50, 1e-9, known);
+  show.near("ln of the growth of a small distance to t = 100", starts.growth, 8.33467, 1e-5, known);
 }
 
 }  // namespace
 
-void add_forced_duffing(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Motions>(
+std::vector<scene::Scene> forced_duffing() {
+  const scene::Result result(
       "forced-duffing",
       "T = 0.35 and N = 20 as printed, beside order and steps by the radius of convergence; the figure's end "
       "is not printed: 50 in time, 100 in the phase plane",
-      {}, [](Workshop&) { return move(); });
-  chapter.add({.name = "fig-4a",
-               .title = "Forced Duffing oscillator: displacement in time",
-               .place = "Figure 4a",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show_time(w.result(run)); }});
-  chapter.add({.name = "fig-4b",
-               .title = "Forced Duffing oscillator: phase plane",
-               .place = "Figure 4b",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
-  const auto& starts =
-      chapter.add_run<Starts>("forced-duffing-starts", "from u = 3.1, u' = 4.1, to t = 100", {&run},
-                              [&run](Workshop& w) { return start_nearby(w.result(run)); });
-  chapter.add(
-      {.name = "duffing-starts",
-       .title = "Forced Duffing oscillator from (3, 4) and from (3.1, 4.1)",
-       .place = "our own",
-       .needs = {&run, &starts},
-       .show = [&run, &starts](Workshop& w) { return show_starts(w.result(run), w.result(starts)); }});
+      compute);
+  const scene::Result starts("forced-duffing-starts", "from u = 3.1, u' = 4.1, to t = 100", start_nearby,
+                             result);
+  return {{.name = "fig-4a",
+           .title = "Forced Duffing oscillator: displacement in time",
+           .place = "Figure 4a",
+           .content = scene::Content(put_time, result)},
+          {.name = "fig-4b",
+           .title = "Forced Duffing oscillator: phase plane",
+           .place = "Figure 4b",
+           .content = scene::Content(put_phase, result)},
+          {.name = "duffing-starts",
+           .title = "Forced Duffing oscillator from (3, 4) and from (3.1, 4.1)",
+           .content = scene::Content(put_starts, starts)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

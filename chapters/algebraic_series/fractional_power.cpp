@@ -1,15 +1,16 @@
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "chapters/algebraic_series/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/series/power_series.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
-using scene::Workshop;
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<40>, boost::multiprecision::et_off>;
 
@@ -50,81 +51,87 @@ std::vector<double> errors(const Root& root, int terms) {
   return found;
 }
 
-/// Terms after which the error stays below @p bound; 0 if that does not happen.
-int terms_for(const std::vector<double>& errors, double bound) {
-  std::size_t last = errors.size();
-  while (last > 0 && errors[last - 1] < bound) --last;
-  return last == errors.size() ? 0 : static_cast<int>(last) + 1;
-}
+/// What sums of a root come to.
+struct Sums {
+  std::string name;
+  double zero;                 ///< distance of the nearest zero of f
+  std::vector<double> errors;  ///< of 1, 2, ... terms
 
-struct Measured {
-  std::vector<std::vector<double>> errors;  ///< as roots()
+  /// Terms after which the error stays below @p bound; 0 if that does not happen.
+  [[nodiscard]] int terms_for(double bound) const {
+    std::size_t last = errors.size();
+    while (last > 0 && errors[last - 1] < bound) --last;
+    return last == errors.size() ? 0 : static_cast<int>(last) + 1;
+  }
+  /// The same for a table.
+  [[nodiscard]] scene::Cell terms(double bound) const {
+    return terms_for(bound) > 0 ? scene::Cell(terms_for(bound)) : scene::Cell("more than 3000");
+  }
 };
 
-Measured measure() {
-  Measured m;
-  for (const Root& root : roots()) m.errors.push_back(errors(root, 3000));
-  return m;
+std::vector<Sums> compute() {
+  std::vector<Sums> all;
+  for (const Root& root : roots()) all.push_back({root.name, root.zero, errors(root, 3000)});
+  return all;
 }
 
-scene::Showing show(const Measured& m) {
-  scene::Table data({{"function", 3, true}, {"terms"}, {"error"}});
-  scene::Table table({{"f(t)"},
-                      {"distance of its nearest zero"},
-                      {"terms for 1e-6 at t = 1"},
-                      {"for 1e-16"},
-                      {"error of 60 terms", 2},
-                      {"error of 3000 terms", 2}});
-  for (std::size_t i = 0; i < roots().size(); ++i) {
-    const auto& e = m.errors[i];
-    for (std::size_t k = 0; k < e.size(); k = k < 100 ? k + 1 : k + 25)
-      data.add({roots()[i].name, static_cast<std::int64_t>(k + 1), std::max(e[k], 1e-40)});
-    const auto cell = [](int terms) {
-      return terms > 0 ? scene::Cell(std::int64_t{terms}) : scene::Cell("more than 3000");
-    };
-    table.add({roots()[i].name, roots()[i].zero, cell(terms_for(e, 1e-6)), cell(terms_for(e, 1e-16)), e[59],
-               e.back()});
-  }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "algebraic_series-fractional-power",
-                    {{"heading", "Fifth roots: the nearest zero of f says how many terms, not the root"}}};
-  showing.table = std::move(table);
-  // The library's own power, to the same terms.
+/// The error of 60 terms of the first root by the library's own power.
+double error_of_the_library() {
   const auto variable = PowerSeries<Real>::variable(Real(0), 59);
   const auto f = Real(1) + Real(3) / 10 * variable + Real(2) / 10 * variable * variable;
   const auto h = pow(f, Real(1) / 5);
   Real sum = 0;
   for (std::size_t i = 0; i < 60; ++i) sum += h[i];
-  const auto library = static_cast<double>(abs(sum - pow(Real(3) / 2, Real(1) / 5)));
+  return static_cast<double>(abs(sum - pow(Real(3) / 2, Real(1) / 5)));
+}
+
+void draw(const std::vector<Sums>& all, scene::Show& show) {
+  scene::Table data({{"function", 3, true}, {"terms"}, {"error"}});
+  for (const Sums& s : all) {
+    for (std::size_t k = 0; k < s.errors.size(); k = k < 100 ? k + 1 : k + 25)
+      data.add({s.name, k + 1, std::max(s.errors[k], 1e-40)});
+  }
+  show.plot("Fifth roots: the nearest zero of f sets the number of terms", "terms",
+            "error at {/:Italic t} = 1")
+      .log_x(1, 3000)
+      .log_y(1e-40, 1e2)
+      .key("bottom left")
+      .columns("f = 1 − t", "terms:error", scene::lines(5), 3)
+      .columns("f = 1 − t/1.01", "terms:error", scene::lines(2), 2)
+      .columns("f = 1 − t/1.1", "terms:error", scene::lines(4), 1)
+      .columns("f = 1 + 0.3 t + 0.2 t^2", "terms:error", scene::lines(1), 0);
+  show.figure().data(std::move(data));
+}
+
+void put(const std::vector<Sums>& all, scene::Show& show) {
+  draw(all, show);
+  show.table(all, {{"f(t)", &Sums::name},
+                   {"distance of its nearest zero", &Sums::zero},
+                   {"terms for 1e-6 at t = 1", [](const Sums& s) { return s.terms(1e-6); }},
+                   {"for 1e-16", [](const Sums& s) { return s.terms(1e-16); }},
+                   {"error of 60 terms", [](const Sums& s) { return s.errors[59]; }, 2},
+                   {"error of 3000 terms", [](const Sums& s) { return s.errors.back(); }, 2}});
   // oracle: algebraic_series_sums fifth *
-  showing.quantities = {
-      {"error of 60 terms, f = 1 + 0.3 t + 0.2 t^2", "1", m.errors[0][59], 9e-25 / 1.1, 9e-25 * 1.1,
-       "tools/oracles/algebraic_series_sums.py: 9e-25"},
-      scene::near("the same by the library's power series", "1", library, m.errors[0][59], 1e-6,
-                  "the recurrence written out here; 40 digits less 24"),
-      scene::near("error of 3000 terms, f = 1 - t", "1", m.errors[3].back(), 0.173, 0.003,
-                  "tools/oracles/algebraic_series_sums.py: 0.173; half a unit of its last digit")};
-  return showing;
+  show.between("error of 60 terms, f = 1 + 0.3 t + 0.2 t^2", all[0].errors[59], 9e-25 / 1.1, 9e-25 * 1.1,
+               "tools/oracles/algebraic_series_sums.py: 9e-25");
+  show.near("the same by the library's power series", error_of_the_library(), all[0].errors[59], 1e-6,
+            "the recurrence written out here; 40 digits less 24");
+  show.near("error of 3000 terms, f = 1 - t", all[3].errors.back(), 0.173, 0.003,
+            "tools/oracles/algebraic_series_sums.py: 0.173; half a unit of its last digit");
+  show.measured("filipich-rosales/claim-2.5/fractional power n = 5/terms needed (at least)",
+                all[0].terms_for(1e-24));
 }
 
 }  // namespace
 
-void add_fractional_power(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Measured>(
+std::vector<scene::Scene> fractional_power() {
+  const scene::Result sums(
       "fifth-roots",
-      "sums of the series of f^(1/5) at t = 1, the end of the paper's unit interval; 40 digits", {},
-      [](Workshop&) { return measure(); });
-  chapter.add({.name = "fractional-power",
-               .title = "How many terms the fifth root of a function needs",
-               .place = "our own, for the claim of section 2.5",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
-  chapter.add({.name = "filipich-rosales/claim-2.5/fractional power n = 5/terms needed (at least)",
-               .needs = {&run},
-               .measure = [&run](Workshop& w) {
-                 return scene::Measured{double(terms_for(w.result(run).errors[0], 1e-24)), {}};
-               }});
+      "sums of the series of f^(1/5) at t = 1, the end of the paper's unit interval; 40 digits", compute);
+  return {{.name = "fractional-power",
+           .title = "How many terms the fifth root of a function needs",
+           .place = "our own, for the claim of section 2.5",
+           .content = scene::Content(put, sums)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -1,16 +1,15 @@
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 #include "chapters/algebraic_series/departure.hpp"
 #include "chapters/algebraic_series/examples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
 #include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
-
-using scene::Workshop;
 
 constexpr double euler_step = 0.01;  // the paper names the method, not the step
 
@@ -20,7 +19,7 @@ struct Motions {
   Departure departure;            ///< of the series, to 750 s
 };
 
-Motions move() {
+Motions compute() {
   const auto& c = oscillator_example();
   const auto printed = published_series(0.125, 50);
   return {sampled<2>(c.system, c.x0, c.t0, c.t1, printed, 0.05),
@@ -28,7 +27,7 @@ Motions move() {
           departure(c, printed, c.t0 + 750)};
 }
 
-scene::Showing show_time(const Motions& m) {
+void put_time(const Motions& m, scene::Show& show) {
   scene::Table data({{"t_s"}, {"series"}, {"euler"}});
   int crossings = 0;
   for (std::size_t i = 0; i < m.euler.size(); ++i) {
@@ -36,61 +35,56 @@ scene::Showing show_time(const Motions& m) {
     data.add({t, x, m.euler[i].x[0]});
     if (i > 0 && t <= 28.14 && x * m.series[i - 1].x[0] < 0) ++crossings;
   }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "algebraic_series-oscillator-time",
-                    {{"heading", "Forward Euler (h = 0.01 s) parts from the series before 30 s"}}};
+  show.plot("Forward Euler (h = 0.01 s) parts from the series before 30 s", "{/:Italic t} (s)",
+            "{/:Italic x}")
+      .x_range(3, 43.2)
+      .y_range(-0.8, 0.8)
+      .key("outside bottom center horizontal samplen 3")
+      .columns("forward Euler, h = 0.01 s", "t_s:euler", {"lines dashtype solid linewidth 1.8", 2})
+      .columns("series, T = 0.125 s, N = 50", "t_s:series", {"lines linewidth 1.8", 1});
+  show.figure().data(std::move(data));
   // oracle: algebraic_series_motions oscillator x, oscillator v
   const char* known = "tools/oracles/algebraic_series_motions.py; rounding of 3000 steps";
   const auto& end = m.series.back().x;
-  showing.quantities = {
-      scene::near("x at 375 s", "1", end[0], -0.302938936512582, 1e-9, known),
-      scene::near("x' at 375 s", "1", end[1], -0.198146428424553, 1e-9, known),
-      scene::at_most("greatest error of the printed steps to 750 s", "1", m.departure.greatest(800), 3e-10,
-                     "recorded: 7e-11; rounding, which scatters"),
-      scene::near("zeros of x up to 28.14 s", "1", crossings, 4, 0, "two waves, as the paper describes")};
-  return showing;
+  show.near("x at 375 s", end[0], -0.302938936512582, 1e-9, known);
+  show.near("x' at 375 s", end[1], -0.198146428424553, 1e-9, known);
+  show.at_most("greatest error of the printed steps to 750 s", m.departure.greatest(800), 3e-10,
+               "recorded: 7e-11; rounding, which scatters");
+  show.equals("zeros of x up to 28.14 s", crossings, 4, "two waves, as the paper describes");
 }
 
-scene::Showing show_phase(const Motions& m) {
-  scene::Table data({{"x"}, {"v"}});
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const auto& s : m.series) {
-    data.add({s.x[0], s.x[1]});
-    least = std::min(least, s.x[0]);
-    most = std::max(most, s.x[0]);
-  }
-  scene::Showing showing;
-  showing.figure = {
-      std::move(data),
-      "algebraic_series-oscillator-phase",
-      {{"heading", "375 s in the phase plane: no damping, no growth"}, {"width", "620"}, {"height", "600"}}};
+void put_phase(const Motions& m, scene::Show& show) {
+  show.plot("375 s in the phase plane: no damping, no growth", "{/:Italic x}",
+            "d{/:Italic x}/d{/:Italic t} (1/s)")
+      .x_range(-0.6, 0.6)
+      .y_range(-0.4, 0.4)
+      .columns("", "x:v", {"lines linewidth 0.8", 1});
+  show.figure().size(620, 600).data(
+      scene::table_of(m.series, {{"x", component<2>(0)}, {"v", component<2>(1)}}));
+  const auto [least, most] = std::ranges::minmax(m.series | std::views::transform(component<2>(0)));
   // oracle: algebraic_series_motions oscillator least, oscillator greatest
   const char* known =
       "tools/oracles/algebraic_series_motions.py; samples every 0.05 s miss a peak by 1e-4 or less";
-  showing.quantities = {scene::near("least x", "1", least, -0.50008, 3e-4, known),
-                        scene::near("greatest x", "1", most, 0.49953, 3e-4, known)};
-  return showing;
+  show.near("least x", least, -0.50008, 3e-4, known);
+  show.near("greatest x", most, 0.49953, 3e-4, known);
 }
 
 }  // namespace
 
-void add_oscillator(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Motions>(
+std::vector<scene::Scene> oscillator() {
+  const scene::Result result(
       "oscillator",
       "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest step whose departure "
       "becomes visible where the paper sees it",
-      {}, [](Workshop&) { return move(); });
-  chapter.add({.name = "fig-5",
-               .title = "Oscillator with nonlinear damping modulated in time: series beside forward Euler",
-               .place = "Figure 5",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show_time(w.result(run)); }});
-  chapter.add({.name = "fig-6a",
-               .title = "The same in the phase plane, up to 375 s",
-               .place = "Figure 6a",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show_phase(w.result(run)); }});
+      compute);
+  return {{.name = "fig-5",
+           .title = "Oscillator with nonlinear damping modulated in time: series beside forward Euler",
+           .place = "Figure 5",
+           .content = scene::Content(put_time, result)},
+          {.name = "fig-6a",
+           .title = "The same in the phase plane, up to 375 s",
+           .place = "Figure 6a",
+           .content = scene::Content(put_phase, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

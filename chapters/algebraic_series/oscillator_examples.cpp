@@ -3,7 +3,7 @@
 #include "chapters/algebraic_series/example_of.hpp"
 #include "chapters/algebraic_series/examples.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 const comparison::Example<2>& forced_duffing_example() {
   static const auto example = example_of<problems::BasicForcedDuffing>(0, 50, 50);
@@ -16,4 +16,4 @@ const comparison::Example<2>& oscillator_example() {
   return example;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

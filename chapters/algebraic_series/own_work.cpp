@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "chapters/algebraic_series/chapter.hpp"
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
@@ -27,7 +26,7 @@ extern template std::unique_ptr<OwnProblem> own_problem<problems::FourBodies>();
 
 }  // namespace nlmech::comparison
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
 /// What was typed.
@@ -68,7 +67,7 @@ void add_poincare_command(CLI::App& app) {
 
 }  // namespace
 
-void algebraic_series_work(CLI::App& app) {
+void commands(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::Lorenz>, &own_problem<problems::ForcedDuffing>,
@@ -79,4 +78,4 @@ void algebraic_series_work(CLI::App& app) {
   add_poincare_command(app);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

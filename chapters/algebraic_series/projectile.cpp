@@ -1,15 +1,15 @@
+#include <string>
 #include <vector>
 
 #include "chapters/algebraic_series/samples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/problems/projectile.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
 
 using problems::Projectile;
-using scene::Workshop;
 using State = ivp::State<6>;
 
 struct Flight {
@@ -48,45 +48,58 @@ Flight fly_with_and_without_wind() {
   return flight;
 }
 
-scene::Showing show(const Flight& flight) {
-  scene::Table data({{"t_s"}, {"x_m"}, {"y_m"}, {"z_m"}});
-  for (std::size_t i = 0; i < flight.path.size(); i += 5) {
-    const auto& s = flight.path[i];
-    data.add({s.t, s.x[0], s.x[1], s.x[2]});
-  }
-  const auto& last = flight.landing;
-  data.add({last.t, last.x[0], last.x[1], last.x[2]});
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "algebraic_series-projectile",
-                    {{"heading", "The printed wind carries the projectile sideways and ten times too far"}}};
+void draw(const Flight& flight, scene::Show& show) {
+  std::vector<Sample<6>> fifths;
+  for (std::size_t i = 0; i < flight.path.size(); i += 5) fifths.push_back(flight.path[i]);
+  fifths.push_back(flight.landing);
+  scene::Plot& plot = show.plots("The printed wind: sideways, and ten times too far").stacked({3, 4});
+  plot.data(scene::table_of(fifths, {{"t_s", &Sample<6>::t},
+                                     {"x_m", component<6>(0)},
+                                     {"y_m", component<6>(1)},
+                                     {"z_m", component<6>(2)}}));
+  plot.panel("", "height {/:Italic z} (m)")
+      .x_range(0, 40)
+      .y_range(0, 160)
+      .set("ytics 40")
+      .columns("", "(column('x_m')/1000):z_m", scene::lines(1));
+  const std::string ground = "(column('x_m')/1000):(column('y_m')/1000)";
+  plot.panel("{/:Italic x} (km)", "{/:Italic y} (km)")
+      .x_range(0, 40)
+      .set("ytics 5")
+      .columns("", ground, {"lines dashtype solid", 2})
+      .columns("", "(column('x_m')/1000):(int(column('t_s')*20 + 0.5) % 20 == 0 ? column('y_m')/1000 : NaN)",
+               scene::points(2))
+      .also("data using " + ground +
+            ":(sprintf('%.0f s', column('t_s'))) every 40::80 with labels right offset -0.6,0.6 notitle");
+}
+
+void put(const Flight& flight, scene::Show& show) {
+  draw(flight, show);
   // oracle: algebraic_series_motions projectile *
-  const char* known = "tools/oracles/algebraic_series_motions.py; rounding in a thousand steps";
-  const double rounding = 1e-13;
-  showing.quantities = {
-      scene::near("time of landing", "s", last.t, 9.84601516944855, rounding, known),
-      scene::near("x at landing", "m", last.x[0], 38476.6981780052, rounding, known),
-      scene::near("y at landing", "m", last.x[1], 17355.9754745922, rounding, known),
-      scene::near("greatest height", "m", flight.apex.x[2], 121.165897244319719, rounding, known),
-      scene::near("time of the greatest height", "s", flight.apex.t, 4.88588698119259833, rounding, known),
-      scene::near("x at landing without wind", "m", flight.x_without_wind, 3764.74722882073, rounding,
-                  known)};
-  return showing;
+  const auto check = [&](const char* name, const scene::Amount& value, double known) {
+    show.near(name, value, known, 1e-13,
+              "tools/oracles/algebraic_series_motions.py; rounding in a thousand steps");
+  };
+  check("time of landing", {flight.landing.t, "s"}, 9.84601516944855);
+  check("x at landing", {flight.landing.x[0], "m"}, 38476.6981780052);
+  check("y at landing", {flight.landing.x[1], "m"}, 17355.9754745922);
+  check("greatest height", {flight.apex.x[2], "m"}, 121.165897244319719);
+  check("time of the greatest height", {flight.apex.t, "s"}, 4.88588698119259833);
+  check("x at landing without wind", {flight.x_without_wind, "m"}, 3764.74722882073);
 }
 
 }  // namespace
 
-void add_projectile(scene::Chapter& chapter) {
-  const auto& flight = chapter.add_run<Flight>(
+std::vector<scene::Scene> projectile() {
+  const scene::Result flight(
       "projectile",
       "Eq. 58 corrected; initial velocity (4, 0, 0.5) read as one a step T = 0.01 s, 400 and 50 m/s; T and N "
       "as printed",
-      {}, [](Workshop&) { return fly_with_and_without_wind(); });
-  chapter.add({.name = "fig-1",
-               .title = "Path of a projectile under drag and a wind that grows with height",
-               .place = "Figure 1",
-               .needs = {&flight},
-               .show = [&flight](Workshop& w) { return show(w.result(flight)); }});
+      fly_with_and_without_wind);
+  return {{.name = "fig-1",
+           .title = "Path of a projectile under drag and a wind that grows with height",
+           .place = "Figure 1",
+           .content = scene::Content(put, flight)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

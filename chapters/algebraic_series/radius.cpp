@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/algebraic_series/departure.hpp"
 #include "chapters/algebraic_series/examples.hpp"
-#include "chapters/algebraic_series/scenes.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 namespace {
-
-using scene::Workshop;
 
 /// The radius of convergence along a solution.
 struct Radii {
@@ -67,158 +69,141 @@ Radii radii(const comparison::Example<n>& c, int samples) {
 
 /// One choice of T and N.
 struct Choice {
-  std::string problem;
   double step = 0;  ///< 0: by the radius of convergence
   int order = 0;
-  std::string remark;
-  Departure departure;
+  std::string remark = {}, problem = {};
+  std::optional<double> share = {};  ///< of the step in the least radius
+  Departure departure = {};
+
+  /// For a table.
+  [[nodiscard]] scene::Cell step_or_word() const { return step > 0 ? scene::Cell(step) : "chosen"; }
+  [[nodiscard]] scene::Cell order_or_word() const { return step > 0 ? scene::Cell(order) : "chosen"; }
 };
 
-struct Measured {
-  Radii lorenz, duffing, oscillator;
-  std::vector<Choice> choices;
+/// A problem: radii along its solution, and what choices come to.
+struct Problem {
+  std::string name;  ///< in the figure's data
+  Radii radii;
+  std::vector<Choice> choices;  ///< the first is the printed one
+
+  /// @throws std::out_of_range if that was not chosen
+  [[nodiscard]] const Departure& with(double step, int order) const {
+    for (const Choice& c : choices) {
+      if (c.step == step && c.order == order) return c.departure;
+    }
+    throw std::out_of_range("no such choice for " + name);
+  }
+  /// When its error exceeds a bound; NaN if it never does.
+  [[nodiscard]] double first_above(double step, int order, double bound) const {
+    return with(step, order).first_above(bound).value_or(NAN);
+  }
 };
 
 template <int n>
-void add_choices(std::vector<Choice>& all, const comparison::Example<n>& c, double end,
-                 const std::vector<Choice>& wanted) {
-  for (Choice choice : wanted) {
+Problem problem_of(const std::string& name, const comparison::Example<n>& c, double end, bool quick,
+                   std::vector<Choice> choices) {
+  Problem p{name, radii(c, quick ? 50 : 1000), std::move(choices)};
+  for (Choice& choice : p.choices) {
     choice.problem = c.name;
-    const ivp::Series method =
-        choice.step > 0 ? published_series(choice.step, choice.order) : accurate_series();
-    choice.departure = departure(c, method, end);
-    all.push_back(std::move(choice));
+    if (choice.step > 0) choice.share = choice.step / p.radii.least();
+    choice.departure =
+        departure(c, choice.step > 0 ? published_series(choice.step, choice.order) : accurate_series(), end);
   }
+  return p;
 }
 
-Measured measure(bool quick) {
-  const int samples = quick ? 50 : 1000;
-  Measured m{radii(lorenz_example(), samples),
-             radii(forced_duffing_example(), samples),
-             radii(oscillator_example(), samples),
-             {}};
-  add_choices(m.choices, lorenz_example(), 40,
-              {{"", 0.1, 20, "as printed", {}},
-               {"", 0.1, 80, "", {}},
-               {"", 0.05, 20, "", {}},
-               {"", 0.01, 20, "", {}},
-               {"", 0, 0, "by the radius", {}}});
-  add_choices(m.choices, forced_duffing_example(), 100,
-              {{"", 0.35, 20, "as printed", {}},
-               {"", 0.35, 40, "", {}},
-               {"", 0.35, 80, "", {}},
-               {"", 0.1, 20, "", {}},
-               {"", 0.5, 20, "", {}},
-               {"", 0, 0, "by the radius", {}}});
-  add_choices(m.choices, oscillator_example(), oscillator_example().t0 + 750,
-              {{"", 0.125, 50, "as printed", {}}, {"", 1.0, 50, "", {}}, {"", 0, 0, "by the radius", {}}});
-  return m;
+std::vector<Problem> compute(bool quick) {
+  const Choice by_radius{.remark = "by the radius"};
+  return {problem_of("lorenz", lorenz_example(), 40, quick,
+                     {{0.1, 20, "as printed"}, {0.1, 80}, {0.05, 20}, {0.01, 20}, by_radius}),
+          problem_of("duffing", forced_duffing_example(), 100, quick,
+                     {{0.35, 20, "as printed"}, {0.35, 40}, {0.35, 80}, {0.1, 20}, {0.5, 20}, by_radius}),
+          problem_of("oscillator", oscillator_example(), oscillator_example().t0 + 750, quick,
+                     {{0.125, 50, "as printed"}, {1.0, 50}, by_radius})};
 }
 
-double radius_of(const Measured& m, const std::string& problem) {
-  return problem == lorenz_example().name           ? m.lorenz.least()
-         : problem == forced_duffing_example().name ? m.duffing.least()
-                                                    : m.oscillator.least();
-}
-
-scene::Table table_of(const Measured& m) {
-  scene::Table table({{"problem"},
-                      {"T"},
-                      {"N"},
-                      {"remark"},
-                      {"T over least radius", 2},
-                      {"status"},
-                      {"error above 1e-6 from"},
-                      {"above 1e-3 from"},
-                      {"above 0.1 from"},
-                      {"above 1 from"},
-                      {"greatest error", 2}});
-  for (const Choice& c : m.choices) {
-    const auto from = [&](double bound) { return scene::to_cell(c.departure.first_above(bound)); };
-    const scene::Cell step = c.step > 0 ? scene::Cell(c.step) : scene::Cell("chosen");
-    const scene::Cell order = c.step > 0 ? scene::Cell(std::int64_t{c.order}) : scene::Cell("chosen");
-    const scene::Cell ratio =
-        c.step > 0 ? scene::Cell(c.step / radius_of(m, c.problem)) : scene::Cell(scene::Cell());
-    table.add({c.problem, step, order, c.remark, ratio, c.departure.status, from(1e-6), from(1e-3), from(0.1),
-               from(1), c.departure.greatest(1e9)});
-  }
-  return table;
-}
-
-scene::Table data_of(const Measured& m) {
+void draw(const std::vector<Problem>& all, scene::Show& show) {
   scene::Table data({{"problem", 3, true}, {"share"}, {"radius"}, {"printed_step"}});
-  const auto add = [&](const char* name, const Radii& r, double printed) {
-    for (std::size_t i = 0; i < r.t.size(); ++i) data.add({name, r.t[i] / r.t.back(), r.radius[i], printed});
+  for (const Problem& p : all) {
+    for (std::size_t i = 0; i < p.radii.t.size(); ++i)
+      data.add({p.name, p.radii.t[i] / p.radii.t.back(), p.radii.radius[i], p.choices[0].step});
+  }
+  scene::Plot& plot = show.plots("Printed steps (dashed) against the radius of convergence");
+  plot.stacked().size(760, 640).data(std::move(data));
+  auto panel = [&, block = 0](const char* caption, double largest, double tics) mutable {
+    plot.panel("share of the way", "radius")
+        .x_range(0, 1)
+        .y_range(0, largest)
+        .set(fmt::format("ytics {}", tics))
+        .note(caption, 0.98, 0.9 * largest, "right")
+        .columns("", "share:radius", {"lines linewidth 1.2", 1}, block)
+        .columns("", "share:printed_step", {"lines dashtype 2 linewidth 1.8", 5}, block);
+    ++block;
   };
-  add("lorenz", m.lorenz, 0.1);
-  add("duffing", m.duffing, 0.35);
-  add("oscillator", m.oscillator, 0.125);
-  return data;
+  panel("{/:Bold Lorenz, t to 20}", 0.6, 0.2);
+  panel("{/:Bold forced Duffing, t to 50}", 2, 0.5);
+  panel("{/:Bold oscillator, 375 s}", 6, 2);
 }
 
-const Choice& choice_of(const Measured& m, const std::string& problem, double step, int order) {
-  return *std::find_if(m.choices.begin(), m.choices.end(), [&](const Choice& c) {
-    return c.problem == problem && c.step == step && c.order == order;
-  });
+void put_table(const std::vector<Problem>& all, scene::Show& show) {
+  std::vector<Choice> choices;
+  for (const Problem& p : all) std::ranges::copy(p.choices, std::back_inserter(choices));
+  const auto above = [](double bound) {
+    return [bound](const Choice& c) { return c.departure.first_above(bound); };
+  };
+  show.table(choices, {{"problem", &Choice::problem},
+                       {"T", &Choice::step_or_word},
+                       {"N", &Choice::order_or_word},
+                       {"remark", &Choice::remark},
+                       {"T over least radius", &Choice::share, 2},
+                       {"status", [](const Choice& c) { return c.departure.status; }},
+                       {"error above 1e-6 from", above(1e-6)},
+                       {"above 1e-3 from", above(1e-3)},
+                       {"above 0.1 from", above(0.1)},
+                       {"above 1 from", above(1)},
+                       {"greatest error", [](const Choice& c) { return c.departure.greatest(1e9); }, 2}});
 }
 
-scene::Showing show(const Measured& m) {
-  scene::Showing showing;
-  showing.table = table_of(m);
-  showing.figure = {
-      data_of(m),
-      "algebraic_series-radius",
-      {{"heading", "Printed steps (dashed) against the radius of convergence"}, {"height", "640"}}};
-  const std::string lorenz = lorenz_example().name, duffing = forced_duffing_example().name,
-                    oscillator = oscillator_example().name;
-  const auto first = [&](const std::string& problem, double step, int order, double bound) {
-    return choice_of(m, problem, step, order).departure.first_above(bound).value_or(NAN);
-  };
+void put(const std::vector<Problem>& all, scene::Show& show) {
+  draw(all, show);
+  put_table(all, show);
+  const Problem &lorenz = all[0], &duffing = all[1], &oscillator = all[2];
   const char* radius = "recorded, by some fifty coefficients; the bound is what their number changes";
+  show.near("least root test, Lorenz", lorenz.radii.least_root, 0.119, 0.06, radius);
+  show.near("least root test, Duffing", duffing.radii.least_root, 0.524, 0.06, radius);
+  show.near("least root test, oscillator", oscillator.radii.least_root, 1.19, 0.06, radius);
   const char* pole = "recorded by fewer coefficients: the amplitude of a pole, up to 600, to the power 1/50";
+  show.near("least radius of convergence, Lorenz", lorenz.radii.least(), 0.119, 0.15, pole);
+  show.near("least radius of convergence, Duffing", duffing.radii.least(), 0.524, 0.15, pole);
+  show.near("least radius of convergence, oscillator", oscillator.radii.least(), 1.19, 0.15, pole);
   // oracle: algebraic_series_motions * above 0.1 from, Lorenz T = 0.1: above 1 from
   const char* times =
       "tools/oracles/algebraic_series_motions.py; steps are the resolution, and rounding moves chaos a "
       "little";
-  showing.quantities = {
-      scene::near("least root test, Lorenz", "1", m.lorenz.least_root, 0.119, 0.06, radius),
-      scene::near("least root test, Duffing", "1", m.duffing.least_root, 0.524, 0.06, radius),
-      scene::near("least root test, oscillator", "1", m.oscillator.least_root, 1.19, 0.06, radius),
-      scene::near("least radius of convergence, Lorenz", "1", m.lorenz.least(), 0.119, 0.15, pole),
-      scene::near("least radius of convergence, Duffing", "1", m.duffing.least(), 0.524, 0.15, pole),
-      scene::near("least radius of convergence, oscillator", "1", m.oscillator.least(), 1.19, 0.15, pole),
-      scene::near("Lorenz as printed: error above 0.1 from", "1", first(lorenz, 0.1, 20, 0.1), 0.5, 0.01,
-                  times),
-      scene::near("Lorenz as printed: error above 1 from", "1", first(lorenz, 0.1, 20, 1), 3.3, 0.04, times),
-      scene::near("Lorenz, T = 0.05: error above 0.1 from", "1", first(lorenz, 0.05, 20, 0.1), 26.3, 0.1,
-                  times),
-      scene::near("Duffing as printed: error above 0.1 from", "1", first(duffing, 0.35, 20, 0.1), 37.5, 0.02,
-                  times),
-      scene::at_most("Duffing, T = 0.1, N = 20: greatest error", "1",
-                     choice_of(m, duffing, 0.1, 20).departure.greatest(100), 2e-11,
-                     "recorded: 2e-12; rounding scatters tenfold"),
-      scene::at_most("Duffing by the radius: greatest error", "1",
-                     choice_of(m, duffing, 0, 0).departure.greatest(100), 1e-10,
-                     "rounding, amplified as with T = 0.1"),
-      scene::at_most("Lorenz by the radius: error at t = 20", "1",
-                     choice_of(m, lorenz, 0, 0).departure.greatest(20), 1e-6,
-                     "rounding, amplified by e^(0.9 t)")};
-  return showing;
+  show.near("Lorenz as printed: error above 0.1 from", lorenz.first_above(0.1, 20, 0.1), 0.5, 0.01, times);
+  show.near("Lorenz as printed: error above 1 from", lorenz.first_above(0.1, 20, 1), 3.3, 0.04, times);
+  show.near("Lorenz, T = 0.05: error above 0.1 from", lorenz.first_above(0.05, 20, 0.1), 26.3, 0.1, times);
+  show.near("Duffing as printed: error above 0.1 from", duffing.first_above(0.35, 20, 0.1), 37.5, 0.02,
+            times);
+  show.at_most("Duffing, T = 0.1, N = 20: greatest error", duffing.with(0.1, 20).greatest(100), 2e-11,
+               "recorded: 2e-12; rounding scatters tenfold");
+  show.at_most("Duffing by the radius: greatest error", duffing.with(0, 0).greatest(100), 1e-10,
+               "rounding, amplified as with T = 0.1");
+  show.at_most("Lorenz by the radius: error at t = 20", lorenz.with(0, 0).greatest(20), 1e-6,
+               "rounding, amplified by e^(0.9 t)");
 }
 
 }  // namespace
 
-void add_radius(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Measured>(
+std::vector<scene::Scene> radius() {
+  const scene::Result result(
       "radius",
       "radius from the decay of coefficients 40 to 100 along the solution; errors at the ends of steps, the "
       "largest of the components, against solutions in 35 digits (the strong oscillator: 19)",
-      {}, [](Workshop& w) { return measure(w.quick()); });
-  chapter.add({.name = "radius",
-               .title = "Printed steps against the radius of convergence, and what it costs to ignore it",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      compute);
+  return {{.name = "radius",
+           .title = "Printed steps against the radius of convergence, and what it costs to ignore it",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -8,7 +8,7 @@
 #include "nlmech/ivp/series.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 /// A state at a time.
 template <int n>
@@ -16,6 +16,12 @@ struct Sample {
   double t;         ///< time
   ivp::State<n> x;  ///< state
 };
+
+/// Reads one component of a sample, for tables and curves.
+template <int n>
+[[nodiscard]] auto component(Eigen::Index i) {
+  return [i](const Sample<n>& s) { return s.x[i]; };
+}
 
 /// States at t0, t0 + dt, t0 + 2 dt, ... up to the end of an integration. @throws Failure if it fails
 /// @param limits bounds on its work
@@ -50,4 +56,4 @@ template <int n, class Method>
   return {.order = order, .step = step};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

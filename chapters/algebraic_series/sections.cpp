@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 std::vector<ivp::State<2>> sections(const problems::StrongOscillator& problem, const ivp::State<2>& x0,
                                     double t0, std::int64_t count, const ivp::Limits& limits) {
@@ -41,4 +41,4 @@ double island_radius(const std::vector<ivp::State<2>>& sections, const ivp::Stat
   return greatest;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -8,7 +8,7 @@
 #include "chapters/algebraic_series/samples.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::algebraic_series {
 
 /// States at t_0 + k pi for k = 0 to @p count - 1, by the dense output of series with steps by the radius of
 /// convergence (rtol = atol = 1e-16). @throws Failure if the integration fails or uses up @p limits
@@ -24,4 +24,4 @@ namespace nlmech::chapters {
 [[nodiscard]] double island_radius(const std::vector<ivp::State<2>>& sections, const ivp::State<2>& centre,
                                    std::size_t begin, std::size_t end);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::algebraic_series

@@ -60,6 +60,12 @@ TEST(Plot, DrawsColumnsOfOtherData) {
   EXPECT_EQ(plot.data().csv(), "t,laier\n0,1\n");
 }
 
+TEST(Plot, NamesTensOfPowersOneByOne) {
+  Plot plot("Many decades");
+  plot.panel("x", "y").log_y(1e-25, 1e10).curve("", {1}, {2});
+  expect_line(plot.script(), "set ytics (1e-20, 1e-10, 1e0, 1e10)");
+}
+
 TEST(Plot, TakesExpressionsForColumns) {
   Plot plot("Expressions");
   plot.data(Table({{"t"}})).panel("t", "x").columns("", "t:(f(column('t')) > 0 ? 1 : NaN)");

@@ -19,6 +19,13 @@ std::string range(const char* axis, double low, double high) {
 /// as there is room for.
 std::string decades(const char* axis, double low, double high) {
   const double count = std::log10(high / low);
+  if (count > 30) {  // one by one: gnuplot 5.4 does not come back from steps of ten powers
+    std::vector<std::string> tics;
+    for (int power = 10 * static_cast<int>(std::ceil(std::log10(low) / 10)); power <= std::log10(high);
+         power += 10)
+      tics.push_back(fmt::format("1e{}", power));
+    return fmt::format("set {0}tics ({1})\nset format {0} power_of_ten\n", axis, fmt::join(tics, ", "));
+  }
   if (count > 2.5) {
     const int every = count <= 6 ? 1 : count <= 16 ? 2 : 4;
     return fmt::format("set {0}tics 1e{1}\nset m{0}tics 1\nset format {0} power_of_ten\n", axis, every);
