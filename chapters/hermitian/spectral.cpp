@@ -89,10 +89,10 @@ void draw(const std::vector<Spectrum>& all, scene::Show& show) {
   radius.columns("Argyris", "z:rho_argyris", scene::lines(5))
       .columns("Laier", "z:rho_laier", {"lines linewidth 3", 1})
       .columns("Newmark, Hoff, Bazzi", "z:rho_newmark", scene::lines(3));
-  scene::Panel& period_error = plot.panel("{/:Italic h ω}", "|period error|");
-  period_error.set("logscale x").x_range(0.1, 10).set("xtics (0.1, 0.2, 0.5, 1, 2, 5, 10)");
-  period_error.log_y(1e-8, 1).key("off");
-  period_error.columns("", "z:period_argyris", scene::lines(5))
+  scene::Panel& periods = plot.panel("{/:Italic h ω}", "|period error|");
+  periods.set("logscale x").x_range(0.1, 10).set("xtics (0.1, 0.2, 0.5, 1, 2, 5, 10)");
+  periods.log_y(1e-8, 1).key("off");
+  periods.columns("", "z:period_argyris", scene::lines(5))
       .columns("", "z:period_laier", scene::lines(1))
       .columns("", "z:period_newmark", scene::lines(3));
 }
