@@ -39,17 +39,14 @@ void draw(const std::vector<Errors>& all, scene::Show& show) {
   panel.x_range(0, 90).log_y(5e-12, 10).set("xtics 15").set("ytics 100").set("title offset 0,3");
   panel.set("margins screen 0.12, screen 0.97, screen 0.13, screen 0.78");
   panel.key("at screen 0.54, screen 0.90 center top maxrows 2 samplen 2 spacing 1.2 width -9");
-  const auto curve = [&](const std::string& column, const std::string& look, const std::string& name) {
-    panel.also(fmt::format(
-        "data using \"latitude_deg\":(column(\"{0}\") < 1e-11 ? 1e-11 : column(\"{0}\")) with {1} title {2}",
-        column, look, scene::gnuplot_quoted(scene::with_kept_blanks(name))));
+  const auto curve = [&](const std::string& column, const scene::Look& look, const std::string& name) {
+    panel.columns(name, fmt::format("latitude_deg:(column('{0}') < 1e-11 ? 1e-11 : column('{0}'))", column),
+                  look);
   };
-  curve("by_cosine_m", "lines linestyle 2", "{/:Italic r}/cos φ − {/:Italic N}, latitude off by 1e-9 rad");
-  curve("by_sine_m", "lines linestyle 5", "{/:Italic z}/sin φ − (1 − {/:Italic e}^2){/:Italic N}, the same");
-  curve("by_projection_m", "points pointtype 7 pointsize 0.35 linecolor rgb colour(1)",
-        "projection, the same");
-  curve("exact_latitude_m", "points pointtype 6 pointsize 0.5 linecolor rgb soft_ink",
-        "projection, exact latitude");
+  curve("by_cosine_m", {"lines", 2}, "{/:Italic r}/cos φ − {/:Italic N}, latitude off by 1e-9 rad");
+  curve("by_sine_m", {"lines", 5}, "{/:Italic z}/sin φ − (1 − {/:Italic e}^2){/:Italic N}, the same");
+  curve("by_projection_m", {"points pointtype 7 pointsize 0.35", 1}, "projection, the same");
+  curve("exact_latitude_m", {"points pointtype 6 pointsize 0.5", 13}, "projection, exact latitude");
   show.figure().data(scene::table_of(all, {{"latitude_deg", &Errors::latitude_deg},
                                            {"by_cosine_m", &Errors::by_cosine},
                                            {"by_sine_m", &Errors::by_sine},

@@ -82,14 +82,15 @@ std::vector<Errors> over_flattening(bool quick) {
 
 /// A method: the column of its errors, and how they are drawn.
 struct Drawn {
-  std::string method, column, look;
+  std::string method, column;
+  scene::Look look;
 };
-const std::vector<Drawn> all_drawn = {{"fast", "fast_rad", "lines linestyle 1 linewidth 3"},
-                                      {"GeographicLib", "geographiclib_rad", "lines linestyle 3"},
-                                      {"series, order 4", "series_4_rad", "lines linestyle 5"},
-                                      {"series, order 6", "series_6_rad", "lines linestyle 4"},
-                                      {"Bowring 1976, 2 iterations", "bowring_rad", "lines linestyle 2"},
-                                      {"Vermeille 2011", "vermeille_rad", "lines linestyle 6"}};
+const std::vector<Drawn> all_drawn = {{"fast", "fast_rad", {"lines linewidth 3", 1}},
+                                      {"GeographicLib", "geographiclib_rad", {"lines", 3}},
+                                      {"series, order 4", "series_4_rad", {"lines", 5}},
+                                      {"series, order 6", "series_6_rad", {"lines", 4}},
+                                      {"Bowring 1976, 2 iterations", "bowring_rad", {"lines", 2}},
+                                      {"Vermeille 2011", "vermeille_rad", {"lines", 6}}};
 
 scene::Table table_of(const std::vector<Errors>& distance, const std::vector<Errors>& flattening) {
   std::vector<scene::Column> columns = {{"panel", 3, true}, {"abscissa"}};
@@ -112,10 +113,8 @@ void add_curves(scene::Panel& panel, int block, const Errors& errors) {
   for (const std::size_t i : {2, 3, 4, 5, 1, 0}) {
     const auto& [method, column, look] = all_drawn[i];
     if (!errors.of.contains(method)) continue;  // a peer that this build has not
-    panel.also(
-        fmt::format("data using \"abscissa\":(column(\"{0}\") < 1e-17 ? 1e-17 : column(\"{0}\")) "
-                    "every :::{1}::{1} with {2} title '{3}'",
-                    column, block, look, method));
+    panel.columns(method, fmt::format("abscissa:(column('{0}') < 1e-17 ? 1e-17 : column('{0}'))", column),
+                  look, block);
   }
 }
 

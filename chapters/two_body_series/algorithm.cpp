@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "chapters/drawing.hpp"
+#include "chapters/two_body_series/orbits.hpp"
+#include "chapters/two_body_series/published_runs.hpp"
 #include "chapters/two_body_series/raw_recursion.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -49,7 +51,7 @@ double least_derivative() {
   return least;
 }
 
-scene::Showing draw() {
+scene::Figure draw() {
   FlowChart chart;
   chart.box({23, 88}, {20, 8},
             {"{/:Bold given}", "r, r′ at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
@@ -84,25 +86,28 @@ scene::Showing draw() {
   chart.note("no", {94.5, 20});
   chart.note("next step", {30.5, 40});
   chart.note("{/:Italic n} ← {/:Italic n} + 1", {92, 30});
+  return chart.take("Analytic continuation: every derivative follows from the ones before");
+}
+
+void put(scene::Show& show) {
+  show.draw(draw());
   const char* condition =
       "one rounding a product in sums of positive and negative terms: eps times the "
       "derivatives that the terms have without their signs";
-  return {
-      chart.take("Analytic continuation: every derivative follows from the ones before"),
-      {},
-      {scene::at_most("relative error of 10 derivatives as charted", "1", error_of_derivatives(10), 1e-13,
-                      condition),
-       scene::at_most("relative error of 30 derivatives as charted", "1", error_of_derivatives(30), 1e-10,
-                      condition),
-       {"least derivative of degree 30, SI units", "m/s^30", least_derivative(), 1e-95, 1e-80,
-        "30! r/rho^30 with rho about half a period at the apoapsis by hand, 1e-90; doubles end at 1e-308"}}};
+  show.at_most("relative error of 10 derivatives as charted", error_of_derivatives(10), 1e-13, condition);
+  show.at_most("relative error of 30 derivatives as charted", error_of_derivatives(30), 1e-10, condition);
+  show.between(
+      "least derivative of degree 30, SI units", {least_derivative(), "m/s^30"}, 1e-95, 1e-80,
+      "30! r/rho^30 with rho about half a period at the apoapsis by hand, 1e-90; doubles end at 1e-308");
 }
 
 }  // namespace
 
-void add_algorithm(scene::Chapter& chapter) {
-  add_drawing(chapter, "fig-3.21", "The analytic continuation algorithm (drawn, with Eq. 3.66 corrected)",
-              draw);
+std::vector<scene::Scene> algorithm() {
+  return {{.name = "fig-3.21",
+           .title = "The analytic continuation algorithm (drawn, with Eq. 3.66 corrected)",
+           .place = "Figure 3.21",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

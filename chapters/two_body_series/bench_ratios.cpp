@@ -15,8 +15,9 @@
 namespace {
 
 using namespace nlmech;
-using chapters::Orbit;
-using chapters::Propagator;
+namespace two_body = chapters::two_body_series;
+using two_body::Orbit;
+using two_body::Propagator;
 
 /// A piece of work that is measured.
 struct Work {
@@ -29,8 +30,8 @@ constexpr Propagator timed[] = {Propagator::ode45, Propagator::rkn1210, Propagat
 
 std::vector<Work> works() {
   std::vector<Work> all;
-  for (const Orbit& orbit : {chapters::low_orbit(), chapters::high_orbit()}) {
-    for (const int orbits : chapters::revolutions) {
+  for (const Orbit& orbit : {two_body::low_orbit(), two_body::high_orbit()}) {
+    for (const int orbits : two_body::revolutions) {
       for (const Propagator propagator : timed)
         all.push_back({table_of(orbit) + ", " + row_in_source(orbit, propagator, orbits),
                        timed_work(orbit, orbits, propagator)});
@@ -42,7 +43,7 @@ std::vector<Work> works() {
 /// The series over as many orbits.
 std::map<std::string, std::string> references(const Orbit& orbit) {
   std::map<std::string, std::string> all;
-  for (const int orbits : chapters::revolutions) {
+  for (const int orbits : two_body::revolutions) {
     for (const Propagator propagator : timed)
       all.emplace(row_in_source(orbit, propagator, orbits), row_in_source(orbit, Propagator::series, orbits));
   }
@@ -63,7 +64,7 @@ void add_claims(scene::TimeRatios& all, const Orbit& orbit,
   for (const scene::PublishedValue& claim : published) {
     if (claim.place != "claim-3.2.2" || claim.row != orbit.name) continue;
     std::vector<std::string> over;
-    for (const int orbits : chapters::revolutions)
+    for (const int orbits : two_body::revolutions)
       over.push_back(row_in_source(orbit, subject_of(claim), orbits));
     all.claims.push_back(scene::mean_claim(claim, table_of(orbit), over, all.rows));
   }
@@ -75,7 +76,7 @@ int bench(int argc, char** argv) {
   const std::vector<Work> all = works();
   const std::vector<scene::BenchSeries> series = chapters::measure_speed(all);
   scene::TimeRatios ratios;
-  for (const Orbit& orbit : {chapters::low_orbit(), chapters::high_orbit()}) {
+  for (const Orbit& orbit : {two_body::low_orbit(), two_body::high_orbit()}) {
     for (auto& row : scene::compare_times(published, table_of(orbit), references(orbit), series))
       ratios.rows.push_back(row);
     add_claims(ratios, orbit, published);

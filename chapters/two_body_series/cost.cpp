@@ -9,16 +9,14 @@
 
 #include "chapters/two_body_series/ellipses.hpp"
 #include "chapters/two_body_series/raw_recursion.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
-
-using scene::Workshop;
 
 constexpr double eccentricity = 0.1;
 constexpr int steps_an_orbit = 25;
@@ -82,7 +80,7 @@ struct RunCost {
   double seconds, kepler_seconds;
 };
 
-struct Measured {
+struct Outcome {
   std::vector<StepCost> steps;
   std::vector<RunCost> runs;
 };
@@ -128,86 +126,90 @@ std::vector<RunCost> run_costs(bool quick) {
   return all;
 }
 
-scene::Table table_of(const Measured& m) {
+/// A row an order, a column a way.
+void tabulate(const std::vector<StepCost>& steps, scene::Show& show) {
   const std::vector<Way> all = ways();
   std::vector<scene::Column> columns = {{"order"}};
-  for (const Way& way : all) columns.push_back({"time_ns a step, " + way.name, 3});
+  for (const Way& way : all) columns.push_back({"time_ns a step, " + way.name});
   scene::Table table(std::move(columns));
-  for (std::size_t i = 0; i < m.steps.size(); i += all.size()) {
-    std::vector<scene::Cell> row = {std::int64_t{m.steps[i].order}};
-    for (std::size_t k = 0; k < all.size(); ++k) row.emplace_back(m.steps[i + k].ns);
+  for (std::size_t i = 0; i < steps.size(); i += all.size()) {
+    std::vector<scene::Cell> row = {steps[i].order};
+    for (std::size_t k = 0; k < all.size(); ++k) row.emplace_back(steps[i + k].ns);
     table.add(std::move(row));
   }
-  return table;
+  show.table(std::move(table));
 }
 
-scene::Table data_of(const Measured& m) {
+scene::Table data_of(const Outcome& m) {
   scene::Table data({{"line", 3, true}, {"x"}, {"time_s"}, {"steps"}, {"mean_order"}});
   for (const Way& way : ways()) {
     for (const StepCost& c : m.steps) {
-      if (c.way == way.name) data.add({c.way, std::int64_t{c.order}, 1e-9 * c.ns, {}, {}});
+      if (c.way == way.name) data.add({c.way, c.order, 1e-9 * c.ns, {}, {}});
     }
   }
+  for (const RunCost& c : m.runs)
+    data.add({fmt::format("adaptive, e = {:g}", c.eccentricity), c.orbits, c.seconds, c.steps, c.mean_order});
   for (const RunCost& c : m.runs) {
-    data.add({fmt::format("adaptive, e = {:g}", c.eccentricity), std::int64_t{c.orbits}, c.seconds, c.steps,
-              c.mean_order});
-  }
-  for (const RunCost& c : m.runs) {
-    if (c.eccentricity == 0.1) data.add({"Kepler", std::int64_t{c.orbits}, c.kepler_seconds, {}, {}});
+    if (c.eccentricity == 0.1) data.add({"Kepler", c.orbits, c.kepler_seconds, {}, {}});
   }
   return data;
 }
 
-const RunCost& run_of(const Measured& m, double e, int orbits) {
-  return *std::find_if(m.runs.begin(), m.runs.end(),
-                       [&](const RunCost& c) { return c.eccentricity == e && c.orbits == orbits; });
+void draw(const Outcome& m, scene::Show& show) {
+  scene::Plot& plot = show.plots("Time of a step by its order, and of a run by its orbits");
+  plot.size(1000, 460).data(data_of(m));
+  scene::Panel& left = plot.panel("order", "time of a step (ns)");
+  left.x_range(5, 41).y_range(0, 2500).set("xtics 5").set("ytics 500").key("top left");
+  int line = 0;
+  for (const Way& way : ways()) left.columns(way.name, "x:(1e9*column('time_s'))", {"linespoints"}, line++);
+  scene::Panel& right = plot.panel("orbits", "time of a run");
+  right.log_x(0.8, 1250).log_y(5e-8, 1e-1).key("top left");
+  right.set("xtics ('1' 1, '10' 10, '100' 100, '1000' 1000)");
+  right.set(
+      "ytics ('0.1 µs' 1e-7, '1 µs' 1e-6, '10 µs' 1e-5, '0.1 ms' 1e-4, '1 ms' 1e-3, '10 ms' 1e-2, "
+      "'100 ms' 1e-1)");
+  right.columns("adaptive, e = 0.1", "x:time_s", {"linespoints", 1}, line);
+  right.columns("adaptive, e = 0.7", "x:time_s", {"linespoints", 5}, line + 1);
+  right.columns("Kepler's equation", "x:time_s", {"linespoints", 3}, line + 2);
 }
 
-scene::Showing show(const Measured& m) {
-  scene::Showing showing;
-  showing.table = table_of(m);
-  std::vector<std::string> names;
-  for (const Way& way : ways()) names.push_back(way.name);
-  showing.figure = {data_of(m),
-                    "two_body_series-cost",
-                    {{"width", "1000"},
-                     {"height", "460"},
-                     {"heading", "Time of a step against its order, and of a run against its orbits"},
-                     {"step_lines", fmt::format("{}", fmt::join(names, "|"))}}};
-  double distance = 0;
-  for (const StepCost& c : m.steps) distance = std::max(distance, c.distance);
+/// Steps of 1000 orbits over those of 10, over 100.
+double growth_of_steps(const std::vector<RunCost>& runs, double e) {
+  const auto steps = [&](int orbits) {
+    return static_cast<double>(std::ranges::find_if(runs, [&](const RunCost& c) {
+                                 return c.eccentricity == e && c.orbits == orbits;
+                               })->steps);
+  };
+  return steps(1000) / steps(10) / 100;
+}
+
+void put(const Outcome& m, scene::Show& show) {
+  tabulate(m.steps, show);
+  draw(m, show);
   const double rounding = std::numeric_limits<double>::epsilon() * steps_an_orbit *
                           orbit::kepler_condition(on_ellipse(eccentricity), revolution, 1).position;
-  const auto linear = [&](double e) {
-    return static_cast<double>(run_of(m, e, 1000).steps) / static_cast<double>(run_of(m, e, 10).steps) / 100;
-  };
-  const char* same = "every orbit is alike, but for the order, which settles within the first of them";
-  showing.quantities = {
-      scene::at_most("distance from raw derivatives after an orbit", "1", distance, rounding,
-                     "the same series, an eps in each of 25 steps times the condition of the orbit"),
-      scene::near("growth of the steps from 10 to 1000 orbits over 100, e = 0.1", "1", linear(0.1), 1, 0.06,
-                  same),
-      scene::near("growth of the steps from 10 to 1000 orbits over 100, e = 0.7", "1", linear(0.7), 1, 0.06,
-                  same)};
-  return showing;
+  show.at_most("distance from raw derivatives after an orbit",
+               std::ranges::max(m.steps, {}, &StepCost::distance).distance, rounding,
+               "the same series, an eps in each of 25 steps times the condition of the orbit");
+  for (const double e : {0.1, 0.7})
+    show.near(fmt::format("growth of the steps from 10 to 1000 orbits over 100, e = {:g}", e),
+              growth_of_steps(m.runs, e), 1, 0.06,
+              "every orbit is alike, but for the order, which settles within the first of them");
 }
 
 }  // namespace
 
-void add_cost(scene::Chapter& chapter) {
-  const auto& run =
-      chapter.add_run<Measured>("cost",
-                                "e = 0.1, 25 steps an orbit, order from 6 to 40; runs of the adaptive method "
-                                "in its default setting and "
-                                "Kepler's solution of the same end; one thread, median of repeats",
-                                {}, [](Workshop& w) {
-                                  return Measured{step_costs(w.quick()), run_costs(w.quick())};
-                                });
-  chapter.add({.name = "cost",
-               .title = "What a step costs by its order, and a run by its orbits",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> cost() {
+  const scene::Result outcome("cost",
+                              "e = 0.1, 25 steps an orbit, order from 6 to 40; runs of the adaptive method "
+                              "in its default setting and Kepler's solution of the same end; one thread, "
+                              "median of repeats",
+                              [](bool quick) {
+                                return Outcome{step_costs(quick), run_costs(quick)};
+                              });
+  return {{.name = "cost",
+           .title = "What a step costs by its order, and a run by its orbits",
+           .content = scene::Content(put, outcome)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

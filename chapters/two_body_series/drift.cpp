@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "chapters/two_body_series/ellipses.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
-using scene::Workshop;
 using Wide = orbit::BasicState<long double>;
 
 Wide widened(const orbit::State& s) {
@@ -133,134 +134,146 @@ std::vector<DriftTask> tasks() {
           {"adaptive, tolerance 1e-17", 0.7, 0, 0, true, true, 1e-17, 8}};
 }
 
-struct Measured {
-  std::vector<DriftTask> tasks;
-  std::vector<Drift> drifts;
+/// A task and what came out.
+struct Outcome {
+  DriftTask task;
+  Drift drift;
 
-  [[nodiscard]] const Drift& of(double e, const std::string& name) const {
-    std::size_t i = 0;
-    while (tasks[i].eccentricity != e || tasks[i].name != name) ++i;
-    return drifts[i];
-  }
+  [[nodiscard]] bool fixed() const { return task.order > 0; }
+  [[nodiscard]] double energy_slope() const { return Drift::slope(drift.orbits, drift.energy); }
 };
 
-Measured measure(bool quick) {
-  Measured m{tasks(), {}};
-  for (DriftTask& task : m.tasks) {
+std::vector<Outcome> measure(bool quick) {
+  std::vector<Outcome> all;
+  for (DriftTask task : tasks()) {
     if (quick) task.phases = std::min(task.phases, 4);
-    m.drifts.push_back(drift(task, quick ? 1000 : 10'000));
+    all.push_back({task, drift(task, quick ? 1000 : 10'000)});
   }
-  return m;
+  return all;
 }
 
-scene::Table table_of(const Measured& m) {
-  scene::Table table({{"e"},
-                      {"method"},
-                      {"order"},
-                      {"steps an orbit"},
-                      {"starts"},
-                      {"energy error, 100 orbits", 2},
-                      {"energy error, all orbits", 2},
-                      {"exponent", 2},
-                      {"position error over a, all orbits", 2},
-                      {"exponent of position", 2}});
-  for (std::size_t i = 0; i < m.tasks.size(); ++i) {
-    const DriftTask& t = m.tasks[i];
-    const Drift& d = m.drifts[i];
-    const bool fixed = t.order > 0;
-    table.add({t.eccentricity, t.name, fixed ? scene::Cell(std::int64_t{t.order}) : scene::Cell("chosen"),
-               fixed ? scene::Cell(std::int64_t{t.steps}) : scene::Cell("chosen"), std::int64_t{t.phases},
-               d.energy[4], d.energy.back(), Drift::slope(d.orbits, d.energy), d.position.back(),
-               Drift::slope(d.orbits, d.position)});
-  }
-  return table;
+void tabulate(const std::vector<Outcome>& all, scene::Show& show) {
+  using O = Outcome;
+  using scene::Cell;
+  show.table(all,
+             {{"e", [](const O& o) { return o.task.eccentricity; }},
+              {"method", [](const O& o) { return o.task.name; }},
+              {"order", [](const O& o) { return o.fixed() ? Cell(o.task.order) : Cell("chosen"); }},
+              {"steps an orbit", [](const O& o) { return o.fixed() ? Cell(o.task.steps) : Cell("chosen"); }},
+              {"starts", [](const O& o) { return o.task.phases; }},
+              {"energy error, 100 orbits", [](const O& o) { return o.drift.energy[4]; }, 2},
+              {"energy error, all orbits", [](const O& o) { return o.drift.energy.back(); }, 2},
+              {"exponent", &O::energy_slope, 2},
+              {"position error over a, all orbits", [](const O& o) { return o.drift.position.back(); }, 2},
+              {"exponent of position",
+               [](const O& o) { return Drift::slope(o.drift.orbits, o.drift.position); }, 2}});
 }
 
-scene::Table data_of(const Measured& m) {
+/// Growth like t and its root, named at the right end.
+void add_guides(scene::Panel& panel) {
+  const char* small = "left offset 0.3,0 font 'sans-serif,11' textcolor rgb soft_ink";
+  panel.also("1.5e-15*sqrt(x/100) with lines linestyle 13").also("6e-15*(x/100) with lines linestyle 13");
+  panel.set(fmt::format("label 3 't' at 12500, 7.5e-13 {}", small));
+  panel.set(fmt::format("label 4 't^{{1/2}}' at 12500, 1.68e-14 {}", small));
+}
+
+void draw(const std::vector<Outcome>& all, scene::Show& show) {
+  const std::map<std::string, std::pair<std::string, int>> looks = {
+      {"rounded reciprocals", {"rounded reciprocals", 5}},
+      {"rounded reciprocals, compensated", {"rounded reciprocals, compensated", 2}},
+      {"division", {"division", 3}},
+      {"division, compensated", {"division, compensated", 1}},
+      {"adaptive, tolerance 1e-15", {"adaptive, tolerance 10^{−15}", 7}},
+      {"adaptive, tolerance 1e-17", {"adaptive, tolerance 10^{−17}", 4}}};
+  scene::Plot& plot = show.plots("Rounded reciprocals drift like time, divisions like its root");
+  plot.size(1000, 500);
   scene::Table data({{"line", 3, true}, {"e"}, {"method"}, {"orbits"}, {"energy_error"}, {"position_error"}});
-  for (std::size_t i = 0; i < m.tasks.size(); ++i) {
-    const Drift& d = m.drifts[i];
-    for (std::size_t k = 0; k < d.orbits.size(); ++k) {
-      data.add({static_cast<std::int64_t>(i), m.tasks[i].eccentricity, m.tasks[i].name,
-                std::int64_t{d.orbits[k]}, d.energy[k], d.position[k]});
+  for (const double e : {0.1, 0.7}) {
+    scene::Panel& panel = plot.panel("orbits", e == 0.1 ? "energy error |E/E_0 − 1|" : "");
+    panel.caption(fmt::format("e = {:g}", e))
+        .log_x(8, 12500)
+        .log_y(2e-16, 1e-10)
+        .key("top left font 'sans-serif,11' spacing 1.15");
+    panel.set("xtics ('10' 10, '100' 100, '1000' 1000, '10 000' 10000)");
+    panel.set(fmt::format("margins screen {}, screen {}, screen 0.135, screen 0.87", e == 0.1 ? 0.095 : 0.57,
+                          e == 0.1 ? 0.46 : 0.935));
+    for (int line = 0; line < static_cast<int>(all.size()); ++line) {
+      const auto& [task, d] = all[static_cast<std::size_t>(line)];
+      if (task.eccentricity != e) continue;
+      const auto& [name, style] = looks.at(task.name);
+      panel.columns(name, "orbits:energy_error", {"linespoints", style}, line);
+      for (std::size_t k = 0; k < d.orbits.size(); ++k)
+        data.add({line, e, task.name, d.orbits[k], d.energy[k], d.position[k]});
     }
+    add_guides(panel);
   }
-  return data;
+  plot.data(std::move(data));
 }
 
-scene::Showing show(const Measured& m, bool quick) {
-  scene::Showing showing;
-  showing.table = table_of(m);
-  showing.figure = {
-      data_of(m),
-      "two_body_series-drift",
-      {{"width", "1000"},
-       {"height", "500"},
-       {"heading", "Rounded reciprocals drift in proportion to time, divisions like its root"}}};
-  const auto slope = [&](double e, const std::string& name) {
-    const Drift& d = m.of(e, name);
-    return Drift::slope(d.orbits, d.energy);
+void check(const std::vector<Outcome>& all, scene::Show& show) {
+  const auto of = [&](double e, const std::string& name) -> const Outcome& {
+    return *std::ranges::find_if(
+        all, [&](const Outcome& o) { return o.task.eccentricity == e && o.task.name == name; });
   };
-  // A decade says less than two.
-  const double scatter = quick ? 0.45 : 0.25;
+  const auto end = [&](double e, const std::string& name) { return of(e, name).drift.energy.back(); };
+  const std::string division = "division", compensated = "division, compensated",
+                    reciprocals = "rounded reciprocals, compensated", adaptive = "adaptive, tolerance 1e-17";
+  const double scatter = show.quick() ? 0.45 : 0.25;  // a decade says less than two
+  const auto exponent = [&](const std::string& what, double e, const std::string& name, double expected,
+                            const char* reason) {
+    show.between(fmt::format("exponent of the energy, {}, e = {:g}", what, e), of(e, name).energy_slope(),
+                 expected - scatter, expected + scatter, reason);
+  };
   const char* walk =
       "Brouwer's law; root mean squares of eight walks scatter by a quarter, of four by a third";
   const char* line = "the same share in every step; the walk of rounding is still felt at 100 orbits";
-  const auto end = [&](double e, const std::string& name) { return m.of(e, name).energy.back(); };
-  const std::string division = "division", compensated = "division, compensated",
-                    reciprocals = "rounded reciprocals, compensated", adaptive = "adaptive, tolerance 1e-17";
-  showing.quantities = {
-      {"exponent of the energy, division, e = 0.1", "1", slope(0.1, division), 0.5 - scatter, 0.5 + scatter,
-       walk},
-      {"exponent of the energy, division, compensated, e = 0.1", "1", slope(0.1, compensated), 0.5 - scatter,
-       0.5 + scatter, walk},
-      {"exponent of the energy, division, e = 0.7", "1", slope(0.7, division), 0.5 - scatter, 0.5 + scatter,
-       walk},
-      {"exponent of the energy, division, compensated, e = 0.7", "1", slope(0.7, compensated), 0.5 - scatter,
-       0.5 + scatter, walk},
-      {"exponent of the energy, reciprocals, compensated, e = 0.1", "1", slope(0.1, reciprocals), 1 - scatter,
-       1 + scatter, line},
-      {"exponent of the energy, reciprocals, compensated, e = 0.7", "1", slope(0.7, reciprocals), 1 - scatter,
-       1 + scatter, line},
-      {"exponent of the energy, adaptive, e = 0.1", "1", slope(0.1, adaptive), 0.5 - scatter, 0.5 + scatter,
-       walk},
-      {"exponent of the energy, adaptive, e = 0.7", "1", slope(0.7, adaptive), 0.5 - scatter, 0.5 + scatter,
-       walk},
-      scene::at_most("energy error at the end, division, e = 0.1", "1", end(0.1, division), 2e-13,
-                     "recorded: 5e-14 after ten thousand orbits; walks scatter"),
-      scene::at_most("energy error at the end, division, compensated, e = 0.1", "1", end(0.1, compensated),
-                     7e-14, "recorded: 1.7e-14 after ten thousand orbits; walks scatter"),
-      scene::at_most("energy error at the end, division, e = 0.7", "1", end(0.7, division), 5e-13,
-                     "recorded: 1.3e-13 after ten thousand orbits; walks scatter"),
-      scene::at_most("energy error at the end, division, compensated, e = 0.7", "1", end(0.7, compensated),
-                     2e-13, "recorded: 4.8e-14 after ten thousand orbits; walks scatter"),
-      scene::at_most("position error at the end, division, compensated, e = 0.1", "1",
-                     m.of(0.1, compensated).position.back(), 5e-9,
-                     "recorded: 1.1e-9 after ten thousand orbits; walks scatter"),
-      {"energy error at the end, reciprocals, compensated, e = 0.1", "1", end(0.1, reciprocals), 1e-14, 2e-12,
-       "recorded: 5.1e-13 after ten thousand orbits, in proportion to their number"}};
-  showing.quantities.push_back(
-      {"reciprocals over division at the end, compensated, e = 0.1", "1",
-       end(0.1, reciprocals) / end(0.1, compensated), 3, 100,
-       "recorded: 30 after ten thousand orbits, and a third of the exponent's gap before"});
-  return showing;
+  for (const double e : {0.1, 0.7}) {
+    exponent(division, e, division, 0.5, walk);
+    exponent(compensated, e, compensated, 0.5, walk);
+  }
+  for (const double e : {0.1, 0.7}) exponent("reciprocals, compensated", e, reciprocals, 1, line);
+  for (const double e : {0.1, 0.7}) exponent("adaptive", e, adaptive, 0.5, walk);
+
+  struct Bound {
+    double e;
+    std::string method;
+    double most;
+    const char* recorded;
+  };
+  for (const auto& [e, method, most, recorded] : std::vector<Bound>{{0.1, division, 2e-13, "5e-14"},
+                                                                    {0.1, compensated, 7e-14, "1.7e-14"},
+                                                                    {0.7, division, 5e-13, "1.3e-13"},
+                                                                    {0.7, compensated, 2e-13, "4.8e-14"}})
+    show.at_most(fmt::format("energy error at the end, {}, e = {:g}", method, e), end(e, method), most,
+                 fmt::format("recorded: {} after ten thousand orbits; walks scatter", recorded));
+  show.at_most("position error at the end, division, compensated, e = 0.1",
+               of(0.1, compensated).drift.position.back(), 5e-9,
+               "recorded: 1.1e-9 after ten thousand orbits; walks scatter");
+  show.between("energy error at the end, reciprocals, compensated, e = 0.1", end(0.1, reciprocals), 1e-14,
+               2e-12, "recorded: 5.1e-13 after ten thousand orbits, in proportion to their number");
+  show.between("reciprocals over division at the end, compensated, e = 0.1",
+               end(0.1, reciprocals) / end(0.1, compensated), 3, 100,
+               "recorded: 30 after ten thousand orbits, and a third of the exponent's gap before");
+}
+
+void put(const std::vector<Outcome>& all, scene::Show& show) {
+  tabulate(all, show);
+  draw(all, show);
+  check(all, show);
 }
 
 }  // namespace
 
-void add_drift(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Measured>(
+std::vector<scene::Scene> drift() {
+  const scene::Result outcomes(
       "drift",
       "units a = 1, mu = 1; root mean square over 8 starts along the orbit, 4 with --quick, and for rounded "
-      "reciprocals, "
-      "whose drift is systematic and whose plain loops are slow, 2 at e = 0.1 and 1 at e = 0.7; states after "
-      "whole orbits; fixed steps are rounded to 30 bits, so that times are exact",
-      {}, [](Workshop& w) { return measure(w.quick()); });
-  chapter.add({.name = "drift",
-               .title = "Energy over ten thousand orbits: what compensation and divisions are worth",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run), w.quick()); }});
+      "reciprocals, whose drift is systematic and whose plain loops are slow, 2 at e = 0.1 and 1 at e = 0.7; "
+      "states after whole orbits; fixed steps are rounded to 30 bits, so that times are exact",
+      measure);
+  return {{.name = "drift",
+           .title = "Energy over ten thousand orbits: what compensation and divisions are worth",
+           .content = scene::Content(put, outcomes)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -7,7 +7,7 @@
 
 #include "nlmech/orbit/continuation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// Analytic continuation on an ellipse, and how often.
 struct DriftTask {
@@ -35,4 +35,4 @@ struct Drift {
 /// @throws Failure if a run fails
 [[nodiscard]] Drift drift(const DriftTask& task, int orbits);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

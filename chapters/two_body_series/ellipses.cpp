@@ -6,7 +6,7 @@
 
 #include "nlmech/orbit/kepler.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
@@ -41,4 +41,4 @@ double rounding_of_data(const orbit::State& start, double time, double mu) {
   return orbit::kepler_condition(start, time, mu).position * std::numeric_limits<double>::epsilon() / 2 * end;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

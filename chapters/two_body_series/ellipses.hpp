@@ -4,7 +4,7 @@
 
 #include "nlmech/orbit/state.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// 2 pi.
 inline constexpr double revolution = 6.283185307179586;
@@ -23,4 +23,4 @@ inline constexpr double revolution = 6.283185307179586;
 /// What a relative error eps/2 of all data grows to on the way, as a length.
 [[nodiscard]] double rounding_of_data(const orbit::State& start, double time, double mu);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

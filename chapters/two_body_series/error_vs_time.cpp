@@ -7,12 +7,11 @@
 
 #include "chapters/two_body_series/ellipses.hpp"
 #include "chapters/two_body_series/propagators.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/comparison/cost_scene.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 using comparison::Cost;
@@ -120,73 +119,66 @@ comparison::Costs measure(const Subject& subject, bool quick) {
   return m;
 }
 
-std::vector<scene::Quantity> promises(const comparison::Costs& m, const Subject& subject, bool quick) {
+void check(const comparison::Costs& m, const Subject& subject, scene::Show& show) {
   const double rounding = m.condition * std::numeric_limits<double>::epsilon();
   const Curve& series = comparison::curve_of(m.curves, ours);
   const double tightest = static_cast<double>(comparison::best_of(series)->work.steps);
-  std::vector<scene::Quantity> all = {
-      scene::at_most(
-          "least error of analytic continuation", "1", comparison::least_error(m.curves, ours), 8 * rounding,
-          "eight roundings of the data times the condition of Kepler's problem, by its derivatives"),
-      scene::at_most("error of Kepler's solution", "1", comparison::least_error(m.curves, "Kepler"),
-                     8 * rounding, "the same"),
-      scene::at_most("error of analytic continuation at a tolerance of 1e-10", "1",
-                     series.costs[quick ? 1 : 6].error.value_or(HUGE_VAL), 1e-10 * tightest * m.condition,
-                     "the tolerance in each step, all of one sign, times the condition"),
-      scene::at_most("least error of rkn1210", "1", comparison::least_error(m.curves, "rkn1210"),
-                     comparison::tightest_tolerance(quick) * 600 * m.condition,
-                     "the tightest tolerance in each of at most 600 steps, times the condition")};
-  if (subject.printed >= 0) {
-    const Curve& steps = m.curves[2];
-    all.push_back({"error of the printed steps", "1",
-                   steps.costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
-                   subject.low, subject.high,
-                   "recorded at the end of 20 orbits; the median of others within "
-                   "a factor of ten"});
-  }
-  return all;
+  const auto least = [&](const char* name) { return comparison::least_error(m.curves, name); };
+  show.at_most("least error of analytic continuation", least(ours), 8 * rounding,
+               "eight roundings of the data times the condition of Kepler's problem, by its derivatives");
+  show.at_most("error of Kepler's solution", least("Kepler"), 8 * rounding, "the same");
+  show.at_most("error of analytic continuation at a tolerance of 1e-10",
+               series.costs[show.quick() ? 1 : 6].error.value_or(HUGE_VAL), 1e-10 * tightest * m.condition,
+               "the tolerance in each step, all of one sign, times the condition");
+  show.at_most("least error of rkn1210", least("rkn1210"),
+               comparison::tightest_tolerance(show.quick()) * 600 * m.condition,
+               "the tightest tolerance in each of at most 600 steps, times the condition");
+  if (subject.printed < 0) return;
+  show.between("error of the printed steps",
+               m.curves[2].costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
+               subject.low, subject.high,
+               "recorded at the end of 20 orbits; the median of others within a factor of ten");
 }
 
-void add_scene(scene::Chapter& chapter, const Subject& subject) {
-  comparison::add_cost_scene(
-      chapter, {.name = subject.name,
-                .heading = subject.heading,
-                .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in "
-                           "default settings, fixed steps by hand; errors are |dr|/a against Kepler's "
-                           "equation in 50 digits",
-                .variables = {{"floor_right", "1"}},  // Kepler stands at the left end
-                .measure = [subject](bool quick) { return measure(subject, quick); },
-                .promises = [subject](const comparison::Costs& costs,
-                                      bool quick) { return promises(costs, subject, quick); }});
+scene::Scene scene_of(const Subject& subject) {
+  return comparison::cost_scene(
+      {.name = subject.name,
+       .heading = subject.heading,
+       .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default "
+                  "settings, fixed steps by hand; errors are |dr|/a against Kepler's equation in 50 digits",
+       .variables = {{"floor_right", "1"}},  // Kepler stands at the left end
+       .measure = [subject](bool quick) { return measure(subject, quick); },
+       .check = [subject](const comparison::Costs& costs,
+                          scene::Show& show) { check(costs, subject, show); }});
 }
 
 }  // namespace
 
-void add_error_vs_time(scene::Chapter& chapter) {
-  add_scene(chapter, {.name = "leo",
-                      .heading = "Twenty orbits, e = 0.1: digits against cost",
-                      .eccentricity = 0.1,
-                      .order = 10,
-                      .steps = {15, 25, 35, 50, 70, 100, 140},
-                      .printed = 1,
-                      .low = 1e-7,  // 7.6 m of 7.309e6 m
-                      .high = 1e-5});
-  add_scene(chapter, {.name = "heo",
-                      .heading = "Twenty orbits, e = 0.7: digits against cost",
-                      .eccentricity = 0.7,
-                      .order = 30,
-                      .steps = {50, 70, 100, 140},
-                      .printed = 2,
-                      .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
-                      .high = 9e-10});
-  add_scene(chapter, {.name = "e099",
-                      .heading = "Twenty orbits, e = 0.99: digits against cost",
-                      .eccentricity = 0.99,
-                      .order = 30,
-                      .steps = {10'000, 14'000, 20'000, 28'000},
-                      .printed = -1,
-                      .low = 0,
-                      .high = 0});
+std::vector<scene::Scene> error_vs_time() {
+  return {scene_of({.name = "leo",
+                    .heading = "Twenty orbits, e = 0.1: digits against cost",
+                    .eccentricity = 0.1,
+                    .order = 10,
+                    .steps = {15, 25, 35, 50, 70, 100, 140},
+                    .printed = 1,
+                    .low = 1e-7,  // 7.6 m of 7.309e6 m
+                    .high = 1e-5}),
+          scene_of({.name = "heo",
+                    .heading = "Twenty orbits, e = 0.7: digits against cost",
+                    .eccentricity = 0.7,
+                    .order = 30,
+                    .steps = {50, 70, 100, 140},
+                    .printed = 2,
+                    .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
+                    .high = 9e-10}),
+          scene_of({.name = "e099",
+                    .heading = "Twenty orbits, e = 0.99: digits against cost",
+                    .eccentricity = 0.99,
+                    .order = 30,
+                    .steps = {10'000, 14'000, 20'000, 28'000},
+                    .printed = -1,
+                    .low = 0,
+                    .high = 0})};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -13,16 +13,14 @@
 #include "chapters/two_body_series/ellipses.hpp"
 #include "chapters/two_body_series/orbits.hpp"
 #include "chapters/two_body_series/propagators.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/two_body.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
-
-using scene::Workshop;
 
 const double low_orbit_time = 20 * 6218.7281;
 
@@ -102,13 +100,13 @@ Answer second_order(int steps) {
                 {"fixed, order 2", continuation_integrator(method, 1)}, 2 * std::int64_t{steps});
 }
 
-struct Measured {
+struct Outcome {
   std::vector<Answer> answers;
   double powers_of_two = 0, canonical = 0, rounding = 0;  ///< of difference_between_units()
 };
 
-Measured measure(bool quick) {
-  Measured m;
+Outcome measure(bool quick) {
+  Outcome m;
   const std::vector<Method> all = methods();
   for (const Case& c : cases()) {
     for (const Method& method : all) {
@@ -125,25 +123,20 @@ Measured measure(bool quick) {
   return m;
 }
 
-const Answer& of(const Measured& m, const std::string& what, const std::string& method) {
-  return *std::find_if(m.answers.begin(), m.answers.end(),
-                       [&](const Answer& a) { return a.what == what && a.method == method; });
-}
-
-scene::Table table_of(const Measured& m) {
-  scene::Table table({{"case"},
-                      {"method"},
-                      {"status"},
-                      {"time reached", 6},
-                      {"relative error of the position", 2},
-                      {"condition times rounding", 2},
-                      {"steps"}});
-  for (const Answer& a : m.answers) {
-    const bool refused = a.status == "refused";
-    table.add({a.what, a.method, a.status, refused ? scene::Cell() : scene::Cell(a.end),
-               scene::to_cell(a.error), a.error ? scene::Cell(a.rounding) : scene::Cell(),
-               refused ? scene::Cell() : scene::Cell(a.steps)});
-  }
+void tabulate(const Outcome& m, scene::Show& show) {
+  const auto unless_refused = [](auto member) {
+    return
+        [member](const Answer& a) { return a.status == "refused" ? scene::Cell() : scene::Cell(a.*member); };
+  };
+  scene::Table table = scene::table_of(
+      m.answers, {{"case", &Answer::what},
+                  {"method", &Answer::method},
+                  {"status", &Answer::status},
+                  {"time reached", unless_refused(&Answer::end), 6},
+                  {"relative error of the position", &Answer::error, 2},
+                  {"condition times rounding",
+                   [](const Answer& a) { return a.error ? scene::Cell(a.rounding) : scene::Cell(); }, 2},
+                  {"steps", unless_refused(&Answer::steps)}});
   const auto units = [&](const char* name, double difference) {
     table.add({fmt::format("LEO, 20 orbits, SI against {}", name),
                "series",
@@ -155,60 +148,53 @@ scene::Table table_of(const Measured& m) {
   };
   units("units of 2^23 m and 2^10 s", m.powers_of_two);
   units("a = 1, mu = 1", m.canonical);
-  return table;
+  show.table(std::move(table));
 }
 
-scene::Showing show(const Measured& m) {
-  scene::Showing showing;
-  showing.table = table_of(m);
-  const auto error = [&](const std::string& what, const std::string& method) {
-    return of(m, what, method).error.value_or(HUGE_VAL);
+void put(const Outcome& m, scene::Show& show) {
+  tabulate(m, show);
+  const auto of = [&](const std::string& what, const std::string& method) -> const Answer& {
+    return *std::ranges::find_if(m.answers,
+                                 [&](const Answer& a) { return a.what == what && a.method == method; });
   };
-  const auto ratio = [&](const std::string& what, const std::string& method) {
-    const Answer& a = of(m, what, method);
-    return a.error.value_or(HUGE_VAL) / (2 * a.rounding);
+  const auto error = [&](const std::string& what, const std::string& method) {
+    return of(what, method).error.value_or(HUGE_VAL);
+  };
+  const auto by_condition = [&](const std::string& name, const std::string& what, const std::string& method,
+                                double most, const char* reason) {
+    show.at_most("error over condition times eps, " + name,
+                 error(what, method) / (2 * of(what, method).rounding), most, reason);
   };
   const auto count = [&](const std::string& what, const std::string& status) {
-    return static_cast<double>(std::count_if(m.answers.begin(), m.answers.end(), [&](const Answer& a) {
-      return a.what == what && a.status == status && a.method.substr(0, 6) == "series";
-    }));
+    return std::ranges::count_if(m.answers, [&](const Answer& a) {
+      return a.what == what && a.status == status && a.method.starts_with("series");
+    });
   };
   const std::string thin = "e = 0.999, 1000 orbits", fall = "fall from rest into the centre",
                     flyby = "flyby, from 1000 past 0.02 to 1000", back = "backwards, e = 0.7, 5 orbits";
   const char* condition = "rounding of the data times their condition; the states of some steps are data too";
-  const double eps = std::numeric_limits<double>::epsilon();
-  showing.quantities = {
-      scene::at_most("error over condition times eps, e = 0.999, Kepler", "1", ratio(thin, "kepler"), 8,
-                     condition),
-      scene::at_most("error over condition times eps, e = 0.999, series at 1e-17", "1",
-                     ratio(thin, "series, tolerance 1e-17"), 10, condition),
-      scene::at_most("error over condition times eps, e = 0.999, series", "1", ratio(thin, "series"), 100,
-                     "the default leaves out 4.5 eps at each of a thousand passages, always the same"),
-      {"series that end in a collision, of three", "1", count(fall, "collision"), 3, 3, "all of them"},
-      scene::near("time of the collision", "1", of(m, fall, "series").end, revolution / 4 / std::sqrt(2.0),
-                  1e-13,
-                  "half a revolution of the ellipse with a = 1/2; ends where a step is eps of the interval"),
-      scene::at_most("error over condition times eps, through the centre, Kepler", "1", ratio(fall, "kepler"),
-                     8, condition),
-      scene::at_most("error over condition times eps, flyby, Kepler", "1", ratio(flyby, "kepler"), 8,
-                     condition),
-      scene::at_most("error over condition times eps, flyby, series", "1", ratio(flyby, "series"), 8,
-                     condition),
-      scene::at_most("error over condition times eps, backwards, series", "1", ratio(back, "series"), 8,
-                     condition),
-      scene::at_most("error over condition times eps, backwards, order 100", "1",
-                     ratio(back, "series, order 100"), 8, condition),
-      scene::near("order of the fixed series of degree 2", "1",
-                  std::log10(error("e = 0.1, an orbit in 1000 steps", "fixed, order 2") /
-                             error("e = 0.1, an orbit in 10000 steps", "fixed, order 2")),
-                  2, 0.05, "ten times the steps, a hundredth of the error"),
-      {"series that refuse r = 0, of three", "1", count("r = 0", "refused"), 3, 3, "all of them"},
-      scene::at_most("error of no time", "1", error("no time", "series"), 0, "the start itself"),
-      scene::at_most("difference between SI and units by powers of two", "1", m.powers_of_two, 0,
-                     "no digit is touched"),
-      scene::at_most("difference between SI and canonical units", "1", m.canonical, 16 * m.rounding + eps,
-                     "mu, time and six components rounded once more, times the condition")};
-  return showing;
+  by_condition("e = 0.999, Kepler", thin, "kepler", 8, condition);
+  by_condition("e = 0.999, series at 1e-17", thin, "series, tolerance 1e-17", 10, condition);
+  by_condition("e = 0.999, series", thin, "series", 100,
+               "the default leaves out 4.5 eps at each of a thousand passages, always the same");
+  show.equals("series that end in a collision, of three", count(fall, "collision"), 3, "all of them");
+  show.near("time of the collision", of(fall, "series").end, revolution / 4 / std::sqrt(2.0), 1e-13,
+            "half a revolution of the ellipse with a = 1/2; ends where a step is eps of the interval");
+  by_condition("through the centre, Kepler", fall, "kepler", 8, condition);
+  by_condition("flyby, Kepler", flyby, "kepler", 8, condition);
+  by_condition("flyby, series", flyby, "series", 8, condition);
+  by_condition("backwards, series", back, "series", 8, condition);
+  by_condition("backwards, order 100", back, "series, order 100", 8, condition);
+  show.near("order of the fixed series of degree 2",
+            std::log10(error("e = 0.1, an orbit in 1000 steps", "fixed, order 2") /
+                       error("e = 0.1, an orbit in 10000 steps", "fixed, order 2")),
+            2, 0.05, "ten times the steps, a hundredth of the error");
+  show.equals("series that refuse r = 0, of three", count("r = 0", "refused"), 3, "all of them");
+  show.at_most("error of no time", error("no time", "series"), 0, "the start itself");
+  show.at_most("difference between SI and units by powers of two", m.powers_of_two, 0, "no digit is touched");
+  show.at_most("difference between SI and canonical units", m.canonical,
+               16 * m.rounding + std::numeric_limits<double>::epsilon(),
+               "mu, time and six components rounded once more, times the condition");
 }
 
 }  // namespace
@@ -229,17 +215,15 @@ double rounding_between_units() {
          std::numeric_limits<double>::epsilon() / 2;
 }
 
-void add_extremes(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Measured>(
+std::vector<scene::Scene> extremes() {
+  const scene::Result outcome(
       "extremes",
       "mu = 1; tolerance 1e-15 where none is given; errors against Kepler's equation in 50 digits; at most 2 "
       "million steps",
-      {}, [](Workshop& w) { return measure(w.quick()); });
-  chapter.add({.name = "extremes",
-               .title = "Thin ellipses, collisions, flybys, units: what each method answers",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+      measure);
+  return {{.name = "extremes",
+           .title = "Thin ellipses, collisions, flybys, units: what each method answers",
+           .content = scene::Content(put, outcome)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -1,30 +1,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
-#include "chapters/two_body_series/scenes.hpp"
+#include "chapters/two_body_series/published_runs.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
-using scene::Workshop;
-
-constexpr std::size_t twenty = 2;  // revolutions[twenty]
-constexpr std::array drawn = {Propagator::ode45, Propagator::series, Propagator::f_and_g,
-                              Propagator::rkn1210};
-
-double greatest(const EnergyRecord& record) {
-  return *std::max_element(record.error.begin(), record.error.end());
-}
+double greatest(const EnergyRecord& record) { return std::ranges::max(record.error); }
 
 /// The greatest error of each twenty-fifth of an orbit, at its time: more cannot be told apart in a picture.
-void add_curve(scene::Table& data, std::int64_t number, const EnergyRecord& record, double period) {
+void add_curve(scene::Table& data, int number, const EnergyRecord& record, double period) {
   const double bin = period / 25;
+  const auto bin_of = [&](std::size_t k) { return static_cast<int>(record.t[k] / bin - 1e-9); };
   std::size_t best = 0;
   for (std::size_t i = 1; i <= record.t.size(); ++i) {
-    const auto bin_of = [&](std::size_t k) { return static_cast<int>(record.t[k] / bin - 1e-9); };
     if (i == record.t.size() || bin_of(i) != bin_of(best)) {
       data.add({number, record.t[best] / period, record.error[best]});
       best = i;
@@ -36,61 +29,78 @@ void add_curve(scene::Table& data, std::int64_t number, const EnergyRecord& reco
 
 /// Points at which the double precision of the state knows no difference at all.
 double share_of_zeros(const EnergyRecord& record) {
-  const auto zeros = std::count(record.error.begin(), record.error.end(), 0.0);
-  return static_cast<double>(zeros) / static_cast<double>(record.error.size());
+  return static_cast<double>(std::ranges::count(record.error, 0.0)) /
+         static_cast<double>(record.error.size());
 }
 
-scene::Showing show(const PublishedRuns& runs, Workshop& w) {
+/// What is drawn, in this order.
+struct Records {
+  const EnergyRecord &ode45, &series, &f_and_g, &rkn1210;
+};
+
+/// Errors of exactly 0 have no logarithm: they are drawn on a line of their own below the least double.
+void draw(const Records& r, const Orbit& orbit, scene::Show& show) {
+  scene::Panel& panel = show.plot(
+      fmt::format("{}: ode45 to {}, Analytic-Cont to {}, the others at rounding", orbit.name,
+                  scene::format_number(greatest(r.ode45), 1), scene::format_number(greatest(r.series), 1)),
+      "orbits", "|{/:Italic E}_k − {/:Italic E}_0|/|{/:Italic E}_0|");
+  panel.x_range(0, 20).log_y(1e-17, std::pow(10, std::ceil(std::log10(greatest(r.ode45)))));
+  panel.set("ytics 1e-16,100").set("ytics add ('0' 2e-17)").set("title offset 0,1.4");
+  panel.set("margins screen 0.13, screen 0.97, screen 0.13, screen 0.83");
+  panel.key("at screen 0.545, screen 0.9 center top horizontal maxrows 1 samplen 2.5 width 1");
   scene::Table data({{"curve", 3, true}, {"orbit"}, {"error"}});
-  scene::Showing showing;
-  const bool low = runs.orbit.order == low_orbit().order;
-  std::int64_t number = 0;
-  std::string text;
-  for (const Propagator p : drawn) {
-    const EnergyRecord& record = w.result(runs.of(p, twenty));
-    add_curve(data, ++number, record, period_of(runs.orbit));
-    if (p == Propagator::ode45 || p == Propagator::series) {
-      text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", name_of(p),
-                          scene::format_number(greatest(record), 1));
-      continue;
-    }
-    showing.quantities.push_back(scene::at_most(fmt::format("greatest energy error of {}", name_of(p)), "1",
-                                                greatest(record), p == Propagator::rkn1210 ? 1e-13 : 2e-12,
-                                                p == Propagator::rkn1210
-                                                    ? "rounding of some thousand steps, 2 eps each by chance"
-                                                    : "eps t/G in Lagrange's G with t up to 20 orbits"));
-    showing.quantities.push_back({fmt::format("share of points at which {} errs by 0", name_of(p)), "1",
-                                  share_of_zeros(record), 0, 0.3,
-                                  "errors of a few eps: now and then the nearest double is the same"});
-  }
-  // 1.19e-7 and 1.02e-11 are norms over 500 and 2000 points with errors that grow about linearly: the last is
-  // sqrt(3/points) of the norm, and oscillates by less than a factor of three.
-  const double norm = low ? 1.19e-7 : 1.02e-11, points = runs.orbit.steps * 20;
-  const double last = norm * std::sqrt(3 / points);
-  showing.quantities.push_back({"greatest energy error of Analytic-Cont", "1",
-                                greatest(w.result(runs.of(Propagator::series, twenty))), last / 3, 3 * last,
-                                "the recorded norm over points whose errors grow with time"});
-  const double norm45 = low ? 9.42e-5 : 1.44e-3, last45 = norm45 * std::sqrt(3 / points);
-  showing.quantities.push_back({"greatest energy error of ode45", "1",
-                                greatest(w.result(runs.of(Propagator::ode45, twenty))), last45 / 3,
-                                3 * last45, "the recorded norm over points whose errors grow with time"});
-  showing.figure = {std::move(data),
-                    "two_body_series-history",
-                    {{"heading", fmt::format("{}: {}, the others at rounding", runs.orbit.name, text)}}};
-  return showing;
+  int number = 0;
+  const auto add = [&](const char* name, const EnergyRecord& record, const scene::Look& look) {
+    panel.columns(name, "orbit:(column('error') > 0 ? column('error') : 2e-17)", look, number);
+    add_curve(data, ++number, record, period_of(orbit));
+  };
+  add("ode45", r.ode45, {"lines dashtype solid linewidth 1.6", 5});
+  add("Analytic-Cont", r.series, {"lines linewidth 1.6", 1});
+  add("F and G", r.f_and_g, {"points pointtype 7 pointsize 0.28", 4});
+  add("RKN12(10)", r.rkn1210, {"points pointtype 5 pointsize 0.28", 2});
+  show.figure().data(std::move(data));
+}
+
+void check(const Records& r, const Orbit& orbit, scene::Show& show) {
+  const auto at_rounding = [&](Propagator p, const EnergyRecord& record, double most, const char* reason) {
+    const std::string name = name_of(p);
+    show.at_most("greatest energy error of " + name, greatest(record), most, reason);
+    show.between("share of points at which " + name + " errs by 0", share_of_zeros(record), 0, 0.3,
+                 "errors of a few eps: now and then the nearest double is the same");
+  };
+  at_rounding(Propagator::f_and_g, r.f_and_g, 2e-12, "eps t/G in Lagrange's G with t up to 20 orbits");
+  at_rounding(Propagator::rkn1210, r.rkn1210, 1e-13, "rounding of some thousand steps, 2 eps each by chance");
+  // Norms over 500 and 2000 points with errors that grow about linearly: the last is sqrt(3/points) of the
+  // norm, and oscillates by less than a factor of three.
+  const auto by_norm = [&](const char* name, const EnergyRecord& record, double norm) {
+    const double last = norm * std::sqrt(3. / (orbit.steps * 20));
+    show.between(std::string("greatest energy error of ") + name, greatest(record), last / 3, 3 * last,
+                 "the recorded norm over points whose errors grow with time");
+  };
+  const bool low = orbit.order == low_orbit().order;
+  by_norm("Analytic-Cont", r.series, low ? 1.19e-7 : 1.02e-11);
+  by_norm("ode45", r.ode45, low ? 9.42e-5 : 1.44e-3);
+}
+
+scene::Scene history(const Orbit& orbit, const std::string& number) {
+  const auto put = [orbit](const EnergyRecord& ode45, const EnergyRecord& series, const EnergyRecord& f_and_g,
+                           const EnergyRecord& rkn1210, scene::Show& show) {
+    const Records records{ode45, series, f_and_g, rkn1210};
+    draw(records, orbit, show);
+    check(records, orbit, show);
+  };
+  const auto over_20 = [&](Propagator p) { return followed(orbit, 20, p); };
+  return {.name = "fig-" + number,
+          .title = fmt::format("{}: relative energy error over 20 orbits", orbit.name),
+          .place = "Figure " + number,
+          .content = scene::Content(put, over_20(Propagator::ode45), over_20(Propagator::series),
+                                    over_20(Propagator::f_and_g), over_20(Propagator::rkn1210))};
 }
 
 }  // namespace
 
-void add_history(scene::Chapter& chapter, const PublishedRuns& runs) {
-  std::vector<const scene::AnyRun*> needs;
-  for (const Propagator p : drawn) needs.push_back(&runs.of(p, twenty));
-  const bool low = runs.orbit.order == low_orbit().order;
-  chapter.add({.name = low ? "fig-3.22" : "fig-3.23",
-               .title = fmt::format("{}: relative energy error over 20 orbits", runs.orbit.name),
-               .place = low ? "Figure 3.22" : "Figure 3.23",
-               .needs = needs,
-               .show = [runs](Workshop& w) { return show(runs, w); }});
+std::vector<scene::Scene> histories() {
+  return {history(low_orbit(), "3.22"), history(high_orbit(), "3.23")};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -1,6 +1,6 @@
 #include "chapters/two_body_series/orbits.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 Orbit low_orbit() {
   return {"LEO",
@@ -16,4 +16,4 @@ Orbit high_orbit() {
           30};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -5,7 +5,7 @@
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/state.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// An orbit with what the dissertation asks of it. SI units.
 struct Orbit {
@@ -23,4 +23,4 @@ inline constexpr double earth_mu = 3.986004418e14;
 /// High and eccentric, e = 0.7 (Eqs. 3.73, 3.74).
 [[nodiscard]] Orbit high_orbit();
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

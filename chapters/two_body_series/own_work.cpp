@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "chapters/two_body_series/chapter.hpp"
 #include "chapters/two_body_series/orbits.hpp"
 #include "chapters/two_body_series/trajectory.hpp"
 #include "nlmech/orbit/elements.hpp"
+#include "nlmech/scene/command_line.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -215,10 +215,10 @@ void add_state_command(CLI::App& app) {
 
 }  // namespace
 
-void two_body_series_work(CLI::App& app) {
+void commands(CLI::App& app) {
   add_propagate_command(app);
   add_elements_command(app);
   add_state_command(app);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -6,7 +6,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 /// The series of a step, for an observer of integrators in general.
@@ -107,4 +107,4 @@ ivp::State<6> joined(const orbit::State& s) {
 
 orbit::State parted(const ivp::State<6>& x) { return {x.head<3>(), x.tail<3>()}; }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

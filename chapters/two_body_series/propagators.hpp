@@ -5,7 +5,7 @@
 #include "nlmech/ivp/named_methods.hpp"
 #include "nlmech/orbit/continuation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// Analytic continuation about a point mass @p mu; of the system that it is given it takes nothing.
 /// Statistics::right_hand_sides counts orders, as for the method `series`.
@@ -24,4 +24,4 @@ namespace nlmech::chapters {
 /// The other way.
 [[nodiscard]] orbit::State parted(const ivp::State<6>& x);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -19,10 +18,8 @@
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
-
-using scene::Workshop;
 
 /// What all propagators of a record share.
 class Recorder {
@@ -174,21 +171,6 @@ EnergyRecord recorded(const Orbit& orbit, int orbits, Propagator propagator) {
   throw std::invalid_argument("follow: no such propagator");
 }
 
-const char* reading_of(Propagator propagator) {
-  switch (propagator) {
-    case Propagator::f_and_g:
-      return "textbook F and G, at every point from the begin, time not reduced by revolutions";
-    case Propagator::ode45:
-      return "RelTol = AbsTol = 1e-6 in SI units; output at the points of Analytic-Cont by dense output";
-    case Propagator::rkn1210: return "rtol = atol = 1e-12 in SI units (not stated); output at its own steps";
-    case Propagator::series:
-      return "printed order K: r to degree K, v to degree K - 1; equal steps, an orbit in 25 (LEO) or 100 "
-             "(HEO)";
-    case Propagator::universal: return "the library's Kepler propagator, from the begin to every point";
-  }
-  return "";
-}
-
 const char* word_of(Propagator propagator) {
   constexpr std::array words = {"f-and-g", "ode45", "rkn1210", "series", "universal"};
   return words[static_cast<std::size_t>(propagator)];
@@ -205,6 +187,11 @@ std::string row_in_source(const Orbit& orbit, Propagator propagator, int orbits)
                                 ? fmt::format(" ({} steps; order {})", orbits * orbit.steps, orbit.order)
                                 : "";
   return fmt::format("{} {} orbits{}", name_of(propagator), orbits, steps);
+}
+
+std::string norm_in_source(const Orbit& orbit, Propagator propagator, int orbits) {
+  return fmt::format("elgohary/{}/{}/energy error norm", table_of(orbit),
+                     row_in_source(orbit, propagator, orbits));
 }
 
 double period_of(const Orbit& orbit) {
@@ -260,22 +247,25 @@ EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int r
   return record;
 }
 
-PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit) {
-  PublishedRuns runs{orbit, {}};
-  std::string begin = orbit.name;
-  for (char& c : begin) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (int p = 0; p < propagators; ++p) {
-    const auto propagator = static_cast<Propagator>(p);
-    for (std::size_t k = 0; k < revolutions.size(); ++k) {
-      const int orbits = revolutions[k];
-      runs.all[static_cast<std::size_t>(p)][k] = &chapter.add_run<EnergyRecord>(
-          fmt::format("{}-{}-{}-orbits", begin, word_of(propagator), orbits), reading_of(propagator), {},
-          [orbit, orbits, propagator](Workshop& w) {
-            return follow(orbit, orbits, propagator, w.quick() ? 1 : 9);
-          });
-    }
+const char* reading_of(Propagator propagator) {
+  switch (propagator) {
+    case Propagator::f_and_g:
+      return "textbook F and G, at every point from the begin, time not reduced by revolutions";
+    case Propagator::ode45:
+      return "RelTol = AbsTol = 1e-6 in SI units; output at the points of Analytic-Cont by dense output";
+    case Propagator::rkn1210: return "rtol = atol = 1e-12 in SI units (not stated); output at its own steps";
+    case Propagator::series:
+      return "printed order K: r to degree K, v to degree K - 1; equal steps, an orbit in 25 (LEO) or 100 "
+             "(HEO)";
+    case Propagator::universal: return "the library's Kepler propagator, from the begin to every point";
   }
-  return runs;
+  return "";
 }
 
-}  // namespace nlmech::chapters
+scene::Result<EnergyRecord> followed(const Orbit& orbit, int orbits, Propagator propagator) {
+  const char* begin = orbit.order == low_orbit().order ? "leo" : "heo";
+  return {fmt::format("{}-{}-{}-orbits", begin, word_of(propagator), orbits), reading_of(propagator),
+          [=](bool quick) { return follow(orbit, orbits, propagator, quick ? 1 : 9); }};
+}
+
+}  // namespace nlmech::chapters::two_body_series

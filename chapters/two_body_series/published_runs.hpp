@@ -11,7 +11,7 @@
 #include "chapters/two_body_series/orbits.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// Seconds of one revolution, 2 pi sqrt(a^3/mu).
 [[nodiscard]] double period_of(const Orbit& orbit);
@@ -38,7 +38,8 @@ enum class Propagator {
   series,    ///< Analytic-Cont: r to degree K, v to degree K - 1
   universal  ///< the library's Kepler propagator, from the begin to every point
 };
-inline constexpr int propagators = 5;                           ///< how many
+inline constexpr std::array all_propagators = {Propagator::f_and_g, Propagator::ode45, Propagator::rkn1210,
+                                               Propagator::series, Propagator::universal};
 inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tables
 
 /// As in the tables: "F&G".
@@ -48,6 +49,9 @@ inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tabl
 [[nodiscard]] std::string table_of(const Orbit& orbit);
 /// The row of that table: "Analytic-Cont 5 orbits (125 steps; order 10)".
 [[nodiscard]] std::string row_in_source(const Orbit& orbit, Propagator propagator, int orbits);
+
+/// The name of its norm among published values.
+[[nodiscard]] std::string norm_in_source(const Orbit& orbit, Propagator propagator, int orbits);
 
 /// What is timed of a row: the propagation with its settings, without output.
 [[nodiscard]] std::function<void()> timed_work(const Orbit& orbit, int orbits, Propagator propagator);
@@ -62,18 +66,9 @@ inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tabl
 [[nodiscard]] orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu,
                                             double enough = 0);
 
-/// The runs of one orbit.
-struct PublishedRuns {
-  Orbit orbit;                                                                       ///< which
-  std::array<std::array<const scene::Run<EnergyRecord>*, 3>, propagators> all = {};  ///< [propagator][k]
+/// The same as a result of the chapter.
+[[nodiscard]] scene::Result<EnergyRecord> followed(const Orbit& orbit, int orbits, Propagator propagator);
+/// How its settings were read.
+[[nodiscard]] const char* reading_of(Propagator propagator);
 
-  /// The run of a propagator over revolutions[k].
-  [[nodiscard]] const scene::Run<EnergyRecord>& of(Propagator propagator, std::size_t k) const {
-    return *all[static_cast<std::size_t>(propagator)][k];
-  }
-};
-
-/// Declares the fifteen runs of an orbit.
-[[nodiscard]] PublishedRuns add_published_runs(scene::Chapter& chapter, const Orbit& orbit);
-
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -8,7 +8,7 @@
 
 #include "nlmech/orbit/state.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// How to read the sum of Eq. 3.66, in which p/2 is printed like a binomial coefficient and a bracket is
 /// missing. The term before the sum is printed right.
@@ -66,4 +66,4 @@ template <class T>
   return end;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -7,21 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "chapters/two_body_series/scenes.hpp"
+#include "chapters/two_body_series/published_runs.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/convergence.hpp"
-#include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
-using scene::Workshop;
 using Norms = std::array<double, 3>;  ///< over 5, 10 and 20 orbits
 
 /// Degrees of the two series.
 struct Degrees {
   int position, velocity;
   [[nodiscard]] std::string text() const { return fmt::format("({}, {})", position, velocity); }
+  [[nodiscard]] bool operator==(const Degrees&) const = default;
 };
 
 /// Energy error norms of Analytic-Cont under one reading.
@@ -32,9 +31,11 @@ struct Trial {
 };
 
 /// "||eps||" of Tables 3.2 and 3.3.
-Norms printed_norms(const Orbit& orbit) {
-  return orbit.order == low_orbit().order ? Norms{4.45e-7, 7.38e-7, 1.55e-6}
-                                          : Norms{3.73e-8, 1.21e-7, 2.27e-7};
+Norms printed_norms(const Orbit& orbit, Propagator propagator, scene::Show& show) {
+  Norms norms{};
+  std::ranges::transform(revolutions, norms.begin(),
+                         [&](int orbits) { return show.printed(norm_in_source(orbit, propagator, orbits)); });
+  return norms;
 }
 
 /// How far the worst of the three is from print: max(ours/printed, printed/ours) - 1.
@@ -70,6 +71,20 @@ Norms norms_of(const Orbit& orbit, const Degrees& degrees, double steps) {
   return squares;
 }
 
+/// The textbook form with Newton's iteration stopped early.
+Norms norms_of_f_and_g(const Orbit& orbit, double enough) {
+  const double step = period_of(orbit) / orbit.steps, before = orbit::energy(orbit.start, earth_mu);
+  Norms squares{};
+  for (int k = 1; k <= revolutions.back() * orbit.steps; ++k) {
+    const orbit::State s = textbook_f_and_g(orbit.start, k * step, earth_mu, enough);
+    const double e = orbit::energy(s, earth_mu) / before - 1;
+    for (std::size_t i = 0; i < squares.size(); ++i)
+      squares[i] += k <= revolutions[i] * orbit.steps ? e * e : 0;
+  }
+  for (double& s : squares) s = std::sqrt(s);
+  return squares;
+}
+
 /// What is tried on an orbit.
 struct Plan {
   std::vector<Degrees> degrees;     ///< that are drawn
@@ -92,7 +107,7 @@ struct Trials {
   [[nodiscard]] Trial best_of(const Degrees& d, const Norms& printed) const {
     Trial best{d, 0, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
     for (const Trial& t : drawn) {
-      if (t.degrees.position != d.position || t.degrees.velocity != d.velocity) continue;
+      if (t.degrees != d) continue;
       if (best.steps == 0 || distance(t.norms, printed) < distance(best.norms, printed)) best = t;
     }
     return best;
@@ -118,198 +133,176 @@ Trials try_all(const Orbit& orbit, bool quick) {
   return all;
 }
 
-/// The first cells of a row.
-struct Head {
-  std::string method, reading;
+/// An orbit with what was tried on it, and the runs of ode45 by orbits.
+struct Study {
+  Orbit orbit;
+  const Trials& trials;
+  const std::vector<const EnergyRecord*>& ode45;
+};
+
+/// A row of the table: norms, and the printed ones.
+struct Row {
+  std::string orbit, method, reading;
   std::optional<double> steps;
+  Norms ours, printed;
 };
 
-/// A row: norms and how many times the printed ones they are.
-void add_row(scene::Table& table, const Orbit& orbit, const Head& head, const Norms& ours,
-             const Norms& printed) {
-  table.add({orbit.name, head.method, head.reading, scene::to_cell(head.steps), ours[0], ours[1], ours[2],
-             ours[0] / printed[0], ours[1] / printed[1], ours[2] / printed[2],
-             fits(ours, printed) ? "yes" : "no"});
-}
-
-void add_series_rows(scene::Table& table, const Orbit& orbit, const Trials& trials) {
-  const Norms printed = printed_norms(orbit);
+void add_rows(std::vector<Row>& rows, const Study& study, scene::Show& show) {
+  const Orbit& orbit = study.orbit;
+  const Norms series = printed_norms(orbit, Propagator::series, show),
+              ode45 = printed_norms(orbit, Propagator::ode45, show),
+              f_and_g = printed_norms(orbit, Propagator::f_and_g, show);
   for (const Degrees& d : plan_of(orbit).degrees) {
-    add_row(table, orbit, {"Analytic-Cont", d.text(), orbit.steps}, norms_of(orbit, d, orbit.steps), printed);
-    const Trial best = trials.best_of(d, printed);
+    const Norms ours = norms_of(orbit, d, orbit.steps);
+    rows.push_back({orbit.name, "Analytic-Cont", d.text(), orbit.steps, ours, series});
+    const Trial best = study.trials.best_of(d, series);
     if (best.steps != orbit.steps)
-      add_row(table, orbit, {"Analytic-Cont", d.text() + ", nearest", best.steps}, best.norms, printed);
+      rows.push_back({orbit.name, "Analytic-Cont", d.text() + ", nearest", best.steps, best.norms, series});
   }
-}
-
-/// Printed norms of the methods that are the same under every reading of the order.
-struct PrintedNorms {
-  Norms ode45, f_and_g;
-};
-
-PrintedNorms printed_of_others(const Orbit& orbit) {
-  if (orbit.order == low_orbit().order) return {{1.15e-5, 3.43e-5, 1.01e-4}, {3.6e-13, 3.6e-13, 6.3e-13}};
-  return {{1.65e-4, 5.18e-4, 1.5e-3}, {5.23e-12, 7.47e-12, 6.3e-13}};
-}
-
-/// Where the printed values of ode45 may have been taken.
-void add_ode45_rows(scene::Table& table, const PublishedRuns& runs, Workshop& w) {
+  // Where the printed values of ode45 may have been taken.
   const auto add = [&](const char* reading, std::vector<double> EnergyRecord::*points) {
     Norms ours{};
-    for (std::size_t k = 0; k < ours.size(); ++k)
-      ours[k] = norm_of(w.result(runs.of(Propagator::ode45, k)).*points);
-    add_row(table, runs.orbit, {"ode45", reading, {}}, ours, printed_of_others(runs.orbit).ode45);
+    for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = norm_of(study.ode45[k]->*points);
+    rows.push_back({orbit.name, "ode45", reading, {}, ours, ode45});
   };
   add("points of Analytic-Cont", &EnergyRecord::error);
   add("ends of its steps", &EnergyRecord::at_ends);
   add("four values a step", &EnergyRecord::at_refined);
+  rows.push_back({orbit.name, "F&G", "Newton to rounding", {}, norms_of_f_and_g(orbit, 0), f_and_g});
+  rows.push_back({orbit.name, "F&G", "Newton to 1e-6", {}, norms_of_f_and_g(orbit, 1e-6), f_and_g});
 }
 
-/// The textbook form with Newton's iteration stopped early.
-Norms norms_of_f_and_g(const Orbit& orbit, double enough) {
-  const double step = period_of(orbit) / orbit.steps, before = orbit::energy(orbit.start, earth_mu);
-  Norms squares{};
-  for (int k = 1; k <= revolutions.back() * orbit.steps; ++k) {
-    const orbit::State s = textbook_f_and_g(orbit.start, k * step, earth_mu, enough);
-    const double e = orbit::energy(s, earth_mu) / before - 1;
-    for (std::size_t i = 0; i < squares.size(); ++i)
-      squares[i] += k <= revolutions[i] * orbit.steps ? e * e : 0;
-  }
-  for (double& s : squares) s = std::sqrt(s);
-  return squares;
+void tabulate(const std::vector<Row>& rows, scene::Show& show) {
+  const auto ours = [](std::size_t k) { return [k](const Row& r) { return r.ours[k]; }; };
+  const auto ratio = [](std::size_t k) { return [k](const Row& r) { return r.ours[k] / r.printed[k]; }; };
+  show.table(rows,
+             {{"orbit", &Row::orbit},
+              {"method", &Row::method},
+              {"reading", &Row::reading},
+              {"steps an orbit", &Row::steps, 4},
+              {"5 orbits", ours(0)},
+              {"10 orbits", ours(1)},
+              {"20 orbits", ours(2)},
+              {"times printed, 5", ratio(0), 2},
+              {"10", ratio(1), 2},
+              {"20", ratio(2), 2},
+              {"all within 10 %", [](const Row& r) { return fits(r.ours, r.printed) ? "yes" : "no"; }}});
 }
 
-void add_f_and_g_rows(scene::Table& table, const Orbit& orbit) {
-  const Norms printed = printed_of_others(orbit).f_and_g;
-  add_row(table, orbit, {"F&G", "Newton to rounding", {}}, norms_of_f_and_g(orbit, 0), printed);
-  add_row(table, orbit, {"F&G", "Newton to 1e-6", {}}, norms_of_f_and_g(orbit, 1e-6), printed);
-}
-
-void add_points(scene::Table& data, const Orbit& orbit, const Trials& trials) {
-  std::int64_t curve = 0;
-  for (const Degrees& d : plan_of(orbit).degrees) {
+/// A curve a pair of degrees.
+void add_panel(scene::Panel& panel, int first_block, scene::Table& data, const Study& study,
+               scene::Show& show) {
+  const Norms printed = printed_norms(study.orbit, Propagator::series, show);
+  panel.set("key at graph 0.5, graph 1.01 center bottom horizontal maxrows 3 samplen 3 width -1");
+  panel.set(
+      fmt::format("label 3 '{}, printed with {} steps' at graph 0.04, graph 0.07 textcolor rgb soft_ink",
+                  study.orbit.name, study.orbit.steps));
+  panel.also("0.1 with lines linestyle 13 dashtype 3");
+  int curve = 0;
+  for (const Degrees& d : plan_of(study.orbit).degrees) {
+    panel.columns(d.text(), "steps:distance", scene::lines(), first_block + curve);
     ++curve;
-    for (const Trial& t : trials.drawn) {
-      const double off = distance(t.norms, printed_norms(orbit));
-      if (t.degrees.position == d.position && t.degrees.velocity == d.velocity && std::isfinite(off))
-        data.add({fmt::format("{} {}", orbit.name, curve), t.steps, off});
+    for (const Trial& t : study.trials.drawn) {
+      const double off = distance(t.norms, printed);
+      if (t.degrees == d && std::isfinite(off))
+        data.add({fmt::format("{} {}", study.orbit.name, curve), t.steps, off});
     }
   }
 }
 
-std::string labels_of(const Orbit& orbit) {
-  std::vector<std::string> labels;
-  for (const Degrees& d : plan_of(orbit).degrees) labels.push_back(d.text());
-  return fmt::format("{}", fmt::join(labels, "|"));
+void draw(const Study& low, const Study& high, scene::Show& show) {
+  scene::Plot& plot = show.plots("No pair of degrees gives the printed errors");
+  scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
+  scene::Panel& left = plot.panel("steps an orbit", "max(ours/printed, printed/ours) − 1");
+  left.x_range(18.8, 25.2).log_y(1e-2, 1e4).set("margins screen 0.12, screen 0.52, screen 0.13, screen 0.74");
+  left.set("label 4 '10 %' at graph 0.97, first 0.14 right textcolor rgb soft_ink");
+  add_panel(left, 0, data, low, show);
+  scene::Panel& right = plot.panel("steps an orbit", "");
+  right.x_range(63, 101).log_y(1e-2, 1e8);
+  right.set("margins screen 0.60, screen 0.985, screen 0.13, screen 0.74");
+  right.set("label 4 '10 %' at graph 0.03, first 0.17 left textcolor rgb soft_ink");
+  add_panel(right, static_cast<int>(plan_of(low.orbit).degrees.size()), data, high, show);
+  plot.data(std::move(data));
 }
 
 /// Norms of two to four digits.
 struct Known {
+  Orbit orbit;
   Degrees degrees;
   double steps;
   Norms norms;
   double share;
 };
 
-void promise_norms(std::vector<scene::Quantity>& all, const Orbit& orbit, const std::vector<Known>& known) {
-  for (const Known& k : known) {
-    const Norms ours = norms_of(orbit, k.degrees, k.steps);
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-      all.push_back(scene::near(fmt::format("norm of {} {}, {:g} steps, {} orbits", orbit.name,
-                                            k.degrees.text(), k.steps, revolutions[i]),
-                                "1", ours[i], k.norms[i], k.share,
-                                "tools/oracles/two_body_series_steps.py, to its digits"));
-    }
-  }
-}
-
-/// Ended at 1e-6, Newton's iteration leaves the same error in every orbit, as the printed values have it.
-void promise_early_end(std::vector<scene::Quantity>& all) {
-  const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
-  for (std::size_t i = 0; i < ours.size(); ++i) {
-    all.push_back(scene::near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), "1",
-                              ours[i], known[i], 0.1, "recorded; a tenth of it is rounding of both"));
-  }
-}
-
-void promise_fits(std::vector<scene::Quantity>& all, const Orbit& orbit, const Trials& trials) {
-  const Norms printed = printed_norms(orbit);
-  int fit = 0;
-  for (const Trial& t : trials.at_printed_steps) fit += fits(t.norms, printed) ? 1 : 0;
-  all.push_back({fmt::format("readings within 10 % with the printed steps, {}", orbit.name), "1", double(fit),
-                 0, 0, "recorded: none"});
-  const double share = period_of(orbit) / orbit.steps / orbit::convergence_radius(orbit.start, earth_mu);
-  all.push_back(scene::near(fmt::format("step over radius of convergence at the periapsis, {}", orbit.name),
-                            "1", share, orbit.order == low_orbit().order ? 0.126 : 0.346, 0.005,
-                            "2 pi/steps over acosh(1/e) - sqrt(1 - e^2) by hand, three digits"));
-}
-
-scene::Showing show(const PublishedRuns& low, const PublishedRuns& high, const Trials& of_low,
-                    const Trials& of_high, Workshop& w) {
-  scene::Table table({{"orbit"},
-                      {"method"},
-                      {"reading"},
-                      {"steps an orbit", 4},
-                      {"5 orbits"},
-                      {"10 orbits"},
-                      {"20 orbits"},
-                      {"times printed, 5", 2},
-                      {"10", 2},
-                      {"20", 2},
-                      {"all within 10 %"}});
-  scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
-  scene::Showing showing;
-  add_series_rows(table, low.orbit, of_low);
-  add_ode45_rows(table, low, w);
-  add_f_and_g_rows(table, low.orbit);
-  add_series_rows(table, high.orbit, of_high);
-  add_ode45_rows(table, high, w);
-  add_f_and_g_rows(table, high.orbit);
-  add_points(data, low.orbit, of_low);
-  add_points(data, high.orbit, of_high);
+void check_norms(scene::Show& show) {
   // oracle: two_body_series_steps LEO (10 10) *, LEO (12 11) *, LEO (9 *, LEO (8 8) *, HEO (17 18) *, HEO (30
   // 29) 72 *
-  promise_norms(showing.quantities, low.orbit,
-                {{{10, 10}, 25, {4.98e-9, 6.40e-9, 7.51e-9}, 0.01},
-                 {{12, 11}, 25, {4.3e-10, 6.4e-10, 9.9e-10}, 0.02},
-                 {{9, 8}, 25, {3.84e-7, 4.73e-7, 5.33e-7}, 0.01},
-                 {{8, 8}, 25, {4.5e-7, 5.1e-7, 7.4e-7}, 0.02},
-                 {{9, 9}, 19.75, {4.467e-7, 7.573e-7, 1.438e-6}, 0.001}});
-  promise_norms(showing.quantities, high.orbit,
-                {{{17, 18}, 100, {3.557e-8, 9.163e-8, 2.466e-7}, 0.001},
-                 {{30, 29}, 72, {3.237e-8, 8.609e-8, 2.357e-7}, 0.001}});
-  promise_early_end(showing.quantities);
-  promise_fits(showing.quantities, low.orbit, of_low);
-  promise_fits(showing.quantities, high.orbit, of_high);
-  showing.figure = {std::move(data),
-                    "two_body_series-readings",
-                    {{"heading", "No pair of degrees gives the printed errors with the printed steps"},
-                     {"low", labels_of(low.orbit)},
-                     {"high", labels_of(high.orbit)}}};
-  showing.table = std::move(table);
-  return showing;
+  const std::vector<Known> all = {{low_orbit(), {10, 10}, 25, {4.98e-9, 6.40e-9, 7.51e-9}, 0.01},
+                                  {low_orbit(), {12, 11}, 25, {4.3e-10, 6.4e-10, 9.9e-10}, 0.02},
+                                  {low_orbit(), {9, 8}, 25, {3.84e-7, 4.73e-7, 5.33e-7}, 0.01},
+                                  {low_orbit(), {8, 8}, 25, {4.5e-7, 5.1e-7, 7.4e-7}, 0.02},
+                                  {low_orbit(), {9, 9}, 19.75, {4.467e-7, 7.573e-7, 1.438e-6}, 0.001},
+                                  {high_orbit(), {17, 18}, 100, {3.557e-8, 9.163e-8, 2.466e-7}, 0.001},
+                                  {high_orbit(), {30, 29}, 72, {3.237e-8, 8.609e-8, 2.357e-7}, 0.001}};
+  for (const Known& k : all) {
+    const Norms ours = norms_of(k.orbit, k.degrees, k.steps);
+    for (std::size_t i = 0; i < ours.size(); ++i)
+      show.near(fmt::format("norm of {} {}, {:g} steps, {} orbits", k.orbit.name, k.degrees.text(), k.steps,
+                            revolutions[i]),
+                ours[i], k.norms[i], k.share, "tools/oracles/two_body_series_steps.py, to its digits");
+  }
+  // Ended at 1e-6, Newton's iteration leaves the same error in every orbit, as the printed values have it.
+  const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    show.near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), ours[i], known[i],
+              0.1, "recorded; a tenth of it is rounding of both");
+}
+
+void check_fits(const Study& study, double share, scene::Show& show) {
+  const Orbit& orbit = study.orbit;
+  const Norms printed = printed_norms(orbit, Propagator::series, show);
+  show.equals(fmt::format("readings within 10 % with the printed steps, {}", orbit.name),
+              std::ranges::count_if(study.trials.at_printed_steps,
+                                    [&](const Trial& t) { return fits(t.norms, printed); }),
+              0, "recorded: none");
+  show.near(fmt::format("step over radius of convergence at the periapsis, {}", orbit.name),
+            period_of(orbit) / orbit.steps / orbit::convergence_radius(orbit.start, earth_mu), share, 0.005,
+            "2 pi/steps over acosh(1/e) - sqrt(1 - e^2) by hand, three digits");
+}
+
+void put(const Trials& of_low, const Trials& of_high, const std::vector<const EnergyRecord*>& low_ode45,
+         const std::vector<const EnergyRecord*>& high_ode45, scene::Show& show) {
+  const Study low{low_orbit(), of_low, low_ode45}, high{high_orbit(), of_high, high_ode45};
+  std::vector<Row> rows;
+  add_rows(rows, low, show);
+  add_rows(rows, high, show);
+  tabulate(rows, show);
+  draw(low, high, show);
+  check_norms(show);
+  check_fits(low, 0.126, show);
+  check_fits(high, 0.346, show);
+}
+
+scene::Result<Trials> trials_of(const char* name, const Orbit& orbit) {
+  return {name, "(K, L): r to degree K, v to degree L; output after every step; 5, 10, 20 orbits of a run",
+          [orbit](bool quick) { return try_all(orbit, quick); }};
+}
+
+std::vector<scene::Result<EnergyRecord>> ode45_of(const Orbit& orbit) {
+  std::vector<scene::Result<EnergyRecord>> all;
+  for (const int orbits : revolutions) all.push_back(followed(orbit, orbits, Propagator::ode45));
+  return all;
 }
 
 }  // namespace
 
-void add_reading_study(scene::Chapter& chapter, const PublishedRuns& low, const PublishedRuns& high) {
-  const auto add = [&chapter](const char* name, const Orbit& orbit) -> const scene::Run<Trials>& {
-    return chapter.add_run<Trials>(
-        name, "(K, L): r to degree K, v to degree L; output after every step; 5, 10, 20 orbits of a run", {},
-        [orbit](Workshop& w) { return try_all(orbit, w.quick()); });
-  };
-  const auto &of_low = add("leo-readings", low.orbit), &of_high = add("heo-readings", high.orbit);
-  std::vector<const scene::AnyRun*> needs = {&of_low, &of_high};
-  for (const PublishedRuns* runs : {&low, &high}) {
-    for (std::size_t k = 0; k < revolutions.size(); ++k) needs.push_back(&runs->of(Propagator::ode45, k));
-  }
-  chapter.add({.name = "reading-study",
-               .title = "Which degrees and steps the printed energy errors fit",
-               .place = "our own, for Tables 3.2 and 3.3",
-               .needs = needs,
-               .show = [low, high, &of_low, &of_high](Workshop& w) {
-                 return show(low, high, w.result(of_low), w.result(of_high), w);
-               }});
+std::vector<scene::Scene> reading_study() {
+  return {{.name = "reading-study",
+           .title = "Which degrees and steps the printed energy errors fit",
+           .place = "our own, for Tables 3.2 and 3.3",
+           .content = scene::Content(put, trials_of("leo-readings", low_orbit()),
+                                     trials_of("heo-readings", high_orbit()), ode45_of(low_orbit()),
+                                     ode45_of(high_orbit()))}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

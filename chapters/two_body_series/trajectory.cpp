@@ -14,7 +14,7 @@
 #include "nlmech/scene/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 /// Collects the rows of a run.
@@ -164,4 +164,4 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
   return rows.text();
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

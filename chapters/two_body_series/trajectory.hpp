@@ -7,7 +7,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// What a user asks for.
 struct OrbitRequest {
@@ -30,4 +30,4 @@ struct OrbitRequest {
 /// speed, absolute; rows between by its dense output.
 [[nodiscard]] std::string rows_of_rkn1210(const OrbitRequest& request);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -9,18 +9,16 @@
 
 #include "chapters/two_body_series/ellipses.hpp"
 #include "chapters/two_body_series/orbits.hpp"
-#include "chapters/two_body_series/scenes.hpp"
 #include "nlmech/ivp/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/series/dual.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
-
-using scene::Workshop;
 
 /// The attraction for integrators in general: the gradient of the potential by dual numbers, with
 /// nothing of the recursion.
@@ -63,6 +61,8 @@ std::vector<orbit::State> sampled(const orbit::State& start, int degree, int sam
   return all;
 }
 
+double distance(const orbit::State& a, const orbit::State& b) { return (a.position - b.position).norm(); }
+
 /// What comes out for a day.
 struct Study {
   const ZonalDay* what = nullptr;
@@ -71,9 +71,13 @@ struct Study {
   double by_rkn_j2 = 0, by_rkn_j6 = 0;       ///< distance between the ends, m
   double node = 0, node_rate = 0;  ///< what the node turns by with J_2, and by secular theory, degrees
   std::int64_t steps = 0;
-};
 
-double distance(const orbit::State& a, const orbit::State& b) { return (a.position - b.position).norm(); }
+  [[nodiscard]] std::string name() const { return what->name; }
+  /// After a day by J_2.
+  [[nodiscard]] const orbit::Vector3<double>& end() const { return j2.back().position; }
+  [[nodiscard]] double from_kepler_km() const { return distance(j2.back(), kepler.back()) / 1e3; }
+  [[nodiscard]] double further_km() const { return distance(j6.back(), j2.back()) / 1e3; }
+};
 
 /// Degrees by which the node turns: found, and -3/2 n J_2 (R/p)^2 cos i t of the mean motion.
 void turn_of_node(Study& s) {
@@ -108,31 +112,20 @@ std::vector<Study> studies() {
   return all;
 }
 
-double energy_change(const Study& s) {
-  const orbit::Gravity g = orbit::earth(6);
-  return std::abs(orbit::energy(s.j6.back(), g) / orbit::energy(s.j6.front(), g) - 1);
-}
-
-scene::Table table_of(const std::vector<Study>& all) {
-  scene::Table table({{"orbit"},
-                      {"x after a day (m)", 15},
-                      {"y (m)", 15},
-                      {"z (m)", 15},
-                      {"error in double (m)", 2},
-                      {"error in quadruple (m)", 2},
-                      {"energy change in double", 2},
-                      {"energy change in quadruple", 2},
-                      {"J2: distance from Kepler (km)", 4},
-                      {"J3 to J6: further (km)", 3},
-                      {"J2 to J6: distance from rkn1210 (m)", 2},
-                      {"steps, J2 to J6"}});
-  for (const Study& s : all) {
-    const auto& r = s.j2.back().position;
-    table.add({s.what->name, r[0], r[1], r[2], s.in_double.position, s.in_extended.position,
-               s.in_double.energy, s.in_extended.energy, distance(s.j2.back(), s.kepler.back()) / 1e3,
-               distance(s.j6.back(), s.j2.back()) / 1e3, s.by_rkn_j6, s.steps});
-  }
-  return table;
+void tabulate(const std::vector<Study>& all, scene::Show& show) {
+  using S = Study;
+  show.table(all, {{"orbit", &S::name},
+                   {"x after a day (m)", [](const S& s) { return s.end()[0]; }, 15},
+                   {"y (m)", [](const S& s) { return s.end()[1]; }, 15},
+                   {"z (m)", [](const S& s) { return s.end()[2]; }, 15},
+                   {"error in double (m)", [](const S& s) { return s.in_double.position; }, 2},
+                   {"error in quadruple (m)", [](const S& s) { return s.in_extended.position; }, 2},
+                   {"energy change in double", [](const S& s) { return s.in_double.energy; }, 2},
+                   {"energy change in quadruple", [](const S& s) { return s.in_extended.energy; }, 2},
+                   {"J2: distance from Kepler (km)", &S::from_kepler_km, 4},
+                   {"J3 to J6: further (km)", &S::further_km},
+                   {"J2 to J6: distance from rkn1210 (m)", &S::by_rkn_j6, 2},
+                   {"steps, J2 to J6", &S::steps}});
 }
 
 scene::Table data_of(const std::vector<Study>& all) {
@@ -146,75 +139,101 @@ scene::Table data_of(const std::vector<Study>& all) {
   for (const Study& s : all) {
     for (std::size_t i = 0; i < s.j2.size(); ++i) {
       const auto& r = s.j6[i].position;
-      data.add({s.what->name, 24.0 * static_cast<double>(i) / static_cast<double>(s.j2.size() - 1),
-                r[0] / 1e3, r[1] / 1e3, r[2] / 1e3, distance(s.j2[i], s.kepler[i]) / 1e3,
+      data.add({s.name(), 24.0 * static_cast<double>(i) / static_cast<double>(s.j2.size() - 1), r[0] / 1e3,
+                r[1] / 1e3, r[2] / 1e3, distance(s.j2[i], s.kepler[i]) / 1e3,
                 distance(s.j6[i], s.j2[i]) / 1e3});
     }
   }
   return data;
 }
 
-scene::Showing show(const std::vector<Study>& all) {
-  scene::Showing showing;
-  showing.table = table_of(all);
-  showing.figure = {
-      data_of(all),
-      "two_body_series-zonal",
-      {{"width", "1000"},
-       {"height", "480"},
-       {"heading", "A day about the oblate Earth: a thousand kilometres from Kepler's ellipse"},
-       {"orbit_hours",
-        fmt::format("{:.3f}", orbit::elements_of(all[1].j2.front(), earth_mu).period(earth_mu) / 3600)}}};
-  double least = HUGE_VAL, greatest = 0, rkn = 0, kept = 0;
+const std::string small = "font 'sans-serif,11'";
+
+/// The second orbit from above the pole: its first revolution and its last.
+void draw_orbit(scene::Panel& panel, double orbit_hours) {
+  panel.caption("LEO tilted, from above the pole").x_range(-9, 9).y_range(-9, 9);
+  panel.set("xtics 3").set("ytics 3").set("size ratio -1");
+  panel.set("margins screen 0.075, screen 0.44, screen 0.17, screen 0.86");
+  panel.set("label 3 'Earth' at 0,0 center front textcolor rgb soft_ink " + small);
+  panel.key("at graph 0.99, graph 0.13 right Right noreverse samplen 3 " + small);
+  panel.also(
+      "'+' using (0):(0):(6.378137) every ::::0 with circles fillcolor rgb pale fillstyle solid 1 noborder");
+  const auto where = [](const std::string& condition) {
+    return "(" + condition + " ? 1e-3*column('x_km') : NaN):(1e-3*column('y_km'))";
+  };
+  panel.columns("first revolution", where(fmt::format("column('hours') <= {:.3f}", orbit_hours)),
+                {"lines", 2}, 1);
+  panel.columns("last of the day", where(fmt::format("column('hours') >= 24 - {:.3f}", orbit_hours)),
+                {"lines", 1}, 1);
+}
+
+void draw(const std::vector<Study>& all, scene::Show& show) {
+  scene::Plot& plot = show.plots("A day about the oblate Earth: 1000 km from Kepler's ellipse");
+  plot.size(1000, 480).data(data_of(all));
+  draw_orbit(plot.panel("x (1000 km)", "y (1000 km)"),
+             orbit::elements_of(all[1].j2.front(), earth_mu).period(earth_mu) / 3600);
+  scene::Panel& right = plot.panel("time (hours)", "distance");
+  right.x_range(0, 24).log_y(1e-3, 2e4).set("xtics 4").set("size noratio");
+  right.set("margins screen 0.57, screen 0.975, screen 0.17, screen 0.86");
+  right.set(
+      "ytics ('1 m' 1e-3, '10 m' 1e-2, '100 m' 1e-1, '1 km' 1, '10 km' 10, '100 km' 100, '1000 km' 1000)");
+  right.key("at graph 0.98, graph 0.03 right bottom samplen 4 " + small);
+  right.set("label 4 'by J_2, from Kepler' at 0.8, 6e3 left " + small);
+  right.set("label 5 'by J_3 to J_6, further (dotted)' at 2.2, 11 left " + small);
+  for (int k = 0; k < 3; ++k)
+    right.columns(all[static_cast<std::size_t>(k)].name(), "hours:j2_from_kepler_km",
+                  {"lines dashtype solid", k + 1}, k);
+  for (int k = 0; k < 3; ++k) right.columns("", "hours:j6_from_j2_km", {"lines dashtype 3", k + 1}, k);
+}
+
+double energy_change(const Study& s) {
+  const orbit::Gravity g = orbit::earth(6);
+  return std::abs(orbit::energy(s.j6.back(), g) / orbit::energy(s.j6.front(), g) - 1);
+}
+
+void check(const std::vector<Study>& all, scene::Show& show) {
+  double least = HUGE_VAL, greatest = 0, rkn = 0, change = 0;
   for (const Study& s : all) {
-    const std::string name = s.what->name;
-    showing.quantities.push_back(scene::at_most("error in double, " + name, "m", s.in_double.position, 1e-5,
-                                                "reference in quadruple precision; eps of the start and of "
-                                                "each step, grown over 14 revolutions"));
-    showing.quantities.push_back(scene::at_most("error in quadruple precision, " + name, "m",
-                                                s.in_extended.position, 1e-9,
-                                                "two independent methods, which agree to 1e-22 m"));
-    least = std::min(least, distance(s.j2.back(), s.kepler.back()) / 1e3);
-    greatest = std::max(greatest, distance(s.j2.back(), s.kepler.back()) / 1e3);
+    show.at_most("error in double, " + s.name(), {s.in_double.position, "m"}, 1e-5,
+                 "reference in quadruple precision; eps of the start and of each step, grown over 14 "
+                 "revolutions");
+    show.at_most("error in quadruple precision, " + s.name(), {s.in_extended.position, "m"}, 1e-9,
+                 "two independent methods, which agree to 1e-22 m");
+    least = std::min(least, s.from_kepler_km());
+    greatest = std::max(greatest, s.from_kepler_km());
     rkn = std::max({rkn, s.by_rkn_j2, s.by_rkn_j6});
-    kept = std::max({kept, s.in_double.energy, energy_change(s)});
+    change = std::max({change, s.in_double.energy, energy_change(s)});
   }
   const char* range = "recorded: 995 to 1920 km";
-  const double eps = std::numeric_limits<double>::epsilon();
-  const auto secular = [&](std::size_t i) {
-    return scene::near(fmt::format("turn of the node, {}", all[i].what->name), "deg", all[i].node,
-                       all[i].node_rate, 0.05,
-                       "first-order theory; oscillations within an orbit are some hundredths of the sum");
-  };
-  showing.quantities.insert(
-      showing.quantities.end(),
-      {scene::near("least distance from Kepler after a day", "km", least, 995, 1e-3, range),
-       scene::near("greatest distance from Kepler after a day", "km", greatest, 1920, 1e-3, range),
-       scene::at_most(
-           "greatest distance from rkn1210", "m", rkn, 1e-3,
-           "rkn1210 at a tolerance of 1e-14, gradient by dual numbers, errors grown over 14 revolutions"),
-       scene::at_most("greatest change of the energy in double", "1", kept, 64 * eps,
-                      "some 200 steps, each eps/2 or so, and what the default tolerance leaves out"),
-       scene::at_most("change of the energy in quadruple precision, CIRC", "1", all[2].in_extended.energy,
-                      1e-18, "tolerance 1e-21 in some hundred steps"),
-       secular(1), secular(2)});
-  return showing;
+  show.near("least distance from Kepler after a day", {least, "km"}, 995, 1e-3, range);
+  show.near("greatest distance from Kepler after a day", {greatest, "km"}, 1920, 1e-3, range);
+  show.at_most("greatest distance from rkn1210", {rkn, "m"}, 1e-3,
+               "rkn1210 at a tolerance of 1e-14, gradient by dual numbers, errors grown over 14 revolutions");
+  show.at_most("greatest change of the energy in double", change, 64 * std::numeric_limits<double>::epsilon(),
+               "some 200 steps, each eps/2 or so, and what the default tolerance leaves out");
+  show.at_most("change of the energy in quadruple precision, CIRC", all[2].in_extended.energy, 1e-18,
+               "tolerance 1e-21 in some hundred steps");
+  for (const std::size_t i : {1, 2})
+    show.near("turn of the node, " + all[i].name(), {all[i].node, "deg"}, all[i].node_rate, 0.05,
+              "first-order theory; oscillations within an orbit are some hundredths of the sum");
+}
+
+void put(const std::vector<Study>& all, scene::Show& show) {
+  tabulate(all, show);
+  draw(all, show);
+  check(all, show);
 }
 
 }  // namespace
 
-void add_zonal(scene::Chapter& chapter) {
-  const auto& run =
-      chapter.add_run<std::vector<Study>>("zonal-days",
-                                          "R = 6378137 m, J2 = 1.08262668e-3; adaptive continuation in its "
-                                          "default setting; in quadruple precision "
-                                          "order 30 and tolerance 1e-21",
-                                          {}, [](Workshop&) { return studies(); });
-  chapter.add({.name = "zonal",
-               .title = "Orbits of a day with zonal harmonics, and their difference to Kepler",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+std::vector<scene::Scene> zonal() {
+  const scene::Result days("zonal-days",
+                           "R = 6378137 m, J2 = 1.08262668e-3; adaptive continuation in its default setting; "
+                           "in quadruple precision order 30 and tolerance 1e-21",
+                           studies);
+  return {{.name = "zonal",
+           .title = "Orbits of a day with zonal harmonics, and their difference to Kepler",
+           .content = scene::Content(put, days)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

@@ -9,7 +9,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// A start in metres and seconds, in decimals, and what 86400 s of J_2 make of it.
 struct ZonalDay {
@@ -41,4 +41,4 @@ struct ZonalErrors {
 /// In quadruple precision, by orbit::continue_analytically().
 [[nodiscard]] ZonalErrors day_in_extended(const ZonalDay& d);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

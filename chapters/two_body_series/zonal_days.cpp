@@ -6,7 +6,7 @@
 #include "nlmech/orbit/extended.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
@@ -66,4 +66,4 @@ ZonalErrors day_in_extended(const ZonalDay& d) {
                 d);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

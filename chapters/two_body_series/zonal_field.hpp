@@ -10,7 +10,7 @@
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::two_body_series {
 
 /// q'' = mu [(-q^3 + q sum_k J_k w_k P'_{k+1}(s)) r - z^ sum_k J_k w_k P'_k(s)] with q = 1/|r|, s = z q and
 /// w_k = R^k q^(k+2), see orbit::Expansion. State (x1, x2, x3, v1, v2, v3).
@@ -47,4 +47,4 @@ struct ZonalField {
   }
 };
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::two_body_series

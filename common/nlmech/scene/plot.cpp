@@ -37,11 +37,11 @@ std::string decades(const char* axis, double low, double high) {
   return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
 }
 
-/// `using "t":"laier"` of "t:laier"; what stands in parentheses stays.
+/// `using "t":"laier"` of "t:laier"; a part with parentheses is an expression.
 std::string by_name(const std::string& columns) {
   std::string out = "using ", part;
   int depth = 0;
-  const auto end = [&] { out += part.starts_with('(') ? part : '"' + part + '"'; };
+  const auto end = [&] { out += part.find('(') != std::string::npos ? part : '"' + part + '"'; };
   for (const char c : columns) {
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     if (c != ':' || depth > 0) {
