@@ -47,7 +47,7 @@ void draw(const Records& r, const Orbit& orbit, scene::Show& show) {
   panel.x_range(0, 20).log_y(1e-17, std::pow(10, std::ceil(std::log10(greatest(r.ode45)))));
   panel.set("ytics 1e-16,100").set("ytics add ('0' 2e-17)").set("title offset 0,1.4");
   panel.set("margins screen 0.13, screen 0.97, screen 0.13, screen 0.83");
-  panel.key("at screen 0.545, screen 0.9 center top horizontal maxrows 1 samplen 2.5 width 1");
+  panel.key("at screen 0.545, screen 0.9 center top horizontal maxrows 1 samplen 2.5 width -3");
   scene::Table data({{"curve", 3, true}, {"orbit"}, {"error"}});
   int number = 0;
   const auto add = [&](const char* name, const EnergyRecord& record, const scene::Look& look) {
