@@ -63,8 +63,8 @@ class Panel {
     }
     return curve(name, xs, ys, look);
   }
-  /// A curve of columns of data that the plot was given: "t:laier", columns by name; a part with
-  /// parentheses is an expression: "t:(1000*column('x'))".
+  /// A curve of columns of data that the plot was given: "t:laier", columns by name, or an expression in
+  /// parentheses: "t:(1000*column('x'))".
   /// @param block of lines in the data, from 0; -1: all
   Panel& columns(const std::string& name, const std::string& columns, const Look& look = lines(),
                  int block = -1);
