@@ -66,7 +66,8 @@ class ClaimsOnDisk : public ::testing::Test {
  protected:
   ClaimsOnDisk() {
     put(folder_ / "tables/places.csv",
-        "source,place,chapter,kind,subject,scenes\nroy,table-1,moon,table,tides,\n");
+        "source,place,chapter,kind,subject,scenes\nroy,table-1,moon,table,tides,\nroy,table-2,sun,table,heat,"
+        "\n");
     put(folder_ / "tables/published/roy.csv",
         "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,"
         "erratum,reading\ntable-1,low,height,1,m,value,,,differs,digits,,,,,\n");
@@ -117,6 +118,10 @@ TEST_F(ClaimsOnDisk, OfAChapterThatIsNotBuiltAreLeftOpen) {
   const auto judged = judge("roy,1,sun,hot,fig-1,heat,at least 1,holds,");
   EXPECT_EQ(judged[0].verdict, Verdict::not_built);
   EXPECT_TRUE(judged[0].kept);
+}
+
+TEST_F(ClaimsOnDisk, OfAChapterThatThereIsNotAreRefused) {
+  EXPECT_THROW(judge("roy,1,mooon,round,fig-1,radius,at least 2,holds,"), InputError);
 }
 
 TEST_F(ClaimsOnDisk, ThePageCountsAndLinksThem) {

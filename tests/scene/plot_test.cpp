@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -48,6 +49,19 @@ TEST(Plot, TakesAccessorsOfRows) {
   const std::vector<Sample> samples = {{0, 1}, {1, 5}};
   plot.panel("t", "2 x").curve("twice", samples, &Sample::t, &Sample::twice);
   EXPECT_EQ(plot.data().csv(), "curve,x,y\n1,0,2\n1,1,10\n");
+}
+
+TEST(Plot, RefusesRangesThatGnuplotCannotDraw) {
+  Plot plot("Ranges");
+  Panel& panel = plot.panel("t", "x");
+  const double nan = std::nan("");
+  EXPECT_THROW(panel.log_x(0, 1), std::invalid_argument);
+  EXPECT_THROW(panel.log_y(2, 1), std::invalid_argument);
+  EXPECT_THROW(panel.log_y(1, nan), std::invalid_argument);
+  EXPECT_THROW(panel.x_range(1, 1), std::invalid_argument);
+  EXPECT_THROW(panel.y_range(nan, 1), std::invalid_argument);
+  panel.x_range(2460000.5, 2460001.5);
+  expect_line(plot.script(), "set xrange [2460000.5:2460001.5]");
 }
 
 TEST(Plot, DrawsColumnsOfOtherData) {

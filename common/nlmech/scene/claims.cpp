@@ -166,7 +166,11 @@ std::vector<JudgedClaim> judge_claims(const std::vector<std::string>& built, con
     return read_quantities(out / "results" / claim.chapter / (claim.scene + ".json"));
   };
   std::vector<JudgedClaim> judged;
+  const std::vector<Place> places = read_places(data_folder);
   for (Claim& claim : parse_claims(read_whole(list), list.string())) {
+    refuse(std::none_of(places.begin(), places.end(),
+                        [&](const Place& place) { return place.chapter == claim.chapter; }),
+           list.string(), fmt::format("no chapter '{}' in places.csv", echoed(claim.chapter)));
     JudgedClaim j{std::move(claim), std::nan(""), Verdict::not_built, true};
     if (std::find(built.begin(), built.end(), j.claim.chapter) != built.end()) {
       const Values values = values_for(j.claim);

@@ -12,7 +12,9 @@ namespace nlmech::scene {
 namespace {
 
 std::string range(const char* axis, double low, double high) {
-  return fmt::format("set {}range [{:g}:{:g}]\n", axis, low, high);
+  if (!std::isfinite(low) || !std::isfinite(high) || low == high)
+    throw std::invalid_argument(fmt::format("Plot: no range from {:g} to {:g}", low, high));
+  return fmt::format("set {}range [{:.12g}:{:.12g}]\n", axis, low, high);
 }
 
 /// Tics at 1, 2 and 5 times powers of ten where the axis is short; else at every power, or every second, ...,
@@ -35,6 +37,13 @@ std::string decades(const char* axis, double low, double high) {
     for (const int digit : {1, 2, 5}) tics.push_back(fmt::format("{}e{}", digit, power));
   }
   return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
+}
+
+/// A logarithmic range with its tics.
+std::string log_range(const char* axis, double low, double high) {
+  if (!(low > 0 && high > low))
+    throw std::invalid_argument(fmt::format("Plot: no logarithmic axis from {:g} to {:g}", low, high));
+  return fmt::format("set logscale {}\n", axis) + range(axis, low, high) + decades(axis, low, high);
 }
 
 /// `using "t":"laier"` of "t:laier"; a part with parentheses is an expression.
@@ -90,7 +99,7 @@ Panel& Panel::log_x() {
   return *this;
 }
 Panel& Panel::log_x(double low, double high) {
-  settings_ += "set logscale x\n" + range("x", low, high) + decades("x", low, high);
+  settings_ += log_range("x", low, high);
   return *this;
 }
 Panel& Panel::log_y() {
@@ -100,7 +109,7 @@ Panel& Panel::log_y() {
 }
 Panel& Panel::log_y(double low, double high) {
   log_y_ = true;
-  settings_ += "set logscale y\n" + range("y", low, high) + decades("y", low, high);
+  settings_ += log_range("y", low, high);
   return *this;
 }
 Panel& Panel::x_range(double low, double high) {
@@ -125,18 +134,18 @@ Panel& Panel::set(const std::string& setting) {
 }
 
 Panel& Panel::note(const std::string& text, double x, double y, const std::string& side) {
-  settings_ += fmt::format("set label {} {} at {:g},{:g} {} front textcolor rgb ink\n", 10 + ++notes_,
+  settings_ += fmt::format("set label {} {} at {:.12g},{:.12g} {} front textcolor rgb ink\n", 10 + ++notes_,
                            gnuplot_quoted(with_kept_blanks(text)), x, y, side);
   return *this;
 }
 
 Panel& Panel::level(double y, const std::string& text) {
   settings_ +=
-      fmt::format("set arrow {} from graph 0, first {:g} to graph 1, first {:g} nohead linestyle 11\n",
+      fmt::format("set arrow {} from graph 0, first {:.12g} to graph 1, first {:.12g} nohead linestyle 11\n",
                   10 + ++notes_, y, y);
   if (!text.empty()) {
     settings_ +=
-        fmt::format("set label {} {} at graph 0.01, first {:g} left offset 0,0.6 textcolor rgb soft_ink\n",
+        fmt::format("set label {} {} at graph 0.01, first {:.12g} left offset 0,0.6 textcolor rgb soft_ink\n",
                     10 + notes_, gnuplot_quoted(with_kept_blanks(text)), y);
   }
   return *this;
@@ -144,12 +153,12 @@ Panel& Panel::level(double y, const std::string& text) {
 
 Panel& Panel::mark(double x, const std::string& text) {
   settings_ +=
-      fmt::format("set arrow {} from first {:g}, graph 0 to first {:g}, graph 1 nohead linestyle 13\n",
+      fmt::format("set arrow {} from first {:.12g}, graph 0 to first {:.12g}, graph 1 nohead linestyle 13\n",
                   10 + ++notes_, x, x);
   if (!text.empty()) {
-    settings_ +=
-        fmt::format("set label {} {} at first {:g}, graph 0.03 right offset -0.5,0 textcolor rgb soft_ink\n",
-                    10 + notes_, gnuplot_quoted(with_kept_blanks(text)), x);
+    settings_ += fmt::format(
+        "set label {} {} at first {:.12g}, graph 0.03 right offset -0.5,0 textcolor rgb soft_ink\n",
+        10 + notes_, gnuplot_quoted(with_kept_blanks(text)), x);
   }
   return *this;
 }

@@ -34,6 +34,8 @@ struct Look {
 /// A pair of axes and what is drawn in it. Each setting returns the panel, so that settings can be chained.
 class Panel {
  public:
+  /// Ranges are finite and not empty, those of logarithmic axes positive and rising; else
+  /// std::invalid_argument is thrown.
   Panel& log_x();                           ///< logarithmic, tics at powers of ten
   Panel& log_x(double low, double high);    ///< the same with its range
   Panel& log_y();                           ///< logarithmic, tics at powers of ten
