@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// A double with a counter. Additions, subtractions, multiplications, divisions and elementary functions
 /// count one each; signs, comparisons, absolute values and rounding to integers count nothing. A result
@@ -54,18 +54,18 @@ struct Counted {
   }
 };
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy
 
 /// As of the double inside.
 template <>
-struct std::numeric_limits<nlmech::chapters::Counted> : std::numeric_limits<double> {};
+struct std::numeric_limits<nlmech::chapters::homotopy::Counted> : std::numeric_limits<double> {};
 
 /// As of the double inside.
 template <>
-struct Eigen::NumTraits<nlmech::chapters::Counted> : Eigen::NumTraits<double> {
-  using Real = nlmech::chapters::Counted;
-  using NonInteger = nlmech::chapters::Counted;
-  using Nested = nlmech::chapters::Counted;
-  using Literal = nlmech::chapters::Counted;
+struct Eigen::NumTraits<nlmech::chapters::homotopy::Counted> : Eigen::NumTraits<double> {
+  using Real = nlmech::chapters::homotopy::Counted;
+  using NonInteger = nlmech::chapters::homotopy::Counted;
+  using Nested = nlmech::chapters::homotopy::Counted;
+  using Literal = nlmech::chapters::homotopy::Counted;
   enum : std::uint8_t { RequireInitialization = 1 };
 };

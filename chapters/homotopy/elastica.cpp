@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
-
-using scene::Workshop;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double snap_load = 44;
@@ -29,7 +27,7 @@ struct Loads {
 };
 
 struct Row {
-  int elements = 0;
+  int elements = 0;      ///< 0: exact
   Loads high, low;       ///< heights 0.44 and 0.38
   double snapped = nan;  ///< drop under 44 lb, height 0.44
 };
@@ -107,85 +105,80 @@ std::array<double, 5> errors(const Convergence& c, std::size_t row) {
   return e;
 }
 
-scene::Table tabulate(const Convergence& c) {
-  scene::Table table({{"elements a member"},
-                      {"maximum, 0.44 in (lb)", 12},
-                      {"minimum, 0.44 in (lb)", 12},
-                      {"maximum, 0.38 in (lb)", 12},
-                      {"minimum, 0.38 in (lb)", 12},
-                      {"drop under 44 lb (in)", 12}});
-  const auto add = [&](const std::string& name, const Row& r) {
-    const auto v = values(r);
-    table.add({name, v[0], v[1], v[2], v[3], v[4]});
-  };
-  for (const Row& r : c.frames) add(std::to_string(r.elements), r);
-  add("exact", c.exact);
-  return table;
+void put_table(const Convergence& c, scene::Show& show) {
+  std::vector<Row> rows = c.frames;
+  rows.push_back(c.exact);
+  show.table(rows, {{"elements a member",
+                     [](const Row& r) { return r.elements == 0 ? "exact" : std::to_string(r.elements); }},
+                    {"maximum, 0.44 in (lb)", [](const Row& r) { return r.high.maximum; }, 12},
+                    {"minimum, 0.44 in (lb)", [](const Row& r) { return r.high.minimum; }, 12},
+                    {"maximum, 0.38 in (lb)", [](const Row& r) { return r.low.maximum; }, 12},
+                    {"minimum, 0.38 in (lb)", [](const Row& r) { return r.low.minimum; }, 12},
+                    {"drop under 44 lb (in)", &Row::snapped, 12}});
 }
 
-scene::Figure draw(const Convergence& c) {
+void draw(const Convergence& c, scene::Show& show) {
   scene::Table data({{"curve", 3, true}, {"elements"}, {"error"}});
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t k = 0; k < c.frames.size(); ++k)
-      data.add({names[i], std::int64_t(c.frames[k].elements), errors(c, k)[i]});
+      data.add({names[i], c.frames[k].elements, errors(c, k)[i]});
   }
-  std::string legend;
-  for (const char* name : names) legend += std::string(legend.empty() ? "" : "|") + name;
-  return {std::move(data),
-          "homotopy-elastica",
-          {{"heading", "Elements converge to the elastica in second order"}, {"legend", legend}}};
+  scene::Panel& panel =
+      show.plot("Elements converge to the elastica in second order", "elements a member", "relative error");
+  panel.log_x(0.8, 160).log_y(1e-9, 3e-4).key("bottom left").set("mxtics 1").set("format x '%g'");
+  panel.set("xtics (1, 2, 4, 8, 16, 32, 64, 128)").note("second order", 40, 4e-5);
+  show.figure().data(std::move(data));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    panel.columns(names[i], "elements:error", scene::linespoints(), static_cast<int>(i));
+  panel.also("[16:128] 0.03/x**2 with lines linecolor rgb ink dashtype 2 linewidth 1 notitle");
 }
 
-std::vector<scene::Quantity> quantities(const Convergence& c) {
+void check(const Convergence& c, scene::Show& show) {
   // oracle: homotopy_elastica elastica 0.?? maximum, elastica 0.?? minimum
   // oracle: homotopy_frames toggle 0.44 of 1 maximum, toggle 0.44 of 1 minimum, toggle 0.?? of 32 *
   const char *shooting = "shooting by tools/oracles/homotopy_elastica.py, all its digits",
              *program = "tools/oracles/homotopy_frames.py, all its digits";
-  std::vector<scene::Quantity> list = {
-      scene::near("exact maximum, 0.44 in", "lb", c.exact.high.maximum, 42.4397755886, 4e-12, shooting),
-      scene::near("exact minimum, 0.44 in", "lb", c.exact.high.minimum, 32.1221640887, 4e-12, shooting),
-      scene::near("exact maximum, 0.38 in", "lb", c.exact.low.maximum, 33.1252040575, 4e-12, shooting),
-      scene::near("exact minimum, 0.38 in", "lb", c.exact.low.minimum, 31.1081968550, 4e-12, shooting),
-      scene::near("maximum by 1 element, 0.44 in", "lb", c.frames.at(0).high.maximum, 42.435492120383, 1e-12,
-                  program),
-      scene::near("minimum by 1 element, 0.44 in", "lb", c.frames.at(0).high.minimum, 32.124218754757, 1e-12,
-                  program),
-      scene::near("maximum by 32 elements, 0.44 in", "lb", c.frames.at(5).high.maximum, 42.4397589244, 4e-12,
-                  program),
-      scene::near("minimum by 32 elements, 0.44 in", "lb", c.frames.at(5).high.minimum, 32.1221656364, 4e-12,
-                  program),
-      scene::near("maximum by 32 elements, 0.38 in", "lb", c.frames.at(5).low.maximum, 33.1251939340, 4e-12,
-                  program),
-      scene::near("minimum by 32 elements, 0.38 in", "lb", c.frames.at(5).low.minimum, 31.1081922157, 4e-12,
-                  program),
-      // An S is its own mirror image: the middle of a member carries no moment, and one element is exact
-      // there.
-      scene::near("maximum by 2 elements, 0.44 in", "lb", c.frames.at(1).high.maximum,
-                  c.frames[0].high.maximum, 1e-12, "by symmetry what one element gives")};
+  const Row &one = c.frames.at(0), &two = c.frames.at(1), &many = c.frames.at(5);
+  const auto near = [&](const char* name, double load, double known, double relative, const char* reason) {
+    show.near(name, {load, "lb"}, known, relative, reason);
+  };
+  near("exact maximum, 0.44 in", c.exact.high.maximum, 42.4397755886, 4e-12, shooting);
+  near("exact minimum, 0.44 in", c.exact.high.minimum, 32.1221640887, 4e-12, shooting);
+  near("exact maximum, 0.38 in", c.exact.low.maximum, 33.1252040575, 4e-12, shooting);
+  near("exact minimum, 0.38 in", c.exact.low.minimum, 31.1081968550, 4e-12, shooting);
+  near("maximum by 1 element, 0.44 in", one.high.maximum, 42.435492120383, 1e-12, program);
+  near("minimum by 1 element, 0.44 in", one.high.minimum, 32.124218754757, 1e-12, program);
+  near("maximum by 32 elements, 0.44 in", many.high.maximum, 42.4397589244, 4e-12, program);
+  near("minimum by 32 elements, 0.44 in", many.high.minimum, 32.1221656364, 4e-12, program);
+  near("maximum by 32 elements, 0.38 in", many.low.maximum, 33.1251939340, 4e-12, program);
+  near("minimum by 32 elements, 0.38 in", many.low.minimum, 31.1081922157, 4e-12, program);
+  // An S is its own mirror image: the middle of a member carries no moment, and one element is exact there.
+  near("maximum by 2 elements, 0.44 in", two.high.maximum, one.high.maximum, 1e-12,
+       "by symmetry what one element gives");
   const auto coarse = errors(c, 4), fine = errors(c, 5);
   for (std::size_t i = 0; i < names.size(); ++i)
-    list.push_back(
-        {fmt::format("order from 16 to 32 elements, {}", names[i]), "1", std::log2(coarse[i] / fine[i]), 1.95,
-         2.05, "the element's rotations are linear about its chord: an error of the square of its length"});
-  return list;
+    show.between(fmt::format("order from 16 to 32 elements, {}", names[i]), std::log2(coarse[i] / fine[i]),
+                 1.95, 2.05,
+                 "the element's rotations are linear about its chord: an error of the square of its length");
 }
 
 }  // namespace
 
-void add_elastica(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Convergence>("elastica-convergence",
-                                                 "limit loads for heights of 0.38 and 0.44 in, and the drop "
-                                                 "under 44 lb, by 1 to 128 elements a member and by "
-                                                 "shooting for the exact extensible elastica, 1000 steps",
-                                                 {}, [](Workshop& w) { return compute(w.quick()); });
-  chapter.add({.name = "elastica",
-               .title = "Convergence of elements to the exact elastica",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Convergence& c = w.result(run);
-                 return scene::Showing{draw(c), tabulate(c), quantities(c)};
-               }});
+std::vector<scene::Scene> elastica() {
+  const scene::Result result(
+      "elastica-convergence",
+      "limit loads for heights of 0.38 and 0.44 in, and the drop under 44 lb, by 1 to 128 elements a member "
+      "and by shooting for the exact extensible elastica, 1000 steps",
+      compute);
+  return {{.name = "elastica",
+           .title = "Convergence of elements to the exact elastica",
+           .content = scene::Content(
+               [](const Convergence& c, scene::Show& show) {
+                 draw(c, show);
+                 put_table(c, show);
+                 check(c, show);
+               },
+               result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

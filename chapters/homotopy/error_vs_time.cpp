@@ -1,22 +1,26 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/toggles.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
-using scene::Workshop;
 using Extended = long double;
 
 const char *const kinsol = "kinsol", *const trust_region = "energy-trust-region";
@@ -87,6 +91,10 @@ struct Panel {
   Setting setting;
   double reference;
   std::vector<Line> lines;
+
+  [[nodiscard]] const Line& of(const std::string& solver) const {
+    return *std::ranges::find(lines, solver, &Line::solver);
+  }
 };
 
 algebraic::Report solve(const std::string& solver, Subject& subject, double tolerance, std::int64_t limit,
@@ -154,23 +162,29 @@ Panel measure(const Setting& setting, bool quick) {
   return panel;
 }
 
+std::vector<Panel> measure_all(bool quick) {
+  std::vector<Panel> panels;
+  for (const Setting& s : settings) panels.push_back(measure(s, quick));
+  return panels;
+}
+
 /// Its colour: Newton's kind, |F| made smaller, descent, homotopy, energy, path following.
-std::int64_t kind_of(const std::string& solver) {
-  static const std::map<std::string, std::int64_t> kinds = {{"newton", 1},
-                                                            {"least-squares", 1},
-                                                            {"continuous-newton", 1},
-                                                            {"broyden", 1},
-                                                            {"damped-newton", 2},
-                                                            {kinsol, 2},
-                                                            {"levenberg-marquardt", 2},
-                                                            {"dogleg", 2},
-                                                            {"steepest-descent", 3},
-                                                            {"fictitious-time", 3},
-                                                            {"optimal-iterative", 3},
-                                                            {trust_region, 5},
-                                                            {"riks", 6},
-                                                            {"crisfield", 6},
-                                                            {"gdc", 6}};
+int kind_of(const std::string& solver) {
+  static const std::map<std::string, int> kinds = {{"newton", 1},
+                                                   {"least-squares", 1},
+                                                   {"continuous-newton", 1},
+                                                   {"broyden", 1},
+                                                   {"damped-newton", 2},
+                                                   {kinsol, 2},
+                                                   {"levenberg-marquardt", 2},
+                                                   {"dogleg", 2},
+                                                   {"steepest-descent", 3},
+                                                   {"fictitious-time", 3},
+                                                   {"optimal-iterative", 3},
+                                                   {trust_region, 5},
+                                                   {"riks", 6},
+                                                   {"crisfield", 6},
+                                                   {"gdc", 6}};
   const auto found = kinds.find(solver);
   return found == kinds.end() ? 4 : found->second;
 }
@@ -181,7 +195,7 @@ double best_error(const Line& line) {
   return least;
 }
 
-scene::Figure draw(const std::vector<Panel>& panels) {
+void draw(const std::vector<Panel>& panels, scene::Show& show) {
   scene::Table data({{"panel"},
                      {"line", 3, true},
                      {"kind"},
@@ -191,13 +205,10 @@ scene::Figure draw(const std::vector<Panel>& panels) {
                      {"last"},
                      {"solver"},
                      {"status"}});
-  std::string legend, kinds;
   const std::vector<std::string> names = solvers();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    legend += (i == 0 ? "" : "|") + names[i];
-    kinds += fmt::format("{}{}", i == 0 ? "" : " ", kind_of(names[i]));
-  }
-  std::int64_t line = 0;
+  std::vector<int> kinds;
+  for (const std::string& name : names) kinds.push_back(kind_of(name));
+  int line = 0;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       ++line;
@@ -207,112 +218,103 @@ scene::Figure draw(const std::vector<Panel>& panels) {
         const bool last = c.error && (k + 1 == costs.size() || !costs[k + 1].error);
         std::optional<double> digits;
         if (c.error) digits = -std::log10(*c.error);
-        data.add({std::int64_t(p) + 1, line, kind_of(names[i]), std::int64_t(i) + 1, scene::to_cell(digits),
-                  c.time.median, std::int64_t{last}, names[i], c.status});
+        data.add({p + 1, line, kinds[i], i + 1, digits, c.time.median, last, names[i], c.status});
       }
     }
   }
-  return {std::move(data),
-          "homotopy-error-vs-time",
-          {{"heading", fmt::format("With 16 elements {} of {} solvers get past the limit point",
-                                   std::count_if(panels.back().lines.begin(), panels.back().lines.end(),
-                                                 [](const Line& l) { return best_error(l) < 1; }),
-                                   names.size())},
-           {"width", "1000"},
-           {"height", "720"},
-           {"legend", legend},
-           {"kinds", kinds}}};
+  const auto passed =
+      std::ranges::count_if(panels.back().lines, [](const Line& l) { return best_error(l) < 1; });
+  show.draw(std::move(data), "homotopy-error-vs-time",
+            {{"heading", fmt::format("With 16 elements {} of {} solvers get past the limit point", passed,
+                                     names.size())},
+             {"width", "1000"},
+             {"height", "720"},
+             {"legend", fmt::format("{}", fmt::join(names, "|"))},
+             {"kinds", fmt::format("{}", fmt::join(kinds, " "))}});
 }
 
-scene::Table tabulate(const std::vector<Panel>& panels) {
-  scene::Table table({{"height (in)"},
-                      {"load (lb)", 4},
-                      {"elements"},
-                      {"solver"},
-                      {"tolerance"},
-                      {"status"},
-                      {"error of the deflection", 2},
-                      {"iterations"},
-                      {"residuals"},
-                      {"Jacobians"},
-                      {"time (ms)"},
-                      {"from"},
-                      {"to"}});
+/// A row of the table; without a cost the solver is not in this build.
+struct Row {
+  Setting setting;
+  std::string solver;
+  std::optional<Cost> cost;
+
+  template <class Value>
+  [[nodiscard]] scene::Cell cell(Value Cost::*value) const {
+    return cost ? scene::Cell(*cost.*value) : scene::Cell();
+  }
+  /// Thousandths of a second.
+  [[nodiscard]] scene::Cell time(double Timing::*value) const {
+    return cost ? scene::Cell(1e3 * cost->time.*value) : scene::Cell();
+  }
+};
+
+void put_table(const std::vector<Panel>& panels, scene::Show& show) {
+  std::vector<Row> rows;
   for (const Panel& p : panels) {
     for (const Line& line : p.lines) {
-      const auto row = [&](const std::string& status, const Cost* c) {
-        std::vector<scene::Cell> cells = {p.setting.height, p.setting.load, std::int64_t{p.setting.elements},
-                                          line.solver};
-        if (c == nullptr)
-          cells.insert(cells.end(), {{}, status, {}, {}, {}, {}, {}, {}, {}});
-        else
-          cells.insert(cells.end(),
-                       {c->tolerance, status, scene::to_cell(c->error), c->iterations, c->residuals,
-                        c->jacobians, 1e3 * c->time.median, 1e3 * c->time.smallest, 1e3 * c->time.largest});
-        table.add(std::move(cells));
-      };
-      if (line.costs.empty()) row("not in this build", nullptr);
-      for (const Cost& c : line.costs) row(c.status, &c);
+      if (line.costs.empty()) rows.push_back({p.setting, line.solver, {}});
+      for (const Cost& c : line.costs) rows.push_back({p.setting, line.solver, c});
     }
   }
-  return table;
+  show.table(rows, {{"height (in)", [](const Row& r) { return r.setting.height; }},
+                    {"load (lb)", [](const Row& r) { return r.setting.load; }, 4},
+                    {"elements", [](const Row& r) { return r.setting.elements; }},
+                    {"solver", &Row::solver},
+                    {"tolerance", [](const Row& r) { return r.cell(&Cost::tolerance); }},
+                    {"status",
+                     [](const Row& r) { return r.cost ? r.cost->status : std::string("not in this build"); }},
+                    {"error of the deflection", [](const Row& r) { return r.cell(&Cost::error); }, 2},
+                    {"iterations", [](const Row& r) { return r.cell(&Cost::iterations); }},
+                    {"residuals", [](const Row& r) { return r.cell(&Cost::residuals); }},
+                    {"Jacobians", [](const Row& r) { return r.cell(&Cost::jacobians); }},
+                    {"time (ms)", [](const Row& r) { return r.time(&Timing::median); }},
+                    {"from", [](const Row& r) { return r.time(&Timing::smallest); }},
+                    {"to", [](const Row& r) { return r.time(&Timing::largest); }}});
 }
 
-std::vector<scene::Quantity> quantities(const std::vector<Panel>& panels, bool quick) {
-  std::vector<scene::Quantity> all;
-  const auto named = [](const Panel& p, const std::string& name) -> const Line& {
-    return *std::find_if(p.lines.begin(), p.lines.end(), [&](const Line& l) { return l.solver == name; });
-  };
+void put(const std::vector<Panel>& panels, scene::Show& show) {
+  draw(panels, show);
+  put_table(panels, show);
   // oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11, toggle 0.44 of 1 drop under 43.79
-  all.push_back(scene::near("deflection, height 0.32, 1 element", "in", panels[0].reference, 0.265167973289,
-                            1e-11, "tools/oracles/homotopy_frames.py, all digits"));
-  all.push_back(scene::near("deflection, height 0.44, 1 element", "in", panels[2].reference, 0.621922545486,
-                            1e-11, "tools/oracles/homotopy_frames.py, all digits"));
+  const char* program = "tools/oracles/homotopy_frames.py, all digits";
+  show.near("deflection, height 0.32, 1 element", {panels[0].reference, "in"}, 0.265167973289, 1e-11,
+            program);
+  show.near("deflection, height 0.44, 1 element", {panels[2].reference, "in"}, 0.621922545486, 1e-11,
+            program);
   // Rounding of a chord's length, eps l, is an axial force of eps EA, of which sin(beta) loads the apex; the
   // stiffness there is 15 lb/in and more.
   const double rounding = 2.2e-16 * 1.885e6 * 0.034 / 7 / 0.26;
-  for (const Panel& p : panels) {
-    const std::string where = fmt::format("height {}, {} element{}", p.setting.height, p.setting.elements,
-                                          p.setting.elements == 1 ? "" : "s");
-    all.push_back(scene::at_most("least error of the energy trust region, " + where, "1",
-                                 best_error(named(p, trust_region)), quick ? 1e-6 : 1e-9 + 64 * rounding,
-                                 quick ? "tolerance 1e-8, 0.3 % of the load an inch at least"
-                                       : "tolerance 1e-10 over the stiffness there, and rounding"));
-  }
+  for (const Panel& p : panels)
+    show.at_most(fmt::format("least error of the energy trust region, height {}, {} element{}",
+                             p.setting.height, p.setting.elements, p.setting.elements == 1 ? "" : "s"),
+                 best_error(p.of(trust_region)), show.quick() ? 1e-6 : 1e-9 + 64 * rounding,
+                 show.quick() ? "tolerance 1e-8, 0.3 % of the load an inch at least"
+                              : "tolerance 1e-10 over the stiffness there, and rounding");
   for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
-    double converged = 0;
+    int converged = 0;
     for (const char* name : {"fixed-point", "newton-homotopy", "scalar-homotopy"})
-      converged += std::isfinite(best_error(named(panels[i], name))) ? 1 : 0;
-    all.push_back(scene::at_most(
-        fmt::format("scalar homotopies that converge, height {}, 16 elements", panels[i].setting.height), "1",
+      converged += std::isfinite(best_error(panels[i].of(name))) ? 1 : 0;
+    show.at_most(
+        fmt::format("scalar homotopies that converge, height {}, 16 elements", panels[i].setting.height),
         converged, 0,
-        "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned"));
+        "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned");
   }
-  return all;
 }
 
 }  // namespace
 
-void add_error_vs_time(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Panel>>(
+std::vector<scene::Scene> error_vs_time() {
+  const scene::Result times(
       "solver-times",
       "half toggle from rest; tolerances on |F| over the load, the same for all, 2500 iterations at most; "
       "error of the apex's deflection against Newton's iteration in extended precision; one thread, median "
       "of "
       "repeats",
-      {}, [](Workshop& w) {
-        std::vector<Panel> panels;
-        for (const Setting& s : settings) panels.push_back(measure(s, w.quick()));
-        return panels;
-      });
-  chapter.add({.name = "error-vs-time-toggle",
-               .title = "Digits of the deflection against time, all solvers, before and past the limit point",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const std::vector<Panel>& panels = w.result(run);
-                 return scene::Showing{draw(panels), tabulate(panels), quantities(panels, w.quick())};
-               }});
+      measure_all);
+  return {{.name = "error-vs-time-toggle",
+           .title = "Digits of the deflection against time, all solvers, before and past the limit point",
+           .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/path_solvers.hpp"
@@ -16,14 +15,13 @@
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 using Eigen::VectorXd;
-using scene::Workshop;
-
 constexpr std::array<const char*, 8> solvers = {"newton",
                                                 "damped-newton",
                                                 "levenberg-marquardt",
@@ -176,7 +174,7 @@ std::string words_of(const Trial& t) {
   return fmt::format("{:.6g} in {}{}", t.drop, t.iterations, t.negative > 0 ? ", unstable" : "");
 }
 
-scene::Table tabulate(const Extremes& x) {
+void put_table(const Extremes& x, scene::Show& show) {
   std::vector<scene::Column> columns = {{"case"}};
   for (const char* name : solvers) columns.push_back({name});
   scene::Table table(columns);
@@ -185,81 +183,91 @@ scene::Table tabulate(const Extremes& x) {
     for (const Trial& t : x.trials[i]) cells.emplace_back(words_of(t));
     table.add(std::move(cells));
   }
-  return table;
+  show.table(std::move(table));
 }
 
 // Rows, in the order of compute().
 enum Row : std::uint8_t { stiff, buckled, at_pole, past_pole, many, at_limit, snapped, singular, back };
 
-std::vector<scene::Quantity> quantities(const Extremes& x) {
+void check_counts(const Extremes& x, scene::Show& show) {
+  const auto solved = [](const Trial& t) { return t.outcome == Outcome::success && t.residual <= 16; };
   int stable = 0, reached = 0, refused = 0;
   for (const auto& row : x.trials) {
-    const Trial& t = row[energy];
-    stable += t.outcome == Outcome::success && t.negative == 0 && t.residual <= 16 ? 1 : 0;
-    reached += row[first_path].outcome == Outcome::success && row[first_path].residual <= 16 ? 1 : 0;
+    if (solved(row[energy]) && row[energy].negative == 0) ++stable;
+    if (solved(row[first_path])) ++reached;
   }
+  for (std::size_t k = first_path; k < solvers.size(); ++k)
+    if (x.trials[past_pole][k].outcome == Outcome::wrong_branch) ++refused;
+  const auto count = static_cast<double>(x.cases.size());
+  show.equals("cases in which the energy trust region ends in a stable equilibrium to rounding", stable,
+              count, "a potential that is bounded below has a minimum");
+  show.equals("cases that riks solves to rounding", reached, count - 1,
+              "all but the one whose start is on the straight branch of a buckled member, where it says "
+              "wrong_branch");
+  show.equals("paths that report the straight branch of a buckled member", refused, 3,
+              "one element without symmetric rotations, past its clamped buckling load");
+}
+
+void check_stiff(const Extremes& x, scene::Show& show) {
+  const auto& trial = [&](Row row, std::size_t solver) -> const Trial& { return x.trials[row][solver]; };
+  // oracle: homotopy_williams element 0.44 with 1000 EA*
+  show.near("drop on that branch under 79.286 lb", {trial(past_pole, first_path).drop, "in"}, 0.2, 1e-5,
+            "tools/oracles/homotopy_williams.py: 79.286 lb at 0.2 in");
+  show.near("drop with EA x 1e6 under 44 lb", {trial(stiff, energy).drop, "in"},
+            44 * 12.94 / (2 * 1.885e12 * 0.44 * 0.44 / (12.94 * 12.94)), 2e-6,
+            "two bars, W l/(2 EA sin^2); bending carries 3e-7 of the load");
+  show.between("negative eigenvalues where Newton ends, EA x 1e6, 1000 lb", trial(buckled, 0).negative, 1,
+               HUGE_VAL,
+               "Euler's clamped load is passed at 2 sin(beta) 4 pi^2 EI/l^2 = 149 lb: a straight member is "
+               "unstable");
+  show.near("drop with very many elements under 44 lb", {trial(many, energy).drop, "in"}, 0.623149373513,
+            1e-8, "the exact elastica by shooting; 200 elements are 5e-9 away");
+  show.equals("iterations of Newton there, by a residual of 1e-10", trial(many, 0).iterations, most,
+              "the residual's rounding is a thousand times that");
+}
+
+void check_paths(const Extremes& x, scene::Show& show) {
   double from_limit = 0, from_energy = 0;
   for (std::size_t k = first_path; k < solvers.size(); ++k) {
     from_limit = std::max(from_limit, std::abs(x.trials[at_limit][k].drop - x.limit_drop));
     for (const Row row : {at_pole, many, snapped, back})
       from_energy = std::max(from_energy, std::abs(x.trials[row][k].drop / x.trials[row][energy].drop - 1));
-    refused += x.trials[past_pole][k].outcome == Outcome::wrong_branch ? 1 : 0;
   }
-  const auto& trial = [&](Row row, std::size_t solver) -> const Trial& { return x.trials[row][solver]; };
-  const auto count = static_cast<double>(x.cases.size());
-  return {
-      {"cases in which the energy trust region ends in a stable equilibrium to rounding", "1",
-       static_cast<double>(stable), count, count, "a potential that is bounded below has a minimum"},
-      {"cases that riks solves to rounding", "1", static_cast<double>(reached), count - 1, count - 1,
-       "all but the one whose start is on the straight branch of a buckled member, where it says "
-       "wrong_branch"},
-      {"paths that report the straight branch of a buckled member", "1", static_cast<double>(refused), 3, 3,
-       "one element without symmetric rotations, past its clamped buckling load"},
-      // oracle: homotopy_williams element 0.44 with 1000 EA*
-      scene::near("drop on that branch under 79.286 lb", "in", trial(past_pole, first_path).drop, 0.2, 1e-5,
-                  "tools/oracles/homotopy_williams.py: 79.286 lb at 0.2 in"),
-      scene::near("drop with EA x 1e6 under 44 lb", "in", trial(stiff, energy).drop,
-                  44 * 12.94 / (2 * 1.885e12 * 0.44 * 0.44 / (12.94 * 12.94)), 2e-6,
-                  "two bars, W l/(2 EA sin^2); bending carries 3e-7 of the load"),
-      {"negative eigenvalues where Newton ends, EA x 1e6, 1000 lb", "1",
-       static_cast<double>(trial(buckled, 0).negative), 1, HUGE_VAL,
-       "Euler's clamped load is passed at 2 sin(beta) 4 pi^2 EI/l^2 = 149 lb: a straight member is unstable"},
-      scene::near("drop with very many elements under 44 lb", "in", trial(many, energy).drop, 0.623149373513,
-                  1e-8, "the exact elastica by shooting; 200 elements are 5e-9 away"),
-      {"iterations of Newton there, by a residual of 1e-10", "1",
-       static_cast<double>(trial(many, 0).iterations), static_cast<double>(most), static_cast<double>(most),
-       "the residual's rounding is a thousand times that"},
-      scene::at_most("largest distance from the limit point of riks, crisfield and gdc at the limit load",
-                     "in", from_limit, 1e-6, "the root of a rounding"),
-      scene::at_most("largest relative difference of paths from the energy's drop, four cases", "1",
-                     from_energy, 1e-7, "the same equilibrium, to the rounding of 1000 elements"),
-      {"drop under 36 lb from the snapped shape, energy", "in", trial(snapped, energy).drop, 0.4801, 0.6144,
-       "between the lower limit point and the limit load, on the snapped branch"},
-      {"drop under 36 lb from the limit point, energy", "in", trial(singular, energy).drop, 0, 0.2272,
-       "on the rising branch: there the energy falls from the limit point to the nearest minimum"},
-      {"drop under 36 lb from the limit point, riks", "in", trial(singular, first_path).drop, 0.2272, 0.4801,
-       "on the falling branch, one way out of the limit point"},
-      {"negative eigenvalues there", "1", static_cast<double>(trial(singular, first_path).negative), 1, 1,
-       "a falling branch is unstable in one direction"}};
+  show.at_most("largest distance from the limit point of riks, crisfield and gdc at the limit load",
+               {from_limit, "in"}, 1e-6, "the root of a rounding");
+  show.at_most("largest relative difference of paths from the energy's drop, four cases", from_energy, 1e-7,
+               "the same equilibrium, to the rounding of 1000 elements");
+  show.between("drop under 36 lb from the snapped shape, energy", {x.trials[snapped][energy].drop, "in"},
+               0.4801, 0.6144, "between the lower limit point and the limit load, on the snapped branch");
+  show.between("drop under 36 lb from the limit point, energy", {x.trials[singular][energy].drop, "in"}, 0,
+               0.2272,
+               "on the rising branch: there the energy falls from the limit point to the nearest minimum");
+  const Trial& riks = x.trials[singular][first_path];
+  show.between("drop under 36 lb from the limit point, riks", {riks.drop, "in"}, 0.2272, 0.4801,
+               "on the falling branch, one way out of the limit point");
+  show.equals("negative eigenvalues there", riks.negative, 1,
+              "a falling branch is unstable in one direction");
+}
+
+void put(const Extremes& x, scene::Show& show) {
+  put_table(x, show);
+  check_counts(x, show);
+  check_stiff(x, show);
+  check_paths(x, show);
 }
 
 }  // namespace
 
-void add_extremes(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Extremes>(
+std::vector<scene::Scene> extremes() {
+  const scene::Result result(
       "extreme-toggles",
       "half a toggle 0.44 in high where members hardly shorten, with very many elements, at the limit load, "
       "and from "
       "starts that are snapped or singular; at most 300 steps, residual 1e-10 of half the load",
-      {}, [](Workshop& w) { return compute(w.quick()); });
-  chapter.add({.name = "extremes",
-               .title = "Stiff members, many elements, the limit load itself, unhappy starts",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Extremes& x = w.result(run);
-                 return scene::Showing{std::nullopt, tabulate(x), quantities(x)};
-               }});
+      compute);
+  return {{.name = "extremes",
+           .title = "Stiff members, many elements, the limit load itself, unhappy starts",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "chapters/homotopy/rows.hpp"
-#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/iterations.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
-
-using scene::Workshop;
 
 constexpr int limit = 2500;
 /// Steps that reproduce Table 2.2, and the least and last residuals of Table 2.4 with A_nd as printed.
@@ -35,8 +36,9 @@ struct Census {
     return static_cast<double>(std::count_if(counts.begin(), counts.end(), is)) /
            static_cast<double>(counts.size());
   }
-  [[nodiscard]] double unfinished() const {
-    return share([](int n) { return n >= limit; });
+  [[nodiscard]] double unfinished() const { return at_least(limit); }
+  [[nodiscard]] double at_least(int many) const {
+    return share([many](int n) { return n >= many; });
   }
 };
 
@@ -121,118 +123,107 @@ Study study(bool quick) {
   return s;
 }
 
-scene::Table tabulate(const Study& s) {
-  scene::Table table({{"table"},
-                      {"method"},
-                      {"Jacobian"},
-                      {"varied"},
-                      {"printed"},
-                      {"least"},
-                      {"median"},
-                      {"90 %"},
-                      {"greatest"},
-                      {"as printed (%)", 3},
-                      {"as many or more (%)", 3},
-                      {"not in 2500 (%)", 3}});
-  for (const auto* list : {&s.steps, &s.window, &s.starts}) {
-    for (const Census& c : *list) {
-      const int printed = c.row.printed;
-      table.add({c.row.table.substr(6), c.row.method, c.jacobian, c.varied, std::int64_t{printed},
-                 std::int64_t{c.quantile(0)}, std::int64_t{c.quantile(0.5)}, std::int64_t{c.quantile(0.9)},
-                 std::int64_t{c.quantile(1)}, 100 * c.share([printed](int n) { return n == printed; }),
-                 100 * c.share([printed](int n) { return n >= printed; }), 100 * c.unfinished()});
-    }
-  }
-  return table;
+void put_table(const Study& s, scene::Show& show) {
+  std::vector<Census> all;
+  for (const auto* list : {&s.steps, &s.window, &s.starts}) all.insert(all.end(), list->begin(), list->end());
+  show.table(all,
+             {{"table", [](const Census& c) { return c.row.table.substr(6); }},
+              {"method", [](const Census& c) { return c.row.method; }},
+              {"Jacobian", &Census::jacobian},
+              {"varied", &Census::varied},
+              {"printed", [](const Census& c) { return c.row.printed; }},
+              {"least", [](const Census& c) { return c.quantile(0); }},
+              {"median", [](const Census& c) { return c.quantile(0.5); }},
+              {"90 %", [](const Census& c) { return c.quantile(0.9); }},
+              {"greatest", [](const Census& c) { return c.quantile(1); }},
+              {"as printed (%)",
+               [](const Census& c) { return 100 * c.share([&c](int n) { return n == c.row.printed; }); }, 3},
+              {"as many or more (%)", [](const Census& c) { return 100 * c.at_least(c.row.printed); }, 3},
+              {"not in 2500 (%)", [](const Census& c) { return 100 * c.unfinished(); }, 3}});
 }
 
 /// Panels: Tables 2.2, 2.3, and the two homotopies of 2.4.
-scene::Figure draw(const Study& s) {
+void draw(const Study& s, scene::Show& show) {
   scene::Table data({{"panel"}, {"set", 3, true}, {"step"}, {"count"}, {"printed"}});
-  std::int64_t set = 0;
+  int set = 0;
   for (const Census& c : s.steps) {
     if (c.row.table == "table-2.5") continue;
     ++set;
-    const std::int64_t panel = c.row.table == "table-2.2"                      ? 1
-                               : c.row.table == "table-2.3"                    ? 2
-                               : c.row.iteration.scheme == Scheme::fixed_point ? 3
-                                                                               : 4;
-    for (std::size_t i = 0; i < c.at.size(); ++i)
-      data.add({panel, set, c.at[i], std::int64_t{c.counts[i]}, std::int64_t{c.row.printed}});
+    const int panel = c.row.table == "table-2.2"                      ? 1
+                      : c.row.table == "table-2.3"                    ? 2
+                      : c.row.iteration.scheme == Scheme::fixed_point ? 3
+                                                                      : 4;
+    for (std::size_t i = 0; i < c.at.size(); ++i) data.add({panel, set, c.at[i], c.counts[i], c.row.printed});
   }
-  return {std::move(data),
-          "homotopy-counts",
-          {{"heading", "Past the limit point the count of iterations is a lottery"},
-           {"width", "920"},
-           {"height", "680"}}};
+  show.draw(std::move(data), "homotopy-counts",
+            {{"heading", "Past the limit point the count of iterations is a lottery"},
+             {"width", "920"},
+             {"height", "680"}});
 }
 
 const Census& find(const std::vector<Census>& list, const std::string& table, Scheme scheme,
                    const std::string& jacobian) {
-  return *std::find_if(list.begin(), list.end(), [&](const Census& c) {
+  return *std::ranges::find_if(list, [&](const Census& c) {
     return c.row.table == table && c.row.iteration.scheme == scheme && c.jacobian == jacobian;
   });
 }
 
-std::vector<scene::Quantity> quantities(const Study& s) {
-  constexpr double eps = std::numeric_limits<double>::epsilon();
-  const std::string exact = "derivative of F", frozen = "d_5 held constant", printed = "A_nd as printed";
-  const Census &newton = find(s.starts, "table-2.3", Scheme::newton, exact),
-               &held = find(s.starts, "table-2.3", Scheme::newton, frozen),
-               &elements = find(s.starts, "table-2.4", Scheme::newton, exact),
-               &lottery = find(s.window, "table-2.3", Scheme::fixed_point, exact),
-               &misprint = find(s.window, "table-2.4", Scheme::fixed_point, printed),
-               &other = find(s.window, "table-2.4", Scheme::newton_homotopy, printed);
+void check_starts(const std::vector<Census>& starts, scene::Show& show) {
+  const Census &newton = find(starts, "table-2.3", Scheme::newton, "derivative of F"),
+               &held = find(starts, "table-2.3", Scheme::newton, "d_5 held constant"),
+               &elements = find(starts, "table-2.4", Scheme::newton, "derivative of F");
   // oracle: homotopy_williams Newton *
-  const char* starts = "20 001 starts by tools/oracles/homotopy_williams.py; median 8, nine of ten 70";
-  const char* window = "recorded over the same steps; chaotic counts scatter";
-  const auto at_least = [](const Census& c, int n) { return c.share([n](int k) { return k >= n; }); };
-  return {
-      scene::at_most("difference from Newton's step times dt/2, relative", "1", s.difference, 8 * eps,
-                     "the same formula for one unknown; eight roundings"),
-      {"least step that takes 30 iterations, Table 2.2", "1", s.window_of_30_low, 0.8825, 0.8840,
-       "recorded: 0.883"},
-      {"greatest such step", "1", s.window_of_30_high, 0.9050, 0.9065, "recorded: 0.906"},
-      {"median of Newton over starts, Williams, 43.79 lb", "1", static_cast<double>(newton.quantile(0.5)), 7,
-       9, starts},
-      {"90 % of starts need at most, Williams, 43.79 lb", "1", static_cast<double>(newton.quantile(0.9)), 56,
-       84, starts},
-      scene::at_most("greatest count over starts, Williams, 43.79 lb", "1",
-                     static_cast<double>(newton.quantile(1)), 600,
-                     "recorded: 399; half as many again for what rounding does"),
-      scene::at_most("starts that do not converge, Williams, 43.79 lb", "1", newton.unfinished(), 0, starts),
-      scene::at_most("greatest count over starts, element, 43.79 lb", "1",
-                     static_cast<double>(elements.quantile(1)), 430, "recorded: 285; half as many again"),
-      scene::at_most("starts that converge with d_5 held constant", "1", 1 - held.unfinished(), 0,
-                     "no start of 1001 in 1000 iterations: tools/oracles/homotopy_williams.py"),
-      {"median residual after 1000 iterations with d_5 held constant", "1", median(held.residuals), 0.03,
-       0.07, "0.04 by tools/oracles/homotopy_williams.py; chaotic"},
-      {"median count, Table 2.3, steps 0.873 to 0.916", "1", static_cast<double>(lottery.quantile(0.5)), 70,
-       140, window},
-      {"share of 345 iterations or more, Table 2.3", "1", at_least(lottery, 345), 0.002, 0.08, window},
-      {"median count, Table 2.4, A_nd as printed", "1", static_cast<double>(misprint.quantile(0.5)), 50, 85,
-       window},
-      {"share of 160 iterations or more, Table 2.4, A_nd as printed", "1", at_least(misprint, 160), 0.06, 0.2,
-       window},
-      scene::at_most("share of 500 iterations or more, Newton homotopy, Table 2.4", "1", at_least(other, 500),
-                     0.03, window)};
+  const char* reason = "20 001 starts by tools/oracles/homotopy_williams.py; median 8, nine of ten 70";
+  show.between("median of Newton over starts, Williams, 43.79 lb", newton.quantile(0.5), 7, 9, reason);
+  show.between("90 % of starts need at most, Williams, 43.79 lb", newton.quantile(0.9), 56, 84, reason);
+  show.at_most("greatest count over starts, Williams, 43.79 lb", newton.quantile(1), 600,
+               "recorded: 399; half as many again for what rounding does");
+  show.at_most("starts that do not converge, Williams, 43.79 lb", newton.unfinished(), 0, reason);
+  show.at_most("greatest count over starts, element, 43.79 lb", elements.quantile(1), 430,
+               "recorded: 285; half as many again");
+  show.at_most("starts that converge with d_5 held constant", 1 - held.unfinished(), 0,
+               "no start of 1001 in 1000 iterations: tools/oracles/homotopy_williams.py");
+  show.between("median residual after 1000 iterations with d_5 held constant", median(held.residuals), 0.03,
+               0.07, "0.04 by tools/oracles/homotopy_williams.py; chaotic");
+}
+
+void check_window(const std::vector<Census>& window, scene::Show& show) {
+  const Census &lottery = find(window, "table-2.3", Scheme::fixed_point, "derivative of F"),
+               &misprint = find(window, "table-2.4", Scheme::fixed_point, "A_nd as printed"),
+               &other = find(window, "table-2.4", Scheme::newton_homotopy, "A_nd as printed");
+  const char* reason = "recorded over the same steps; chaotic counts scatter";
+  show.between("median count, Table 2.3, steps 0.873 to 0.916", lottery.quantile(0.5), 70, 140, reason);
+  show.between("share of 345 iterations or more, Table 2.3", lottery.at_least(345), 0.002, 0.08, reason);
+  show.between("median count, Table 2.4, A_nd as printed", misprint.quantile(0.5), 50, 85, reason);
+  show.between("share of 160 iterations or more, Table 2.4, A_nd as printed", misprint.at_least(160), 0.06,
+               0.2, reason);
+  show.at_most("share of 500 iterations or more, Newton homotopy, Table 2.4", other.at_least(500), 0.03,
+               reason);
+}
+
+void put(const Study& s, scene::Show& show) {
+  draw(s, show);
+  put_table(s, show);
+  show.at_most("difference from Newton's step times dt/2, relative", s.difference,
+               8 * std::numeric_limits<double>::epsilon(),
+               "the same formula for one unknown; eight roundings");
+  show.between("least step that takes 30 iterations, Table 2.2", s.window_of_30_low, 0.8825, 0.8840,
+               "recorded: 0.883");
+  show.between("greatest such step", s.window_of_30_high, 0.9050, 0.9065, "recorded: 0.906");
+  check_starts(s.starts, show);
+  check_window(s.window, show);
 }
 
 }  // namespace
 
-void add_iteration_study(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Study>("counts",
-                                           "the rows of Tables 2.2 to 2.5 from rest for equally spaced Euler "
-                                           "steps, Newton for equally spaced starts",
-                                           {}, [](Workshop& w) { return study(w.quick()); });
-  chapter.add({.name = "iteration-study",
-               .title = "Iterations against the step of fictitious time, and against the start",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Study& s = w.result(run);
-                 return scene::Showing{draw(s), tabulate(s), quantities(s)};
-               }});
+std::vector<scene::Scene> iteration_study() {
+  const scene::Result counts("counts",
+                             "the rows of Tables 2.2 to 2.5 from rest for equally spaced Euler steps, Newton "
+                             "for equally spaced starts",
+                             study);
+  return {{.name = "iteration-study",
+           .title = "Iterations against the step of fictitious time, and against the start",
+           .content = scene::Content(put, counts)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -2,7 +2,7 @@
 
 #include "nlmech/algebraic/scalar_homotopy.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* trace) {
@@ -75,4 +75,4 @@ std::vector<PrintedRow> printed_rows() {
        14, 4.02e-4, true}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

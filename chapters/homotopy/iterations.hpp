@@ -8,7 +8,7 @@
 
 #include "chapters/homotopy/toggles.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// Which iteration.
 enum class Scheme : std::uint8_t {
@@ -64,4 +64,4 @@ struct PrintedRow {
 /// iterations in Table 2.2 the middle.
 inline constexpr double example_step = 0.895;
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -7,7 +7,7 @@
 
 #include "chapters/homotopy/toggles.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// Limit points of both models at one height.
 struct KnownLimits {
@@ -33,4 +33,4 @@ inline constexpr std::array known_limits = {
   return std::nullopt;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

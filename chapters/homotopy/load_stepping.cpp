@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "chapters/homotopy/known_limits.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 /// A load-deflection curve cut at its limit points.
@@ -118,23 +119,22 @@ int most_iterations(const Stepped& steps, bool up) {
   return most;
 }
 
-void draw_steps(Curves& figure, const Stepped& steps) {
+scene::Look triangles(bool up, int style) {
+  return {up ? "points pointtype 8 pointsize 0.7" : "points pointtype 10 pointsize 0.7", style};
+}
+
+void draw_steps(scene::Panel& panel, const Stepped& steps) {
   const bool williams = is_williams(steps);
-  const char* colour = williams ? "1" : "5";
   for (const bool up : {true, false}) {
-    const auto& way = up ? steps.up : steps.down;
+    std::vector<LoadPoint> found;
+    std::ranges::copy_if(up ? steps.up : steps.down, std::back_inserter(found), &LoadPoint::found);
     // The legend names the symbols once; the colours are those of the lines.
-    figure.begin(williams ? fmt::format("found, {}", to_string(up)) : "",
-                 fmt::format("{}{}", up ? "u" : "v", colour));
-    for (const LoadPoint& p : way)
-      if (p.found) figure.add(p.deflection, p.load);
+    panel.curve(williams ? fmt::format("found, {}", to_string(up)) : "", found, &LoadPoint::deflection,
+                &LoadPoint::load, triangles(up, williams ? 1 : 5));
   }
   for (const bool up : {true, false}) {
-    for (const Jump& jump : jumps(steps, up)) {
-      figure.begin("", "l11");
-      figure.add(jump.before.deflection, jump.before.load);
-      figure.add(jump.after.deflection, jump.after.load);
-    }
+    for (const auto& [before, after] : jumps(steps, up))
+      panel.curve("", {before.deflection, after.deflection}, {before.load, after.load}, scene::lines(11));
   }
 }
 
@@ -145,31 +145,26 @@ double past_limit(const Stepped& steps, bool up) {
   return up ? found[0].after.load - limits->maximum.load : limits->minimum.load - found[0].after.load;
 }
 
-void add_step_quantities(std::vector<scene::Quantity>& all, const Stepped& steps, const std::string& which) {
+void check_steps(const Stepped& steps, const std::string& which, scene::Show& show) {
   const bool has_limits = known_limits_of(steps.how.height, is_williams(steps)).has_value();
-  all.push_back(scene::at_most("greatest distance of a found point from the path, " + which, "in",
-                               greatest_distance(steps), 2e-7,
-                               "the tolerance of 1e-6 lb on F over its slope, no less than 5 lb/in under "
-                               "these loads"));
-  all.push_back(scene::at_most(
-      "loads without a solution, " + which, "1", unsolved(steps.up) + unsolved(steps.down),
-      has_limits ? 2 : 0,
+  show.at_most("greatest distance of a found point from the path, " + which, {greatest_distance(steps), "in"},
+               2e-7, "the tolerance of 1e-6 lb on F over its slope, no less than 5 lb/in under these loads");
+  show.at_most(
+      "loads without a solution, " + which, unsolved(steps.up) + unsolved(steps.down), has_limits ? 2 : 0,
       has_limits
           ? "on a branch none; of jumps one in a hundred takes more than 1000 iterations (load-stepping)"
-          : "the damped iteration stays on the side of the root where it starts, or is near"));
+          : "the damped iteration stays on the side of the root where it starts, or is near");
   if (!has_limits) return;
-  all.push_back(
-      scene::at_most("found points on the falling branch, " + which, "1",
-                     points_on(steps.up, Branch::falling) + points_on(steps.down, Branch::falling), 0,
-                     "the load is concave up to the maximum and convex behind the minimum, so that no step "
-                     "goes past a root on the branch; past the limit load there is one root"));
-  for (const bool up : {true, false}) {
-    const double step = steps.how.step;
-    all.push_back({fmt::format("load of the jump past the limit load, {}, {}", to_string(up), which), "lb",
-                   past_limit(steps, up), 0, step * (1 + unsolved(up ? steps.up : steps.down)),
-                   "the limit load of tools/oracles/homotopy_williams.py and homotopy_frames.py; the first "
-                   "load past it that is solved"});
-  }
+  show.at_most("found points on the falling branch, " + which,
+               points_on(steps.up, Branch::falling) + points_on(steps.down, Branch::falling), 0,
+               "the load is concave up to the maximum and convex behind the minimum, so that no step goes "
+               "past a root on the branch; past the limit load there is one root");
+  for (const bool up : {true, false})
+    show.between(
+        fmt::format("load of the jump past the limit load, {}, {}", to_string(up), which),
+        {past_limit(steps, up), "lb"}, 0, steps.how.step * (1 + unsolved(up ? steps.up : steps.down)),
+        "the limit load of tools/oracles/homotopy_williams.py and homotopy_frames.py; the first load "
+        "past it that is solved");
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

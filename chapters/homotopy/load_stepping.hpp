@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/iterations.hpp"
-#include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/show.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// The greatest load, pound.
 inline constexpr double stepping_top = 50;
@@ -72,8 +71,10 @@ struct Jump {
 [[nodiscard]] int most_iterations(const Stepped& steps, bool up);
 
 /// Draws the found points and the jumps between them.
-void draw_steps(Curves& figure, const Stepped& steps);
-/// What must be true of them. @param which a name for the quantities
-void add_step_quantities(std::vector<scene::Quantity>& all, const Stepped& steps, const std::string& which);
+void draw_steps(scene::Panel& panel, const Stepped& steps);
+/// Checks what must be true of them. @param which a name for the checks
+void check_steps(const Stepped& steps, const std::string& which, scene::Show& show);
+/// Small triangles: up for loading, down for unloading.
+[[nodiscard]] scene::Look triangles(bool up, int style);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

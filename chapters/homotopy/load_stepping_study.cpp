@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "chapters/homotopy/load_stepping.hpp"
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
-
-using scene::Workshop;
 
 std::string name_of(const Stepping& how) {
   const bool newton = how.iteration.scheme == Scheme::newton, printed = how.model == Model::element_printed;
@@ -98,80 +100,93 @@ std::string list(const std::vector<Jump>& all, const std::function<std::string(c
   return line.empty() ? "none" : line;
 }
 
-scene::Table tabulate(const Study& s) {
-  scene::Table table({{"height (in)"},
-                      {"model"},
-                      {"iteration"},
-                      {"load step (lb)"},
-                      {"way"},
-                      {"loads"},
-                      {"not solved"},
-                      {"on the falling branch"},
-                      {"jumps (lb)"},
-                      {"jumps (in)"},
-                      {"iterations of the jumps"},
-                      {"most of another load"},
-                      {"farthest from the path (in)", 2}});
-  for (const Stepped& steps : s.all) {
-    for (const bool up : {true, false}) {
-      const auto& way = up ? steps.up : steps.down;
-      const auto all = jumps(steps, up);
-      table.add(
-          {steps.how.height, is_williams(steps) ? "Williams" : "element", name_of(steps.how), steps.how.step,
-           up ? "up" : "down", static_cast<std::int64_t>(way.size()), std::int64_t{unsolved(way)},
-           std::int64_t{points_on(way, Branch::falling)},
-           list(all, [](const Jump& j) { return fmt::format("{} to {}", j.before.load, j.after.load); }),
-           list(all,
-                [](const Jump& j) {
-                  return fmt::format("{:.4f} to {:.4f}", j.before.deflection, j.after.deflection);
-                }),
-           list(all, [](const Jump& j) { return fmt::format("{}", j.after.iterations); }),
-           std::int64_t{most_iterations(steps, up)}, greatest_distance(steps)});
-    }
+/// A row of the table: one way of a stepping.
+struct Line {
+  const Stepped& steps;
+  bool up;
+  std::vector<Jump> all = jumps(steps, up);
+
+  [[nodiscard]] const std::vector<LoadPoint>& loads() const { return up ? steps.up : steps.down; }
+  [[nodiscard]] double height() const { return steps.how.height; }
+  [[nodiscard]] const char* model() const { return is_williams(steps) ? "Williams" : "element"; }
+  [[nodiscard]] std::string iteration() const { return name_of(steps.how); }
+  [[nodiscard]] double step() const { return steps.how.step; }
+  [[nodiscard]] const char* way() const { return up ? "up" : "down"; }
+  [[nodiscard]] std::size_t count() const { return loads().size(); }
+  [[nodiscard]] int missed() const { return unsolved(loads()); }
+  [[nodiscard]] int falling() const { return points_on(loads(), Branch::falling); }
+  [[nodiscard]] std::string jumps_in_load() const {
+    return list(all, [](const Jump& j) { return fmt::format("{} to {}", j.before.load, j.after.load); });
   }
-  return table;
+  [[nodiscard]] std::string jumps_in_drop() const {
+    return list(all, [](const Jump& j) {
+      return fmt::format("{:.4f} to {:.4f}", j.before.deflection, j.after.deflection);
+    });
+  }
+  [[nodiscard]] std::string iterations_of_jumps() const {
+    return list(all, [](const Jump& j) { return std::to_string(j.after.iterations); });
+  }
+  [[nodiscard]] int most() const { return most_iterations(steps, up); }
+  [[nodiscard]] double distance() const { return greatest_distance(steps); }
+};
+
+void put_table(const std::vector<Stepped>& all, scene::Show& show) {
+  std::vector<Line> lines;
+  for (const Stepped& steps : all) {
+    for (const bool up : {true, false}) lines.push_back({steps, up});
+  }
+  show.table(lines, {{"height (in)", &Line::height},
+                     {"model", &Line::model},
+                     {"iteration", &Line::iteration},
+                     {"load step (lb)", &Line::step},
+                     {"way", &Line::way},
+                     {"loads", &Line::count},
+                     {"not solved", &Line::missed},
+                     {"on the falling branch", &Line::falling},
+                     {"jumps (lb)", &Line::jumps_in_load},
+                     {"jumps (in)", &Line::jumps_in_drop},
+                     {"iterations of the jumps", &Line::iterations_of_jumps},
+                     {"most of another load", &Line::most},
+                     {"farthest from the path (in)", &Line::distance, 2}});
 }
 
 /// Iterations against the step of fictitious time.
-scene::Figure draw(const Study& s) {
-  Curves figure("A load on the branch is routine, a jump is a lottery",
-                "step Δ{/:Italic t} of fictitious time", "iterations");
-  figure.begin("most for a load without a jump", "l1");
-  for (std::size_t i = 0; i < s.census.size();) {
-    const double euler = s.census[i].euler;
-    int most = 0;
-    for (; i < s.census.size() && s.census[i].euler == euler; ++i) most = std::max(most, s.census[i].most);
-    figure.add(euler, most);
-  }
+void draw(const std::vector<Way>& census, scene::Show& show) {
+  std::map<double, int> most;  // by step
+  for (const Way& w : census) most[w.euler] = std::max(most[w.euler], w.most);
+  scene::Panel& panel = show.plot("A load on the branch is routine, a jump is a lottery",
+                                  "step Δ{/:Italic t} of fictitious time", "iterations");
+  panel.key("below").y_range(0, 1050);
+  panel.curve("most for a load without a jump", most, &std::pair<const double, int>::first,
+              &std::pair<const double, int>::second, scene::lines(1));
   for (const bool up : {true, false}) {
-    figure.begin(up ? "jumps, loading" : "jumps, unloading", up ? "u5" : "v1");
-    for (const Way& w : s.census)
-      if (w.up == up && w.jump > 0) figure.add(w.euler, w.jump);
+    std::vector<Way> ways;
+    std::ranges::copy_if(census, std::back_inserter(ways),
+                         [up](const Way& w) { return w.up == up && w.jump > 0; });
+    panel.curve(up ? "jumps, loading" : "jumps, unloading", ways, &Way::euler, &Way::jump,
+                triangles(up, up ? 5 : 1));
   }
-  figure.begin("given up beyond 1000", "l13");
-  figure.add(0.3, 1000);
-  figure.add(1.95, 1000);
-  return figure.with("below", "1").with("height", "520").with("yrange", "[0:1050]").take();
+  panel.curve("given up beyond 1000", {0.3, 1.95}, {1000, 1000}, scene::lines(13));
 }
 
-void add_census(std::vector<scene::Quantity>& all, const std::vector<Way>& census) {
-  int early = 0, missed = 0;
+void check_census(const std::vector<Way>& census, scene::Show& show) {
+  int missed = 0;
   std::vector<double> iterations;
   for (const Way& w : census) {
-    early += w.early ? 1 : 0;
     missed += w.missed;
     iterations.push_back(w.jump);
   }
-  all.push_back(scene::at_most("ways that leave the branch before the limit load, all Euler steps", "1",
-                               early, 0, "with dt below 2 no step goes past a root on the branch"));
-  all.push_back({"loads past the limit given up after 1000 iterations, share of the jumps", "1",
-                 missed / static_cast<double>(census.size()), 0, 0.05, "recorded: 0.01; chaotic"});
-  all.push_back({"median iterations of a jump, all Euler steps", "1", median(iterations), 30, 200,
-                 "recorded; chaotic"});
+  show.at_most("ways that leave the branch before the limit load, all Euler steps",
+               std::ranges::count_if(census, &Way::early), 0,
+               "with dt below 2 no step goes past a root on the branch");
+  show.between("loads past the limit given up after 1000 iterations, share of the jumps",
+               missed / static_cast<double>(census.size()), 0, 0.05, "recorded: 0.01; chaotic");
+  show.between("median iterations of a jump, all Euler steps", median(iterations), 30, 200,
+               "recorded; chaotic");
 }
 
 /// The homotopy and Newton's iteration with the derivative of F.
-void add_exact(std::vector<scene::Quantity>& all, const std::vector<Stepped>& steps) {
+void check_exact(const std::vector<Stepped>& steps, scene::Show& show) {
   double distance = 0, least = HUGE_VAL, greatest = -HUGE_VAL;
   int falling = 0, most = 0, newton = 0;
   for (const Stepped& s : steps) {
@@ -190,18 +205,17 @@ void add_exact(std::vector<scene::Quantity>& all, const std::vector<Stepped>& st
   }
   const char* first =
       "the first load past the limit load of tools/oracles that is solved; those given up left out";
-  all.push_back(scene::at_most("greatest distance of a found point from the path", "in", distance, 2e-7,
-                               "the tolerance of 1e-6 lb on F over its slope, at least 5 lb/in here"));
-  all.push_back(scene::at_most("found points on the falling branch", "1", falling, 0,
-                               "no step goes past a root on a rising branch; past the limit it has none"));
-  all.push_back({"least load of a jump past the limit load, in load steps", "1", least, 0, 1, first});
-  all.push_back({"greatest load of a jump past the limit load, in load steps", "1", greatest, 0, 1, first});
-  all.push_back(
-      {"most iterations of the homotopy for a load without a jump", "1", static_cast<double>(most), 22, 30,
-       "each leaves 1 - dt/2 = 0.5525 of a residual that begins at 0.5 lb: 22 to the tolerance; some "
-       "more where the path bends"});
-  all.push_back({"most iterations of Newton for a load without a jump", "1", static_cast<double>(newton), 3,
-                 7, "quadratic from a start that is a load step off"});
+  show.at_most("greatest distance of a found point from the path", {distance, "in"}, 2e-7,
+               "the tolerance of 1e-6 lb on F over its slope, at least 5 lb/in here");
+  show.at_most("found points on the falling branch", falling, 0,
+               "no step goes past a root on a rising branch; past the limit it has none");
+  show.between("least load of a jump past the limit load, in load steps", least, 0, 1, first);
+  show.between("greatest load of a jump past the limit load, in load steps", greatest, 0, 1, first);
+  show.between("most iterations of the homotopy for a load without a jump", most, 22, 30,
+               "each leaves 1 - dt/2 = 0.5525 of a residual that begins at 0.5 lb: 22 to the tolerance; some "
+               "more where the path bends");
+  show.between("most iterations of Newton for a load without a jump", newton, 3, 7,
+               "quadratic from a start that is a load step off");
 }
 
 double slope(Model model, double deflection) {
@@ -224,56 +238,50 @@ double least_attracting_load(double factor) {
 }
 
 /// Both with A_nd as printed.
-void add_printed(std::vector<scene::Quantity>& all, const std::vector<Stepped>& steps) {
-  for (const Stepped& s : steps) {
-    if (s.how.model != Model::element_printed) continue;
-    const bool newton = s.how.iteration.scheme == Scheme::newton;
-    const std::string name = newton ? "Newton" : "homotopy";
-    all.push_back({"loads not solved, loading, A_nd as printed, " + name, "1",
-                   static_cast<double>(unsolved(s.up)), newton ? 6.0 : 0.0, newton ? 7.0 : 1.0,
-                   newton ? "recorded: 7, of 43 to 49 lb; the multiplier of 49 lb is close to -1"
-                          : "recorded: 0; a jump is chaotic"});
+void check_printed(const Stepped& s, scene::Show& show) {
+  const bool newton = s.how.iteration.scheme == Scheme::newton;
+  const std::string name = newton ? "Newton" : "homotopy";
+  show.between("loads not solved, loading, A_nd as printed, " + name, unsolved(s.up), newton ? 6 : 0,
+               newton ? 7 : 1,
+               newton ? "recorded: 7, of 43 to 49 lb; the multiplier of 49 lb is close to -1"
+                      : "recorded: 0; a jump is chaotic");
+  if (!newton) {
     const auto found = jumps(s, false);
-    const double last = found.empty() ? NAN : found[0].before.load;
-    if (!newton)
-      all.push_back({"found points on the falling branch, unloading, A_nd as printed, homotopy", "1",
-                     static_cast<double>(points_on(s.down, Branch::falling)), 0, 3,
-                     "recorded: 2; where it ends after it has left the far branch is chaotic"});
-    if (!newton)
-      all.push_back({"last load on the far branch, unloading, A_nd as printed, homotopy", "lb", last, 36, 36,
-                     "the first whole number above the least attracting load"});
-    all.push_back({"least load whose root on the far branch attracts, A_nd as printed, " + name, "lb",
-                   least_attracting_load(newton ? 1 : example_step / 2), newton ? 48.0 : 35.0,
-                   newton ? 50.0 : 36.0, "between the loads that are solved and those that are not"});
+    show.between("found points on the falling branch, unloading, A_nd as printed, homotopy",
+                 points_on(s.down, Branch::falling), 0, 3,
+                 "recorded: 2; where it ends after it has left the far branch is chaotic");
+    show.equals("last load on the far branch, unloading, A_nd as printed, homotopy",
+                {found.empty() ? NAN : found[0].before.load, "lb"}, 36,
+                "the first whole number above the least attracting load");
   }
+  show.between("least load whose root on the far branch attracts, A_nd as printed, " + name,
+               {least_attracting_load(newton ? 1 : example_step / 2), "lb"}, newton ? 48 : 35,
+               newton ? 50 : 36, "between the loads that are solved and those that are not");
 }
 
-std::vector<scene::Quantity> quantities(const Study& s) {
-  std::vector<scene::Quantity> all;
-  add_exact(all, s.all);
-  add_census(all, s.census);
-  add_printed(all, s.all);
-  all.push_back({"residual after 1000 iterations, two elements a member, first load", "1", s.two_elements,
-                 0.5, 1, "recorded: 0.867; slow by the square of the condition"});
-  return all;
+void put(const Study& s, scene::Show& show) {
+  draw(s.census, show);
+  put_table(s.all, show);
+  check_exact(s.all, show);
+  check_census(s.census, show);
+  for (const Stepped& steps : s.all) {
+    if (steps.how.model == Model::element_printed) check_printed(steps, show);
+  }
+  show.between("residual after 1000 iterations, two elements a member, first load", s.two_elements, 0.5, 1,
+               "recorded: 0.867; slow by the square of the condition");
 }
 
 }  // namespace
 
-void add_load_stepping_study(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Study>(
+std::vector<scene::Scene> load_stepping_study() {
+  const scene::Result result(
       "load-stepping",
       "loads 1 or 0.5 lb apart up to 50 lb and back, each from the solution before, by the fixed-point "
       "homotopy and by Newton; Euler steps from 0.3 to 1.95",
-      {}, [](Workshop& w) { return study(w.quick()); });
-  chapter.add({.name = "load-stepping",
-               .title = "Load stepping: where it leaves the path, with other steps and by Newton",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Study& s = w.result(run);
-                 return scene::Showing{draw(s), tabulate(s), quantities(s)};
-               }});
+      study);
+  return {{.name = "load-stepping",
+           .title = "Load stepping: where it leaves the path, with other steps and by Newton",
+           .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
-#include "chapters/homotopy/curves.hpp"
-#include "chapters/homotopy/rows.hpp"
-#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/iterations.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
-
-using scene::Workshop;
 
 /// Half span and member length read into Table 2.1, and loads.
 struct Case {
@@ -25,6 +25,15 @@ struct Cycle {
   Case setting;
   std::array<double, 2> residual, deflection;  ///< relative; inch
   double root, consistent, misprinted;         ///< delta, dF/ddelta, and what is taken for it, there
+
+  [[nodiscard]] double load() const { return setting.load; }
+  [[nodiscard]] const char* reading() const { return setting.reading; }
+  [[nodiscard]] double printed() const { return setting.printed; }
+  [[nodiscard]] double even() const { return residual[1]; }
+  [[nodiscard]] double odd() const { return residual[0]; }
+  [[nodiscard]] double even_in_load() const { return residual[1] * setting.load; }
+  [[nodiscard]] double odd_in_load() const { return residual[0] * setting.load; }
+  [[nodiscard]] double multiplier() const { return 1 - consistent / misprinted; }
 };
 
 double slope(Model model, const Case& c, double deflection) {
@@ -63,95 +72,74 @@ double newton_map(Model model, double deflection) {
   return toggle.deflection(x);
 }
 
-scene::Figure draw(const Cycle& c) {
-  Curves figure("With A_{nd} as printed Newton turns about the root for ever",
-                "deflection {/:Italic δ}_{k} (in)", "next deflection {/:Italic δ}_{k+1} (in)");
+std::vector<Cycle> all_cycles() {
+  std::vector<Cycle> all;
+  for (const Case& c : cases) all.push_back(cycle(c));
+  return all;
+}
+
+void draw(const Cycle& c, scene::Show& show) {
   constexpr double low = 0.56, high = 0.72;
-  figure.begin("{/:Italic δ}_{k+1} = {/:Italic δ}_{k}", "l13");
-  figure.add(low, low);
-  figure.add(high, high);
-  for (const Model model : {Model::element, Model::element_printed}) {
-    const bool exact = model == Model::element;
-    figure.begin(exact ? "consistent tangent" : "{/:Italic A}_{nd} as printed", exact ? "l1" : "l5");
-    for (int i = 0; i <= 160; ++i) {
-      const double d = low + (high - low) * i / 160;
-      figure.add(d, newton_map(model, d));
-    }
-  }
+  std::vector<double> grid;
+  for (int i = 0; i <= 160; ++i) grid.push_back(low + (high - low) * i / 160);
+  scene::Panel& panel =
+      show.plot("With A_{nd} as printed Newton turns about the root for ever",
+                "deflection {/:Italic δ}_{k} (in)", "next deflection {/:Italic δ}_{k+1} (in)");
+  panel.key("below").x_range(low, high).y_range(0.56, 0.76);
+  show.figure().size(760, 540);
   const auto [a, b] = c.deflection;
-  figure.begin("the cycle", "b3");
-  for (const auto& [x, y] : {std::pair{a, b}, {b, b}, {b, a}, {a, a}, {a, b}}) figure.add(x, y);
-  figure.begin("root", "p4");
-  figure.add(c.root, c.root);
-  return figure.with("below", "1")
-      .with("height", "540")
-      .with("xrange", "[0.56:0.72]")
-      .with("yrange", "[0.56:0.76]")
-      .take();
+  panel.curve("{/:Italic δ}_{k+1} = {/:Italic δ}_{k}", {low, high}, {low, high}, scene::lines(13))
+      .curve(
+          "consistent tangent", grid, std::identity(), [](double d) { return newton_map(Model::element, d); },
+          scene::lines(1))
+      .curve(
+          "{/:Italic A}_{nd} as printed", grid, std::identity(),
+          [](double d) { return newton_map(Model::element_printed, d); }, scene::lines(5))
+      .curve("the cycle", {a, b, b, a, a}, {b, b, a, a, b}, scene::linespoints(3))
+      .curve("root", {c.root}, {c.root}, scene::large_points(4));
 }
 
-scene::Table tabulate(const std::vector<Cycle>& all) {
-  scene::Table table({{"load (lb)", 4},
-                      {"reading"},
-                      {"|F|/|F(0)|, even", 5},
-                      {"odd", 5},
-                      {"the same (lb of load)", 5},
-                      {"odd (lb)", 5},
-                      {"published", 5},
-                      {"K at the root (lb/in)", 4},
-                      {"K with A_nd as printed", 4},
-                      {"multiplier 1 - K/K'", 4}});
-  for (const Cycle& c : all) {
-    const double load = c.setting.load;
-    table.add({load, c.setting.reading, c.residual[1], c.residual[0], c.residual[1] * load,
-               c.residual[0] * load, c.setting.printed, c.consistent, c.misprinted,
-               1 - c.consistent / c.misprinted});
-  }
-  return table;
-}
-
-std::vector<scene::Quantity> quantities(const std::vector<Cycle>& all) {
+void put(const std::vector<Cycle>& all, scene::Show& show) {
+  draw(all[0], show);
+  show.table(all, {{"load (lb)", &Cycle::load, 4},
+                   {"reading", &Cycle::reading},
+                   {"|F|/|F(0)|, even", &Cycle::even, 5},
+                   {"odd", &Cycle::odd, 5},
+                   {"the same (lb of load)", &Cycle::even_in_load, 5},
+                   {"odd (lb)", &Cycle::odd_in_load, 5},
+                   {"published", &Cycle::printed, 5},
+                   {"K at the root (lb/in)", &Cycle::consistent, 4},
+                   {"K with A_nd as printed", &Cycle::misprinted, 4},
+                   {"multiplier 1 - K/K'", &Cycle::multiplier, 4}});
   // oracle: homotopy_williams cycle under *, element 0.44 slope of the half*
-  const char* program = "tools/oracles/homotopy_williams.py, all its digits";
+  const char *program = "tools/oracles/homotopy_williams.py, all its digits",
+             *four = "tools/oracles/homotopy_williams.py, four digits";
   const Cycle &last = all[0], &span = all[1], &near = all[2];
-  return {scene::near("residual of the cycle, 44 lb, iteration 1000", "1", last.residual[1], 0.30373, 2e-5,
-                      program),
-          scene::near("residual of the cycle, 44 lb, iteration 999", "1", last.residual[0], 0.10028, 5e-5,
-                      program),
-          {"the same over the printed 0.3042, less 1", "1", last.residual[1] / 0.3042 - 1, -0.002, -0.001,
-           "0.30373 is 0.15 % less; nothing is fitted"},
-          scene::near("residual of the cycle, 44 lb, l the half span", "1",
-                      std::max(span.residual[0], span.residual[1]), 0.30029, 2e-5, program),
-          scene::near("residual of the cycle, 43.79 lb, iteration 1000", "lb", near.residual[1] * near_load,
-                      4.389, 2e-4, program),
-          scene::near("residual of the cycle, 43.79 lb, iteration 999", "lb", near.residual[0] * near_load,
-                      13.73, 5e-4, program),
-          scene::near("dF/ddelta at the root, 43.79 lb", "lb/in", near.consistent, 91.00, 1e-4,
-                      "tools/oracles/homotopy_williams.py, four digits"),
-          scene::near("the same with A_nd as printed", "lb/in", near.misprinted, 40.68, 2e-4,
-                      "tools/oracles/homotopy_williams.py, four digits"),
-          scene::near("multiplier of Newton's map, 43.79 lb", "1", 1 - near.consistent / near.misprinted,
-                      1 - 91.00 / 40.68, 3e-4, "the same two numbers; below -1 the root repels")};
+  show.near("residual of the cycle, 44 lb, iteration 1000", last.even(), 0.30373, 2e-5, program);
+  show.near("residual of the cycle, 44 lb, iteration 999", last.odd(), 0.10028, 5e-5, program);
+  show.between("the same over the printed 0.3042, less 1", last.even() / last.printed() - 1, -0.002, -0.001,
+               "0.30373 is 0.15 % less; nothing is fitted");
+  show.near("residual of the cycle, 44 lb, l the half span", std::max(span.odd(), span.even()), 0.30029, 2e-5,
+            program);
+  show.near("residual of the cycle, 43.79 lb, iteration 1000", {near.even_in_load(), "lb"}, 4.389, 2e-4,
+            program);
+  show.near("residual of the cycle, 43.79 lb, iteration 999", {near.odd_in_load(), "lb"}, 13.73, 5e-4,
+            program);
+  show.near("dF/ddelta at the root, 43.79 lb", {near.consistent, "lb/in"}, 91.00, 1e-4, four);
+  show.near("the same with A_nd as printed", {near.misprinted, "lb/in"}, 40.68, 2e-4, four);
+  show.near("multiplier of Newton's map, 43.79 lb", near.multiplier(), 1 - 91.00 / 40.68, 3e-4,
+            "the same two numbers; below -1 the root repels");
 }
 
 }  // namespace
 
-void add_misprint_study(scene::Chapter& chapter) {
-  const auto& cycles = chapter.add_run<std::vector<Cycle>>(
-      "cycles", "Newton from rest for 1000 iterations, one element a member, A_nd of Eq. 2.35 as printed", {},
-      [](Workshop&) {
-        std::vector<Cycle> all;
-        for (const Case& c : cases) all.push_back(cycle(c));
-        return all;
-      });
-  chapter.add({.name = "misprint-study",
-               .title = "Newton's iteration with the tangent as printed: a cycle about the root",
-               .place = "our own",
-               .needs = {&cycles},
-               .show = [&cycles](Workshop& w) {
-                 const std::vector<Cycle>& all = w.result(cycles);
-                 return scene::Showing{draw(all[0]), tabulate(all), quantities(all)};
-               }});
+std::vector<scene::Scene> misprint_study() {
+  const scene::Result cycles(
+      "cycles", "Newton from rest for 1000 iterations, one element a member, A_nd of Eq. 2.35 as printed",
+      all_cycles);
+  return {{.name = "misprint-study",
+           .title = "Newton's iteration with the tangent as printed: a cycle about the root",
+           .content = scene::Content(put, cycles)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -11,19 +11,17 @@
 #include <vector>
 
 #include "chapters/homotopy/counted.hpp"
-#include "chapters/homotopy/curves.hpp"
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/energy_trust_region.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using scene::Workshop;
 using CountedVector = Eigen::Matrix<Counted, Eigen::Dynamic, 1>;
 using CountedMatrix = Eigen::Matrix<Counted, Eigen::Dynamic, Eigen::Dynamic>;
 using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
@@ -34,6 +32,7 @@ constexpr Index most_counted = 100;
 
 /// Operations of the parts of one iteration.
 struct Cost {
+  const char* frame = "";           ///< which
   Index unknowns = 0, entries = 0;  ///< of B, both halves
   double elements = 0;              ///< of the frame
   double force = 0, tangent = 0;    ///< counted
@@ -158,10 +157,10 @@ void compare(Cost& cost, const Eigen::SparseMatrix<Counted>& b, const VectorXd& 
 }
 
 /// One iteration at the displacements @p x. Throws Failure where the frame has no tangent.
-Cost cost_of(const frames::Frame& frame, const VectorXd& x) {
+Cost cost_of(const char* name, const frames::Frame& frame, const VectorXd& x) {
   std::int64_t operations = 0;
   const CountedVector at = counted(x, &operations);
-  Cost cost;
+  Cost cost{.frame = name};
   cost.elements = static_cast<double>(frame.members().size());
   CountedVector force;
   Status status = frame.force<Counted>(at, force);
@@ -193,7 +192,7 @@ Cost cost_of_toggle(int elements) {
   VectorXd x = VectorXd::Zero(toggle.frame.size());
   const Status status = find_root(algebraic::EnergyTrustRegion{}, equations, x).status;
   if (!status.ok()) throw Failure(status);
-  return cost_of(toggle.frame, x);
+  return cost_of("half toggle", toggle.frame, x);
 }
 
 /// A square lattice of n by n joints 1 in apart, the lowest row clamped, members as the toggle's, bent by
@@ -217,7 +216,7 @@ Cost cost_of_lattice(int n) {
   const frames::Frame frame(std::move(nodes), std::move(members), supports);
   VectorXd x(frame.size());
   for (Index k = 0; k < x.size(); ++k) x[k] = 1e-3 * std::sin(static_cast<double>(k + 1));
-  return cost_of(frame, x);
+  return cost_of("square lattice", frame, x);
 }
 
 struct Costs {
@@ -242,43 +241,33 @@ Costs compute() {
   return c;
 }
 
-scene::Table tabulate(const Costs& c) {
-  scene::Table table({{"frame"},
-                      {"unknowns"},
-                      {"operations of F and B", 4},
-                      {"of the inverse", 4},
-                      {"of dense LU", 4},
-                      {"of sparse LDL^T", 4},
-                      {"share of the inverse", 3},
-                      {"share of dense LU", 3},
-                      {"share of sparse LDL^T", 3}});
-  const auto add = [&](const char* name, const std::vector<Cost>& costs) {
-    for (const Cost& k : costs)
-      table.add({name, static_cast<std::int64_t>(k.unknowns), k.assembly(), k.inverse, k.lu, k.sparse,
-                 k.share(k.inverse), k.share(k.lu), k.share(k.sparse)});
-  };
-  add("half toggle", c.toggles);
-  add("square lattice", c.lattices);
-  return table;
+void put_table(const Costs& c, scene::Show& show) {
+  std::vector<Cost> rows = c.toggles;
+  rows.insert(rows.end(), c.lattices.begin(), c.lattices.end());
+  show.table(rows, {{"frame", &Cost::frame},
+                    {"unknowns", &Cost::unknowns},
+                    {"operations of F and B", &Cost::assembly, 4},
+                    {"of the inverse", &Cost::inverse, 4},
+                    {"of dense LU", &Cost::lu, 4},
+                    {"of sparse LDL^T", &Cost::sparse, 4},
+                    {"share of the inverse", [](const Cost& k) { return k.share(k.inverse); }, 3},
+                    {"share of dense LU", [](const Cost& k) { return k.share(k.lu); }, 3},
+                    {"share of sparse LDL^T", [](const Cost& k) { return k.share(k.sparse); }, 3}});
 }
 
-scene::Figure draw(const Costs& c) {
-  Curves figure("Solving: a dense inverse dominates, a band never", "unknowns",
-                "share of solving in an iteration");
-  const auto add = [&](const char* name, const char* look, const std::vector<Cost>& costs,
-                       double Cost::*solving) {
-    figure.begin(name, look);
-    for (const Cost& k : costs) figure.add(static_cast<double>(k.unknowns), k.share(k.*solving));
+void draw(const Costs& c, scene::Show& show) {
+  scene::Panel& panel = show.plot("Solving: a dense inverse dominates, a band never", "unknowns",
+                                  "share of solving in an iteration");
+  panel.key("below").log_x(0.8, 1e5).y_range(0, 1);
+  const auto add = [&](const char* name, int style, const std::vector<Cost>& costs, double Cost::*solving) {
+    panel.curve(
+        name, costs, &Cost::unknowns, [&](const Cost& k) { return k.share(k.*solving); },
+        scene::linespoints(style));
   };
-  add("toggle, dense inverse", "b2", c.toggles, &Cost::inverse);
-  add("toggle, dense LU", "b3", c.toggles, &Cost::lu);
-  add("square lattice, sparse LDL^T", "b4", c.lattices, &Cost::sparse);
-  add("toggle, sparse LDL^T", "b1", c.toggles, &Cost::sparse);
-  return figure.with("logx", "1")
-      .with("xrange", "[0.8:1e5]")
-      .with("yrange", "[0:1]")
-      .with("below", "1")
-      .take();
+  add("toggle, dense inverse", 2, c.toggles, &Cost::inverse);
+  add("toggle, dense LU", 3, c.toggles, &Cost::lu);
+  add("square lattice, sparse LDL^T", 4, c.lattices, &Cost::sparse);
+  add("toggle, sparse LDL^T", 1, c.toggles, &Cost::sparse);
 }
 
 /// Operations of F and B an element by the formulas: each evaluates both power series, 28 and 22 steps of
@@ -287,43 +276,40 @@ scene::Figure draw(const Costs& c) {
 constexpr double least_assembly = 2 * 306, most_assembly = 2 * (5 * (306 + 34) + 500);
 
 /// A share of solving between those that the bounds of the assembly leave.
-scene::Quantity share(const std::string& name, const Cost& cost, double solving) {
-  return {name,
-          "1",
-          cost.share(solving),
-          solving / (solving + most_assembly * cost.elements),
-          solving / (solving + least_assembly * cost.elements),
-          "the formula against 612 to 4400 operations of F and B an element"};
+void check_share(const std::string& name, const Cost& cost, double solving, scene::Show& show) {
+  show.between(name, cost.share(solving), solving / (solving + most_assembly * cost.elements),
+               solving / (solving + least_assembly * cost.elements),
+               "the formula against 612 to 4400 operations of F and B an element");
 }
 
 /// Of the toggle whose n is about 30, 300 and 3000.
-void add_shares(std::vector<scene::Quantity>& list, const Costs& c) {
+void check_shares(const Costs& c, scene::Show& show) {
   for (const std::size_t i : {3U, 5U, 7U}) {
     const Cost& k = c.toggles.at(i);
     const std::string n = fmt::format("toggle, n = {}", k.unknowns);
-    list.push_back(share("share of the dense inverse, " + n, k, k.inverse));
-    list.push_back(share("share of dense LU, " + n, k, k.lu));
-    list.push_back(share("share of sparse LDL^T, " + n, k, k.sparse));
+    check_share("share of the dense inverse, " + n, k, k.inverse, show);
+    check_share("share of dense LU, " + n, k, k.lu, show);
+    check_share("share of sparse LDL^T, " + n, k, k.sparse, show);
   }
 }
 
-std::vector<scene::Quantity> of_lattices(const Costs& c) {
+void check_lattices(const Costs& c, scene::Show& show) {
   const Cost &last = c.lattices.back(), &before = c.lattices.at(c.lattices.size() - 2);
   const double exponent = std::log(last.sparse / before.sparse) /
                           std::log(static_cast<double>(last.unknowns) / static_cast<double>(before.unknowns));
-  return {
-      share("share of sparse LDL^T, largest lattice", last, last.sparse),
-      {"exponent of n in the operations of sparse LDL^T, lattice", "1", exponent, 1.5, 2,
-       "no order of the unknowns takes less than n^(3/2) (Hoffman, Martin and Rose 1973); row by row it is "
-       "n^2"},
-      {"unknowns from which sparse LDL^T takes more than half, lattice", "1",
-       static_cast<double>(c.first_sparse), 720, 2976, "recorded: a lattice of 16 to 32 joints a side"},
-      {"share saved by an iteration without solving, largest lattice", "1", last.saving(),
-       last.share(last.sparse) - 0.02, last.share(last.sparse),
-       "solving, less a product with B: 27 entries a column against 1300 operations of F and B an unknown"}};
+  check_share("share of sparse LDL^T, largest lattice", last, last.sparse, show);
+  show.between("exponent of n in the operations of sparse LDL^T, lattice", exponent, 1.5, 2,
+               "no order of the unknowns takes less than n^(3/2) (Hoffman, Martin and Rose 1973); row by row "
+               "it is n^2");
+  show.between("unknowns from which sparse LDL^T takes more than half, lattice", c.first_sparse, 720, 2976,
+               "recorded: a lattice of 16 to 32 joints a side");
+  show.between("share saved by an iteration without solving, largest lattice", last.saving(),
+               last.share(last.sparse) - 0.02, last.share(last.sparse),
+               "solving, less a product with B: 27 entries a column against 1300 operations of F and B an "
+               "unknown");
 }
 
-std::vector<scene::Quantity> quantities(const Costs& c) {
+void check_operations(const Costs& c, scene::Show& show) {
   double discrepancy = 0, steps = 0, least = HUGE_VAL, most = 0;
   for (const auto* costs : {&c.toggles, &c.lattices}) {
     for (const Cost& k : *costs) {
@@ -333,51 +319,53 @@ std::vector<scene::Quantity> quantities(const Costs& c) {
       most = std::max(most, k.assembly() / k.elements);
     }
   }
-  const Cost& chain = c.toggles.back();
   const char* bounds = "612 to 4400 by the formulas of the element";
-  std::vector<scene::Quantity> list = {
-      {"largest difference of a formula from its count, up to 100 unknowns", "1", discrepancy, 0, 0,
-       "sums over the loops"},
-      scene::at_most("largest difference of the steps by three ways, over n eps cond(B)", "1", steps, 1,
-                     "rounding of one system of linear equations"),
-      {"least operations of F and B an element", "1", least, least_assembly, most_assembly, bounds},
-      {"most operations of F and B an element", "1", most, least_assembly, most_assembly, bounds},
-      // 2 n^3 = A n/3 and 2 n^3/3 = A n/3 for A operations an element, three unknowns each.
-      {"unknowns from which the dense inverse takes more than half, toggle", "1",
-       static_cast<double>(c.first_inverse), std::sqrt(least_assembly / 6), std::sqrt(most_assembly / 6),
-       "2 n^3 against 612 to 4400 operations for three unknowns"},
-      {"unknowns from which dense LU takes more than half, toggle", "1", static_cast<double>(c.first_lu),
-       std::sqrt(least_assembly / 2), std::sqrt(most_assembly / 2),
-       "2 n^3/3 against 612 to 4400 operations for three unknowns"},
-      // Columns of L with 5, 4 and 3 entries: c (c + 2) and 4 c; 15 entries scattered, 6 shifts, 6 divided by
-      // D.
-      scene::near("operations of sparse LDL^T an element, 1001 elements", "1", chain.sparse / chain.elements,
-                  35 + 24 + 15 + 48 + 15 + 6 + 6, 2e-3,
-                  "columns of L with 5, 4 and 3 entries below the diagonal; the ends have less"),
-      {"share saved by an iteration without solving, toggle, 1001 elements", "1", chain.saving(),
-       (149. - 54) / (most_assembly + 149), (149. - 54) / (least_assembly + 149),
-       "149 operations less 54 of a product with B, over 612 to 4400 and 149"}};
-  add_shares(list, c);
-  for (scene::Quantity& q : of_lattices(c)) list.push_back(std::move(q));
-  return list;
+  show.equals("largest difference of a formula from its count, up to 100 unknowns", discrepancy, 0,
+              "sums over the loops");
+  show.at_most("largest difference of the steps by three ways, over n eps cond(B)", steps, 1,
+               "rounding of one system of linear equations");
+  show.between("least operations of F and B an element", least, least_assembly, most_assembly, bounds);
+  show.between("most operations of F and B an element", most, least_assembly, most_assembly, bounds);
+}
+
+void check_toggles(const Costs& c, scene::Show& show) {
+  const Cost& chain = c.toggles.back();
+  // 2 n^3 = A n/3 and 2 n^3/3 = A n/3 for A operations an element, three unknowns each.
+  show.between("unknowns from which the dense inverse takes more than half, toggle", c.first_inverse,
+               std::sqrt(least_assembly / 6), std::sqrt(most_assembly / 6),
+               "2 n^3 against 612 to 4400 operations for three unknowns");
+  show.between("unknowns from which dense LU takes more than half, toggle", c.first_lu,
+               std::sqrt(least_assembly / 2), std::sqrt(most_assembly / 2),
+               "2 n^3/3 against 612 to 4400 operations for three unknowns");
+  // Columns of L with 5, 4 and 3 entries: c (c + 2) and 4 c; 15 entries scattered, 6 shifts, 6 divided by D.
+  show.near("operations of sparse LDL^T an element, 1001 elements", chain.sparse / chain.elements,
+            35 + 24 + 15 + 48 + 15 + 6 + 6, 2e-3,
+            "columns of L with 5, 4 and 3 entries below the diagonal; the ends have less");
+  show.between("share saved by an iteration without solving, toggle, 1001 elements", chain.saving(),
+               (149. - 54) / (most_assembly + 149), (149. - 54) / (least_assembly + 149),
+               "149 operations less 54 of a product with B, over 612 to 4400 and 149");
+}
+
+void put(const Costs& c, scene::Show& show) {
+  draw(c, show);
+  put_table(c, show);
+  check_operations(c, show);
+  check_toggles(c, show);
+  check_shares(c, show);
+  check_lattices(c, show);
 }
 
 }  // namespace
 
-void add_newton_cost(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Costs>(
+std::vector<scene::Scene> newton_cost() {
+  const scene::Result costs(
       "operations-of-newton",
       "F and B counted at an equilibrium of the half toggle 0.44 in high under 36 lb and of a square lattice "
       "of such members; solving by formulas that counts confirm up to 100 unknowns",
-      {}, [](Workshop&) { return compute(); });
-  chapter.add({.name = "newton-cost",
-               .title = "Operations of one iteration of Newton's: assembly, and solving in four ways",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Costs& c = w.result(run);
-                 return scene::Showing{draw(c), tabulate(c), quantities(c)};
-               }});
+      compute);
+  return {{.name = "newton-cost",
+           .title = "Operations of one iteration of Newton's: assembly, and solving in four ways",
+           .content = scene::Content(put, costs)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -1,13 +1,13 @@
+#include "chapters/homotopy/own_work.hpp"
+
 #include <fmt/format.h>
 
-#include "chapters/homotopy/chapter.hpp"
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
-void homotopy_work(CLI::App& app) {
+void commands(CLI::App& app) {
   add_limit_points_command(app);
   add_solve_command(app);
 }
@@ -22,4 +22,4 @@ int elements_of(const std::string& typed, const std::string& model) {
   return elements;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

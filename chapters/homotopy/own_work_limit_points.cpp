@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/own_work.hpp"
 #include "nlmech/frames/toggle_path.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 /// What was typed.
@@ -72,4 +72,4 @@ void add_limit_points_command(CLI::App& app) {
   command->callback([words] { limit_points(*words); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

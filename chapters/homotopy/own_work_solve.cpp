@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "chapters/homotopy/scenes.hpp"
+#include "chapters/homotopy/own_work.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
@@ -17,7 +17,7 @@
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 /// What was typed.
@@ -179,4 +179,4 @@ void add_solve_command(CLI::App& app) {
   command->callback([words] { solve(*words); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 std::string short_name(Scheme scheme) {
@@ -23,32 +23,24 @@ Ran run(const PrintedRow& row, Model model) {
 
 }  // namespace
 
-std::vector<Row> add_rows(scene::Chapter& chapter) {
+std::vector<Row> rows_of(const std::string& table) {
   std::vector<Row> all;
   for (const PrintedRow& row : printed_rows()) {
+    if (row.table != table) continue;
     const bool williams = row.model == Model::williams;
     const std::string name = fmt::format("{}-{}", row.table, short_name(row.iteration.scheme));
     const std::string setting = fmt::format(
         "from rest, |F| <= {:.3g} lb{}", row.iteration.tolerance,
         row.iteration.scheme == Scheme::newton ? "" : fmt::format(", Euler's rule, step {}", example_step));
     const Model other = williams ? Model::williams_frozen : Model::element_printed;
-    const auto& exact = chapter.add_run<Ran>(name, setting + ", Jacobian is the derivative of F", {},
-                                             [row](scene::Workshop&) { return run(row, row.model); });
-    const auto& misprinted = chapter.add_run<Ran>(
-        name + "-other-jacobian",
-        setting + (williams ? ", Jacobian with d_5 held constant" : ", A_nd of Eq. 2.35 as printed"), {},
-        [row, other](scene::Workshop&) { return run(row, other); });
-    all.push_back({row, &exact, &misprinted});
+    all.push_back(
+        {row,
+         {name, setting + ", Jacobian is the derivative of F", [row] { return run(row, row.model); }},
+         {name + "-other-jacobian",
+          setting + (williams ? ", Jacobian with d_5 held constant" : ", A_nd of Eq. 2.35 as printed"),
+          [row, other] { return run(row, other); }}});
   }
   return all;
 }
 
-std::vector<Row> rows_of(const std::vector<Row>& rows, const std::string& table) {
-  std::vector<Row> some;
-  for (const Row& row : rows) {
-    if (row.printed.table == table) some.push_back(row);
-  }
-  return some;
-}
-
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -1,13 +1,14 @@
 /// @file
-/// The rows of Tables 2.2 to 2.5 as runs, which tables and figures share.
+/// The rows of Tables 2.2 to 2.5 as results, which tables and figures share.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "chapters/homotopy/iterations.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// An iteration with all its iterates.
 struct Ran {
@@ -19,14 +20,11 @@ struct Ran {
 /// A printed row and our two readings of it.
 struct Row {
   PrintedRow printed;
-  const scene::Run<Ran>* exact;       ///< with the derivative of F
-  const scene::Run<Ran>* misprinted;  ///< d_5 held constant (Williams), or A_nd as printed (element)
+  scene::Result<Ran> exact;       ///< with the derivative of F
+  scene::Result<Ran> misprinted;  ///< d_5 held constant (Williams), or A_nd as printed (element)
 };
 
-/// Declares all runs.
-[[nodiscard]] std::vector<Row> add_rows(scene::Chapter& chapter);
-
 /// The rows of one table.
-[[nodiscard]] std::vector<Row> rows_of(const std::vector<Row>& rows, const std::string& table);
+[[nodiscard]] std::vector<Row> rows_of(const std::string& table);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

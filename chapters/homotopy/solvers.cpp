@@ -5,20 +5,19 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "chapters/homotopy/scenes.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
-
-using scene::Workshop;
 
 constexpr std::int64_t limit = 2500;  // of steps, rejected ones included
 
@@ -141,7 +140,7 @@ std::string words_of(const Trial& t) {
   }
 }
 
-scene::Table tabulate(const Solvers& s) {
+void put_table(const Solvers& s, scene::Show& show) {
   std::vector<scene::Column> columns = {{"solver"}};
   for (const Load& load : loads) columns.push_back({load.label});
   scene::Table table(columns);
@@ -150,29 +149,30 @@ scene::Table tabulate(const Solvers& s) {
     for (const Trial& t : s.trials[i]) cells.emplace_back(words_of(t));
     table.add(std::move(cells));
   }
-  return table;
+  show.table(std::move(table));
 }
 
-scene::Figure draw(const Solvers& s) {
+void draw(const Solvers& s, scene::Show& show) {
   scene::Table data({{"solver"}, {"row"}, {"column"}, {"end"}, {"iterations"}});
   constexpr std::array ends = {"equilibrium", "held up", "elsewhere"};
   for (std::size_t i = 0; i < s.names.size(); ++i) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const Trial& t = s.trials[i][k];
-      data.add({s.names[i], static_cast<std::int64_t>(i + 1), static_cast<std::int64_t>(k + 1),
-                ends.at(static_cast<std::size_t>(t.end)), t.iterations});
+      data.add({s.names[i], i + 1, k + 1, ends.at(static_cast<std::size_t>(t.end)), t.iterations});
     }
   }
-  return {std::move(data),
-          "homotopy-solvers",
-          {{"heading", "Past the limit load only energy and paths never fail"},
-           {"solvers", std::to_string(s.names.size())},
-           {"width", "900"},
-           {"height", "700"}}};
+  show.draw(std::move(data), "homotopy-solvers",
+            {{"heading", "Past the limit load only energy and paths never fail"},
+             {"solvers", std::to_string(s.names.size())},
+             {"width", "900"},
+             {"height", "700"}});
 }
 
-std::vector<scene::Quantity> quantities(const Solvers& s) {
-  const char* recorded = "recorded with the same start and tolerance";
+// oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 1 drop *, toggle 0.44 of 4 drop just
+// above *
+void check_numbers(const Solvers& s, scene::Show& show) {
+  const char *recorded = "recorded with the same start and tolerance",
+             *program = "tools/oracles/homotopy_frames.py, all its digits";
   double worst = 0;
   for (const auto& row : s.trials) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
@@ -184,78 +184,75 @@ std::vector<scene::Quantity> quantities(const Solvers& s) {
     return t.end == End::equilibrium ? static_cast<double>(t.iterations) : HUGE_VAL;
   };
   const auto drop = [&](std::string_view name, std::size_t load) { return s.of(name, load).deflection; };
-  // oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 1 drop *, toggle 0.44 of 4 drop just
-  // above *
-  std::vector<scene::Quantity> list = {
-      scene::near("limit load, four elements a member", "lb", s.limit_load, 42.4387099966, 3e-12,
-                  "tools/oracles/homotopy_frames.py, all its digits"),
-      scene::at_most("greatest |F| of an equilibrium found, in tolerances", "1", worst, 1,
-                     "evaluated once more at the end"),
-      {"iterations of Newton, one element, 43.79 lb", "1", count("newton", 0), 8, 8, recorded},
-      {"iterations of Newton, four elements, 0.32 in, 27.11 lb", "1", count("newton", 2), 7, 7, recorded},
-      {"iterations of Newton, W_L(1 - 1e-9)", "1", count("newton", below_fold), 17, 19,
-       "recorded 18; the error halves with every step, and may end a step off"},
-      {"iterations of the optimal iterative algorithm, one element, 43.79 lb", "1",
-       count("optimal-iterative", 0), 18, 40,
-       "recorded 27; in one variable damped Newton by 0.95, chaotic at the fold"},
-      scene::near("deflection under 43.79 lb, one element", "in", drop("energy-trust-region", 0),
-                  0.621922545486, 1e-11, "tools/oracles/homotopy_frames.py, all its digits"),
-      scene::near("deflection under 44 lb, one element", "in", drop("energy-trust-region", 1), 0.623070489,
-                  1e-9, "tools/oracles/homotopy_frames.py, all its digits"),
-      scene::near("deflection under W_L(1 + 1e-9)", "in", drop("energy-trust-region", above_fold),
-                  0.614300816, 1e-9, "tools/oracles/homotopy_frames.py, all its digits"),
-      // |W - W_L|/W of one element: F there is half of that.
-      scene::near("least residual that Levenberg-Marquardt finds, one element, 43.79 lb", "1",
-                  s.of("levenberg-marquardt", 0).residual, (43.79 - 42.435492120383) / 43.79, 1e-10,
-                  "the distance of the load from the limit load, relative: the minimum of |F| is the fold"),
-      scene::at_most("distance of that place from the limit point", "in",
-                     std::abs(drop("levenberg-marquardt", 0) - s.limit_of_one), 1e-5,
-                     "|F| is flat there: the root of 1e-15, times a hundred"),
-      scene::at_most("the same for the dogleg", "in", std::abs(drop("dogleg", 0) - s.limit_of_one), 1e-5,
-                     "as above")};
+  show.near("limit load, four elements a member", {s.limit_load, "lb"}, 42.4387099966, 3e-12, program);
+  show.at_most("greatest |F| of an equilibrium found, in tolerances", worst, 1,
+               "evaluated once more at the end");
+  show.equals("iterations of Newton, one element, 43.79 lb", count("newton", 0), 8, recorded);
+  show.equals("iterations of Newton, four elements, 0.32 in, 27.11 lb", count("newton", 2), 7, recorded);
+  show.between("iterations of Newton, W_L(1 - 1e-9)", count("newton", below_fold), 17, 19,
+               "recorded 18; the error halves with every step, and may end a step off");
+  show.between("iterations of the optimal iterative algorithm, one element, 43.79 lb",
+               count("optimal-iterative", 0), 18, 40,
+               "recorded 27; in one variable damped Newton by 0.95, chaotic at the fold");
+  show.near("deflection under 43.79 lb, one element", {drop("energy-trust-region", 0), "in"}, 0.621922545486,
+            1e-11, program);
+  show.near("deflection under 44 lb, one element", {drop("energy-trust-region", 1), "in"}, 0.623070489, 1e-9,
+            program);
+  show.near("deflection under W_L(1 + 1e-9)", {drop("energy-trust-region", above_fold), "in"}, 0.614300816,
+            1e-9, program);
+  // |W - W_L|/W of one element: F there is half of that.
+  show.near("least residual that Levenberg-Marquardt finds, one element, 43.79 lb",
+            s.of("levenberg-marquardt", 0).residual, (43.79 - 42.435492120383) / 43.79, 1e-10,
+            "the distance of the load from the limit load, relative: the minimum of |F| is the fold");
+  show.at_most("distance of that place from the limit point",
+               {std::abs(drop("levenberg-marquardt", 0) - s.limit_of_one), "in"}, 1e-5,
+               "|F| is flat there: the root of 1e-15, times a hundred");
+  show.at_most("the same for the dogleg", {std::abs(drop("dogleg", 0) - s.limit_of_one), "in"}, 1e-5,
+               "as above");
+}
+
+void check_counts(const Solvers& s, scene::Show& show) {
+  const auto solved = [&](const char* name, std::size_t load) {
+    return s.of(name, load).end == End::equilibrium;
+  };
   for (const char* name : {"energy-trust-region", "riks", "crisfield", "gdc", "chow-yorke"}) {
     int reached = 0;
-    for (std::size_t k = 0; k < loads.size(); ++k) reached += s.of(name, k).end == End::equilibrium ? 1 : 0;
-    list.push_back({fmt::format("loads of {} solved by {}", loads.size(), name), "1",
-                    static_cast<double>(reached), loads.size(), loads.size(),
-                    "neither the potential nor the path has an obstacle"});
+    for (std::size_t k = 0; k < loads.size(); ++k) reached += solved(name, k) ? 1 : 0;
+    show.equals(fmt::format("loads of {} solved by {}", loads.size(), name), reached, loads.size(),
+                "neither the potential nor the path has an obstacle");
   }
-  constexpr std::array published = {std::pair{std::size_t{3}, "43.79 lb"},
-                                    std::pair{std::size_t{4}, "44 lb"}};
-  for (const auto& [load, label] : published) {
+  for (const auto& [load, label] : {std::pair{3U, "43.79 lb"}, {4U, "44 lb"}}) {
     int passed = 0;
     for (const char* name : {"fixed-point", "newton-homotopy", "scalar-homotopy", "steepest-descent",
                              "optimal-iterative", "vector-homotopy", "levenberg-marquardt", "dogleg"})
-      passed += s.of(name, load).end == End::equilibrium ? 1 : 0;
-    list.push_back(scene::at_most(
+      passed += solved(name, load) ? 1 : 0;
+    show.at_most(
         fmt::format("of eight methods without a path or an energy, how many solve four elements, {}", label),
-        "1", passed, 0, "recorded: scalar homotopies not in 2500 steps, the others stuck"));
+        passed, 0, "recorded: scalar homotopies not in 2500 steps, the others stuck");
   }
   for (std::size_t k = 0; k < loads.size(); ++k)
-    list.push_back({fmt::format("solvers that find an equilibrium, {}", loads[k].label), "1",
-                    static_cast<double>(s.reached(k)), 5,
-                    k == above_fold ? 5. : static_cast<double>(s.names.size()),
-                    k == above_fold ? "the five above; all others see a minimum of |F| of 1e-9 and stay"
-                                    : "five follow a path or let the energy fall; chance decides on others"});
-  return list;
+    show.between(fmt::format("solvers that find an equilibrium, {}", loads[k].label), s.reached(k), 5,
+                 k == above_fold ? 5 : static_cast<double>(s.names.size()),
+                 k == above_fold ? "the five above; all others see a minimum of |F| of 1e-9 and stay"
+                                 : "five follow a path or let the energy fall; chance decides on others");
+}
+
+void put(const Solvers& s, scene::Show& show) {
+  draw(s, show);
+  put_table(s, show);
+  check_numbers(s, show);
+  check_counts(s, show);
 }
 
 }  // namespace
 
-void add_solvers(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Solvers>(
+std::vector<scene::Scene> solvers() {
+  const scene::Result result(
       "solvers-on-loads",
       "half a toggle of one and four beam-columns a member from rest, under loads next to the limit load and "
       "past it, by every solver with its usual options, at most 2500 steps",
-      {}, [](Workshop&) { return compute(); });
-  chapter.add({.name = "solvers",
-               .title = "Every solver on every load",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Solvers& s = w.result(run);
-                 return scene::Showing{draw(s), tabulate(s), quantities(s)};
-               }});
+      compute);
+  return {{.name = "solvers", .title = "Every solver on every load", .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 class WilliamsCurve : public LoadCurve {
@@ -126,4 +126,4 @@ LoadedToggle::LoadedToggle(Model model, double height, double load, double lengt
   }
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -12,7 +12,7 @@
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 
 /// Heights l sin(beta) of the three cases, inch.
 inline constexpr std::array heights = {0.32, 0.38, 0.44};
@@ -92,4 +92,4 @@ class LoadedToggle {
   std::unique_ptr<algebraic::Equations> equations_;
 };
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -89,6 +89,7 @@ std::string gnuplot_quoted(const std::string& text) {
 Look lines(int style) { return {"lines", style}; }
 Look thin_lines(int style) { return {"lines linewidth 1", style}; }
 Look points(int style) { return {"points", style}; }
+Look large_points(int style) { return {"points pointsize 1", style}; }
 Look linespoints(int style) { return {"linespoints linewidth 1.2", style}; }
 
 Panel::Panel(Plot& plot, std::size_t number, std::string x_label, std::string y_label)
@@ -125,7 +126,8 @@ Panel& Panel::caption(const std::string& text) {
   return *this;
 }
 Panel& Panel::key(const std::string& place) {
-  settings_ += place == "off" ? "unset key\n" : "set key " + place + "\n";
+  key_below_ = place == "below";
+  if (!key_below_) settings_ += place == "off" ? "unset key\n" : "set key " + place + "\n";
   return *this;
 }
 Panel& Panel::set(const std::string& setting) {
@@ -310,6 +312,11 @@ std::string Plot::script() const {
     if (!p.caption_.empty())
       out += fmt::format("set label 2 {} at graph 0.0, graph 1.04 left\n", gnuplot_quoted(p.caption_));
     out += p.settings_;
+    if (p.key_below_) {
+      out += fmt::format(
+          "set bmargin 7\nset key at screen 0.53, screen {:.4g} center top maxrows 2 samplen 3 width -2\n",
+          60.0 / height_);
+    }
     if (!labelled) out += "set format x ''\n";
     out += fmt::format("plot {}\n", fmt::join(p.elements_, ", \\\n     "));
   }

@@ -29,7 +29,8 @@ struct Look {
 [[nodiscard]] Look lines(int style = 0);        ///< a line
 [[nodiscard]] Look thin_lines(int style = 0);   ///< a line for what stands back
 [[nodiscard]] Look points(int style = 0);       ///< a symbol at each point
-[[nodiscard]] Look linespoints(int style = 0);  ///< both
+[[nodiscard]] Look large_points(int style);     ///< a symbol for a point that is pointed out
+[[nodiscard]] Look linespoints(int style = 0);  ///< line and symbols
 
 /// A pair of axes and what is drawn in it. Each setting returns the panel, so that settings can be chained.
 class Panel {
@@ -43,7 +44,9 @@ class Panel {
   Panel& x_range(double low, double high);  ///< of a linear axis
   Panel& y_range(double low, double high);  ///< of a linear axis
   Panel& caption(const std::string& text);  ///< above the panel, at its left
-  Panel& key(const std::string& place);     ///< what follows `set key`: "bottom left"; "off" for none
+  /// What follows `set key`: "bottom left"; "off" for none, "below" for two rows under the axis of a single
+  /// panel, where curves leave no room.
+  Panel& key(const std::string& place);
   /// A text. @param side of the text that stands at the place: "left", "right" or "center"
   Panel& note(const std::string& text, double x, double y, const std::string& side = "left");
   Panel& level(double y,
@@ -83,7 +86,7 @@ class Panel {
   std::string x_label_, y_label_, caption_, settings_;
   std::vector<std::string> elements_;
   int styles_ = 0, notes_ = 0;
-  bool log_y_ = false;
+  bool log_y_ = false, key_below_ = false;
 };
 
 /// Panels side by side or one above the other, with a common heading. Data are kept in the order in which

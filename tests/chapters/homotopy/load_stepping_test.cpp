@@ -8,7 +8,7 @@
 #include "chapters/homotopy/load_stepping.hpp"
 #include "tests/chapters/homotopy/toggle_oracle.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 /// The homotopy without a limit on iterations that a jump could meet by chance.
@@ -146,4 +146,4 @@ TEST(LoadCurves, DeflectionBetween) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy

@@ -6,11 +6,10 @@
 
 #include "chapters/drawing.hpp"
 #include "chapters/homotopy/counted.hpp"
-#include "chapters/homotopy/curves.hpp"
 #include "chapters/homotopy/iterations.hpp"
 #include "nlmech/frames/toggle.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::homotopy {
 namespace {
 
 // oracle: homotopy_williams Williams 0.44 maximum, Williams 0.44 minimum
@@ -174,4 +173,4 @@ TEST(Counted, TangentIsThatOfDouble) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::homotopy
