@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/lambert.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using orbit::LambertArc;
@@ -21,7 +22,6 @@ using orbit::LambertBranch;
 using orbit::LambertProblem;
 using orbit::LambertSolution;
 using orbit::Vector3;
-using scene::Workshop;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -121,6 +121,11 @@ struct Trial {
   LambertSolution solution;
   double miss = 0;    ///< of the flight in 50 digits, over |r_2|
   double scaled = 0;  ///< over kappa eps, the velocity's too if that is larger
+
+  /// Nothing if it is not solved.
+  [[nodiscard]] scene::Cell if_solved(const scene::Cell& cell) const {
+    return solution.status.ok() ? cell : scene::Cell();
+  }
 };
 
 double relative(const Vector3<double>& a, const Vector3<Digits50>& b) {
@@ -160,55 +165,43 @@ double worst_unit() {
   return worst;
 }
 
-scene::Table tabulate(const std::vector<Trial>& trials) {
-  scene::Table table(
-      {{"case"}, {"status"}, {"iterations"}, {"1/a", 3}, {"miss over |r_2|", 2}, {"over kappa eps too", 2}});
-  for (const Trial& t : trials) {
-    const std::string status(to_string(t.solution.status.outcome()));
-    if (t.solution.status.ok())
-      table.add({t.extreme.label, status, static_cast<std::int64_t>(t.solution.iterations),
-                 t.solution.reciprocal_axis, t.miss, t.scaled});
-    else
-      table.add({t.extreme.label, status, {}, {}, {}, {}});
-  }
-  return table;
-}
-
-scene::Showing show() {
+void put(scene::Show& show) {
   std::vector<Trial> trials;
-  for (const Extreme& e : extremes()) trials.push_back(attempt(e));
-  double right = 0, worst = 0, parabola = HUGE_VAL;
+  std::ranges::transform(extremes(), std::back_inserter(trials), attempt);
+  show.table(trials, {{"case", [](const Trial& t) { return t.extreme.label; }},
+                      {"status", [](const Trial& t) { return to_string(t.solution.status.outcome()); }},
+                      {"iterations", [](const Trial& t) { return t.if_solved(t.solution.iterations); }},
+                      {"1/a", [](const Trial& t) { return t.if_solved(t.solution.reciprocal_axis); }},
+                      {"miss over |r_2|", [](const Trial& t) { return t.if_solved(t.miss); }, 2},
+                      {"over kappa eps too", [](const Trial& t) { return t.if_solved(t.scaled); }, 2}});
+  double worst = 0, parabola = HUGE_VAL;
+  std::size_t right = 0;
   for (const Trial& t : trials) {
     right += t.solution.status.outcome() == t.extreme.expected ? 1 : 0;
     worst = std::max(worst, t.scaled);
     if (t.extreme.label == "parabola") parabola = std::abs(t.solution.reciprocal_axis);
   }
-  std::vector<scene::Quantity> quantities = {
-      scene::near(
-          "cases that end as they must", "1", right, static_cast<double>(trials.size()), 0,
-          "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
-          "too short ones for their revolutions are refused, all others solved"),
-      scene::at_most("largest miss over kappa eps, positions and velocities", "1", worst, 8,
-                     "what the method states; flown in 50 digits, kappa the condition of the flight"),
-      scene::at_most("1/a on the parabola", "1", parabola, 64 * eps,
-                     "0; Euler's time to a rounding, and 1/a changes by less than ten times its share"),
-      scene::at_most("largest difference of velocities in other units, relative", "1", worst_unit(), 4 * eps,
-                     "units by powers of two change no digit; sqrt(mu) of an odd power rounds")};
+  show.equals("cases that end as they must", right, static_cast<double>(trials.size()),
+              "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
+              "too short ones for their revolutions are refused, all others solved");
+  show.at_most("largest miss over kappa eps, positions and velocities", worst, 8,
+               "what the method states; flown in 50 digits, kappa the condition of the flight");
+  show.at_most("1/a on the parabola", parabola, 64 * eps,
+               "0; Euler's time to a rounding, and 1/a changes by less than ten times its share");
+  show.at_most("largest difference of velocities in other units, relative", worst_unit(), 4 * eps,
+               "units by powers of two change no digit; sqrt(mu) of an odd power rounds");
   for (const int n : {1, 20, 1000})
-    quantities.push_back(scene::near(
+    show.near(
         fmt::format("gap of both branches 1e-8 above the least time over that at 1e-12, {} revolutions", n),
-        "1", gap(n, 1e-8) / gap(n, 1e-12), 100, 1e-2, "a square root at the fold; eps/1e-12 of rounding"));
-  return {{}, tabulate(trials), quantities};
+        gap(n, 1e-8) / gap(n, 1e-12), 100, 1e-2, "a square root at the fold; eps/1e-12 of rounding");
 }
 
 }  // namespace
 
-void add_lambert_extremes(scene::Chapter& chapter) {
-  chapter.add({.name = "extremes-lambert",
-               .title = "Lambert's problem at its edges: angles, times, revolutions, units",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop&) { return show(); }});
+std::vector<scene::Scene> extremes_lambert() {
+  return {{.name = "extremes-lambert",
+           .title = "Lambert's problem at its edges: angles, times, revolutions, units",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

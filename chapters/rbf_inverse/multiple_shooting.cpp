@@ -6,7 +6,7 @@
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using Eigen::Index;
@@ -110,4 +110,4 @@ ShotSolution shoot(const bvp::Problem& problem, const bvp::Start& start, const M
   return {report.status, x.head(n), report.statistics.newton_iterations, segments.flights()};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

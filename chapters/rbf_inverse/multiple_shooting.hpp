@@ -5,7 +5,7 @@
 #include "nlmech/algebraic/equations.hpp"
 #include "nlmech/bvp/problem.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// Its settings.
 struct MultipleShooting {
@@ -33,4 +33,4 @@ struct ShotSolution {
 [[nodiscard]] ShotSolution shoot(const bvp::Problem& problem, const bvp::Start& start,
                                  const MultipleShooting& method);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

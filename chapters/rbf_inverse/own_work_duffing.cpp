@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/own_work.hpp"
 #include "nlmech/bvp/continuation.hpp"
+#include "nlmech/bvp/duffing.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 /// What was typed.
@@ -172,4 +173,4 @@ void add_duffing_command(CLI::App& app) {
   command->callback([words] { scene::print_result(duffing(*words)); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

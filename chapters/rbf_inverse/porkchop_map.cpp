@@ -9,7 +9,7 @@
 
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 constexpr double ceiling = 4;  ///< times the least speed: where the colours end
@@ -79,4 +79,4 @@ scene::Figure porkchop_map(const orbit::Porkchop& grid, const PorkchopAxes& axes
            {"levels2", levels(least_arrival)}}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -7,7 +7,7 @@
 #include "nlmech/orbit/porkchop.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// What is written at the axes, and in which units.
 struct PorkchopAxes {
@@ -27,4 +27,4 @@ struct PorkchopAxes {
 /// @throws Failure if there is nothing to draw
 [[nodiscard]] scene::Figure porkchop_map(const orbit::Porkchop& grid, const PorkchopAxes& axes);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

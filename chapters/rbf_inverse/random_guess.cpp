@@ -6,7 +6,7 @@
 
 #include "nlmech/collocation/nodes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 bvp::Start random_guess(int number, double final_time) {
   // The engine's numbers are the same on every machine; the library's distributions need not be.
@@ -32,4 +32,4 @@ bvp::Start random_guess(int number, double final_time) {
   }};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

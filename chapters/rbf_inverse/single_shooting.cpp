@@ -9,7 +9,7 @@
 #include "nlmech/algebraic/equations.hpp"
 #include "nlmech/ivp/dormand_prince.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using Eigen::Index;
@@ -88,4 +88,4 @@ SingleShot shoot_once(const bvp::Problem& problem, const VectorXd& first, const 
   return shot;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -5,7 +5,7 @@
 #include "nlmech/bvp/problem.hpp"
 #include "nlmech/support/status.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// Its settings.
 struct SingleShooting {
@@ -34,4 +34,4 @@ struct SingleShot {
 [[nodiscard]] SingleShot shoot_once(const bvp::Problem& problem, const Eigen::VectorXd& first,
                                     const SingleShooting& method = {});
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

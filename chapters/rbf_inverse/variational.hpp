@@ -7,7 +7,7 @@
 
 #include "nlmech/bvp/problem.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// x and the n by n derivative by its initial value, one column after the other, for integrators. No
 /// parameters.
@@ -43,4 +43,4 @@ struct Variational {
   return y;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <set>
 
-#include "chapters/rbf_inverse/chapter.hpp"
-#include "chapters/rbf_inverse/curves.hpp"
 #include "chapters/rbf_inverse/duffing_runs.hpp"
 #include "chapters/rbf_inverse/multiple_shooting.hpp"
 #include "chapters/rbf_inverse/random_guess.hpp"
 #include "chapters/rbf_inverse/single_shooting.hpp"
 #include "nlmech/bvp/solve.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
+
+scene::Chapter chapter();
+
 namespace {
 
 using bvp::DuffingCase;
@@ -139,31 +140,10 @@ TEST(RandomGuess, ConstantOrIndependent) {
   EXPECT_LE(b.cwiseAbs().maxCoeff(), 1);
 }
 
-TEST(ControlCurves, CountsCurvesByPanel) {
-  ControlCurves curves("heading", "time_s");
-  curves.panel("x", "y");
-  curves.begin("a {/:Italic b} c", "l1");
-  curves.add(1, 2);
-  curves.begin("", "p2");
-  curves.add(3, 4);
-  curves.panel("z", "", "caption");
-  curves.begin("d", "l3");
-  curves.add(5, 6);
-  const scene::Figure figure = curves.take();
-  EXPECT_EQ(figure.variables.at("panels"), "2");
-  EXPECT_EQ(figure.variables.at("first1"), "0");
-  EXPECT_EQ(figure.variables.at("first2"), "2");
-  EXPECT_EQ(figure.variables.at("looks1"), "l1|p2");
-  EXPECT_EQ(figure.variables.at("legend1"), "a \u200b{/:Italic b}\u200b c|");
-  EXPECT_EQ(figure.variables.at("caption2"), "caption");
-  EXPECT_EQ(figure.data.columns()[2].name, "time_s");
-  EXPECT_EQ(figure.data.rows().size(), 3U);
-}
-
 TEST(Chapter, ShowsAllFiguresOfPartOne) {
-  const scene::Chapter chapter = rbf_inverse_chapter();
+  const scene::Chapter all = chapter();
   std::set<std::string> names;
-  for (const scene::Scene& s : chapter.scenes()) names.insert(s.name);
+  for (const scene::Scene& s : all.scenes()) names.insert(s.name);
   for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
   for (const char* name : {"table-5.1", "table-5.2", "table-5.3", "extremals", "basin", "shape-study",
                            "bounded-control", "interior-point", "continuation", "shooting", "from-guesses",
@@ -172,4 +152,4 @@ TEST(Chapter, ShowsAllFiguresOfPartOne) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse
