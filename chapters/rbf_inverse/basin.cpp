@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/random_guess.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
@@ -39,7 +38,7 @@ const std::vector<Solver>& solvers() {
 /// What the guesses of one case at one final time led one method to.
 struct Row {
   double final_time;
-  bvp::DuffingCase which;
+  const DuffingSubject* subject;
   const Solver* solver;
   int guesses;
   bvp::Multistart all;
@@ -48,16 +47,18 @@ struct Row {
   [[nodiscard]] double lowest() const {
     return all.found.empty() ? HUGE_VAL : all.found.front().extremal.cost;
   }
-  [[nodiscard]] double good() const { return all.good; }
-  [[nodiscard]] double spurious() const { return all.spurious; }
+  [[nodiscard]] int good() const { return all.good; }
+  [[nodiscard]] int spurious() const { return all.spurious; }
+  /// In the order of the cases, from 1.
+  [[nodiscard]] std::ptrdiff_t place() const { return subject - duffing_subjects().data() + 1; }
 };
 
-Row solve_all(double final_time, bvp::DuffingCase which, const Solver& solver, int guesses) {
-  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(which, final_time));
+Row solve_all(double final_time, const DuffingSubject& subject, const Solver& solver, int guesses) {
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(subject.which, final_time));
   std::vector<bvp::Start> starts;
   for (int k = 0; k < guesses; ++k) starts.push_back(random_guess(k, final_time));
   const auto solve_one = [&](const bvp::Start& start) { return solver.solve(problem, start); };
-  return {final_time, which, &solver, guesses, multistart(problem, starts, solve_one, {.distinct = 1e-2})};
+  return {final_time, &subject, &solver, guesses, multistart(problem, starts, solve_one, {.distinct = 1e-2})};
 }
 
 std::vector<Row> compute(bool quick) {
@@ -67,7 +68,7 @@ std::vector<Row> compute(bool quick) {
       double lowest = HUGE_VAL;
       const std::size_t first = rows.size();
       for (const Solver& solver : solvers()) {
-        rows.push_back(solve_all(time, subject.which, solver, quick ? 3 : 100));
+        rows.push_back(solve_all(time, subject, solver, quick ? 3 : 100));
         lowest = std::min(lowest, rows.back().lowest());
       }
       for (std::size_t k = first; k < rows.size(); ++k)
@@ -89,15 +90,13 @@ void draw(const std::vector<Row>& rows, scene::Show& show) {
     panel.set(case_tics(cases));
     panel.key(time == final_times.back() ? "at screen 0.5, screen 0.01 center bottom maxrows 2 samplen 3"
                                          : "off");
-    const auto curve = [&](const std::string& name, const Solver& solver, auto what,
+    const auto curve = [&](const std::string& name, const Solver& solver, auto count,
                            const scene::Look& look) {
-      std::vector<double> x, share;
-      for (const Row& r : rows) {
-        if (r.final_time != time || r.solver != &solver) continue;
-        share.push_back(100. * std::invoke(what, r) / r.guesses);
-        x.push_back(static_cast<double>(share.size()));
-      }
-      panel.curve(name, x, share, look);
+      panel.curve(
+          name, rows | std::views::filter([&](const Row& r) {
+                  return r.final_time == time && r.solver == &solver;
+                }),
+          &Row::place, [&](const Row& r) { return 100. * std::invoke(count, r) / r.guesses; }, look);
     };
     for (const Solver& s : solvers()) curve(s.name, s, &Row::good, scene::linespoints(s.style));
     curve("spurious roots of the printed one", solvers().front(), &Row::spurious,
@@ -120,12 +119,12 @@ double share(const std::vector<Row>& rows, double time, std::size_t solver, What
 void put(const std::vector<Row>& rows, scene::Show& show) {
   draw(rows, show);
   show.table(rows, {{"T", &Row::final_time},
-                    {"case", [](const Row& r) { return to_string(r.which); }},
+                    {"case", [](const Row& r) { return to_string(r.subject->which); }},
                     {"method", [](const Row& r) { return r.solver->name; }},
                     {"guesses", &Row::guesses},
-                    {"extremals", [](const Row& r) { return r.all.good; }},
+                    {"extremals", &Row::good},
                     {"of them the cheapest found", &Row::cheapest},
-                    {"spurious roots", [](const Row& r) { return r.all.spurious; }},
+                    {"spurious roots", &Row::spurious},
                     {"failures", [](const Row& r) { return r.all.failed; }},
                     {"different extremals", [](const Row& r) { return r.all.found.size(); }},
                     {"lowest cost", [](const Row& r) { return finite(r.lowest()); }, 6}});

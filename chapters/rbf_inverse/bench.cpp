@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/multiple_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/peers/bvp/ipopt.hpp"
 
@@ -80,7 +80,7 @@ std::vector<Work> work_on(const Subject& s) {
       {named(own, s), [&s] { return direct_start(s.problem, s.guess, {.pieces = 200}).status.ok(); }}};
   if (inverse::multiple_shooting_available())
     all.push_back({named(shooting, s), [&s] {
-                     const inverse::ShotSolution r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
+                     const inverse::Shot r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
                      return s.right(r.status, r.first);
                    }});
   if (peers::ipopt_available())

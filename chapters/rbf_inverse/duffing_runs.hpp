@@ -77,6 +77,11 @@ struct NodeErrors {
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
 }
 
+/// Arbitrary guess number @p number, from 0, the same on every machine, for all states and co-states: even
+/// ones have independent values in (-1, 1) at each of 40 nodes, odd ones a constant in (-5, 5) for each
+/// component.
+[[nodiscard]] bvp::Start random_guess(int number, double final_time);
+
 /// Is it a solution, and no spurious root?
 [[nodiscard]] inline bool is_extremal(const bvp::GlobalResult& r) { return r.extremal.solution.status.ok(); }
 

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/multiple_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 #include "nlmech/peers/bvp/ipopt.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -115,7 +116,7 @@ Answer refined(const Subject& s, double tolerance) {
 }
 
 Answer multiple(const Subject& s, double tolerance) {
-  const ShotSolution shot = shoot(s.problem, s.start, {.tolerance = tolerance});
+  const Shot shot = shoot(s.problem, s.start, {.tolerance = tolerance});
   return {shot.status, shot.first};
 }
 
@@ -168,8 +169,7 @@ void draw(const std::vector<Line>& lines, scene::Show& show) {
     panel.set("xtics ('0.1 ms' 1e-4, '1 ms' 1e-3, '10 ms' 1e-2, '0.1 s' 0.1, '1 s' 1, '10 s' 10)");
     panel.key(is_free ? "off" : "at screen 0.5, screen 0.01 center bottom maxrows 3 samplen 3");
     for (const Line& line : lines) {
-      std::vector<Cost> drawn = line.costs;
-      std::erase_if(drawn, [](const Cost& c) { return !c.error || *c.error >= 1; });
+      auto drawn = line.costs | std::views::filter([](const Cost& c) { return c.error && *c.error < 1; });
       if (line.which == which && !drawn.empty())
         panel.curve(line.method, drawn, &Cost::seconds, &Cost::digits, scene::linespoints(line.style));
     }

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -148,10 +149,9 @@ void draw(const std::vector<Flow>& all, scene::Show& show) {
     for (const Flow& flow : all) {
       if (flow.which != which || flow.final_time != 1 || flow.function != ScalarHomotopy::Function::newton)
         continue;
-      std::vector<Residual> drawn = flow.trace;
-      std::erase_if(drawn, [](const Residual& r) { return !(r.relative > 0 && r.relative < 1e20); });
-      panel.curve(name_of(flow.factor), drawn, &Residual::iteration, &Residual::relative,
-                  scene::lines(style));
+      const auto finite = [](const Residual& r) { return r.relative > 0 && r.relative < 1e20; };
+      panel.curve(name_of(flow.factor), flow.trace | std::views::filter(finite), &Residual::iteration,
+                  &Residual::relative, scene::lines(style));
       style += 2;
     }
   }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -116,12 +116,12 @@ template <class X>
 void draw(scene::Panel& panel, const std::vector<Row>& all, Varied varied, X x) {
   panel.log_y(1e-15, 1e3);
   for (const Basis& basis : bases) {
-    std::vector<Row> solved;
-    std::ranges::copy_if(all, std::back_inserter(solved), [&](const Row& r) {
+    const auto solved = [&](const Row& r) {
       return r.varied == varied && r.which == DuffingCase::free && r.basis == &basis && r.error > 0 &&
              std::isfinite(r.error);
-    });
-    panel.curve(basis.legend, solved, x, &Row::error, scene::linespoints(basis.style));
+    };
+    panel.curve(basis.legend, all | std::views::filter(solved), x, &Row::error,
+                scene::linespoints(basis.style));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 #include "chapters/rbf_inverse/printed_transfer.hpp"
@@ -41,9 +42,10 @@ Study study(bool quick) {
 void put(const Study& s, scene::Show& show) {
   scene::Plot& plot = show.plots("Only the stable basis reaches a millimetre");
   plot.size(760, 480).columns({"panel", "curve", "abscissa", "y"});
-  const auto curve = [](scene::Panel& panel, const char* name, std::vector<Point> points, int style) {
-    std::erase_if(points, [](const Point& p) { return !(p.miss > 0); });
-    panel.curve(name, points, &Point::x, &Point::miss, scene::linespoints(style));
+  const auto curve = [](scene::Panel& panel, const char* name, const std::vector<Point>& points, int style) {
+    const auto solved = [](const Point& p) { return p.miss > 0; };
+    panel.curve(name, points | std::views::filter(solved), &Point::x, &Point::miss,
+                scene::linespoints(style));
   };
   scene::Panel& by_shape = plot.panel("shape c T", "miss (m)").caption("47 nodes");
   by_shape.log_y(1e-7, 1e5).key("bottom right");

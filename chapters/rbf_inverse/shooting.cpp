@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/random_guess.hpp"
-#include "chapters/rbf_inverse/single_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
@@ -44,7 +43,7 @@ double shooting_reach(double final_time, std::size_t beta, int guess) {
   Eigen::VectorXd first(4);
   guess_of(guess, final_time).states(0, first);
   for (Eigen::Index i = 0; i < 2; ++i) first[i] = *problem.task().begin[static_cast<std::size_t>(i)];
-  const SingleShot shot = shoot_once(problem, first);
+  const Shot shot = shoot_once(problem, first);
   return shot.status.ok() ? shot.reach : std::numeric_limits<double>::quiet_NaN();
 }
 

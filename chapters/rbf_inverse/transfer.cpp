@@ -1,16 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <ranges>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_inverse/printed_transfer.hpp"
-#include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -20,116 +17,113 @@ using orbit::CollocatedTransfer;
 using orbit::TransferBasis;
 using orbit::Vector3;
 
-/// Lagrange's F and G: where the orbit that leaves r_0 with a velocity is at a time.
-orbit::State on_orbit(const Vector3<double>& v1, double time) {
-  const orbit::TransferProblem p = printed_transfer();
-  return orbit::propagate_kepler({p.from, v1}, time, p.gravity.mu).state;
-}
-
-/// Of a collocated transfer or of the orbit that leaves with a velocity: positions in m, or velocities in
-/// m/s.
-struct History {
-  std::vector<double> t;
-  std::vector<Vector3<double>> values;
+/// A transfer at some times.
+struct Sample {
+  double t;
+  orbit::State state;
 };
-const Vector3<double>& part_of(const orbit::State& s, bool velocity) {
-  return velocity ? s.velocity : s.position;
+using Course = std::vector<Sample>;
+
+/// Lagrange's F and G: the orbit that leaves r_0 with a velocity, at a time.
+Sample on_orbit(const Vector3<double>& v1, double time) {
+  const orbit::TransferProblem p = printed_transfer();
+  return {time, orbit::propagate_kepler({p.from, v1}, time, p.gravity.mu).state};
 }
-History nodes_of(const CollocatedTransfer& c, bool velocity) {
-  History h{{c.times.begin(), c.times.end()}, {}};
-  for (const auto& column : (velocity ? c.velocities : c.positions).colwise()) h.values.emplace_back(column);
-  return h;
+Course orbit_between(const Vector3<double>& v1, double begin, double end, int samples) {
+  Course course;
+  for (int i = 0; i <= samples; ++i) course.push_back(on_orbit(v1, begin + (end - begin) * i / samples));
+  return course;
 }
-History orbit_at(const Vector3<double>& v1, const std::vector<double>& times, bool velocity) {
-  History h{times, {}};
-  for (const double t : times) h.values.push_back(part_of(on_orbit(v1, t), velocity));
-  return h;
+Course nodes_of(const CollocatedTransfer& c) {
+  Course course;
+  for (Eigen::Index j = 0; j < c.times.size(); ++j)
+    course.push_back({c.times[j], {c.positions.col(j), c.velocities.col(j)}});
+  return course;
 }
 
-/// The distance of two at the same times.
-std::vector<double> distance(const History& a, const History& b) {
-  std::vector<double> all;
-  std::ranges::transform(a.values, b.values, std::back_inserter(all),
-                         [](const auto& x, const auto& y) { return (x - y).norm(); });
-  return all;
-}
-/// Of a collocated transfer's nodes from the orbit that leaves with a velocity.
-std::vector<double> off_orbit(const CollocatedTransfer& c, const Vector3<double>& v1, bool velocity) {
-  const History nodes = nodes_of(c, velocity);
-  return distance(nodes, orbit_at(v1, nodes.t, velocity));
-}
+/// What is drawn of a state.
+struct Part {
+  Vector3<double> orbit::State::*of;
+  std::string name, unit, axis;
+  double axis_unit, low, high;  ///< of the axis
+  double least, most;           ///< differences that are drawn
+  double may_least, may_most;   ///< that nodes as printed may have
+  double claimed;               ///< millimetres
+};
+// A metre over 4320 s, where the orbit turns in some hundred seconds near its begin, is 0.01 m/s at most.
+const Part positions{&orbit::State::position,
+                     "positions",
+                     "m",
+                     "position (1000 km)",
+                     1e6,
+                     -2,
+                     14,
+                     1e-10,
+                     1e6,
+                     0.02,
+                     2e4,
+                     1e-3};
+const Part velocities{
+    &orbit::State::velocity, "velocities", "m/s", "velocity (km/s)", 1e3, -8, 8, 1e-14, 1e4, 1e-5, 1e2, 1e-6};
 
-/// Times of smooth curves.
-std::vector<double> samples() {
-  std::vector<double> all;
-  for (int i = 0; i <= 200; ++i) all.push_back(4320.0 * i / 200);
+/// How far a course is from the orbit that leaves with a velocity.
+struct Apart {
+  double t, distance;
+};
+std::vector<Apart> off_orbit(const Course& course, const Vector3<double>& v1, const Part& part) {
+  std::vector<Apart> all;
+  for (const Sample& s : course)
+    all.push_back({s.t, (s.state.*part.of - on_orbit(v1, s.t).state.*part.of).norm()});
   return all;
 }
 
 /// Components on the left: F and G from the velocity that the printed collocation found, and its nodes.
-void draw_components(scene::Panel& panel, const CollocatedTransfer& printed, bool velocity) {
+void draw_components(scene::Panel& panel, const CollocatedTransfer& printed, const Part& part) {
   panel.caption("Components; F and G from the velocity found").x_range(0, 4500).set("xtics 0,1000");
-  panel.y_range(velocity ? -8 : -2, velocity ? 8 : 14).set("bmargin at screen 0.31");
+  panel.y_range(part.low, part.high).set("bmargin at screen 0.31");
   panel.key("at screen 0.27, screen 0.01 center bottom maxrows 2 samplen 3 width -6");
-  const auto curve = [&](const std::string& name, const History& h, int k, const scene::Look& look) {
-    std::vector<double> y;
-    for (const auto& value : h.values) y.push_back(value[k] / (velocity ? 1e3 : 1e6));
-    panel.curve(name, h.t, y, look);
+  const auto component = [&](int k) {
+    return [&part, k](const Sample& s) { return (s.state.*part.of)[k] / part.axis_unit; };
   };
+  const Course smooth = orbit_between(printed.v1, 0, 4320, 200), nodes = nodes_of(printed);
   for (int k = 0; k < 3; ++k)
-    curve(fmt::format("{}, F and G", "xyz"[k]), orbit_at(printed.v1, samples(), velocity), k,
-          scene::lines(k + 1));
+    panel.curve(fmt::format("{}, F and G", "xyz"[k]), smooth, &Sample::t, component(k), scene::lines(k + 1));
   for (int k = 0; k < 3; ++k)
-    curve(k == 0 ? "collocation as printed" : "", nodes_of(printed, velocity), k, scene::points(k + 1));
-}
-
-/// Differences on the right, and over them what a better matrix does.
-void draw_differences(scene::Panel& panel, const CollocatedTransfer& printed,
-                      const CollocatedTransfer& polynomial, const Vector3<double>& izzo, bool velocity) {
-  panel.caption("Differences").log_y(velocity ? 1e-14 : 1e-10, velocity ? 1e4 : 1e6);
-  panel.x_range(0, 4500).set("xtics 0,1000").set("bmargin at screen 0.31");
-  panel.key("at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
-  const auto curve = [&](const std::string& name, const auto& times, const std::vector<double>& difference,
-                         const scene::Look& look) {
-    std::vector<double> t, y;
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-      if (!(difference[i] > 0)) continue;  // the begin is the same
-      t.push_back(*(times.begin() + static_cast<std::ptrdiff_t>(i)));
-      y.push_back(difference[i]);
-    }
-    panel.curve(name, t, y, look);
-  };
-  curve("as printed, off F and G of its own velocity", printed.times,
-        off_orbit(printed, printed.v1, velocity), scene::linespoints(1));
-  curve("that F and G, off Izzo's orbit", samples(),
-        distance(orbit_at(printed.v1, samples(), velocity), orbit_at(izzo, samples(), velocity)),
-        scene::lines(2));
-  curve("polynomial collocation, off Izzo's orbit", polynomial.times, off_orbit(polynomial, izzo, velocity),
-        scene::linespoints(3));
+    panel.curve(k == 0 ? "collocation as printed" : "", nodes, &Sample::t, component(k),
+                scene::points(k + 1));
 }
 
 /// Position or velocity: the procedure of the text, and what Izzo's method and polynomials say of it.
 void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& polynomial,
-                 const orbit::Transfer& izzo, bool velocity, scene::Show& show) {
-  const std::string unit = velocity ? "m/s" : "m", what = velocity ? "velocities" : "positions";
-  const auto largest_off = [&](const CollocatedTransfer& c, const Vector3<double>& v1) {
-    return scene::Amount(std::ranges::max(off_orbit(c, v1, velocity)), unit);
+                 const orbit::Transfer& izzo, const Part& part, scene::Show& show) {
+  const std::vector<Apart> own = off_orbit(nodes_of(printed), printed.v1, part),
+                           better = off_orbit(nodes_of(polynomial), izzo.v1, part);
+  const auto largest = [&](const std::vector<Apart>& all) -> scene::Amount {
+    return {std::ranges::max(all, {}, &Apart::distance).distance, part.unit};
   };
-  const scene::Amount own = largest_off(printed, printed.v1);
-  scene::Plot& plot =
-      show.plots(fmt::format("Nodes as printed are up to {:.1f} {} off their own orbit", own.value, unit));
+  scene::Plot& plot = show.plots(
+      fmt::format("Nodes as printed are up to {:.1f} {} off their own orbit", largest(own).value, part.unit));
   plot.size(1000, 520).columns({"panel", "curve", "time_of_flight_s", "y"});
-  draw_components(plot.panel("time (s)", velocity ? "velocity (km/s)" : "position (1000 km)"), printed,
-                  velocity);
-  draw_differences(plot.panel("time (s)", velocity ? "difference (m/s)" : "difference (m)"), printed,
-                   polynomial, izzo.v1, velocity);
+  draw_components(plot.panel("time (s)", part.axis), printed, part);
+  // Differences on the right, and over them what a better matrix does.
+  scene::Panel& right = plot.panel("time (s)", fmt::format("difference ({})", part.unit));
+  right.caption("Differences").log_y(part.least, part.most).x_range(0, 4500).set("xtics 0,1000");
+  right.set("bmargin at screen 0.31").key("at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
+  const auto curve = [&](const char* name, const std::vector<Apart>& all, const scene::Look& look) {
+    const auto apart = [](const Apart& a) { return a.distance > 0; };  // the begin is the same
+    right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
+  };
+  curve("as printed, off F and G of its own velocity", own, scene::linespoints(1));
+  curve("that F and G, off Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
+        scene::lines(2));
+  curve("polynomial collocation, off Izzo's orbit", better, scene::linespoints(3));
   const char* const lottery = "an independent program: 5 to 1800 m by unit of time, 0.2 m in all digits";
-  // A metre over 4320 s, where the orbit turns in some hundred seconds near its begin, is 0.01 m/s at most.
-  const double low = velocity ? 1e-5 : 0.02, high = velocity ? 1e2 : 2e4;
-  show.between(what + " as printed, off F and G of their own velocity", own, low, high, lottery);
-  show.between(what + " as printed, off Izzo's orbit", largest_off(printed, izzo.v1), low, high, lottery);
-  show.at_most(what + " by polynomials, off Izzo's orbit", largest_off(polynomial, izzo.v1),
-               velocity ? 1e-6 : 1e-3, "the section claims millimetres");
+  show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,
+               part.may_most, lottery);
+  show.between(part.name + " as printed, off Izzo's orbit",
+               largest(off_orbit(nodes_of(printed), izzo.v1, part)), part.may_least, part.may_most, lottery);
+  show.at_most(part.name + " by polynomials, off Izzo's orbit", largest(better), part.claimed,
+               "the section claims millimetres");
 }
 
 /// The plane of the transfer, drawn: x along r_0, in thousands of kilometres.
@@ -145,21 +139,17 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
                                   "in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("top left");
-  using Positions = std::vector<Vector3<double>>;
-  const auto curve = [&](const std::string& name, const Positions& positions, int style) {
-    panel.curve(
-        name, positions, [&](const auto& r) { return r.dot(ex) / 1e6; },
-        [&](const auto& r) { return r.dot(ey) / 1e6; }, scene::lines(style));
+  const auto curve = [&](const std::string& name, const Course& course, int style) {
+    const auto along = [](const Vector3<double>& axis) {
+      return [axis](const Sample& s) { return s.state.position.dot(axis) / 1e6; };
+    };
+    panel.curve(name, course, along(ex), along(ey), scene::lines(style));
   };
-  Positions arc, rest;
-  for (int i = 0; i <= 300; ++i) {
-    arc.push_back(on_orbit(izzo.v1, p.time * i / 300).position);
-    rest.push_back(on_orbit(izzo.v1, p.time + (period - p.time) * i / 300).position);
-  }
-  curve("transfer, 4320 s", arc, 1);
-  curve("the rest of the ellipse", rest, 8);
-  curve("r_{0}  at t_{0}", {Vector3<double>::Zero(), p.from}, 2);
-  curve("r_{F}  at t_{F}", {Vector3<double>::Zero(), p.to}, 3);
+  const Sample centre{0, {Vector3<double>::Zero(), Vector3<double>::Zero()}};
+  curve("transfer, 4320 s", orbit_between(izzo.v1, 0, p.time, 300), 1);
+  curve("the rest of the ellipse", orbit_between(izzo.v1, p.time, period, 300), 8);
+  curve("r_{0}  at t_{0}", {centre, {0, start}}, 2);
+  curve("r_{F}  at t_{F}", {centre, {p.time, {p.to, izzo.v2}}}, 3);
   // oracle: rbf_inverse_lambert short eccentricity
   show.near("eccentricity of the transfer", e, 0.96281, 1e-5, "tools/oracles/rbf_inverse_lambert.py");
   show.near("periapsis of the transfer", {(1 - e) / reciprocal / 1000, "km"}, 252, 1,
@@ -172,18 +162,13 @@ struct Row {
   std::string method;
   Vector3<double> miss;
   std::optional<double> velocity = {}, iterations = {}, condition = {};
-
-  Row(std::string name, Vector3<double> error) : method(std::move(name)), miss(std::move(error)) {}
-  Row(std::string name, const orbit::Transfer& t)
-      : method(std::move(name)), miss(miss_vector(t.v1).cwiseAbs()), velocity(velocity_error(t.v1)) {
-    if (t.statistics.newton_iterations > 0)  // Izzo's method has none of Newton's
-      iterations = static_cast<double>(t.statistics.newton_iterations);
-  }
-  Row(std::string name, const CollocatedTransfer& t, double cond)
-      : Row(std::move(name), static_cast<const orbit::Transfer&>(t)) {
-    condition = cond;
-  }
 };
+Row row(const std::string& method, const orbit::Transfer& t, std::optional<double> condition = {}) {
+  Row r{method, miss_vector(t.v1).cwiseAbs(), velocity_error(t.v1), {}, condition};
+  // Izzo's method has none of Newton's.
+  if (const auto n = t.statistics.newton_iterations; n > 0) r.iterations = static_cast<double>(n);
+  return r;
+}
 
 void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfer& printed_shape,
                 const CollocatedTransfer& stable, const CollocatedTransfer& polynomial,
@@ -193,21 +178,20 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
   // Rounding decides, and with it the unit of time: the median of twelve.
   const CollocatedTransfer &least = printed.front(), &most = printed.back(),
                            &middle = printed[printed.size() / 2];
-  Vector3<double> in_print;
+  std::vector<Row> rows = {{"printed", {}},
+                           row("as printed, in seconds", in_seconds, in_seconds.condition),
+                           row("as printed, median of twelve units of time", middle, middle.condition),
+                           row("as printed, best of twelve units of time", least, least.condition),
+                           row("as printed, worst of twelve units of time", most, most.condition),
+                           row("printed shape, D without loss of digits", printed_shape),
+                           row("Gaussian functions, c T = 3, D without loss of digits", stable),
+                           row("polynomials", polynomial),
+                           row("Izzo", izzo)};
   for (int k = 0; k < 3; ++k) {
     const std::string name = fmt::format("elgohary/table-5.4/Lambert/terminal boundary error {}", "xyz"[k]);
-    in_print[k] = show.printed(name);
-    show.measured(name, std::abs(miss_vector(middle.v1)[k]));
+    rows[0].miss[k] = show.printed(name);
+    show.measured(name, rows[2].miss[k]);
   }
-  const std::vector<Row> rows = {{"printed", in_print},
-                                 {"as printed, in seconds", in_seconds, in_seconds.condition},
-                                 {"as printed, median of twelve units of time", middle, middle.condition},
-                                 {"as printed, best of twelve units of time", least, least.condition},
-                                 {"as printed, worst of twelve units of time", most, most.condition},
-                                 {"printed shape, D without loss of digits", printed_shape},
-                                 {"Gaussian functions, c T = 3, D without loss of digits", stable},
-                                 {"polynomials", polynomial},
-                                 {"Izzo", izzo}};
   show.table(rows, {{"method", &Row::method},
                     {"terminal error x (m)", [](const Row& r) { return r.miss[0]; }, 2},
                     {"y (m)", [](const Row& r) { return r.miss[1]; }, 2},
@@ -231,58 +215,52 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                "twelve digits of tools/oracles/rbf_inverse_lambert.py");
 }
 
-/// What the section does. @param time_unit s
-CollocatedTransfer collocate_as_printed(double time_unit) {
+/// The section's equations and its start. @param shape c T; 0 as printed @param unit of length, m, and of
+/// time, s; 0 canonical
+CollocatedTransfer collocate(TransferBasis basis, double shape, double length_unit, double time_unit) {
   return orbit::collocate(printed_transfer(),
-                          {.basis = TransferBasis::gaussian,
+                          {.basis = basis,
+                           .shape = shape,
                            .equations = orbit::TransferEquations::positions_and_velocities,
                            .guess = orbit::TransferGuess::line,
-                           .length_unit = 1,
+                           .length_unit = length_unit,
                            .time_unit = time_unit,
                            .largest_miss = 0.01});
 }
 
 std::vector<CollocatedTransfer> in_other_units(const CollocatedTransfer& in_seconds) {
   std::vector<CollocatedTransfer> all = {in_seconds};
-  for (const double unit : time_units | std::views::drop(1)) all.push_back(collocate_as_printed(unit));
+  for (const double unit : time_units | std::views::drop(1))
+    all.push_back(collocate(TransferBasis::gaussian, 0, 1, unit));
   return all;
-}
-
-/// The same equations in canonical units with another basis. @param shape c T
-scene::Result<CollocatedTransfer> other(const char* name, const char* reading, TransferBasis basis,
-                                        double shape) {
-  return {name, reading, [basis, shape] {
-            return orbit::collocate(printed_transfer(),
-                                    {.basis = basis,
-                                     .shape = shape,
-                                     .equations = orbit::TransferEquations::positions_and_velocities,
-                                     .guess = orbit::TransferGuess::line,
-                                     .largest_miss = 0.01});
-          }};
 }
 
 }  // namespace
 
 std::vector<scene::Scene> transfer() {
-  const scene::Result as_printed(
+  const auto collocated = [](const char* name, const char* reading, TransferBasis basis, double shape,
+                             double unit) {
+    return scene::Result(name, reading, [=] { return collocate(basis, shape, unit, unit); });
+  };
+  const auto as_printed = collocated(
       "lambert-printed",
       "47 LGL nodes, Gaussian functions with c = (N + 3)/(4 T), 6N equations, Newton's iteration from a "
       "straight line; in metres and seconds",
-      [] { return collocate_as_printed(1); });
+      TransferBasis::gaussian, 0, 1);
   const scene::Result printed("lambert-printed-units", "the same in twelve units of time, seconds first",
                               in_other_units, as_printed);
-  const auto printed_shape = other("lambert-printed-shape", "the printed shape, D without cancellation",
-                                   TransferBasis::stable_gaussian, 0);
-  const auto stable = other("lambert-stable", "Gaussian functions with c T = 3, D without cancellation",
-                            TransferBasis::stable_gaussian, 3);
+  const auto printed_shape = collocated("lambert-printed-shape", "the printed shape, D without cancellation",
+                                        TransferBasis::stable_gaussian, 0, 0);
+  const auto stable = collocated("lambert-stable", "Gaussian functions with c T = 3, D without cancellation",
+                                 TransferBasis::stable_gaussian, 3, 0);
   const auto polynomial =
-      other("lambert-polynomial", "polynomials, the limit c = 0", TransferBasis::polynomial, 0);
+      collocated("lambert-polynomial", "polynomials, the limit c = 0", TransferBasis::polynomial, 0, 0);
   const scene::Result izzo("lambert-izzo", "Izzo's method",
                            [] { return orbit::corrected_transfer(printed_transfer()); });
-  const auto history = [&](bool velocity) {
-    const auto put = [velocity](const CollocatedTransfer& p, const CollocatedTransfer& q,
-                                const orbit::Transfer& r,
-                                scene::Show& show) { put_history(p, q, r, velocity, show); };
+  const auto history = [&](const Part& part) {
+    const auto put = [&part](const CollocatedTransfer& p, const CollocatedTransfer& q,
+                             const orbit::Transfer& r,
+                             scene::Show& show) { put_history(p, q, r, part, show); };
     return scene::Content(put, as_printed, polynomial, izzo);
   };
   return {{.name = "fig-5.19",
@@ -292,11 +270,11 @@ std::vector<scene::Scene> transfer() {
           {.name = "fig-5.20",
            .title = "Position on the transfer orbit",
            .place = "Figure 5.20",
-           .content = history(false)},
+           .content = history(positions)},
           {.name = "fig-5.21",
            .title = "Velocity on the transfer orbit",
            .place = "Figure 5.21",
-           .content = history(true)},
+           .content = history(velocities)},
           {.name = "table-5.4",
            .title = "Errors at the ends of the transfer: rounding decides, the stable basis does not mind",
            .place = "Table 5.4",

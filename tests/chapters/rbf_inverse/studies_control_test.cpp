@@ -5,9 +5,7 @@
 #include <set>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/multiple_shooting.hpp"
-#include "chapters/rbf_inverse/random_guess.hpp"
-#include "chapters/rbf_inverse/single_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 #include "nlmech/bvp/solve.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -83,7 +81,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
   if (!multiple_shooting_available()) GTEST_SKIP() << "no CVODE in this build";
   const KnownExtremal& known = known_extremal(DuffingCase::fixed);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
-  const ShotSolution shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
+  const Shot shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // Each of some hundred steps may err by the tolerance, and the problem is unstable by a factor of 100.
   EXPECT_NEAR(shot.first[2], known.first[2], 1e-6);
@@ -92,7 +90,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
 }
 
 /// The fixed case from zeros.
-SingleShot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
+Shot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
   bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed, final_time);
   settings.beta = beta;
   return shoot_once(duffing_problem(settings), Eigen::VectorXd::Zero(4), method);
@@ -104,7 +102,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
   Eigen::Matrix2d m;  // of (a, b) to (x1, x2) at T
   m << -T * s / 2, -(s - T * c) / 2, -(s + T * c) / 2, -T * s / 2;
   const Eigen::Vector2d ab = m.inverse() * Eigen::Vector2d(5, 2);
-  const SingleShot shot = shoot_from_zeros(0, T);
+  const Shot shot = shoot_from_zeros(0, T);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // ode45 at 1e-8 in some hundred steps; co-states of order 10.
   EXPECT_NEAR(shot.first[2], -ab[1], 1e-6);
@@ -112,7 +110,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
 }
 
 TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
-  const SingleShot shot = shoot_from_zeros(0.9, 1);
+  const Shot shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
   const Eigen::MatrixXd flown = fly(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
@@ -122,7 +120,7 @@ TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
 }
 
 TEST(SingleShooting, CutOffIsNoRoot) {
-  const SingleShot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
+  const Shot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
   EXPECT_FALSE(shot.status.ok());
   EXPECT_FALSE(shot.status.text().empty());
 }
