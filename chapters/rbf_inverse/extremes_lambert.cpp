@@ -35,12 +35,8 @@ struct Extreme {
 };
 
 /// Radii 1 and 1.5 at an angle, mu = 1; rounded to double.
-LambertProblem apart(double angle, double time) {
-  return {{1, 0, 0}, {1.5 * std::cos(angle), 1.5 * std::sin(angle), 0}, time, 1};
-}
-/// The same so much short of opposite positions, with all digits of that.
-LambertProblem nearly_opposite(double lacking, double time) {
-  return {{1, 0, 0}, {-1.5 * std::cos(lacking), 1.5 * std::sin(lacking), 0}, time, 1};
+LambertProblem apart(double angle) {
+  return {{1, 0, 0}, {1.5 * std::cos(angle), 1.5 * std::sin(angle), 0}, 4, 1};
 }
 /// Nothing special about it.
 LambertProblem plain(double time) { return {{1, 0, 0}, {0.5, 1.5, 0.2}, time, 1}; }
@@ -51,49 +47,9 @@ double parabolic_time(const LambertProblem& p) {
   return (std::pow(r + c, 1.5) - std::pow(r - c, 1.5)) / 6;
 }
 
-void add_angles(std::vector<Extreme>& all) {
-  for (const double lacking : {1e-3, 1e-8, 1e-12}) {
-    for (const bool long_way : {false, true})
-      all.push_back({fmt::format("180 degrees {} {:g} rad", long_way ? "and" : "less", lacking),
-                     nearly_opposite(lacking, 4),
-                     {.long_way = long_way}});
-  }
-  const LambertProblem opposite{{1, 0, 0}, {-1.5, 0, 0}, 4, 1};
-  all.push_back({"180 degrees, no plane given", opposite, {}, Outcome::outside_validity});
-  LambertProblem in_plane = opposite;
-  in_plane.normal = Vector3<double>(0, 1, 2);
-  all.push_back({"180 degrees in a given plane", in_plane, {}});
-  for (const double angle : {1e-3, 1e-8, 1e-12}) {
-    all.push_back({fmt::format("{:g} rad", angle), apart(angle, 4), {}});
-    all.push_back({fmt::format("360 degrees less {:g} rad", angle), apart(angle, 4), {.long_way = true}});
-  }
-  all.push_back({"0 degrees", apart(0, 4), {}, Outcome::outside_validity});
-  all.push_back({"360 degrees", apart(0, 4), {.long_way = true}, Outcome::outside_validity});
-}
-
-void add_times(std::vector<Extreme>& all) {
-  for (const double time : {1e-3, 1e-50, 1e-140})
-    all.push_back({fmt::format("hyperbola in a time of {:g}", time), plain(time), {}});
-  all.push_back({"a time of 1e-200", plain(1e-200), {}, Outcome::outside_validity});
-  all.push_back({"parabola", plain(parabolic_time(plain(1))), {}});
-  for (const double time : {1e3, 1e7}) all.push_back({fmt::format("a time of {:g}", time), plain(time), {}});
-  all.push_back({"a time of 1e12", plain(1e12), {}, Outcome::outside_validity});
-}
-
 /// A problem at its least time for so many revolutions, times @p factor.
 LambertProblem at_limit(int revolutions, double factor) {
-  const double least = orbit::least_time(plain(1), false, revolutions);
-  return plain(least * factor);
-}
-
-void add_revolutions(std::vector<Extreme>& all) {
-  for (const int n : {1, 20, 1000}) {
-    const std::string label = fmt::format("{} revolutions, least time", n);
-    all.push_back({label + " less 1e-12", at_limit(n, 1 - 1e-12), {false, n}, Outcome::infeasible});
-    all.push_back({label + " and 1e-12, low", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::low}});
-    all.push_back({label + " and 1e-12, high", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::high}});
-  }
-  all.push_back({"1000000 revolutions, twice the least time", at_limit(1000000, 2), {false, 1000000}});
+  return plain(orbit::least_time(plain(1), false, revolutions) * factor);
 }
 
 /// The plain problem in units 2^length and 2^time times as small.
@@ -105,13 +61,43 @@ LambertProblem in_units(int length, int time) {
 
 std::vector<Extreme> extremes() {
   std::vector<Extreme> all;
-  add_angles(all);
-  add_times(all);
-  add_revolutions(all);
-  all.push_back({"r_2 = 1e-8 r_1", {{1, 0, 0}, {0, 1e-8, 0}, 1, 1}, {}});
-  all.push_back({"r_2 = 1e8 r_1", {{1, 0, 0}, {0, 1e8, 0}, 1e12, 1}, {}});
-  all.push_back({"lengths of 2^-600, times of 2^-700", in_units(-600, -700), {}});
-  all.push_back({"lengths of 2^600, times of 2^700", in_units(600, 700), {}});
+  const auto add = [&](std::string label, const LambertProblem& p, const LambertArc& arc = {},
+                       Outcome expected = Outcome::success) {
+    all.push_back({std::move(label), p, arc, expected});
+  };
+  const LambertArc long_way{.long_way = true};
+  for (const double lacking : {1e-3, 1e-8, 1e-12}) {  // with all digits of that
+    const LambertProblem p{{1, 0, 0}, {-1.5 * std::cos(lacking), 1.5 * std::sin(lacking), 0}, 4, 1};
+    add(fmt::format("180 degrees less {:g} rad", lacking), p);
+    add(fmt::format("180 degrees and {:g} rad", lacking), p, long_way);
+  }
+  LambertProblem opposite{{1, 0, 0}, {-1.5, 0, 0}, 4, 1};
+  add("180 degrees, no plane given", opposite, {}, Outcome::outside_validity);
+  opposite.normal = Vector3<double>(0, 1, 2);
+  add("180 degrees in a given plane", opposite);
+  for (const double angle : {1e-3, 1e-8, 1e-12}) {
+    add(fmt::format("{:g} rad", angle), apart(angle));
+    add(fmt::format("360 degrees less {:g} rad", angle), apart(angle), long_way);
+  }
+  add("0 degrees", apart(0), {}, Outcome::outside_validity);
+  add("360 degrees", apart(0), long_way, Outcome::outside_validity);
+  for (const double time : {1e-3, 1e-50, 1e-140})
+    add(fmt::format("hyperbola in a time of {:g}", time), plain(time));
+  add("a time of 1e-200", plain(1e-200), {}, Outcome::outside_validity);
+  add("parabola", plain(parabolic_time(plain(1))));
+  for (const double time : {1e3, 1e7}) add(fmt::format("a time of {:g}", time), plain(time));
+  add("a time of 1e12", plain(1e12), {}, Outcome::outside_validity);
+  for (const int n : {1, 20, 1000}) {
+    const std::string label = fmt::format("{} revolutions, least time", n);
+    add(label + " less 1e-12", at_limit(n, 1 - 1e-12), {false, n}, Outcome::infeasible);
+    add(label + " and 1e-12, low", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::low});
+    add(label + " and 1e-12, high", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::high});
+  }
+  add("1000000 revolutions, twice the least time", at_limit(1000000, 2), {false, 1000000});
+  add("r_2 = 1e-8 r_1", {{1, 0, 0}, {0, 1e-8, 0}, 1, 1});
+  add("r_2 = 1e8 r_1", {{1, 0, 0}, {0, 1e8, 0}, 1e12, 1});
+  add("lengths of 2^-600, times of 2^-700", in_units(-600, -700));
+  add("lengths of 2^600, times of 2^700", in_units(600, 700));
   return all;
 }
 

@@ -61,27 +61,32 @@ void draw(Component component, const FromGuesses& all, const bvp::Extremal& best
       component.k == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 3 width -4" : "off");
 }
 
-void tabulate_guesses(const FromGuesses& all, scene::Show& show) {
+/// How solves ended, a row each. @param name of each by its number @param kinds are they told?
+template <class Name>
+void tabulate(const std::vector<bvp::GlobalResult>& results, const char* heading, Name name, bool kinds,
+              scene::Show& show) {
   struct Row {
-    std::string guess;
+    std::string name;
     const bvp::GlobalResult* r;
     NodeErrors errors;
 
+    [[nodiscard]] const bvp::Extremal& extremal() const { return r->extremal; }
     [[nodiscard]] scene::Cell if_good(const scene::Cell& cell) const {
       return is_extremal(*r) ? cell : scene::Cell();
     }
   };
   std::vector<Row> rows;
-  for (const bvp::GlobalResult& r : all.results)
-    rows.push_back({guess_name(rows.size()), &r, node_errors(r)});
-  show.table(rows,
-             {{"guess", &Row::guess},
-              {"status", [](const Row& r) { return to_string(r.r->extremal.solution.status.outcome()); }},
-              {"Newton's iterations", [](const Row& r) { return r.r->report.statistics.newton_iterations; }},
-              {"cost", [](const Row& r) { return r.if_good(r.r->extremal.cost); }, 6},
-              {"kind", [](const Row& r) { return r.if_good(to_string(r.r->extremal.second_order.kind)); }},
-              {"largest state error", [](const Row& r) { return r.if_good(r.errors.states); }, 2},
-              {"largest co-state error", [](const Row& r) { return r.if_good(r.errors.costates); }, 2}});
+  for (const bvp::GlobalResult& r : results) rows.push_back({name(rows.size()), &r, node_errors(r)});
+  scene::ColumnsOf<std::vector<Row>> columns = {
+      {heading, &Row::name},
+      {"status", [](const Row& r) { return to_string(r.extremal().solution.status.outcome()); }},
+      {"Newton's iterations", [](const Row& r) { return r.r->report.statistics.newton_iterations; }},
+      {"cost", [](const Row& r) { return r.if_good(r.extremal().cost); }, kinds ? 6 : 10},
+      {"kind", [](const Row& r) { return r.if_good(to_string(r.extremal().second_order.kind)); }},
+      {"largest state error", [](const Row& r) { return r.if_good(r.errors.states); }, 2},
+      {"largest co-state error", [](const Row& r) { return r.if_good(r.errors.costates); }, 2}};
+  if (!kinds) columns.erase(columns.begin() + 4);
+  show.table(rows, columns);
 }
 
 /// What the guesses led to, in numbers.
@@ -120,31 +125,13 @@ void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Sho
   const char* const names[] = {"{/:Italic x}_{1}", "{/:Italic x}_{2} (1/s)", "{/:Italic f} (1/s^{2})"};
   for (int k = 0; k < 3; ++k)
     draw({.panel = plot.panel("time (s)", "").caption(names[k]), .k = k}, all, best);
-  tabulate_guesses(all, show);
+  tabulate(all.results, "guess", guess_name, true, show);
   check_guesses(all, best, show);
   const char* const oracle = "tools/oracles/rbf_inverse_extremals.py";
   show.at_most("cost of the cheapest", best.cost, known.cost * (1 + 1e-9), oracle);
   show.at_most("distance of its flown end from prescribed values", best.miss, 1e-9,
                "the tolerance of the collocation");
   show.at_most("error of its initial states and co-states", known.error_of(best), 1e-10, oracle);
-}
-
-void tabulate_variants(const std::vector<bvp::GlobalResult>& results, scene::Show& show) {
-  struct Row {
-    std::string name;
-    const bvp::GlobalResult* r;
-    NodeErrors errors;
-  };
-  std::vector<Row> rows;
-  for (const bvp::GlobalResult& r : results)
-    rows.push_back({global_variants()[rows.size()].name, &r, node_errors(r)});
-  show.table(rows,
-             {{"derivative matrix", &Row::name},
-              {"status", [](const Row& r) { return to_string(r.r->extremal.solution.status.outcome()); }},
-              {"Newton's iterations", [](const Row& r) { return r.r->report.statistics.newton_iterations; }},
-              {"cost", [](const Row& r) { return finite(r.r->extremal.cost); }, 10},
-              {"largest state error", [](const Row& r) { return finite(r.errors.states); }, 2},
-              {"largest co-state error", [](const Row& r) { return finite(r.errors.costates); }, 2}});
 }
 
 /// The greatest |error| of some components at the nodes.
@@ -182,7 +169,8 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
   panel.curve("1e-7", {0, inferred}, {1e-7, 1e-7}, scene::lines(5));
   panel.log_y(1e-17, 1).set("bmargin at screen 0.33");
   panel.key("at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3");
-  tabulate_variants(results, show);
+  const auto name = [](std::size_t i) { return global_variants()[i].name; };
+  tabulate(results, "derivative matrix", name, false, show);
   show.between(
       costates ? "largest co-state error, printed shape" : "largest state error, printed shape", worst, 1e-7,
       1, "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 is a lottery");
