@@ -86,11 +86,6 @@ void check(const std::vector<Row>& rows, const Cases& cases, scene::Show& show) 
                "recorded: 2e-6 and more");
 }
 
-double largest_error(const bvp::GlobalResult& r) {
-  const NodeErrors e = node_errors(r);
-  return is_extremal(r) ? std::max(e.states, e.costates) : HUGE_VAL;
-}
-
 void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& variants, scene::Show& show) {
   for (const Row& row : rows) {
     // T is not stated. That x1(T) - 5 is a multiple of a unit in the last place of 5 needs no T.
@@ -102,8 +97,7 @@ void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& v
   // The text has one number for all; the best of ours, over cases, final times and guesses, is the kindest
   // comparison. A wider shape beside it.
   double least = HUGE_VAL, wider = HUGE_VAL;
-  for (const FromGuesses* all : cases)
-    for (const bvp::GlobalResult& r : all->results) least = std::min(least, largest_error(r));
+  for (const FromGuesses* all : cases) least = std::min(least, all->least_error());
   for (const auto* of_case : variants) wider = std::min(wider, largest_error((*of_case)[1]));
   show.measured("elgohary/claim-5.3.5/all cases/difference to ODE45 at the nodes", least, wider);
 }

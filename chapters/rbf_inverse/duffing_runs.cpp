@@ -54,6 +54,23 @@ NodeErrors node_errors(const bvp::GlobalResult& result) {
   return {error.topRows(2).maxCoeff(), error.bottomRows(2).maxCoeff()};
 }
 
+double largest_error(const bvp::GlobalResult& result) {
+  const NodeErrors e = node_errors(result);
+  return is_extremal(result) ? std::max(e.states, e.costates) : HUGE_VAL;
+}
+
+double FromGuesses::least_error() const {
+  return largest_error(*std::ranges::min_element(results, {}, largest_error));
+}
+
+GuessCounts& GuessCounts::operator+=(const GuessCounts& others) {
+  good += others.good;
+  cheapest += others.cheapest;
+  spurious += others.spurious;
+  failed += others.failed;
+  return *this;
+}
+
 const bvp::Extremal& cheapest_of(const bvp::Multistart& all) {
   if (all.found.empty())
     throw Failure(fmt::format("none of {} starts led to an extremal", all.spurious + all.failed));

@@ -71,6 +71,8 @@ struct NodeErrors {
 };
 /// NaN if nothing was flown.
 [[nodiscard]] NodeErrors node_errors(const bvp::GlobalResult& result);
+/// The larger of both; infinite if it is no extremal.
+[[nodiscard]] double largest_error(const bvp::GlobalResult& result);
 
 /// The number, or nothing if it is none.
 [[nodiscard]] inline std::optional<double> finite(double x) {
@@ -91,6 +93,12 @@ struct GuessCounts {
   std::int64_t cheapest = 0;  ///< of them, those within a hundredth of the cheapest known
   std::int64_t spurious = 0;  ///< roots that are no solutions
   std::int64_t failed = 0;    ///< no roots
+
+  GuessCounts& operator+=(const GuessCounts& others);
+  /// Of all guesses.
+  [[nodiscard]] double share(std::int64_t GuessCounts::*what) const {
+    return static_cast<double>(this->*what) / static_cast<double>(good + spurious + failed);
+  }
 };
 
 /// What the printed method made of its guesses for one case at one final time: zeros, then ten random ones.
@@ -108,6 +116,8 @@ struct FromGuesses {
   [[nodiscard]] GuessCounts counts() const;
   /// The extremals among them, each once, cheapest first. They live as long as the results.
   [[nodiscard]] std::vector<const bvp::Extremal*> distinct() const;
+  /// Of the extremals' largest errors at the nodes, the least; infinite without an extremal.
+  [[nodiscard]] double least_error() const;
 };
 
 /// "zeros", "random guess 3".

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
 
@@ -18,15 +16,6 @@ struct Row {
 
   explicit Row(const FromGuesses* of) : all(of), counts(of->counts()), found(of->distinct()) {}
   [[nodiscard]] bool any() const { return !found.empty(); }
-  /// Of the extremals' largest errors at the nodes, the least.
-  [[nodiscard]] std::optional<double> least_error() const {
-    double least = HUGE_VAL;
-    for (const bvp::GlobalResult& r : all->results) {
-      const NodeErrors errors = node_errors(r);
-      if (is_extremal(r)) least = std::min(least, std::max(errors.states, errors.costates));
-    }
-    return any() ? std::optional(least) : std::nullopt;
-  }
 };
 
 void tabulate(const std::vector<Row>& rows, scene::Show& show) {
@@ -50,38 +39,31 @@ void tabulate(const std::vector<Row>& rows, scene::Show& show) {
                [](const Row& r) { return r.any() ? scene::Cell(r.found.back()->cost) : scene::Cell(); }, 5},
               {"cheapest known",
                [](const Row& r) { return known_extremal(r.all->subject->which, r.all->final_time).cost; }, 5},
-              {"least error at the nodes", &Row::least_error, 2}});
+              {"least error at the nodes", [](const Row& r) { return finite(r.all->least_error()); }, 2}});
 }
 
 void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
   const std::vector<Row> rows(all.begin(), all.end());
   tabulate(rows, show);
-  struct Sums {
-    double tried = 0, good = 0, cheapest = 0, spurious = 0;
-  };
-  std::map<double, Sums> sums;  // by final time
-  int saddles = 0;              // among the six that the figures draw
+  std::map<double, GuessCounts> sums;  // by final time
+  int saddles = 0;                     // among the six that the figures draw
   for (const Row& r : rows) {
-    Sums& s = sums[r.all->final_time];
-    s.tried += static_cast<double>(r.all->results.size());
-    s.good += static_cast<double>(r.counts.good);
-    s.cheapest += static_cast<double>(r.counts.cheapest);
-    s.spurious += static_cast<double>(r.counts.spurious);
+    sums[r.all->final_time] += r.counts;
     if (r.all->final_time == inferred)
       saddles += r.all->drawn().extremal.second_order.kind == bvp::Kind::saddle ? 1 : 0;
   }
   // 66 guesses: three deviations of a share are 0.18 at most; a share is never beyond 0 and 1.
   for (const auto& [time, known] : {std::pair{1, 0.80}, {2, 0.42}, {5, 0.01}})
     show.between(fmt::format("share of guesses that find an extremal, T = {}", time),
-                 sums[time].good / sums[time].tried, std::max(0.0, known - 0.2), known + 0.2,
+                 sums[time].share(&GuessCounts::good), std::max(0.0, known - 0.2), known + 0.2,
                  "recorded of 600 other guesses; sampling");
-  const Sums& s = sums[inferred];
+  const double good = sums[inferred].share(&GuessCounts::good);
   show.between("saddles among the six that are drawn, T = 2", saddles, 1, 6,
                "x1x1 from zeros at least, by the second variation");
-  show.between("share of guesses that find the cheapest, T = 2", s.cheapest / s.tried, 0, s.good / s.tried,
-               "some of those that find an extremal");
-  show.between("share of guesses that end on no solution, T = 2", s.spurious / s.tried, 0,
-               1 - s.good / s.tried, "some of the others");
+  show.between("share of guesses that find the cheapest, T = 2", sums[inferred].share(&GuessCounts::cheapest),
+               0, good, "some of those that find an extremal");
+  show.between("share of guesses that end on no solution, T = 2",
+               sums[inferred].share(&GuessCounts::spurious), 0, 1 - good, "some of the others");
 }
 
 }  // namespace

@@ -126,9 +126,10 @@ std::vector<Row> compute(bool quick) {
 /// The longest time up to which single shooting converges at all beta, from zeros and from ones; 0 if none.
 double always_converges(const std::vector<Row>& rows) {
   const auto failing = std::ranges::find_if(rows, [](const Row& r) { return r.first_failure().has_value(); });
+  const double end = failing == rows.end() ? HUGE_VAL : failing->final_time;
   double longest = 0;
-  for (auto r = rows.begin(); r != failing; ++r)
-    if (failing == rows.end() || r->final_time < failing->final_time) longest = r->final_time;
+  for (const Row& r : rows)
+    if (r.final_time < end) longest = r.final_time;
   return longest;
 }
 
