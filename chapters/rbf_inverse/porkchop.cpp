@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -66,57 +65,47 @@ PorkchopProblem low_to_geostationary(bool quick) {
 }
 
 /// The cheapest cell by a measure.
-struct Cheapest {
-  std::size_t i = 0, j = 0;
-  double value = std::numeric_limits<double>::infinity();
+struct Row {
+  const char* measure;
+  double departure = 0, arrival = 0, value = HUGE_VAL;
+  orbit::PorkchopCell cell = {};
 };
 template <class Measure>
-Cheapest cheapest(const Porkchop& grid, const Measure& measure) {
-  Cheapest best;
+Row cheapest(const Porkchop& grid, const char* name, const Measure& measure) {
+  Row best{name};
   for (std::size_t i = 0; i < grid.departures.size(); ++i) {
     for (std::size_t j = 0; j < grid.arrivals.size(); ++j) {
       const orbit::PorkchopCell& cell = grid.at(i, j);
-      if (cell.exists() && measure(cell) < best.value) best = {i, j, measure(cell)};
+      if (cell.exists() && measure(cell) < best.value)
+        best = {name, grid.departures[i], grid.arrivals[j], measure(cell), cell};
     }
   }
   return best;
 }
 
-double sum_of(const orbit::PorkchopCell& c) { return c.v_departure + c.v_arrival; }
-
-/// A cell that is the cheapest by a measure.
-struct Row {
-  const char* least;
-  const Porkchop* grid;
-  Cheapest at;
-
-  [[nodiscard]] const orbit::PorkchopCell& cell() const { return grid->at(at.i, at.j); }
-  [[nodiscard]] double departure() const { return grid->departures[at.i]; }
-  [[nodiscard]] double arrival() const { return grid->arrivals[at.j]; }
-};
-
 /// Least sum, least departure, least arrival, a row each. @param time what @p unit is in seconds
 std::vector<Row> put_minima(const Porkchop& grid, const std::string& unit, double time, scene::Show& show) {
   using orbit::PorkchopCell;
+  const auto cell = [&](const char* name, auto measure) { return cheapest(grid, name, measure); };
   const std::vector<Row> rows = {
-      {"sum of both", &grid, cheapest(grid, sum_of)},
-      {"speed at the departure", &grid, cheapest(grid, [](const PorkchopCell& c) { return c.v_departure; })},
-      {"speed at the arrival", &grid, cheapest(grid, [](const PorkchopCell& c) { return c.v_arrival; })}};
+      cell("sum of both", [](const PorkchopCell& c) { return c.v_departure + c.v_arrival; }),
+      cell("speed at the departure", [](const PorkchopCell& c) { return c.v_departure; }),
+      cell("speed at the arrival", [](const PorkchopCell& c) { return c.v_arrival; })};
   show.table(rows,
-             {{"least", &Row::least},
-              {fmt::format("departure ({})", unit), [time](const Row& r) { return r.departure() / time; }, 5},
-              {fmt::format("arrival ({})", unit), [time](const Row& r) { return r.arrival() / time; }, 5},
-              {"speed at the departure (km/s)", [](const Row& r) { return r.cell().v_departure / 1e3; }, 5},
-              {"speed at the arrival (km/s)", [](const Row& r) { return r.cell().v_arrival / 1e3; }, 5},
-              {"revolutions", [](const Row& r) { return r.cell().revolutions; }},
-              {"way", [](const Row& r) { return r.cell().long_way ? "long" : "short"; }}});
+             {{"least", &Row::measure},
+              {fmt::format("departure ({})", unit), [time](const Row& r) { return r.departure / time; }, 5},
+              {fmt::format("arrival ({})", unit), [time](const Row& r) { return r.arrival / time; }, 5},
+              {"speed at the departure (km/s)", [](const Row& r) { return r.cell.v_departure / 1e3; }, 5},
+              {"speed at the arrival (km/s)", [](const Row& r) { return r.cell.v_arrival / 1e3; }, 5},
+              {"revolutions", [](const Row& r) { return r.cell.revolutions; }},
+              {"way", [](const Row& r) { return r.cell.long_way ? "long" : "short"; }}});
   return rows;
 }
 
 /// Checks that a value is between the least one of continuous times and that of the nearest cells.
-void check_least(const std::string& name, const Cheapest& at, double known, double coarse,
+void check_least(const std::string& name, const Row& row, double known, double coarse,
                  const std::string& reason, scene::Show& show) {
-  show.between(name, {at.value / 1e3, "km/s"}, known / 1e3 * (1 - 1e-9), known / 1e3 * (1 + coarse), reason);
+  show.between(name, {row.value / 1e3, "km/s"}, known / 1e3 * (1 - 1e-9), known / 1e3 * (1 + coarse), reason);
 }
 
 void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
@@ -130,12 +119,12 @@ void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
   const char* const program =
       "recorded: least by other code (universal variables of Bate, Mueller and White, bisection) over "
       "continuous times; a grid with steps of days is a little above";
-  check_least("least sum of excess speeds", least[0].at, 5669.37334827, 2e-3, program, show);
-  check_least("least excess speed at the departure", least[1].at, 2968.19185617, 2e-3, program, show);
-  check_least("least excess speed at the arrival", least[2].at, 2697.71255038, 2e-3, program, show);
-  show.between("departure of the least sum", {least[0].departure() / day, "days"}, 1253.4 - 5, 1253.4 + 5,
+  check_least("least sum of excess speeds", least[0], 5669.37334827, 2e-3, program, show);
+  check_least("least excess speed at the departure", least[1], 2968.19185617, 2e-3, program, show);
+  check_least("least excess speed at the arrival", least[2], 2697.71255038, 2e-3, program, show);
+  show.between("departure of the least sum", {least[0].departure / day, "days"}, 1253.4 - 5, 1253.4 + 5,
                "recorded: 1253.4; flat, so that two steps of the grid are allowed");
-  show.between("arrival of the least sum", {least[0].arrival() / day, "days"}, 1457.1 - 8, 1457.1 + 8,
+  show.between("arrival of the least sum", {least[0].arrival / day, "days"}, 1457.1 - 8, 1457.1 + 8,
                "recorded: 1457.1; two steps");
 }
 
@@ -151,7 +140,7 @@ void put_low_to_geostationary(const Porkchop& grid, scene::Show& show) {
   const double hohmann = v1 * (std::sqrt(2 * high / sum) - 1) + v2 * (1 - std::sqrt(2 * low / sum));
   const auto around =
       std::ranges::count_if(grid.cells, [](const orbit::PorkchopCell& c) { return c.revolutions > 0; });
-  check_least("least sum of excess speeds", least[0].at, hohmann, 5e-3,
+  check_least("least sum of excess speeds", least[0], hohmann, 5e-3,
               "Hohmann's half ellipse, the least of all transfers between these circles; the grid misses its "
               "arrival by "
               "part of a step",

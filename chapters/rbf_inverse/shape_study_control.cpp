@@ -66,15 +66,7 @@ void vary_shape_and_nodes(std::vector<Row>& rows, DuffingCase which, const bvp::
         {varied, which, inferred, nodes, shape, &basis, basis.legend, error_of(problem, method, from)});
   };
   for (const Basis& basis : bases) {
-    add(Varied::shape, basis, 40, shapes.front());
-    for (std::size_t i = 1; i < shapes.size(); ++i) {
-      if (&basis != &polynomial) {
-        add(Varied::shape, basis, 40, shapes[i]);
-      } else {  // has no shape
-        rows.push_back(Row(rows.back()));
-        rows.back().shape = shapes[i];
-      }
-    }
+    for (const double shape : shapes) add(Varied::shape, basis, 40, shape);  // polynomials have none
     for (const int n : counts) {
       // The stable basis has no need of more: its errors have ended by then.
       if (&basis != &all_digits || n <= 80) add(Varied::nodes, basis, n, (n - 1) / 4.);
