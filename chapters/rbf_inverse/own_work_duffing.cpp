@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -83,8 +84,8 @@ Request understand(const Words& words) {
 /// Two minutes, starts and the last solve included.
 constexpr double seconds_of_solves = 60;
 
-/// The cheapest extremal that the own starts lead to.
-std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
+/// The extremals that the own starts lead to, one at least.
+std::vector<bvp::Found> unbounded(const bvp::DuffingSettings& settings) {
   const bvp::Multistart all = bvp::duffing_extremals(settings, {}, {}, {.seconds = seconds_of_solves});
   if (all.found.empty())
     throw Failure(Status::failure(
@@ -92,9 +93,7 @@ std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
         fmt::format("duffing: none of {} starts led to an extremal that an integrator confirms ({} spurious "
                     "roots); try another final time or a smaller beta",
                     all.good + all.spurious + all.failed, all.spurious)));
-  std::vector<bvp::Extremal> extremals;
-  for (const bvp::Found& f : all.found) extremals.push_back(f.extremal);
-  return extremals;
+  return all.found;
 }
 
 /// A power of two in which the bound is 8 to 16: the smoothing of a bounded control is 1e-4, whatever the
@@ -115,9 +114,8 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   std::optional<bvp::Extremal> best;
   Status failure;
-  int tried = 0;
-  for (const bvp::Extremal& free : unbounded(settings)) {
-    if (++tried > 3) break;
+  for (const bvp::Found& found : unbounded(settings) | std::views::take(3)) {
+    const bvp::Extremal& free = found.extremal;
     double peak = 0;
     constexpr int samples = 1000;
     for (int i = 0; i <= samples; ++i)
@@ -139,8 +137,8 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
 std::string duffing(const Words& words) {
   const Request r = understand(words);
   const double unit = r.bound ? unit_of(*r.bound) : 1;
-  const bvp::Extremal e = r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit)
-                                  : std::move(unbounded(r.settings).front());
+  const bvp::Extremal e =
+      r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit) : unbounded(r.settings).front().extremal;
   const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
   // What is prescribed or vanishes comes out with the rounding of the solve.
   const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
