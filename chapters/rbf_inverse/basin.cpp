@@ -28,7 +28,7 @@ const std::vector<Solver>& solvers() {
          const auto method = printed_method(problem, bvp::DerivativeMatrix::polynomial);
          return solve_global(problem, method, start, 0.1, true).extremal;
        }},
-      // The library's own: intervals that follow the residual, damped, flown.
+      // The library's own: intervals that follow the residual, damped, confirmed by an integrator.
       {"refined, damped Newton", 3, [](const auto& problem, const auto& start) {
          return solve_extremal(problem, start, {.newton_iterations = 60});
        }}};

@@ -42,17 +42,17 @@ struct Variational {
 };
 
 using System = ivp::System<Eigen::Dynamic>;
-using Flight = std::function<ivp::Solution<Eigen::Dynamic>(const System& system, const VectorXd& y, double t0,
-                                                           double t1)>;
+using Integration = std::function<ivp::Solution<Eigen::Dynamic>(const System& system, const VectorXd& y,
+                                                                double t0, double t1)>;
 
-/// The end conditions and the joints as functions of the states at the begins, flown when these change.
+/// The end conditions and the joints as functions of the states at the begins, integrated when these change.
 class Segments {
  public:
-  Segments(const bvp::Problem& problem, int count, Flight flight)
+  Segments(const bvp::Problem& problem, int count, Integration integration)
       : problem_(problem),
         n_(problem.states()),
         count_(count),
-        flight_(std::move(flight)),
+        integration_(std::move(integration)),
         system_(Variational{&problem}) {}
   [[nodiscard]] double time(Index k) const {
     const std::vector<double> points = problem_.points();
@@ -64,7 +64,7 @@ class Segments {
   [[nodiscard]] double reach() const { return reach_; }
 
   void residual(const VectorXd& x, VectorXd& f) {
-    fly(x);
+    integrate_from(x);
     f.resize(n_ * count_);
     for (Index k = 1; k < count_; ++k) f.segment(k * n_, n_) = ends_.col(k - 1) - x.segment(k * n_, n_);
     VectorXd r(n_);
@@ -72,7 +72,7 @@ class Segments {
     f.head(n_) = r;
   }
   void derivative(const VectorXd& x, MatrixXd& b) {
-    fly(x);
+    integrate_from(x);
     b = MatrixXd::Zero(n_ * count_, n_ * count_);
     const Index last = count_ - 1;
     for (Index k = 0; k < last; ++k) {
@@ -100,9 +100,9 @@ class Segments {
     both << x.head(n_), ends_.rightCols(1);
     return both;
   }
-  void fly(const VectorXd& x) {
-    if (flown_.size() == x.size() && flown_ == x) return;
-    flown_ = x;
+  void integrate_from(const VectorXd& x) {
+    if (integrated_.size() == x.size() && integrated_ == x) return;
+    integrated_ = x;
     ends_ = MatrixXd::Constant(n_, count_, std::numeric_limits<double>::quiet_NaN());
     transitions_ = ends_.replicate(1, n_);
     if (!x.allFinite()) return;
@@ -110,7 +110,7 @@ class Segments {
     for (Index k = 0; k < count_; ++k) {
       VectorXd y(n_ + n_ * n_);
       y << x.segment(k * n_, n_), MatrixXd::Identity(n_, n_).reshaped();
-      const auto s = flight_(system_, y, time(k), time(k + 1));
+      const auto s = integration_(system_, y, time(k), time(k + 1));
       if (!s.status.ok()) {
         ends_.setConstant(std::numeric_limits<double>::quiet_NaN());
         return;
@@ -122,9 +122,9 @@ class Segments {
 
   const bvp::Problem& problem_;
   Index n_, count_;
-  Flight flight_;
+  Integration integration_;
   System system_;
-  VectorXd flown_;
+  VectorXd integrated_;
   MatrixXd ends_, transitions_;
   double reach_ = 0;
 };
@@ -133,11 +133,11 @@ class Segments {
 
 Shot shoot_once(const bvp::Problem& problem, const VectorXd& first, const SingleShooting& method) {
   const ivp::Ode45 ode45{.relative_tolerance = method.tolerance, .absolute_tolerance = method.tolerance};
-  // A flight that needs more steps goes off to infinity, or swings too fast to be an answer.
+  // A solution that needs more steps goes off to infinity, or swings too fast to be an answer.
   Segments segments(problem, 1, [&](const System& system, const VectorXd& y, double t0, double t1) {
     return ivp::integrate(system, y, t0, t1, ode45, {}, {.steps = 1000});
   });
-  // Errors of a flight, some hundred tolerances, are the noise of the updates.
+  // Errors of a solution, some hundred tolerances, are the noise of the updates.
   Shot shot = segments.solve(algebraic::Newton{.tolerance = 10 * method.tolerance,
                                                .noise = 1e4 * method.tolerance,
                                                .iterations = method.iterations},
