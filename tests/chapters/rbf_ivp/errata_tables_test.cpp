@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/rbf_ivp/explicit_variants.hpp"
-#include "chapters/rbf_ivp/readings.hpp"
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
+#include "chapters/rbf_ivp/readings/explicit_variants.hpp"
+#include "chapters/rbf_ivp/readings/readings.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/errata/erratum.hpp"
 

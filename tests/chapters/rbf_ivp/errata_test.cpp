@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/problem.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/rbf_ivp/cases.hpp"
-#include "chapters/rbf_ivp/histories.hpp"
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/cases.hpp"
+#include "chapters/rbf_ivp/examples/histories.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "chapters/rbf_ivp/extended.hpp"
-#include "chapters/rbf_ivp/node_variants.hpp"
+#include "chapters/rbf_ivp/nodes/node_variants.hpp"
+#include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/collocation.hpp"
 
 namespace nlmech::chapters {

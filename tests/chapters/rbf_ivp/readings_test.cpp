@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "chapters/rbf_ivp/explicit_variants.hpp"
-#include "chapters/rbf_ivp/readings.hpp"
-#include "chapters/rbf_ivp/traces.hpp"
+#include "chapters/rbf_ivp/readings/explicit_variants.hpp"
+#include "chapters/rbf_ivp/readings/readings.hpp"
+#include "chapters/rbf_ivp/readings/traces.hpp"
 
 namespace nlmech::chapters {
 namespace {

@@ -1,7 +1,7 @@
 /// The arcs on which shapes are judged.
 #include <gtest/gtest.h>
 
-#include "chapters/rbf_ivp/arcs.hpp"
+#include "chapters/rbf_ivp/shapes/arcs.hpp"
 #include "nlmech/problems/duffing.hpp"
 
 namespace nlmech::chapters {

@@ -1,4 +1,4 @@
-#include "chapters/rbf_ivp/solvers.hpp"
+#include "chapters/rbf_ivp/solvers/solvers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/extended.hpp"
-#include "chapters/rbf_ivp/stiff_problems.hpp"
+#include "chapters/rbf_ivp/stability/extended.hpp"
+#include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "tests/ivp/test_set.hpp"
 
 namespace nlmech::chapters {

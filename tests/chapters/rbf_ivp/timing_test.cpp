@@ -4,8 +4,8 @@
 #include <string>
 
 #include "chapters/rbf_ivp/chapter.hpp"
-#include "chapters/rbf_ivp/histories.hpp"
-#include "chapters/rbf_ivp/rows.hpp"
+#include "chapters/rbf_ivp/examples/histories.hpp"
+#include "chapters/rbf_ivp/examples/rows.hpp"
 
 namespace nlmech::chapters {
 namespace {

@@ -1,0 +1,7 @@
+#include "chapters/rbf_ivp/solvers/collocation_equations_of.hpp"
+
+namespace nlmech::chapters {
+
+template class CollocationEquations<6>;
+
+}  // namespace nlmech::chapters
