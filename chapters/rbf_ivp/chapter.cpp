@@ -2,7 +2,7 @@
 
 #include "chapters/rbf_ivp/scenes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 scene::Chapter rbf_ivp_chapter() {
   scene::Chapter chapter(
@@ -33,4 +33,4 @@ scene::Chapter rbf_ivp_chapter() {
   return chapter;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -6,7 +6,7 @@
 #include "nlmech/scene/command_line.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// The chapter with its runs, scenes and measurements; nothing is computed.
 [[nodiscard]] scene::Chapter rbf_ivp_chapter();
@@ -14,4 +14,4 @@ namespace nlmech::chapters {
 /// `rbf_ivp integrate` and `rbf_ivp compare`: every method and peer on the user's own parameters.
 void rbf_ivp_work(CLI::App& app);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -21,7 +21,7 @@ extern template std::unique_ptr<OwnProblem> own_problem<problems::Hires>();
 
 }  // namespace nlmech::comparison
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 void rbf_ivp_work(CLI::App& app) {
   using comparison::own_problem;
@@ -34,4 +34,4 @@ void rbf_ivp_work(CLI::App& app) {
   comparison::add_compare_command(app, problems, "rbf_ivp");
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

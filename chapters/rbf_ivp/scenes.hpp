@@ -4,7 +4,7 @@
 
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 // The dissertation's own.
 void add_drawings(scene::Chapter& chapter);          ///< figures 4.1 and 4.30
@@ -36,4 +36,4 @@ void add_chaos(scene::Chapter& chapter);         ///< RBF-Coll on aperiodic and 
 void add_ladder(scene::Chapter& chapter);        ///< what each step to the adaptive integrator bought
 void add_held_back(scene::Chapter& chapter);  ///< error against time with parameters that were never tuned on
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -22,7 +22,7 @@
 namespace {
 
 using namespace nlmech;
-using chapters::Case;
+using chapters::rbf_ivp::Case;
 using comparison::Contender;
 using comparison::Setting;
 
@@ -65,7 +65,7 @@ std::optional<Work> fastest(const Case<n>& c, const Contender& contender) {
 /// The fastest of the explicit libraries by its own loop (ARKODE: in our walk).
 template <int n>
 std::optional<Work> best_library(const Case<n>& c, const std::vector<Contender>& libraries,
-                                 const std::vector<chapters::NativePeer>& native) {
+                                 const std::vector<chapters::rbf_ivp::NativePeer>& native) {
   std::optional<Work> best;
   double least = HUGE_VAL;
   const auto take = [&](const std::string& name, const std::function<void()>& run) {
@@ -75,11 +75,12 @@ std::optional<Work> best_library(const Case<n>& c, const std::vector<Contender>&
     best = Work{name, run};
   };
   for (const Contender& contender : libraries) {
-    const auto peer = std::find_if(native.begin(), native.end(),
-                                   [&](const chapters::NativePeer& p) { return p.name == contender.name; });
+    const auto peer = std::find_if(native.begin(), native.end(), [&](const chapters::rbf_ivp::NativePeer& p) {
+      return p.name == contender.name;
+    });
     if (peer == native.end()) {
       if (const auto walked = fastest(c, contender)) take(contender.name, walked->run);
-    } else if (const auto alone = chapters::fastest_alone(c, peer->run, contender, wanted)) {
+    } else if (const auto alone = chapters::rbf_ivp::fastest_alone(c, peer->run, contender, wanted)) {
       take(contender.name, alone->run);
     }
   }
@@ -88,12 +89,12 @@ std::optional<Work> best_library(const Case<n>& c, const std::vector<Contender>&
 
 /// Ours of one problem, and the fastest library on it as "best library".
 template <int n>
-std::vector<Work> rivals(const Case<n>& c, const chapters::StepScales& scales,
+std::vector<Work> rivals(const Case<n>& c, const chapters::rbf_ivp::StepScales& scales,
                          const std::vector<std::string>& ours,
-                         const std::vector<chapters::NativePeer>& native) {
+                         const std::vector<chapters::rbf_ivp::NativePeer>& native) {
   std::vector<Work> all;
   std::vector<Contender> libraries;
-  for (const Contender& contender : chapters::contenders(scales, false)) {
+  for (const Contender& contender : chapters::rbf_ivp::contenders(scales, false)) {
     const bool mine = std::find(ours.begin(), ours.end(), contender.label()) != ours.end();
     if (contender.kind == comparison::Kind::explicit_ && contender.name != "ode45")
       libraries.push_back(contender);
@@ -143,10 +144,11 @@ int bench(int argc, char** argv) {
                                          "mcpi, N = 17", "rk6"};
   const problems::Duffing duffing;
   const problems::ThreeMassChain chain;
-  std::vector<Work> all = rivals(chapters::free_duffing_case(), chapters::free_duffing_steps(), ours,
-                                 chapters::native_peers(duffing, chapters::PlainDuffing{duffing}));
-  for (const Work& w : rivals(chapters::three_mass_case(), chapters::three_mass_steps(), ours,
-                              chapters::native_peers(chain, chapters::PlainChain{chain})))
+  std::vector<Work> all =
+      rivals(chapters::rbf_ivp::free_duffing_case(), chapters::rbf_ivp::free_duffing_steps(), ours,
+             chapters::rbf_ivp::native_peers(duffing, chapters::PlainDuffing{duffing}));
+  for (const Work& w : rivals(chapters::rbf_ivp::three_mass_case(), chapters::rbf_ivp::three_mass_steps(),
+                              ours, chapters::rbf_ivp::native_peers(chain, chapters::PlainChain{chain})))
     all.push_back(w);
   for (const Work& w : erasure()) all.push_back(w);
   return chapters::judge_speed("rbf_ivp", claims(all), chapters::measure_speed(all));

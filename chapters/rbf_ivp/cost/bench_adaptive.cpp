@@ -29,8 +29,8 @@
 namespace {
 
 using namespace nlmech;
-using chapters::Case;
-using chapters::Stiff;
+using chapters::rbf_ivp::Case;
+using chapters::rbf_ivp::Stiff;
 
 /// A piece of work that is measured.
 struct Work {
@@ -77,17 +77,17 @@ struct BestLibrary {
 };
 
 template <int n>
-BestLibrary best_library(const Case<n>& c, const std::vector<chapters::NativePeer>& native, double wanted,
-                         const std::string& at) {
+BestLibrary best_library(const Case<n>& c, const std::vector<chapters::rbf_ivp::NativePeer>& native,
+                         double wanted, const std::string& at) {
   BestLibrary best;
-  for (const auto& contender : chapters::with_step_control(false)) {
+  for (const auto& contender : chapters::rbf_ivp::with_step_control(false)) {
     if (contender.name == "ode45" || contender.name == "adaptive-collocation") continue;
     auto walked = fastest(c, contender, wanted, at + ", best library in our walk");
     std::optional<Work> alone = walked;
-    for (const chapters::NativePeer& peer : native) {
+    for (const chapters::rbf_ivp::NativePeer& peer : native) {
       if (peer.name != contender.name) continue;
       alone.reset();
-      if (const auto own = chapters::fastest_alone(c, peer.run, contender, wanted))
+      if (const auto own = chapters::rbf_ivp::fastest_alone(c, peer.run, contender, wanted))
         alone = Work{"", own->run, own->seconds};
     }
     if (!alone || (best.alone && alone->seconds >= best.alone->seconds)) continue;
@@ -125,7 +125,7 @@ std::optional<Work> fastest_of_ours(const Case<n>& c, const Problem& problem, do
 /// Ours against the fastest of all peers, both compiled with the problem where the library allows it.
 template <int n, class Problem>
 void against_peers(Contest& contest, const Case<n>& c, const Problem& problem,
-                   const std::vector<chapters::NativePeer>& native, double wanted, double least) {
+                   const std::vector<chapters::rbf_ivp::NativePeer>& native, double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}", c.name, wanted);
   const auto ours = fastest_of_ours(c, problem, wanted, at + ", adaptive-collocation inlined");
   const BestLibrary best = best_library(c, native, wanted, at);
@@ -142,10 +142,10 @@ void against_peers(Contest& contest, const Case<n>& c, const Problem& problem,
 /// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
 /// functions, which reach nine digits.
 template <int n>
-void against_collocation(Contest& contest, const Case<n>& c, const chapters::StepScales& scales,
+void against_collocation(Contest& contest, const Case<n>& c, const chapters::rbf_ivp::StepScales& scales,
                          const std::string& method, double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
-  for (const auto& contender : chapters::contenders(scales, false)) {
+  for (const auto& contender : chapters::rbf_ivp::contenders(scales, false)) {
     if (contender.label() != method && contender.name != "adaptive-collocation") continue;
     const std::string name = at + contender.label();
     const bool is_there =
@@ -193,7 +193,7 @@ void against_cvode(Contest& contest, const Stiff<n>& p, const Problem& problem, 
       p, [p](double r, double a, ivp::State<n>& x) { return by_collocation(p, r, a, x); }, wanted,
       at + ", adaptive-collocation");
   std::optional<Work> theirs;
-  for (const chapters::NativePeer& peer : chapters::native_c_peers(problem, plain)) {
+  for (const chapters::rbf_ivp::NativePeer& peer : chapters::rbf_ivp::native_c_peers(problem, plain)) {
     if (peer.name != "cvode-bdf") continue;
     theirs = fastest_stiff<n>(
         p,
@@ -217,18 +217,18 @@ void add_peers(Contest& all) {
   const problems::Duffing free, held_back{.hardening = 10};
   const problems::ImpactDuffing impact;
   const problems::ThreeMassChain chain;
-  auto impact_peers = chapters::native_peers(impact, chapters::PlainImpact{impact});
+  auto impact_peers = chapters::rbf_ivp::native_peers(impact, chapters::PlainImpact{impact});
   for (auto& peer : impact_peers)
-    peer.run = chapters::between(peer.run, {impact.duration / 2, impact.duration});
+    peer.run = chapters::rbf_ivp::between(peer.run, {impact.duration / 2, impact.duration});
   for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, behind}, std::tuple{1e-12, 1.5, 1.5}}) {
     const auto plain = [](const problems::Duffing& p) {
-      return chapters::native_peers(p, chapters::PlainDuffing{p});
+      return chapters::rbf_ivp::native_peers(p, chapters::PlainDuffing{p});
     };
-    against_peers(all, chapters::free_duffing_case(), free, plain(free), wanted, ahead);
-    against_peers(all, chapters::impact_case(), impact, impact_peers, wanted, level);
-    against_peers(all, chapters::three_mass_case(), chain,
-                  chapters::native_peers(chain, chapters::PlainChain{chain}), wanted, level);
-    against_peers(all, chapters::held_back_case(), held_back, plain(held_back), wanted, ahead);
+    against_peers(all, chapters::rbf_ivp::free_duffing_case(), free, plain(free), wanted, ahead);
+    against_peers(all, chapters::rbf_ivp::impact_case(), impact, impact_peers, wanted, level);
+    against_peers(all, chapters::rbf_ivp::three_mass_case(), chain,
+                  chapters::rbf_ivp::native_peers(chain, chapters::PlainChain{chain}), wanted, level);
+    against_peers(all, chapters::rbf_ivp::held_back_case(), held_back, plain(held_back), wanted, ahead);
   }
 }
 
@@ -241,23 +241,24 @@ void add_stiff(Contest& all) {
   const problems::Duffing spring{.hardening = 1e6};
   problems::ThreeMassChain chain;
   chain.k1 = 1e8;
-  both(chapters::van_der_pol_of_the_test_set(), relaxation,
-       chapters::OnArrays<problems::VanDerPol>{relaxation});
-  both(chapters::robertson(), problems::Robertson{}, chapters::OnArrays<problems::Robertson>{});
-  both(chapters::hires(), problems::Hires{}, chapters::OnArrays<problems::Hires>{});
-  both(chapters::stiff_duffing(), spring, chapters::PlainDuffing{spring});
-  both(chapters::stiff_masses(), chain, chapters::PlainChain{chain});
+  both(chapters::rbf_ivp::van_der_pol_of_the_test_set(), relaxation,
+       chapters::rbf_ivp::OnArrays<problems::VanDerPol>{relaxation});
+  both(chapters::rbf_ivp::robertson(), problems::Robertson{},
+       chapters::rbf_ivp::OnArrays<problems::Robertson>{});
+  both(chapters::rbf_ivp::hires(), problems::Hires{}, chapters::rbf_ivp::OnArrays<problems::Hires>{});
+  both(chapters::rbf_ivp::stiff_duffing(), spring, chapters::PlainDuffing{spring});
+  both(chapters::rbf_ivp::stiff_masses(), chain, chapters::PlainChain{chain});
 }
 
 Contest contest() {
   Contest all;
   add_peers(all);
-  const auto scales = chapters::free_duffing_steps();
-  const auto chain_scales = chapters::three_mass_steps();
-  against_collocation(all, chapters::free_duffing_case(), scales, "rbf-coll, N = 35", 1e-5, 40);
-  against_collocation(all, chapters::three_mass_case(), chain_scales, "rbf-coll, N = 35", 1e-7, 40);
-  against_collocation(all, chapters::free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
-  against_collocation(all, chapters::three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
+  const auto scales = chapters::rbf_ivp::free_duffing_steps();
+  const auto chain_scales = chapters::rbf_ivp::three_mass_steps();
+  against_collocation(all, chapters::rbf_ivp::free_duffing_case(), scales, "rbf-coll, N = 35", 1e-5, 40);
+  against_collocation(all, chapters::rbf_ivp::three_mass_case(), chain_scales, "rbf-coll, N = 35", 1e-7, 40);
+  against_collocation(all, chapters::rbf_ivp::free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
+  against_collocation(all, chapters::rbf_ivp::three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
   add_stiff(all);
   return all;
 }

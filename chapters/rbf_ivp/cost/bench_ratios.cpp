@@ -35,10 +35,10 @@ std::string row_of(const std::vector<PublishedValue>& printed, const std::string
 /// The runs of a table, those of which it shows errors. A method that fails here would have no time worth
 /// printing.
 template <int n>
-void add_works(std::vector<Work>& all, const chapters::Example<n>& example,
+void add_works(std::vector<Work>& all, const chapters::rbf_ivp::Example<n>& example,
                const std::vector<PublishedValue>& printed) {
-  for (const chapters::Row<n>& row : example.rows) {
-    const chapters::Case<n>& c = example.made();
+  for (const chapters::rbf_ivp::Row<n>& row : example.rows) {
+    const chapters::rbf_ivp::Case<n>& c = example.made();
     const ivp::Solution<n> once = row.procedure(c, c.t1, {});
     if (!once.status.ok()) throw Failure(once.status);
     all.push_back(
@@ -62,8 +62,9 @@ int bench(int argc, char** argv) {
     return scene::printed_seconds(published, table);
   };
   scene::Chapter chapter("rbf_ivp", "its rows alone");
-  const auto duffing = chapters::free_duffing_rows(chapter), impact = chapters::impact_rows(chapter);
-  const auto masses = chapters::three_mass_rows(chapter);
+  const auto duffing = chapters::rbf_ivp::free_duffing_rows(chapter),
+             impact = chapters::rbf_ivp::impact_rows(chapter);
+  const auto masses = chapters::rbf_ivp::three_mass_rows(chapter);
   std::vector<Work> all;
   add_works(all, duffing, printed(duffing.table));
   add_works(all, impact, printed(impact.table));

@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/comparison/cost_scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// What a scene is about.
@@ -107,4 +107,4 @@ void add_held_back(scene::Chapter& chapter) {
                 }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

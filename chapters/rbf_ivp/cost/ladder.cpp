@@ -13,7 +13,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using comparison::Cost;
@@ -158,4 +158,4 @@ void add_ladder(scene::Chapter& chapter) {
                .show = [&run](Workshop& w) { return show(w.result(run)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

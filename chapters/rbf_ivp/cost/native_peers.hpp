@@ -18,7 +18,7 @@
 #include "nlmech/peers/ivp/odeint_native.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// A library on one problem. @return did it get from t0 to t1? x is the state, to the end in place
 using NativeRun = std::function<bool(double relative, double absolute, double t0, double t1, double* x)>;
@@ -180,4 +180,4 @@ template <int n>
   return best;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

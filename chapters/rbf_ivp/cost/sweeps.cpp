@@ -2,7 +2,7 @@
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using comparison::by_steps;
@@ -62,4 +62,4 @@ std::vector<Contender> with_step_control(bool quick) {
   return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

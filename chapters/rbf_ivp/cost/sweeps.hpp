@@ -7,7 +7,7 @@
 
 #include "nlmech/comparison/contenders.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Lengths of steps to begin with, as the dissertation takes them for a problem (Tables 4.2, 4.4, 4.6).
 struct StepScales {
@@ -32,4 +32,4 @@ struct StepScales {
 /// Those with step control alone: adaptive-collocation, ode45 and the peers.
 [[nodiscard]] std::vector<comparison::Contender> with_step_control(bool quick);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -15,7 +15,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 constexpr double beyond = 5;  // s: readings of the end time look a little past the printed one
@@ -159,4 +159,4 @@ double root_mean_square(std::span<const double> errors) {
   return std::sqrt(sum / static_cast<double>(errors.size()));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

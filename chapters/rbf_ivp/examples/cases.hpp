@@ -7,7 +7,7 @@
 
 #include "nlmech/comparison/example.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using Extended = long double;  ///< x86: 64-bit significand, 11 bits more than double
 
@@ -66,4 +66,4 @@ template <int n>
 /// sqrt(mean(e^2)). @throws std::invalid_argument if there is no value
 [[nodiscard]] double root_mean_square(std::span<const double> errors);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -17,7 +17,7 @@
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -293,4 +293,4 @@ void add_chaos(scene::Chapter& chapter) {
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -5,7 +5,7 @@
 
 #include "chapters/rbf_ivp/examples/histories.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -98,4 +98,4 @@ void add_comparison(scene::Chapter& chapter, const Example<6>& example, const Co
   add(chapter, example, figure);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -9,7 +9,7 @@
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 // ------------------------------------------------------------------------------ figure 4.1, the flow chart
@@ -169,4 +169,4 @@ void add_drawings(scene::Chapter& chapter) {
   add_drawing(chapter, "fig-4.30", "Three masses between walls with springs and dampers (drawn)", draw_chain);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -10,7 +10,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// "ODE45-1", "Explicit-1", ...: the methods of one setting, in the order of the tables.
@@ -116,4 +116,4 @@ void add_three_masses(scene::Chapter& chapter) {
   add_result_table(chapter, example);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -229,4 +229,4 @@ void add_histories(scene::Chapter& chapter, const Example<6>& example, const std
   add(chapter, example, figures);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -9,7 +9,7 @@
 #include "chapters/rbf_ivp/examples/rows.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Which error a figure shows, normalised by the amplitudes of the response (Eq. 4.21).
 enum class Shown {
@@ -60,4 +60,4 @@ struct TimeError {
 /// that fits log error against log time best.
 [[nodiscard]] double growth_exponent(const std::vector<TimeError>& errors);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -7,7 +7,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/scene/published.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -147,4 +147,4 @@ void add_parameter_tables(scene::Chapter& chapter) {
                          }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -6,7 +6,7 @@
 #include "chapters/rbf_ivp/examples/rows.hpp"
 #include "nlmech/scene/published.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -136,4 +136,4 @@ void add_result_table(scene::Chapter& chapter, const Example<2>& example) { add(
 
 void add_result_table(scene::Chapter& chapter, const Example<6>& example) { add(chapter, example); }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

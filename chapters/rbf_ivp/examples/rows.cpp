@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using ivp::CentralDifference;
@@ -218,4 +218,4 @@ Example<6> three_mass_rows(scene::Chapter& chapter) {
   return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

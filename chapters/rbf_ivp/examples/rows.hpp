@@ -12,7 +12,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Where an error should lie, from numbers that were found without this library.
 struct Expected {
@@ -130,4 +130,4 @@ void add_result_table(scene::Chapter& chapter, const Example<2>& example);
 /// The same for the three masses.
 void add_result_table(scene::Chapter& chapter, const Example<6>& example);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

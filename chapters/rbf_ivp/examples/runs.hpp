@@ -20,7 +20,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Which of the values that a method gives are looked at.
 enum class Points {
@@ -125,4 +125,4 @@ template <int n>
   return root_mean_square(errors);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

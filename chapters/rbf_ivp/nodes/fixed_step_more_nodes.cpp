@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/collocation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -126,4 +126,4 @@ void add_fixed_step_more_nodes(scene::Chapter& chapter) {
                .show = [&curves](Workshop& w) { return show(w.result(curves)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

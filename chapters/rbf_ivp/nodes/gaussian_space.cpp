@@ -6,7 +6,7 @@
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
 #include "chapters/rbf_ivp/stability/extended.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -40,4 +40,4 @@ TrialSpace gaussians(const VectorXd& nodes, const VectorXd& shapes) {
   return {nodes, all.topRows(n), checks, all.middleRows(n, m), all.bottomRows(m)};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -3,7 +3,7 @@
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 template <int n>
 Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
@@ -38,4 +38,4 @@ Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
 template Fit least_squares(const Arc<2>&, const TrialSpace&);
 template Fit least_squares(const Arc<6>&, const TrialSpace&);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -5,7 +5,7 @@
 #include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
 #include "nlmech/algebraic/newton.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 template <int n>
@@ -77,4 +77,4 @@ template Fit collocate(const Arc<6>&, const TrialSpace&);
 template Fit detail::judged(const Arc<2>&, const TrialSpace&, Eigen::MatrixXd);
 template Fit detail::judged(const Arc<6>&, const TrialSpace&, Eigen::MatrixXd);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -11,7 +11,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/collocation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -322,4 +322,4 @@ void add_node_study(scene::Chapter& chapter) {
                .show = [&study](Workshop& w) { return show(w.result(study), w.quick()); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

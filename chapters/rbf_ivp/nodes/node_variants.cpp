@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -98,4 +98,4 @@ VectorXd with_inserted(const VectorXd& nodes, const VectorXd& checks, const Vect
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -8,7 +8,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/collocation/nodes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Trial functions on the unit interval, one for each node, by what they do to values at the nodes: the
 /// derivative there, and value and derivative at check points between. For Gaussians all three come from
@@ -101,4 +101,4 @@ extern template Fit collocate(const Arc<6>&, const TrialSpace&);
 extern template Fit least_squares(const Arc<2>&, const TrialSpace&);
 extern template Fit least_squares(const Arc<6>&, const TrialSpace&);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

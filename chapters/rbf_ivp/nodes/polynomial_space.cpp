@@ -1,7 +1,7 @@
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -19,4 +19,4 @@ TrialSpace polynomials(const VectorXd& nodes) {
   return {nodes, derivative, checks, values, values * derivative};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -4,7 +4,7 @@
 
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using Vector3 = Vector<double, 3>;
@@ -69,4 +69,4 @@ Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
   return trace;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

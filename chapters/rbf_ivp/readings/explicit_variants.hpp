@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_ivp/readings/traces.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// What the first velocity, half a step before the begin, is taken to be.
 enum class ExplicitStart {
@@ -39,4 +39,4 @@ inline constexpr std::array explicit_dampings = {ExplicitDamping::from_initial, 
 /// @param h step, a divisor of 200
 [[nodiscard]] Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -11,7 +11,7 @@
 #include "nlmech/scene/files.hpp"
 #include "nlmech/scene/published.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using ivp::CentralDifference;
@@ -333,4 +333,4 @@ std::vector<Question> try_readings(bool quick) {
           picard_scheme(printed, quick), derivative_matrix(printed)};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -7,7 +7,7 @@
 
 #include "chapters/rbf_ivp/scenes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -122,4 +122,4 @@ void add_readings(scene::Chapter& chapter) {
                .show = [&tried](Workshop& w) { return show(w.result(tried)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

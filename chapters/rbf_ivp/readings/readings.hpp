@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// How many printed numbers an answer explains.
 struct Score {
@@ -43,4 +43,4 @@ struct Question {
 /// The unit of the last digit of a number as printed: 1e-6 for "1.18e-4", 1e-4 for "0.0025".
 [[nodiscard]] double last_digit(const std::string& printed);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -6,7 +6,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// Fifteen times as fast as the elliptic functions.
@@ -70,4 +70,4 @@ Trace trace_of_impact(const Procedure<2>& procedure) { return trace_of(impact_ca
 
 Trace trace_of_chain(const Procedure<6>& procedure) { return trace_of(three_mass_case(), procedure); }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_ivp/examples/runs.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Errors of one run in time.
 struct Trace {
@@ -60,4 +60,4 @@ template <class Method>
   return trace_of_impact(in_two_phases(method, after));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

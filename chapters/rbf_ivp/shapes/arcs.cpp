@@ -5,7 +5,7 @@
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/problems/duffing.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 collocation::Sampled duffing_arc(int n, double periods, double begin) {
   const problems::Duffing problem;
@@ -23,4 +23,4 @@ collocation::Sampled duffing_arc(int n, double periods, double begin) {
   return arc;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

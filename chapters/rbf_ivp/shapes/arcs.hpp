@@ -4,7 +4,7 @@
 
 #include "nlmech/collocation/shape_choice.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// x(t) of Eq. 4.23 with X = 1 and its derivative at the n Legendre-Gauss-Lobatto nodes of an interval, which
 /// is the unit of time; rounded from 50 digits.
@@ -13,4 +13,4 @@ namespace nlmech::chapters {
 /// @param begin   where it begins, s
 [[nodiscard]] collocation::Sampled duffing_arc(int n, double periods, double begin);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

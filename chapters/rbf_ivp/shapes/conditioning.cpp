@@ -9,7 +9,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/rbf_ivp/scenes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using conditioning::Sample;
@@ -123,4 +123,4 @@ void add_conditioning(scene::Chapter& chapter) {
                .show = [&scans](Workshop& w) { return show(w.result(scans)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

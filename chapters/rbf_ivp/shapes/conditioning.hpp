@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace nlmech::chapters::conditioning {
+namespace nlmech::chapters::rbf_ivp::conditioning {
 
 /// So many nodes on so many periods of the free Duffing oscillator, and the shape c h of the dissertation.
 struct Setting {
@@ -46,4 +46,4 @@ struct Study {
 /// For each of the settings.
 [[nodiscard]] std::vector<Study> studies(bool quick);
 
-}  // namespace nlmech::chapters::conditioning
+}  // namespace nlmech::chapters::rbf_ivp::conditioning

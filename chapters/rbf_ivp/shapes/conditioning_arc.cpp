@@ -4,7 +4,7 @@
 
 #include "nlmech/problems/duffing.hpp"
 
-namespace nlmech::chapters::conditioning {
+namespace nlmech::chapters::rbf_ivp::conditioning {
 namespace {
 
 constexpr double begin = 1.1;  // s, of the arc: at no symmetry of the motion, where errors would cancel
@@ -27,4 +27,4 @@ Arc arc(const Setting& setting) {
   return a;
 }
 
-}  // namespace nlmech::chapters::conditioning
+}  // namespace nlmech::chapters::rbf_ivp::conditioning

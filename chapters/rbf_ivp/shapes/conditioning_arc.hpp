@@ -5,7 +5,7 @@
 #include "chapters/rbf_ivp/shapes/conditioning.hpp"
 #include "chapters/rbf_ivp/stability/extended.hpp"
 
-namespace nlmech::chapters::conditioning {
+namespace nlmech::chapters::rbf_ivp::conditioning {
 
 /// Numbers at the nodes.
 using Column50 = collocation::Vector<Digits50>;
@@ -20,4 +20,4 @@ struct Arc {
 /// From t = 1.1 s on.
 [[nodiscard]] Arc arc(const Setting& setting);
 
-}  // namespace nlmech::chapters::conditioning
+}  // namespace nlmech::chapters::rbf_ivp::conditioning

@@ -8,7 +8,7 @@
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/collocation/differentiation.hpp"
 
-namespace nlmech::chapters::conditioning {
+namespace nlmech::chapters::rbf_ivp::conditioning {
 namespace {
 
 using collocation::Inversion;
@@ -95,4 +95,4 @@ std::vector<Study> studies(bool quick) {
   return all;
 }
 
-}  // namespace nlmech::chapters::conditioning
+}  // namespace nlmech::chapters::rbf_ivp::conditioning

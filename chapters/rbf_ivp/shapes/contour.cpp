@@ -9,7 +9,7 @@
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/stable_gaussian.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Kernel;
@@ -96,4 +96,4 @@ void add_contour(scene::Chapter& chapter) {
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

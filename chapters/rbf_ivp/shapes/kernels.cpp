@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/stability/extended.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Kernel;
@@ -77,4 +77,4 @@ void add_kernels(scene::Chapter& chapter) {
                .show = [](scene::Workshop&) { return show(); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -12,7 +12,7 @@
 #include "nlmech/collocation/shape.hpp"
 #include "nlmech/problems/duffing.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Inversion;
@@ -249,4 +249,4 @@ void add_shape_study(scene::Chapter& chapter) {
                .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -10,7 +10,7 @@
 #include "nlmech/collocation/basis.hpp"
 #include "nlmech/ivp/system.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Which F. Both have the same roots, and Newton's iteration takes the same steps on both.
 enum class Form {
@@ -89,4 +89,4 @@ class CollocationEquations : public algebraic::Equations {
 extern template class CollocationEquations<2>;
 extern template class CollocationEquations<6>;
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -7,7 +7,7 @@
 
 #include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 template <int n>
 CollocationEquations<n>::CollocationEquations(ivp::System<n> system, const Eigen::VectorXd& nodes,
@@ -129,4 +129,4 @@ void CollocationEquations<n>::slopes(const Eigen::VectorXd& x) {
   system_.rhs(times_, states_, slopes_);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

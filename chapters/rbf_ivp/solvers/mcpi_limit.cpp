@@ -13,7 +13,7 @@
 #include "nlmech/collocation/integration.hpp"
 #include "nlmech/ivp/picard.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -302,4 +302,4 @@ void add_mcpi_limit(scene::Chapter& chapter) {
                }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

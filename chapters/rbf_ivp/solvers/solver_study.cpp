@@ -11,7 +11,7 @@
 #include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/solvers/solvers.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Basis;
@@ -286,4 +286,4 @@ void add_solver_study(scene::Chapter& chapter) {
        .show = [&rows, &trials](Workshop& w) { return show(w.result(rows), w.result(trials), w.quick()); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -8,7 +8,7 @@
 #include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 constexpr double too_much = 1e10;  // times |F| at the start: will not come back
@@ -180,4 +180,4 @@ template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const collocatio
                                         const Effort&);
 template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

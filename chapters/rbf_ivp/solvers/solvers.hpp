@@ -12,7 +12,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Who solves, and which form of the equations.
 enum class Solver {
@@ -104,4 +104,4 @@ extern template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const col
                                                const Effort&);
 extern template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -4,7 +4,7 @@
 
 #include "chapters/rbf_ivp/stability/extended.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 std::complex<double> stability_function(const Eigen::MatrixXd& derivative, std::complex<double> z) {
   const Eigen::Index s = derivative.rows() - 1;
@@ -41,4 +41,4 @@ std::vector<Window> instability_windows(const Eigen::MatrixXd& derivative, doubl
   return windows;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -10,7 +10,7 @@
 
 #include "nlmech/comparison/any_method.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// Names of all methods and peers but those of other papers, which have such overviews in chapters of their
 /// own.
@@ -23,4 +23,4 @@ namespace nlmech::chapters {
   return names;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -3,7 +3,7 @@
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/radial_basis.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using collocation::Matrix;
 using collocation::NodeFamily;
@@ -23,4 +23,4 @@ Matrix<Digits50> radial_derivative(NodeFamily family, int n, double relative_sha
   return basis.differentiation_matrix();
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -10,7 +10,7 @@
 #include "nlmech/collocation/kernels.hpp"
 #include "nlmech/collocation/nodes.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// 50 decimal digits. Without expression templates, which Eigen does not expect.
 using Digits50 =
@@ -58,4 +58,4 @@ struct Window {
 [[nodiscard]] std::vector<Window> instability_windows(const Eigen::MatrixXd& derivative, double last,
                                                       double threshold, int per_unit);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -15,7 +15,7 @@
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/blow_up.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -236,4 +236,4 @@ void add_extremes(scene::Chapter& chapter) {
                .show = [&ends, &odd](Workshop& w) { return show(w.result(ends), w.result(odd)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -13,7 +13,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -236,4 +236,4 @@ void add_instability_windows(scene::Chapter& chapter) {
                .show = [&growths](Workshop& w) { return show(w.result(growths), w.quick()); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

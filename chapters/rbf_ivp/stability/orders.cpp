@@ -19,7 +19,7 @@
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -189,4 +189,4 @@ void add_orders(scene::Chapter& chapter) {
                .show = [&series, &linear](Workshop& w) { return show(w.result(series), w.result(linear)); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -12,7 +12,7 @@
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using scene::Workshop;
@@ -249,4 +249,4 @@ void add_stability(scene::Chapter& chapter) {
                .show = [&fates](Workshop& w) { return show(w.result(fates), w.quick()); }});
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -3,7 +3,7 @@
 
 #include "chapters/rbf_ivp/stability/extended.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 using collocation::Matrix;
 using collocation::Vector;
@@ -47,4 +47,4 @@ double polynomial_amplification(const Vector<Digits50>& nodes, double y) {
   return static_cast<double>(Digits50(size(at_one) / size(at_zero)));
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

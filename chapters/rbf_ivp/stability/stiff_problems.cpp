@@ -12,7 +12,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// With its end by Taylor series; errors relative to the largest component.
@@ -94,4 +94,4 @@ std::vector<AnyStiff> stiff_problems(bool quick) {
   return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -10,7 +10,7 @@
 #include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/ivp/system.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
 /// A stiff problem with its solution at the end.
 template <int n>
@@ -56,4 +56,4 @@ using AnyStiff = std::variant<Stiff<2>, Stiff<3>, Stiff<6>, Stiff<Eigen::Dynamic
 /// @param quick without van der Pol 1000, whose reference alone takes seconds
 [[nodiscard]] std::vector<AnyStiff> stiff_problems(bool quick);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -18,7 +18,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using tests::expect_erratum;
@@ -226,4 +226,4 @@ TEST(Errata, LowestToleranceOfOde45) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

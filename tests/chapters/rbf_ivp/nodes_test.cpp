@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/collocation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -172,4 +172,4 @@ TEST(LeastSquares, IsThereWhereTheStudySaysItHelps) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

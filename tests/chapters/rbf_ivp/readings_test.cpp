@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/readings/readings.hpp"
 #include "chapters/rbf_ivp/readings/traces.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 TEST(LastDigit, OfNumbersAsPrinted) {
@@ -94,4 +94,4 @@ TEST(Traces, AnswerLikeRecords) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

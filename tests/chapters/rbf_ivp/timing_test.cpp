@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/examples/histories.hpp"
 #include "chapters/rbf_ivp/examples/rows.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// The free oscillator with one row, whose integrations are counted.
@@ -67,4 +67,4 @@ TEST(Timing, OnlyTablesNeedTimes) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp
