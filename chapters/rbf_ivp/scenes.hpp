@@ -15,25 +15,23 @@ void add_three_masses(scene::Chapter& chapter);      ///< figures 4.31 to 4.56, 
 void add_readings(scene::Chapter& chapter);  ///< how many readings were tried, how many rows each explains
 
 // Ours.
-void add_mcpi_limit(scene::Chapter& chapter);             ///< Picard contraction against the step
-void add_kernels(scene::Chapter& chapter);                ///< the four radial functions
-void add_fixed_step_more_nodes(scene::Chapter& chapter);  ///< the claim that more nodes keep accuracy
-void add_conditioning(scene::Chapter& chapter);         ///< error of D against shape: truncation and rounding
-void add_orders(scene::Chapter& chapter);               ///< observed order of every method
-void add_instability_windows(scene::Chapter& chapter);  ///< LGL and RBF nodes grow, Radau stays bounded
-void add_stability(scene::Chapter& chapter);            ///< method by problem: status, digits, largest step
-void add_extremes(scene::Chapter& chapter);             ///< every method where there is no solution
-void add_error_vs_time(scene::Chapter& chapter);        ///< ours and the peers on the three problems
+std::vector<scene::Scene> mcpi_limit();             ///< Picard contraction against the step
+std::vector<scene::Scene> kernels();                ///< the four radial functions
+std::vector<scene::Scene> fixed_step_more_nodes();  ///< the claim that more nodes keep accuracy
+std::vector<scene::Scene> conditioning();           ///< error of D against shape: truncation and rounding
+std::vector<scene::Scene> orders();                 ///< observed order of every method
+std::vector<scene::Scene> instability_windows();    ///< LGL and RBF nodes grow, Radau stays bounded
+std::vector<scene::Scene> stability();              ///< method by problem: status, digits, largest step
+std::vector<scene::Scene> extremes();               ///< every method where there is no solution
+void add_error_vs_time(scene::Chapter& chapter);    ///< ours and the peers on the three problems
 
 // What the dissertation leaves for further study.
-void add_shape_study(
-    scene::Chapter& chapter);               ///< D by three ways against the shape; LOOCV and what it misses
-void add_contour(scene::Chapter& chapter);  ///< the flat limit is the polynomial
-void add_node_study(
-    scene::Chapter& chapter);  ///< placed nodes, shapes of their own, least squares, refinement
-void add_solver_study(scene::Chapter& chapter);  ///< scalar homotopy, Picard and Newton on the same equations
-void add_chaos(scene::Chapter& chapter);         ///< RBF-Coll on aperiodic and chaotic motions
-void add_ladder(scene::Chapter& chapter);        ///< what each step to the adaptive integrator bought
+std::vector<scene::Scene> shape_study();   ///< D by three ways against the shape; LOOCV and what it misses
+std::vector<scene::Scene> contour();       ///< the flat limit is the polynomial
+std::vector<scene::Scene> node_study();    ///< placed nodes, shapes of their own, least squares, refinement
+std::vector<scene::Scene> solver_study();  ///< scalar homotopy, Picard and Newton on the same equations
+void add_chaos(scene::Chapter& chapter);   ///< RBF-Coll on aperiodic and chaotic motions
+void add_ladder(scene::Chapter& chapter);  ///< what each step to the adaptive integrator bought
 void add_held_back(scene::Chapter& chapter);  ///< error against time with parameters that were never tuned on
 
 }  // namespace nlmech::chapters::rbf_ivp

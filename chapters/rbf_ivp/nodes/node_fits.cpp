@@ -1,3 +1,4 @@
+#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
@@ -16,8 +17,7 @@ ivp::State<n> reference_state(const Arc<n>& arc, double tau) {
 }  // namespace
 
 template <int n>
-Eigen::MatrixXd detail::residual_columns(const Arc<n>& arc, const TrialSpace& space,
-                                         const Eigen::MatrixXd& states) {
+Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
   Eigen::MatrixXd r = (space.slopes * states).transpose();
   const Eigen::MatrixXd x = (space.values * states).transpose();
   ivp::State<n> f = arc.example->x0;
@@ -28,8 +28,11 @@ Eigen::MatrixXd detail::residual_columns(const Arc<n>& arc, const TrialSpace& sp
   return r;
 }
 
+namespace {
+
+/// Errors, residuals and curvature of a solution. @param states a row for each node
 template <int n>
-Fit detail::judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
+Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
   Fit fit;
   const auto size = [&](const ivp::State<n>& x) {
     return x.cwiseQuotient(arc.example->amplitude).cwiseAbs().maxCoeff();
@@ -55,6 +58,8 @@ Fit detail::judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd s
   return fit;
 }
 
+}  // namespace
+
 template <int n>
 Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
   CollocationEquations<n> equations(arc.example->system, space.nodes, space.derivative, Form::printed);
@@ -67,14 +72,43 @@ Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
   states.row(0) = x0.transpose();
   states.bottomRows(states.rows() - 1) =
       Eigen::Map<const Eigen::MatrixXd>(x.data(), x0.size(), states.rows() - 1).transpose();
-  return detail::judged(arc, space, std::move(states));
+  return judged(arc, space, std::move(states));
 }
 
-template Eigen::MatrixXd detail::residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
-template Eigen::MatrixXd detail::residual_columns(const Arc<6>&, const TrialSpace&, const Eigen::MatrixXd&);
+template <int n>
+Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
+  Fit start = collocate(arc, space);
+  if (!start.converged) return start;
+  const Eigen::Index m = space.checks.size(), s = space.nodes.size() - 1, d = arc.example->x0.size();
+  const Eigen::VectorXd root_weights = gauss_weights(m).cwiseSqrt();
+  Eigen::MatrixXd states = start.states, b(m * d, s * d);
+  ivp::Jacobian<n> j = ivp::Jacobian<n>::Zero(d, d);
+  for (int k = 0; k < 20; ++k) {
+    Eigen::MatrixXd r = residual_columns(arc, space, states);
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const ivp::State<n> x = (space.values.row(i) * states).transpose();
+      arc.example->system.jacobian(arc.t0 + arc.h * space.checks[i], x, j);
+      for (Eigen::Index c = 0; c < s; ++c) {
+        auto block = b.block(i * d, c * d, d, d);
+        block = -arc.h * space.values(i, c + 1) * j;
+        block.diagonal().array() += space.slopes(i, c + 1);
+        block *= root_weights[i];
+      }
+      r.col(i) *= root_weights[i];
+    }
+    const Eigen::VectorXd update =
+        b.householderQr().solve(Eigen::Map<const Eigen::VectorXd>(r.data(), r.size()));
+    states.bottomRows(s) -= Eigen::Map<const Eigen::MatrixXd>(update.data(), d, s).transpose();
+    if (!update.allFinite()) return {};
+    if (update.cwiseAbs().maxCoeff() < 1e-12) return judged(arc, space, std::move(states));
+  }
+  return {};
+}
+
+template Eigen::MatrixXd residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
 template Fit collocate(const Arc<2>&, const TrialSpace&);
 template Fit collocate(const Arc<6>&, const TrialSpace&);
-template Fit detail::judged(const Arc<2>&, const TrialSpace&, Eigen::MatrixXd);
-template Fit detail::judged(const Arc<6>&, const TrialSpace&, Eigen::MatrixXd);
+template Fit least_squares(const Arc<2>&, const TrialSpace&);
+template Fit least_squares(const Arc<6>&, const TrialSpace&);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -8,15 +8,14 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/collocation.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
 using Eigen::VectorXd;
-using scene::Workshop;
 
 constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
 
@@ -181,17 +180,33 @@ Study study_of(bool quick) {
   return study;
 }
 
-constexpr std::array columns = {equal,    right,   curved, residual,     own,        both,
-                                inserted, squares, flat,   flat_squares, flat_radau, split};
+/// A variant: a column of the table, and how the figure draws it.
+struct Variant {
+  const char* name;
+  const char* title = "";  ///< in the key
+  int style = 0;           ///< of its line; 0: not drawn
+};
+constexpr std::array variants = {Variant{equal, "LGL, equal shapes", 3},
+                                 Variant{right, "Radau nodes", 6},
+                                 Variant{curved},
+                                 Variant{residual, "nodes by residual", 2},
+                                 Variant{own, "shapes of their own", 7},
+                                 Variant{both},
+                                 Variant{inserted, "inserted nodes", 4},
+                                 Variant{squares, "least squares", 1},
+                                 Variant{flat},
+                                 Variant{flat_squares},
+                                 Variant{flat_radau, "Radau polynomials", 8},
+                                 Variant{split, "the same, split", 5}};
 
 scene::Table table_of(const Study& study) {
   std::vector<scene::Column> heads = {{"interval"}, {"N"}, {"h (s)"}, {"c h", 4}};
-  for (const char* name : columns) heads.push_back({name});
+  for (const Variant& v : variants) heads.push_back({v.name});
   scene::Table table(heads);
   for (const Comparison& c : study.table) {
-    std::vector<scene::Cell> row = {c.problem, std::int64_t(c.nodes), c.h, c.shape};
-    for (const char* name : columns) {
-      const auto found = c.errors.find(name);
+    std::vector<scene::Cell> row = {c.problem, c.nodes, c.h, c.shape};
+    for (const Variant& v : variants) {
+      const auto found = c.errors.find(v.name);
       if (found == c.errors.end()) {
         row.push_back({});
       } else if (!std::isfinite(found->second.largest)) {
@@ -206,30 +221,83 @@ scene::Table table_of(const Study& study) {
   return table;
 }
 
-scene::Cell finite(double value) { return std::isfinite(value) ? scene::Cell(value) : "nan"; }
+double finite(double value) { return std::isfinite(value) ? value : NAN; }
 
-scene::Table data_of(const Study& study) {
+/// A problem of the figure: a column of panels.
+struct Shown {
+  const char *problem, *label;
+  scene::Panel *largest, *end;  ///< errors against the shape
+};
+
+/// Panels of errors against the shape: anywhere above, at the end below.
+std::array<Shown, 3> shape_panels(scene::Plot& plot) {
+  std::array<Shown, 3> all = {Shown{"duffing", "free Duffing, P/2", nullptr, nullptr},
+                              Shown{"three masses", "three masses, 5 s", nullptr, nullptr},
+                              Shown{"impact inside", "impact inside, 1.6 s", nullptr, nullptr}};
+  const auto add = [&](std::size_t i, double top, const char* x_label, const char* y_label) {
+    const double left = 0.11 + static_cast<double>(i) * 0.30;
+    scene::Panel& panel = plot.panel(x_label, i == 0 ? y_label : "");
+    panel.place(left, left + 0.265, top - 0.215, top).log_x(0.8, 12).log_y(1e-17, 10).set("ytics 1e4");
+    panel.set("xtics (1, 2, 5, 10)").set(*x_label == 0 ? "format x ''" : "format x '%g'").key("off");
+    if (i > 0) panel.set("format y ''");
+    return &panel;
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    all.at(i).largest = &add(i, 0.905, "", "largest error")->caption(all.at(i).label);
+  for (std::size_t i = 0; i < 3; ++i) all.at(i).end = add(i, 0.655, "{/:Italic c h}", "error at the end");
+  return all;
+}
+
+/// Ways of refinement; the second of the panels has the key of all.
+scene::Panel& growth_panel(scene::Plot& plot, const Shown& shown, bool first) {
+  scene::Panel& panel = plot.panel("number of nodes", first ? "largest error" : "").caption(shown.label);
+  const double left = first ? 0.11 : 0.38;
+  panel.place(left, left + 0.235, 0.07, 0.32).x_range(6, 34).set("xtics (8, 16, 24, 32)");
+  panel.log_y(1e-14, 10).set("ytics 1e4").key("off");
+  if (first) return panel;
+  panel.set("format y ''")
+      .key("at screen 0.995, screen 0.32 right top vertical maxrows 9 samplen 2 spacing 1.05");
+  for (const Variant& v : variants) {
+    if (v.style > 0)
+      panel.also(fmt::format("keyentry with linespoints linestyle {} title '{}'", v.style, v.title));
+  }
+  return panel;
+}
+
+void draw(const Study& study, scene::Show& show) {
+  scene::Plot& plot = show.plots("Least squares and Radau nodes help; moving nodes does not");
+  const std::array<Shown, 3> problems = shape_panels(plot);
   scene::Table data({{"panel"}, {"problem"}, {"variant", 3, true}, {"abscissa"}, {"end"}, {"largest"}});
-  for (const char* problem : {"duffing", "three masses", "impact inside"}) {
-    for (const char* name : columns) {
+  int block = 0;
+  for (const Shown& shown : problems) {
+    for (const Variant& v : variants) {
+      const auto rows = data.rows().size();
       for (const Comparison& c : study.scan) {
-        const auto found = c.errors.find(name);
-        if (c.problem != problem || found == c.errors.end()) continue;
+        const auto found = c.errors.find(v.name);
+        if (c.problem != shown.problem || found == c.errors.end()) continue;
         data.add(
-            {"shape", c.problem, name, c.shape, finite(found->second.end), finite(found->second.largest)});
+            {"shape", c.problem, v.name, c.shape, finite(found->second.end), finite(found->second.largest)});
       }
+      if (data.rows().size() == rows) continue;
+      if (v.style > 0) {
+        shown.largest->columns("", "abscissa:largest", {"linespoints", v.style}, block);
+        shown.end->columns("", "abscissa:end", {"linespoints", v.style}, block);
+      }
+      ++block;
     }
   }
-  for (const char* problem : {"duffing", "impact inside"}) {
-    for (const char* way : {"LGL", "inserted", "least squares"}) {
+  for (const std::size_t i : {0, 2}) {
+    const Shown& shown = problems.at(i);
+    scene::Panel& panel = growth_panel(plot, shown, i == 0);
+    for (const auto& [way, style] : {std::pair("LGL", 3), {"inserted", 4}, {"least squares", 1}}) {
       for (const Growth& g : study.growth) {
-        if (g.problem == problem && g.way == way)
-          data.add(
-              {"growth", g.problem, g.way, std::int64_t(g.nodes), finite(g.residual), finite(g.largest)});
+        if (g.problem == shown.problem && g.way == way)
+          data.add({"growth", g.problem, g.way, g.nodes, finite(g.residual), finite(g.largest)});
       }
+      panel.columns("", "abscissa:largest", {"linespoints", style}, block++);
     }
   }
-  return data;
+  plot.size(760, 820).data(std::move(data));
 }
 
 /// The comparison of the table with so many nodes.
@@ -240,86 +308,82 @@ const Comparison& row(const Study& study, const std::string& problem, int nodes)
   throw std::out_of_range("no comparison " + problem);
 }
 
-std::vector<scene::Quantity> quantities(const Study& study, bool quick) {
-  std::vector<scene::Quantity> list;
-  const auto gain = [&](const char* name, const std::string& problem, int nodes, bool at_end) {
-    const auto& e = row(study, problem, nodes).errors;
-    constexpr double rounding = 1e-16;
-    return at_end ? e.at(equal).end / std::max(e.at(name).end, rounding)
-                  : e.at(equal).largest / e.at(name).largest;
-  };
-  const int N = quick ? 20 : 35;
+/// What a variant gains over equal shapes at LGL nodes.
+double gain(const Study& study, const char* name, const std::string& problem, int nodes,
+            double Errors::*where) {
+  const auto& errors = row(study, problem, nodes).errors;
+  constexpr double rounding = 1e-16;  // of errors at the end
+  const double least = where == &Errors::end ? rounding : 0;
+  return errors.at(equal).*where / std::max(errors.at(name).*where, least);
+}
+
+void check_variants(const Study& study, scene::Show& show) {
+  constexpr auto at_end = &Errors::end, anywhere = &Errors::largest;
+  const int N = show.quick() ? 20 : 35;
   for (const char* problem : {"duffing", "after the impact", "three masses"}) {
-    list.push_back(
-        {fmt::format("gain of least squares at the end, {}, N = {}", problem, N), "1",
-         gain(squares, problem, N, true), 10, HUGE_VAL,
-         "a digit at least: the least-squares error at the end is of twice the order of that between"});
-    list.push_back({fmt::format("gain of least squares anywhere, {}, N = {}", problem, N), "1",
-                    gain(squares, problem, N, false), 1, HUGE_VAL, "must not lose"});
+    show.between(
+        fmt::format("gain of least squares at the end, {}, N = {}", problem, N),
+        gain(study, squares, problem, N, at_end), 10, HUGE_VAL,
+        "a digit at least: the least-squares error at the end is of twice the order of that between");
+    show.between(fmt::format("gain of least squares anywhere, {}, N = {}", problem, N),
+                 gain(study, squares, problem, N, anywhere), 1, HUGE_VAL, "must not lose");
   }
-  list.push_back({"gain of Radau nodes at the end, duffing, N = 20", "1", gain(right, "duffing", 20, true),
-                  1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1"});
-  list.push_back({"gain of nodes by residual anywhere, duffing, N = 20", "1",
-                  gain(residual, "duffing", 20, false), 0.1, 10, "no digit either way"});
-  if (!quick) {
-    list.push_back({"gain of nodes by residual anywhere, duffing, N = 35", "1",
-                    gain(residual, "duffing", 35, false), 1, 10, "narrow functions gain, no digit"});
-    list.push_back({"loss of nodes by residual at the end, duffing, N = 35", "1",
-                    1 / gain(residual, "duffing", 35, true), 10, HUGE_VAL,
-                    "moved nodes are no quadrature of high order: the end is as inexact as the rest"});
+  show.between("gain of Radau nodes at the end, duffing, N = 20", gain(study, right, "duffing", 20, at_end),
+               1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1");
+  show.between("gain of nodes by residual anywhere, duffing, N = 20",
+               gain(study, residual, "duffing", 20, anywhere), 0.1, 10, "no digit either way");
+  if (!show.quick()) {
+    show.between("gain of nodes by residual anywhere, duffing, N = 35",
+                 gain(study, residual, "duffing", 35, anywhere), 1, 10, "narrow functions gain, no digit");
+    show.between("loss of nodes by residual at the end, duffing, N = 35",
+                 1 / gain(study, residual, "duffing", 35, at_end), 10, HUGE_VAL,
+                 "moved nodes are no quadrature of high order: the end is as inexact as the rest");
   }
-  list.push_back({"gain of own shapes anywhere, duffing, N = 20", "1", gain(own, "duffing", 20, false), 0, 1,
-                  "functions that are narrow where nodes are dense lose what wide ones share"});
-  list.push_back({"gain of least squares anywhere, impact inside, N = 20", "1",
-                  gain(squares, "impact inside", 20, false), 1, 30,
-                  "a kink leaves an error of low order in any smooth space"});
+  show.between("gain of own shapes anywhere, duffing, N = 20", gain(study, own, "duffing", 20, anywhere), 0,
+               1, "functions that are narrow where nodes are dense lose what wide ones share");
+  show.between("gain of least squares anywhere, impact inside, N = 20",
+               gain(study, squares, "impact inside", 20, anywhere), 1, 30,
+               "a kink leaves an error of low order in any smooth space");
+}
+
+void check_refinement(const Study& study, scene::Show& show) {
   const auto grown = [&](const std::string& way) {
     const auto last = std::find_if(study.growth.rbegin(), study.growth.rend(),
                                    [&](const Growth& g) { return g.problem == "duffing" && g.way == way; });
     return last->largest;
   };
-  list.push_back({"error of inserted nodes over that of LGL nodes, duffing, as many", "1",
-                  grown("inserted") / grown("LGL"), quick ? 0.1 : 1, HUGE_VAL,
-                  "smooth motion: no part of the interval deserves more nodes than its ends"});
-  list.push_back(scene::at_most("error of Radau polynomials split at the kinks, N = 20", "1",
-                                row(study, "impact inside", 20).errors.at(split).largest, 1e-6,
-                                "order 7 at the nodes on half a second: 6 unknown nodes a piece"));
-  list.push_back({"error of the best variant that is not split, impact inside, N = 20", "1",
-                  [&] {
-                    double least = HUGE_VAL;
-                    for (const auto& [name, e] : row(study, "impact inside", 20).errors)
-                      if (name != split) least = std::min(least, e.largest);
-                    return least;
-                  }(),
-                  1e-4, 1e-2, "the kink: h^2/N^2 times the jump of the third derivative, or so"});
-  return list;
+  show.between("error of inserted nodes over that of LGL nodes, duffing, as many",
+               grown("inserted") / grown("LGL"), show.quick() ? 0.1 : 1, HUGE_VAL,
+               "smooth motion: no part of the interval deserves more nodes than its ends");
+  const auto& inside = row(study, "impact inside", 20).errors;
+  show.at_most("error of Radau polynomials split at the kinks, N = 20", inside.at(split).largest, 1e-6,
+               "order 7 at the nodes on half a second: 6 unknown nodes a piece");
+  double least = HUGE_VAL;
+  for (const auto& [name, e] : inside) {
+    if (name != split) least = std::min(least, e.largest);
+  }
+  show.between("error of the best variant that is not split, impact inside, N = 20", least, 1e-4, 1e-2,
+               "the kink: h^2/N^2 times the jump of the third derivative, or so");
 }
 
-scene::Showing show(const Study& study, bool quick) {
-  scene::Showing showing;
-  showing.table = table_of(study);
-  showing.figure = {
-      data_of(study),
-      "rbf_ivp-node-study",
-      {{"heading", "Least squares and Radau nodes help; moving nodes does not"}, {"height", "820"}}};
-  showing.quantities = quantities(study, quick);
-  return showing;
+void put(const Study& study, scene::Show& show) {
+  draw(study, show);
+  show.table(table_of(study));
+  check_variants(study, show);
+  check_refinement(study, show);
 }
 
 }  // namespace
 
-void add_node_study(scene::Chapter& chapter) {
-  const auto& study =
-      chapter.add_run<Study>("placed-nodes",
-                             "one interval; Gaussians by algebra of 50 digits, rounded to double afterwards; "
-                             "errors of components by "
-                             "their amplitudes, at the end / at all nodes and 3 (N - 1) points between",
-                             {}, [](Workshop& w) { return study_of(w.quick()); });
-  chapter.add({.name = "node-study",
-               .title = "Placed nodes, own shapes, least squares and refinement with equally many unknowns",
-               .place = "our own",
-               .needs = {&study},
-               .show = [&study](Workshop& w) { return show(w.result(study), w.quick()); }});
+std::vector<scene::Scene> node_study() {
+  const scene::Result study("placed-nodes",
+                            "one interval; Gaussians by algebra of 50 digits, rounded to double afterwards; "
+                            "errors of components by "
+                            "their amplitudes, at the end / at all nodes and 3 (N - 1) points between",
+                            study_of);
+  return {{.name = "node-study",
+           .title = "Placed nodes, own shapes, least squares and refinement with equally many unknowns",
+           .content = scene::Content(put, study)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

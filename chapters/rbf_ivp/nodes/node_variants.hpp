@@ -72,17 +72,10 @@ struct Fit {
   Eigen::VectorXd curvature;        ///< h^2 |x''| there
 };
 
-namespace detail {
-
-/// x' - f at the check points, by column, times h.
+/// x' - f at the check points, by column, times h. @param states a row for each node
 template <int n>
-Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space, const Eigen::MatrixXd& states);
-
-/// Errors, residuals and curvature of a solution. @param states a row for each node
-template <int n>
-Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states);
-
-}  // namespace detail
+[[nodiscard]] Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space,
+                                               const Eigen::MatrixXd& states);
 
 /// Collocation (Eq. 4.16) at the nodes but the first, by damped Newton iteration from the constant state.
 template <int n>
@@ -94,8 +87,7 @@ template <int n>
 template <int n>
 [[nodiscard]] Fit least_squares(const Arc<n>& arc, const TrialSpace& space);
 
-extern template Eigen::MatrixXd detail::residual_columns(const Arc<2>&, const TrialSpace&,
-                                                         const Eigen::MatrixXd&);
+extern template Eigen::MatrixXd residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
 extern template Fit collocate(const Arc<2>&, const TrialSpace&);
 extern template Fit collocate(const Arc<6>&, const TrialSpace&);
 extern template Fit least_squares(const Arc<2>&, const TrialSpace&);

@@ -9,14 +9,12 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/collocation/integration.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
-
-using scene::Workshop;
 
 constexpr std::array orders = {8, 16, 32, 100, 500};
 constexpr double standstill = 1e-12, overflow = 1e30;  // of a change: done; will not come back
@@ -192,114 +190,140 @@ Limits find_limits(bool quick) {
   return limits;
 }
 
-scene::Table table_of(const Limits& limits) {
-  scene::Table table({{"order N"},
-                      {"free Duffing, worst phase (P)"},
-                      {"best phase (P)"},
-                      {"largest change on the way at P/2"},
-                      {"contraction factor at P/2"},
-                      {"impact (s)"},
-                      {"three masses (s)"}});
+/// A row of the table.
+struct Row {
+  int order;
+  double worst, best;  ///< phase, free Duffing, P
+  double on_the_way;   ///< the largest change at P/2 from the constant state
+  std::optional<double> contraction, impact, three_masses;
+};
+
+std::vector<Row> rows_of(const Limits& limits) {
+  std::vector<Row> rows;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const Tables tables = chebyshev_tables(orders[i]);
     const Changes constant = sweep(tables, 0, duffing_period() / 2, Start::constant),
                   close = sweep(tables, 0, duffing_period() / 2, Start::solution);
-    table.add({std::int64_t(orders[i]), limits.duffing[i].least(), limits.duffing[i].greatest(),
-               *std::max_element(constant.begin(), constant.end()), scene::to_cell(contraction(close)),
-               scene::to_cell(limits.impact[i]), scene::to_cell(limits.three_masses[i])});
+    rows.push_back({orders[i], limits.duffing[i].least(), limits.duffing[i].greatest(),
+                    *std::ranges::max_element(constant), contraction(close), limits.impact[i],
+                    limits.three_masses[i]});
   }
-  return table;
+  return rows;
 }
 
-/// Panels: changes by sweep; contraction factor by step; largest step by phase.
-scene::Table data_of(const Limits& limits, bool quick) {
-  const double P = duffing_period();
-  scene::Table data({{"panel"}, {"series", 3, true}, {"abscissa"}, {"ordinate"}});
-  for (const double periods : {0.3, 0.5, 0.55, 0.57, 0.6}) {
-    const Changes changes = sweep(chebyshev_tables(100), 0, periods * P, Start::constant);
-    for (std::size_t k = 0; k < changes.size(); ++k)
-      data.add({"sweeps", periods, static_cast<double>(k + 1), changes[k]});
+/// Data of panels: panel, series, abscissa, ordinate.
+void draw_sweeps(scene::Plot& plot, scene::Table& data) {
+  scene::Panel& panel = plot.panel("sweep", "largest change").place(0.11, 0.47, 0.57, 0.87);
+  panel.caption("from the constant state, N = 100").x_range(0, 36);
+  panel.log_y(1e-13, 1e20).set("ytics (1e-8, 1, 1e8, 1e16)").key("top right samplen 2 spacing 1.05");
+  for (int block = 0; const double periods : {0.3, 0.5, 0.55, 0.57, 0.6}) {
+    const Changes changes = sweep(chebyshev_tables(100), 0, periods * duffing_period(), Start::constant);
+    for (std::size_t k = 0; k < changes.size(); ++k) data.add({"sweeps", periods, k + 1, changes[k]});
+    panel.columns(fmt::format("{} P", periods), "abscissa:ordinate", scene::lines(), block++);
   }
+}
+
+void draw(const Limits& limits, scene::Show& show) {
+  scene::Plot& plot = show.plots("Past P/2 the constant start diverges, though Picard would contract");
+  scene::Table data({{"panel"}, {"series", 3, true}, {"abscissa"}, {"ordinate"}});
+  draw_sweeps(plot, data);
+  scene::Panel& factor = plot.panel("step (periods)", "mean ratio of changes").place(0.60, 0.97, 0.57, 0.87);
+  factor.caption("near the solution").x_range(0, 2).y_range(0, 1.6).set("xtics 0.5").set("ytics 0.25");
+  factor.set("arrow 1 from 0.5, 0 to 0.5, 1.6 nohead linestyle 11");
+  factor.set("label 3 'P/2' at 0.5, 1.1 left offset 0.4,0 textcolor rgb soft_ink");
+  factor.key("top right maxrows 2 samplen 2 spacing 1.05");
+  scene::Panel& phase = plot.panel("phase at which the step begins (periods; 0: at rest)", "step (periods)");
+  phase.place(0.11, 0.97, 0.11, 0.38).caption("largest step that converges from the constant state");
+  phase.x_range(0, 0.5).y_range(0.4, 0.6).set("xtics 0.1").set("ytics 0.05");
+  phase.set("arrow 2 from 0, 0.5 to 0.5, 0.5 nohead linestyle 11");
+  phase.key("bottom left horizontal samplen 2 spacing 1.05");
+  constexpr std::array styles = {5, 4, 2, 1, 3};
+  const int count = show.quick() ? 20 : 80;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const Tables tables = chebyshev_tables(orders[i]);
-    const bool dear = orders[i] >= collocation::max_nodes;
-    for (int k = 1; !dear && k <= (quick ? 20 : 80); ++k) {
-      const double periods = k * (quick ? 0.1 : 0.025);
-      const auto factor = contraction(sweep(tables, 0, periods * P, Start::solution));
-      data.add({"factor", std::int64_t(orders[i]), periods, scene::to_cell(factor)});
+    const auto curve = [&, i](scene::Panel& panel, const char* name, const char* with) {
+      panel.columns(fmt::format("N = {}", orders[i]),
+                    fmt::format("(strcol('panel') eq '{}' && column('series') == {} ? column('abscissa') : "
+                                "NaN):ordinate",
+                                name, orders[i]),
+                    {with, styles[i]});
+    };
+    if (orders[i] < collocation::max_nodes) {
+      for (int k = 1; k <= count; ++k) {
+        const double periods = k * (show.quick() ? 0.1 : 0.025);
+        data.add({"factor", orders[i], periods,
+                  contraction(sweep(tables, 0, periods * duffing_period(), Start::solution))});
+      }
+      curve(factor, "factor", "lines");
     }
     const PhaseLimits& by_phase = limits.duffing[i];
     for (std::size_t k = 0; k < by_phase.phase.size(); ++k)
-      data.add({"phase", std::int64_t(orders[i]), by_phase.phase[k], by_phase.limit[k]});
+      data.add({"phase", orders[i], by_phase.phase[k], by_phase.limit[k]});
+    curve(phase, "phase", "steps");
   }
-  return data;
+  plot.size(760, 640).data(std::move(data));
 }
 
-scene::Showing show(const Limits& limits, bool quick) {
-  scene::Showing showing;
-  showing.table = table_of(limits);
-  showing.figure = {data_of(limits, quick),
-                    "rbf_ivp-mcpi-limit",
-                    {{"heading", "Past P/2 the constant start diverges, although Picard would contract"},
-                     {"height", "640"}}};
-  const double least = limits.of(100).least();
+void check_order_100(const Limits& limits, scene::Show& show) {
+  const char* by_legendre = "the same iteration by 120 Legendre nodes and Gauss quadrature";
+  const auto at_half_a_period = [](const Tables& tables) {
+    return contraction(sweep(tables, 0, duffing_period() / 2, Start::solution)).value_or(NAN);
+  };
   const auto first = steps_until_divergence(0.53, 100);
+  show.near("largest step that converges from every phase, order 100", {limits.of(100).least(), "P"},
+            limits.by_legendre.least(), 0.03, std::string(by_legendre) + "; the grid is 0.01 P");
+  show.near("contraction factor at P/2 from the solution, order 100", at_half_a_period(chebyshev_tables(100)),
+            at_half_a_period(legendre_tables(120)), 0.01, by_legendre);
+  show.at_most("steps of 0.53 P from the maximum before one diverges, order 100",
+               first ? static_cast<double>(*first) : HUGE_VAL, 5, "recorded: 0.53 P diverges at once");
+}
+
+void check_order_500(const Limits& limits, scene::Show& show) {
   const char* passes_all =
       "by Legendre nodes the worst phase has 0.47 P; phases repeat after P/2, and steps from rest meet all "
-      "of them "
-      "by then";
-  showing.quantities = {
-      scene::near("largest step that converges from every phase, order 100", "P", least,
-                  limits.by_legendre.least(), 0.03,
-                  "the same iteration by 120 Legendre nodes and Gauss quadrature; the grid is 0.01 P"),
-      scene::near(
-          "contraction factor at P/2 from the solution, order 100", "1",
-          contraction(sweep(chebyshev_tables(100), 0, duffing_period() / 2, Start::solution)).value_or(NAN),
-          contraction(sweep(legendre_tables(120), 0, duffing_period() / 2, Start::solution)).value_or(NAN),
-          0.01, "the same iteration by 120 Legendre nodes and Gauss quadrature"),
-      scene::at_most("steps of 0.53 P from the maximum before one diverges, order 100", "1",
-                     first ? static_cast<double>(*first) : HUGE_VAL, 5, "recorded: 0.53 P diverges at once"),
-      scene::near("largest step that converges from every phase, order 500", "P", limits.of(500).least(),
-                  limits.by_legendre.least(), 0.03,
-                  "the same iteration by 120 Legendre nodes and Gauss quadrature; the grid is 0.01 P"),
-      scene::near("steps of P/2 from the maximum that converge, order 500", "1", converging_steps(0.5, 500),
-                  std::floor(1000 / duffing_period()), 0,
-                  "all to t = 500: each begins at rest, as the first does"),
-      scene::at_most("steps of 0.51 P from the maximum before one diverges, order 500", "1",
-                     converging_steps(0.51, 500), 50, passes_all),
-      scene::at_most("steps of 0.53 P from the maximum before one diverges, order 500", "1",
-                     converging_steps(0.53, 500), 17, passes_all),
-      scene::at_most("steps of 0.48 P from the maximum before one diverges, order 500", "1",
-                     converging_steps(0.48, 500), 25, passes_all),
-      scene::at_most("difference of the tables in closed form from the method's, order 100", "1",
-                     (tables_of_cosines(100).integral - chebyshev_tables(100).integral).cwiseAbs().maxCoeff(),
-                     1e-14, "both are right to 1e-15 times a few roundings"),
-      scene::near("largest step, impact, order 100", "s", limits.impact[3].value_or(NAN), 3, 0.01,
-                  "recorded: 3 s converges, 4 s does not"),
-      scene::near("largest step, three masses, order 100", "s", limits.three_masses[3].value_or(NAN), 5.25,
-                  0.05, "recorded: 5 s converges, 6 s does not"),
-  };
-  return showing;
+      "of them by then";
+  show.near("largest step that converges from every phase, order 500", {limits.of(500).least(), "P"},
+            limits.by_legendre.least(), 0.03,
+            "the same iteration by 120 Legendre nodes and Gauss quadrature; the grid is 0.01 P");
+  show.equals("steps of P/2 from the maximum that converge, order 500", converging_steps(0.5, 500),
+              std::floor(1000 / duffing_period()), "all to t = 500: each begins at rest, as the first does");
+  for (const auto& [periods, most] : {std::pair(0.51, 50), {0.53, 17}, {0.48, 25}})
+    show.at_most(fmt::format("steps of {} P from the maximum before one diverges, order 500", periods),
+                 converging_steps(periods, 500), most, passes_all);
+}
+
+void put(const Limits& limits, scene::Show& show) {
+  draw(limits, show);
+  show.table(rows_of(limits), {{"order N", &Row::order},
+                               {"free Duffing, worst phase (P)", &Row::worst},
+                               {"best phase (P)", &Row::best},
+                               {"largest change on the way at P/2", &Row::on_the_way},
+                               {"contraction factor at P/2", &Row::contraction},
+                               {"impact (s)", &Row::impact},
+                               {"three masses (s)", &Row::three_masses}});
+  check_order_100(limits, show);
+  check_order_500(limits, show);
+  show.at_most("difference of the tables in closed form from the method's, order 100",
+               (tables_of_cosines(100).integral - chebyshev_tables(100).integral).cwiseAbs().maxCoeff(),
+               1e-14, "both are right to 1e-15 times a few roundings");
+  show.near("largest step, impact, order 100", {limits.impact[3].value_or(NAN), "s"}, 3, 0.01,
+            "recorded: 3 s converges, 4 s does not");
+  show.near("largest step, three masses, order 100", {limits.three_masses[3].value_or(NAN), "s"}, 5.25, 0.05,
+            "recorded: 5 s converges, 6 s does not");
+  show.measured("elgohary/claim-4.4.1/MCPI/largest step before divergence", limits.of(100).least());
 }
 
 }  // namespace
 
-void add_mcpi_limit(scene::Chapter& chapter) {
-  const auto& limits = chapter.add_run<Limits>(
+std::vector<scene::Scene> mcpi_limit() {
+  const scene::Result limits(
       "mcpi-largest-steps",
       "free Duffing: one step from each of many phases of the orbit, by 0.01 P; the others: all steps of the "
       "interval, by 0.5 s; from the constant state, at most 1000 sweeps",
-      {}, [](Workshop& w) { return find_limits(w.quick()); });
-  chapter.add({.name = "mcpi-limit",
-               .title = "Picard's contraction factor, and the largest step that converges",
-               .place = "our own",
-               .needs = {&limits},
-               .show = [&limits](Workshop& w) { return show(w.result(limits), w.quick()); }});
-  chapter.add({.name = "elgohary/claim-4.4.1/MCPI/largest step before divergence",
-               .needs = {&limits},
-               .measure = [&limits](Workshop& w) {
-                 return scene::Measured{w.result(limits).of(100).least(), std::nullopt};
-               }});
+      find_limits);
+  return {{.name = "mcpi-limit",
+           .title = "Picard's contraction factor, and the largest step that converges",
+           .content = scene::Content(put, limits)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

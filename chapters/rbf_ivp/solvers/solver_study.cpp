@@ -8,15 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/solvers/solvers.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Basis;
 using collocation::NodeFamily;
-using scene::Workshop;
 
 constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
 
@@ -138,43 +137,85 @@ scene::Table table_of(const std::vector<Row>& rows, bool quick) {
   for (const Solver s : timed) columns.push_back({fmt::format("time_ms {}", to_string(s))});
   scene::Table table(columns);
   for (const Row& row : rows) {
-    std::vector<scene::Cell> cells = {row.problem, std::int64_t(row.nodes), row.functions, row.h,
-                                      std::int64_t(row.count)};
+    std::vector<scene::Cell> cells = {row.problem, row.nodes, row.functions, row.h, row.count};
     for (std::size_t i = 0; i < all_solvers.size(); ++i)
       cells.push_back(iterations_cell(row, i, quick ? 500 : 10'000));
     for (const Solver s : timed) {
       const Cost& cost = row.costs[static_cast<std::size_t>(s)];
-      cells.push_back(
-          scene::to_cell(cost.converged ? std::optional(1e3 * cost.seconds / row.count) : std::nullopt));
+      cells.push_back(cost.converged ? scene::Cell(1e3 * cost.seconds / row.count) : scene::Cell());
     }
     table.add(std::move(cells));
   }
   return table;
 }
 
-void add_trials(scene::Table& data, const std::string& panel, const std::vector<Trial>& trials) {
+/// How the figure draws a solver, and its name in the key.
+int style_of(Solver solver) {
+  constexpr std::array styles = {3, 8, 4, 5, 1, 2, 6};
+  return styles.at(static_cast<std::size_t>(solver));
+}
+std::string title_of(Solver solver) {
+  if (solver == Solver::fixed_point_integrated) return "fixed point, integrated F";
+  return solver == Solver::newton_flow_integrated ? "Newton hom., integrated F"
+                                                  : std::string(to_string(solver));
+}
+
+/// A panel of the figure: its rows of the data, and which solvers it shows.
+struct Shown {
+  const char* name;
+  const std::vector<Trial>& trials;
+  scene::Panel& panel;
+  const char* look;
+};
+
+/// Rows and curves of a panel, a block of the data for each solver.
+void add_trials(const Shown& shown, scene::Table& data, int& block) {
   for (const Solver s : all_solvers) {
-    for (const Trial& t : trials) {
+    const auto rows = data.rows().size();
+    for (const Trial& t : shown.trials) {
       if (t.solver != s) continue;
       const bool found = t.cost.converged && t.error < 0.01;
-      const scene::Cell iterations = found ? scene::Cell(static_cast<double>(t.cost.iterations)) : "nan";
-      data.add({panel, std::string(to_string(s)), t.abscissa, iterations, t.cost.seconds});
+      data.add({shown.name, to_string(s), t.abscissa, found ? static_cast<double>(t.cost.iterations) : NAN,
+                t.cost.seconds});
     }
+    if (data.rows().size() == rows) continue;
+    const bool drawn_as_lines = shown.name == std::string("length") && !is_flow(s);
+    shown.panel.columns("", "abscissa:ordinate", {drawn_as_lines ? "lines" : shown.look, style_of(s)},
+                        block++);
   }
 }
 
-scene::Table data_of(const Trials& trials) {
+void draw(const Trials& trials, scene::Show& show) {
+  scene::Plot& plot = show.plots("Homotopies: tens to thousands of times Newton's iterations");
   scene::Table data({{"panel"}, {"solver", 3, true}, {"abscissa"}, {"ordinate"}, {"time_s"}});
+  scene::Panel& history = plot.panel("iteration", "|F|, relative").place(0.115, 0.475, 0.53, 0.77);
+  history.caption("N = 7, h = P/10").log_x(1, 3000).set("format x '%g'").log_y(1e-12, 30).set("ytics 1e3");
+  history.key("at screen 0.5, screen 0.95 center top maxrows 4 samplen 4 spacing 1.05");
+  int block = 0;
   for (const Trial& t : trials.history) {
     const std::vector<double>& norms = t.cost.history;
     for (std::size_t k = 0; k < norms.size(); k = std::max(k + 1, k * 21 / 20))
-      data.add({"history", std::string(to_string(t.solver)), static_cast<double>(k + 1), norms[k], {}});
+      data.add({"history", to_string(t.solver), k + 1, norms[k], {}});
+    history.columns(title_of(t.solver), "abscissa:ordinate", scene::lines(style_of(t.solver)), block++);
   }
-  add_trials(data, "nodes", trials.nodes);
-  add_trials(data, "length", trials.length);
-  add_trials(data, "step", trials.step);
-  add_trials(data, "chosen", trials.chosen);
-  return data;
+  const auto counts = [&](const char* caption, const char* x_label, double left, double bottom,
+                          double top) -> scene::Panel& {
+    scene::Panel& panel = plot.panel(x_label, "iterations").place(left, left + 0.36, bottom, top);
+    return panel.caption(caption).log_y(1, 1e6).set("ytics 10").key("off");
+  };
+  scene::Panel& nodes = counts("h = P/2, Radau nodes", "number of nodes N", 0.615, 0.53, 0.77);
+  nodes.log_x(6.3, 40).set("xtics (7, 10, 14, 20, 28, 35)").set("format x '%g'");
+  add_trials({"nodes", trials.nodes, nodes, "linespoints"}, data, block);
+  scene::Panel& length = counts("60 Radau nodes; no line: no solution found",
+                                "length of the interval (periods)", 0.115, 0.09, 0.37);
+  length.x_range(0, 4.1).set("xtics 1");
+  add_trials({"length", trials.length, length, "linespoints"}, data, block);
+  scene::Panel& step =
+      counts("N = 7, h = P/10; at 0: chosen steps", "step of fictitious time", 0.615, 0.09, 0.37);
+  step.x_range(-0.2, 3.7).set("xtics 1");
+  add_trials({"step", trials.step, step, "linespoints"}, data, block);
+  add_trials({"chosen", trials.chosen, step, "points"}, data, block);
+  plot.size(760, 720).data(std::move(data));
 }
 
 /// The trial of a solver at an abscissa.
@@ -209,81 +250,71 @@ double most_iterations(int nodes) {
   return 8.0 / 3 * condition * condition * std::log(condition * 1e10);
 }
 
-std::vector<scene::Quantity> quantities(const std::vector<Row>& rows, const Trials& trials, bool quick) {
-  std::vector<scene::Quantity> list;
-  list.push_back({"largest length for Newton", "P", largest_length(trials, Solver::newton), 2, 2.45,
-                  "recorded: 2 P converges, 2.5 P does not, for any number of nodes"});
-  list.push_back(
-      {"largest length for Picard", "P", largest_length(trials, Solver::picard), 0.5, 0.6,
-       "0.55 P from the maximum by Chebyshev nodes, scene mcpi-limit; a step of the grid either way"});
-  list.push_back(scene::near("length at which damped Newton still converges", "P",
-                             largest_length(trials, Solver::damped_newton), 4, 1e-9,
-                             "its residual falls with every step; the last length tried"));
-  list.push_back({"iterations of Newton, Duffing, N = 7, P/10", "1",
-                  static_cast<double>(rows[0].costs[0].iterations) / rows[0].count, 3, 4,
-                  "recorded: 3 to 4"});
-  list.push_back({"iterations of Newton, three masses, N = 35, 20 s", "1",
-                  static_cast<double>(rows.back().costs[0].iterations) / rows.back().count, 3, 5,
-                  "recorded: 4 to 5, with another test for the end"});
-  if (quick) return list;
+void check_newton(const std::vector<Row>& rows, const Trials& trials, scene::Show& show) {
+  show.between("largest length for Newton", {largest_length(trials, Solver::newton), "P"}, 2, 2.45,
+               "recorded: 2 P converges, 2.5 P does not, for any number of nodes");
+  show.between("largest length for Picard", {largest_length(trials, Solver::picard), "P"}, 0.5, 0.6,
+               "0.55 P from the maximum by Chebyshev nodes, scene mcpi-limit; a step of the grid either way");
+  show.near("length at which damped Newton still converges",
+            {largest_length(trials, Solver::damped_newton), "P"}, 4, 1e-9,
+            "its residual falls with every step; the last length tried");
+  const auto iterations = [](const Row& row) {
+    return static_cast<double>(row.costs[0].iterations) / row.count;
+  };
+  show.between("iterations of Newton, Duffing, N = 7, P/10", iterations(rows[0]), 3, 4, "recorded: 3 to 4");
+  show.between("iterations of Newton, three masses, N = 35, 20 s", iterations(rows.back()), 3, 5,
+               "recorded: 4 to 5, with another test for the end");
+}
+
+void check_flows(const Trials& trials, scene::Show& show) {
   for (const int N : {7, 35}) {
     const Trial& t = at(trials.nodes, Solver::newton_flow_printed, N);
-    list.push_back(scene::at_most(fmt::format("iterations of the Newton homotopy, N = {}, P/2", N), "1",
-                                  t.cost.converged ? static_cast<double>(t.cost.iterations) : HUGE_VAL,
-                                  most_iterations(N),
-                                  "bound for linear equations, 8/3 cond^2 log(cond/tol)"));
+    show.at_most(fmt::format("iterations of the Newton homotopy, N = {}, P/2", N),
+                 t.cost.converged ? static_cast<double>(t.cost.iterations) : HUGE_VAL, most_iterations(N),
+                 "bound for linear equations, 8/3 cond^2 log(cond/tol)");
   }
   const auto integrated = [&](double N) {
     return static_cast<double>(at(trials.nodes, Solver::newton_flow_integrated, N).cost.iterations);
   };
-  list.push_back(
-      {"iterations with 35 nodes to those with 10, integrated equations", "1",
-       integrated(35) / integrated(10), 0.5, 1.5,
-       "the spectrum of the integrated equations does not depend on the nodes once they resolve it"});
+  show.between("iterations with 35 nodes to those with 10, integrated equations",
+               integrated(35) / integrated(10), 0.5, 1.5,
+               "the spectrum of the integrated equations does not depend on the nodes once they resolve it");
   for (const double periods : {2.5, 4.0}) {
     const Trial &flow = at(trials.length, Solver::fixed_point_integrated, periods),
                 &newton = at(trials.length, Solver::damped_newton, periods);
-    list.push_back({fmt::format("iterations of the fixed-point homotopy at {} P, integrated", periods), "1",
-                    flow.cost.converged ? static_cast<double>(flow.cost.iterations) : HUGE_VAL, 1e4, 2e5,
-                    "thousands of steps, within the 200 000 allowed"});
-    list.push_back(scene::at_most(fmt::format("distance to the root of damped Newton at {} P", periods), "1",
-                                  (flow.x - newton.x).cwiseAbs().maxCoeff(), 1e-5,
-                                  "|F| of 1e-9 over the least singular value, of the order of 1e-4"));
+    show.between(fmt::format("iterations of the fixed-point homotopy at {} P, integrated", periods),
+                 flow.cost.converged ? static_cast<double>(flow.cost.iterations) : HUGE_VAL, 1e4, 2e5,
+                 "thousands of steps, within the 200 000 allowed");
+    show.at_most(fmt::format("distance to the root of damped Newton at {} P", periods),
+                 (flow.x - newton.x).cwiseAbs().maxCoeff(), 1e-5,
+                 "|F| of 1e-9 over the least singular value, of the order of 1e-4");
   }
-  return list;
 }
 
-scene::Showing show(const std::vector<Row>& rows, const Trials& trials, bool quick) {
-  scene::Showing showing;
-  showing.table = table_of(rows, quick);
-  showing.figure = {
-      data_of(trials),
-      "rbf_ivp-solver-study",
-      {{"heading", "Homotopies: tens to thousands of times Newton's iterations"}, {"height", "720"}}};
-  showing.quantities = quantities(rows, trials, quick);
-  return showing;
+void put(const std::vector<Row>& rows, const Trials& trials, scene::Show& show) {
+  draw(trials, show);
+  show.table(table_of(rows, show.quick()));
+  check_newton(rows, trials, show);
+  if (!show.quick()) check_flows(trials, show);
 }
 
 }  // namespace
 
-void add_solver_study(scene::Chapter& chapter) {
-  const auto& rows = chapter.add_run<std::vector<Row>>(
+std::vector<scene::Scene> solver_study() {
+  const scene::Result rows(
       "solvers-on-rows",
       "rows of intervals with the steps and shapes of Tables 4.2, 4.4 and 4.6, from the constant state of "
-      "each "
-      "interval, until |F| is 1e-10 of the start; homotopies by Euler's rule with steps of 1, at most 10 000",
-      {}, [](Workshop& w) { return rows_of(w.quick()); });
-  const auto& trials = chapter.add_run<Trials>(
+      "each interval, until |F| is 1e-10 of the start; homotopies by Euler's rule with steps of 1, at most "
+      "10 000",
+      rows_of);
+  const scene::Result trials(
       "solvers-on-one-interval",
       "free Duffing from its maximum, polynomials; against the iteration, the number of nodes, the length of "
       "the interval (60 Radau nodes, homotopies with steps of 1.9) and the step of fictitious time",
-      {}, [](Workshop& w) { return trials_of(w.quick()); });
-  chapter.add(
-      {.name = "solver-study",
-       .title = "Scalar homotopies, Picard and Newton on the equations of an interval",
-       .place = "our own",
-       .needs = {&rows, &trials},
-       .show = [&rows, &trials](Workshop& w) { return show(w.result(rows), w.result(trials), w.quick()); }});
+      trials_of);
+  return {{.name = "solver-study",
+           .title = "Scalar homotopies, Picard and Newton on the equations of an interval",
+           .content = scene::Content(put, rows, trials)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

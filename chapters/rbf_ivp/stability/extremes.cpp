@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -8,17 +8,15 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/reference_end.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/blow_up.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
-
-using scene::Workshop;
 
 /// A linear oscillator whose force is no number from a time on.
 struct Poisoned {
@@ -187,53 +185,39 @@ scene::Table table_of(const std::vector<Ends>& all, const std::vector<Odd>& odd)
   return table;
 }
 
-double count(const std::vector<Ends>& all, const End Ends::*which, Outcome outcome) {
-  return static_cast<double>(
-      std::count_if(all.begin(), all.end(), [&](const Ends& e) { return (e.*which).outcome == outcome; }));
-}
-
-scene::Showing show(const std::vector<Ends>& all, const std::vector<Odd>& odd) {
-  scene::Showing showing;
-  showing.table = table_of(all, odd);
-  const auto methods = static_cast<double>(all.size());
-  const auto none = [&](const char* name, const End Ends::*which) {
-    return scene::at_most(fmt::format("methods that report success: {}", name), "1",
-                          count(all, which, Outcome::success), 0, "there is no solution at the end");
+void put(const std::vector<Ends>& all, const std::vector<Odd>& odd, scene::Show& show) {
+  show.table(table_of(all, odd));
+  const auto successes = [&](const End Ends::*which) {
+    return std::ranges::count(all, Outcome::success, [&](const Ends& e) { return (e.*which).outcome; });
   };
-  const auto controlled_past_the_end = std::count_if(all.begin(), all.end(), [](const Ends& e) {
-    return !e.fixed_step && e.blow_up.outcome == Outcome::success;
-  });
+  show.at_most("methods that choose their steps and pass the end of y' = y^3",
+               std::ranges::count_if(
+                   all, [](const Ends& e) { return !e.fixed_step && e.blow_up.outcome == Outcome::success; }),
+               0, "there is no solution beyond t = 1/2");
+  const char* none = "there is no solution at the end";
+  show.at_most("methods that report success: NaN", successes(&Ends::nan), 0, none);
+  show.at_most("methods that report success: infinity", successes(&Ends::infinity), 0, none);
+  show.at_most("methods that report success: steps that t = 1e16 cannot hold", successes(&Ends::underflow), 0,
+               none);
+  show.equals("methods that succeed over an interval without length", successes(&Ends::nothing),
+              static_cast<double>(all.size()), "nothing is to be done");
   double least_backwards = HUGE_VAL;
   for (const Ends& e : all) least_backwards = std::min(least_backwards, e.backwards.digits.value_or(0));
-  showing.quantities = {
-      scene::at_most("methods that choose their steps and pass the end of y' = y^3", "1",
-                     static_cast<double>(controlled_past_the_end), 0, "there is no solution beyond t = 1/2"),
-      none("NaN", &Ends::nan),
-      none("infinity", &Ends::infinity),
-      none("steps that t = 1e16 cannot hold", &Ends::underflow),
-      {"methods that succeed over an interval without length", "1",
-       count(all, &Ends::nothing, Outcome::success), methods, methods, "nothing is to be done"},
-      {"least digits backwards", "1", least_backwards, 1, 16, "all of order 1 or more, 1000 steps"},
-  };
-  return showing;
+  show.between("least digits backwards", least_backwards, 1, 16, "all of order 1 or more, 1000 steps");
 }
 
 }  // namespace
 
-void add_extremes(scene::Chapter& chapter) {
-  const auto& ends =
-      chapter.add_run<std::vector<Ends>>("extreme-ends",
-                                         "steps 1e-3, 0.01, 0.01, 0.5, 0.01, P/1000; tolerance 1e-6 for "
-                                         "methods that choose; at most 100000 steps",
-                                         {}, [](Workshop&) { return all_ends(); });
-  const auto& odd = chapter.add_run<std::vector<Odd>>(
-      "odd-collocations", "free Duffing from rest over a period; digits of the end state", {},
-      [](Workshop&) { return odd_settings(); });
-  chapter.add({.name = "extremes",
-               .title = "How every method ends where there is no solution, and collocations at their limits",
-               .place = "our own",
-               .needs = {&ends, &odd},
-               .show = [&ends, &odd](Workshop& w) { return show(w.result(ends), w.result(odd)); }});
+std::vector<scene::Scene> extremes() {
+  const scene::Result ends("extreme-ends",
+                           "steps 1e-3, 0.01, 0.01, 0.5, 0.01, P/1000; tolerance 1e-6 for methods that "
+                           "choose; at most 100000 steps",
+                           all_ends);
+  const scene::Result odd("odd-collocations", "free Duffing from rest over a period; digits of the end state",
+                          odd_settings);
+  return {{.name = "extremes",
+           .title = "How every method ends where there is no solution, and collocations at their limits",
+           .content = scene::Content(put, ends, odd)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/backward_euler.hpp"
 #include "nlmech/ivp/central_difference.hpp"
@@ -17,13 +16,13 @@
 #include "nlmech/ivp/hht.hpp"
 #include "nlmech/ivp/newmark.hpp"
 #include "nlmech/ivp/picard.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
-using scene::Workshop;
 
 constexpr double end = 8;  // s
 
@@ -45,6 +44,7 @@ struct Series {
     return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
   }
 };
+using Groups = std::array<std::vector<Series>, 3>;
 
 /// Largest error of a state component of the three masses at the end; they are damped and loaded, so that
 /// time and velocities enter.
@@ -78,7 +78,7 @@ Series ode45() {
 }
 
 /// The three groups of the figure.
-std::array<std::vector<Series>, 3> all_series() {
+Groups all_series() {
   using namespace ivp;
   const char *classical = "order conditions of the method",
              *lobatto = "N - 1: quadrature without the left end", *radau = "2 N - 3: Radau quadrature",
@@ -108,18 +108,25 @@ std::array<std::vector<Series>, 3> all_series() {
                            RbfCollocation{.nodes = 8})}};
 }
 
-/// Orders for linear equations, of N nodes each.
-struct LinearOrders {
-  int nodes;
-  double lobatto, radau;
+/// The order of a method in the table.
+struct Order {
+  std::string method;
+  double expected, observed;
+  std::string how;
 };
 
-std::vector<LinearOrders> linear_orders() {
-  std::vector<LinearOrders> orders;
+/// Orders for linear equations.
+std::vector<Order> linear_orders() {
+  std::vector<Order> orders;
   const Digits50 z = Digits50(1) / 100;
+  const auto add = [&](const char* name, double expected, NodeFamily family, int n) {
+    orders.push_back({fmt::format("{} N = {}", name, n), expected,
+                      linear_order(polynomial_derivative(family, n), z),
+                      "R(z) - exp(z), 50 digits, z = 1/100 and 1/200"});
+  };
   for (int n = 4; n <= 8; ++n) {
-    orders.push_back({n, linear_order(polynomial_derivative(NodeFamily::legendre_gauss_lobatto, n), z),
-                      linear_order(polynomial_derivative(NodeFamily::left_end_and_radau, n), z)});
+    add("lgl", n - 1, NodeFamily::legendre_gauss_lobatto, n);
+    add("radau", 2 * n - 3, NodeFamily::left_end_and_radau, n);
   }
   return orders;
 }
@@ -130,63 +137,68 @@ double growth_of_rest(int nodes) {
   return static_cast<double>(Digits50(stability_function(derivative, Digits50(0)) - 1));
 }
 
-scene::Showing show(const std::array<std::vector<Series>, 3>& groups,
-                    const std::vector<LinearOrders>& linear) {
+void draw(const Groups& groups, scene::Show& show) {
+  scene::Plot& plot = show.plots("Every method has its order; with c h fixed none is left");
   scene::Table data({{"group"}, {"method", 3, true}, {"step"}, {"error"}});
-  scene::Table table({{"method"}, {"expected order"}, {"observed order", 4}, {"how"}});
-  scene::Showing showing;
-  std::string legend;
+  constexpr std::array low = {0.004, 0.02, 0.03}, high = {0.25, 1.2, 2.0};
+  int block = 0;
   for (std::size_t group = 0; group < groups.size(); ++group) {
+    const double left = 0.12 + static_cast<double>(group) * 0.298;
+    scene::Panel& panel = plot.panel("step (s)", group == 0 ? "largest error at 8 s" : "");
+    panel.place(left, left + 0.265, 0.44, 0.91).log_x(low[group], high[group]).log_y(1e-14, 1);
+    panel.set("xtics (0.01, 0.1, 1)").set("format x '%g'").set("ytics 1e3");
+    if (group > 0) panel.set("format y ''");
+    panel.key(
+        fmt::format("at screen {:g}, screen 0.31 left top maxrows 8 samplen 3 spacing 1.1 "
+                    "font 'sans-serif,12'",
+                    left - 0.02));
     for (const Series& s : groups[group]) {
-      for (const Point& p : s.points) data.add({std::int64_t(group + 1), s.method, p.step, p.error});
-      legend += fmt::format("{}{} {}", legend.empty() ? "" : "|", group + 1, s.method);
-      table.add({s.method, s.expected, s.observed(),
-                 fmt::format("three masses to 8 s, steps {:.3g} and {:.3g} s",
-                             s.points[s.points.size() - 2].step, s.points.back().step)});
-      showing.quantities.push_back({"observed order of " + s.method, "1", s.observed(), s.expected - 0.05,
-                                    s.expected + 0.05,
-                                    s.theory + "; 0.05 for the next term of the error at these steps"});
+      for (const Point& p : s.points) data.add({group + 1, s.method, p.step, p.error});
+      panel.columns(s.method, "step:error", {"linespoints"}, block++);
     }
   }
-  for (const LinearOrders& o : linear) {
-    const auto add = [&](const char* family, double expected, double observed) {
-      const std::string name = fmt::format("{} N = {}", family, o.nodes);
-      table.add({name, expected, observed, "R(z) - exp(z), 50 digits, z = 1/100 and 1/200"});
-      showing.quantities.push_back({"linear order of " + name, "1", observed, expected - 0.02,
-                                    expected + 0.02,
-                                    "theory; the next term of R(z) - exp(z) shifts it by a fraction of z"});
-    };
-    add("lgl", o.nodes - 1, o.lobatto);
-    add("radau", 2 * o.nodes - 3, o.radau);
+  plot.size(760, 600).data(std::move(data));
+}
+
+void put(const Groups& groups, const std::vector<Order>& linear, scene::Show& show) {
+  draw(groups, show);
+  std::vector<Order> orders;
+  for (const std::vector<Series>& group : groups) {
+    for (const Series& s : group) {
+      orders.push_back({s.method, s.expected, s.observed(),
+                        fmt::format("three masses to 8 s, steps {:.3g} and {:.3g} s",
+                                    s.points[s.points.size() - 2].step, s.points.back().step)});
+      show.between("observed order of " + s.method, s.observed(), s.expected - 0.05, s.expected + 0.05,
+                   s.theory + "; 0.05 for the next term of the error at these steps");
+    }
   }
-  showing.table = std::move(table);
+  for (const Order& o : linear) {
+    orders.push_back(o);
+    show.between("linear order of " + o.method, o.observed, o.expected - 0.02, o.expected + 0.02,
+                 "theory; the next term of R(z) - exp(z) shifts it by a fraction of z");
+  }
+  show.table(orders, {{"method", &Order::method},
+                      {"expected order", &Order::expected},
+                      {"observed order", &Order::observed, 4},
+                      {"how", &Order::how}});
   for (const int nodes : {7, 35}) {
-    showing.quantities.push_back(scene::at_most(
-        fmt::format("|R(0) - 1| of Gaussians, N = {}", nodes), "1", std::abs(growth_of_rest(nodes)), 1e-30,
-        "D of an odd number of nodes has a symmetric null vector: 0, but for 50 digits and the condition"));
+    show.at_most(
+        fmt::format("|R(0) - 1| of Gaussians, N = {}", nodes), std::abs(growth_of_rest(nodes)), 1e-30,
+        "D of an odd number of nodes has a symmetric null vector: 0, but for 50 digits and the condition");
   }
-  showing.figure = {std::move(data),
-                    "rbf_ivp-orders",
-                    {{"heading", "Every method has its order; radial functions with c h fixed have none"},
-                     {"legend", legend},
-                     {"height", "600"}}};
-  return showing;
 }
 
 }  // namespace
 
-void add_orders(scene::Chapter& chapter) {
-  const auto& series = chapter.add_run<std::array<std::vector<Series>, 3>>(
-      "errors-against-step", "three masses to 8 s; largest error of a state component", {},
-      [](Workshop&) { return all_series(); });
-  const auto& linear = chapter.add_run<std::vector<LinearOrders>>(
-      "linear-orders", "stability functions of collocation, left end and N - 1 further nodes, 50 digits", {},
-      [](Workshop&) { return linear_orders(); });
-  chapter.add({.name = "orders",
-               .title = "Observed order of every method",
-               .place = "our own",
-               .needs = {&series, &linear},
-               .show = [&series, &linear](Workshop& w) { return show(w.result(series), w.result(linear)); }});
+std::vector<scene::Scene> orders() {
+  const scene::Result series("errors-against-step", "three masses to 8 s; largest error of a state component",
+                             all_series);
+  const scene::Result linear(
+      "linear-orders", "stability functions of collocation, left end and N - 1 further nodes, 50 digits",
+      linear_orders);
+  return {{.name = "orders",
+           .title = "Observed order of every method",
+           .content = scene::Content(put, series, linear)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

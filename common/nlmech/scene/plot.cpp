@@ -37,6 +37,11 @@ std::string decades(const char* axis, double low, double high) {
   return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
 }
 
+std::string margins_at(double left, double right, double bottom, double top) {
+  return fmt::format("margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}", left, right,
+                     bottom, top);
+}
+
 /// `using "t":"laier"` of "t:laier"; a part with parentheses is an expression.
 std::string by_name(const std::string& columns) {
   std::string out = "using ", part;
@@ -118,6 +123,9 @@ Panel& Panel::caption(const std::string& text) {
 Panel& Panel::key(const std::string& place) {
   settings_ += place == "off" ? "unset key\n" : "set key " + place + "\n";
   return *this;
+}
+Panel& Panel::place(double left, double right, double bottom, double top) {
+  return set(margins_at(left, right, bottom, top));
 }
 Panel& Panel::set(const std::string& setting) {
   settings_ += "set " + setting + "\n";
@@ -271,8 +279,7 @@ std::string Plot::margins(const Panel& panel) const {
     top = panel.caption_.empty() ? 0.92 : 0.87;
     bottom = 0.16;
   }
-  return fmt::format("set margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}\n", left, right,
-                     bottom, top);
+  return "set " + margins_at(left, right, bottom, top) + '\n';
 }
 
 std::string Plot::script() const {

@@ -47,6 +47,8 @@ class Panel {
   Panel& level(double y,
                const std::string& text = "");  ///< a dashed horizontal line, and words above its left end
   Panel& mark(double x, const std::string& text = "");  ///< a thin vertical line, and words beside its foot
+  /// Where the axes stand, in shares of the picture: for panels that are neither in a row nor stacked.
+  Panel& place(double left, double right, double bottom, double top);
   /// Any other setting of gnuplot: what follows `set`.
   Panel& set(const std::string& setting);
 

@@ -126,7 +126,7 @@ TEST(Collocate, PolynomialsAtRadauNodesAreTheIntegratorsStep) {
 
 /// The weighted sum of squares that least squares makes least.
 double objective(const Arc<2>& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
-  const Eigen::MatrixXd r = detail::residual_columns(arc, space, states);
+  const Eigen::MatrixXd r = residual_columns(arc, space, states);
   return r.colwise().squaredNorm().dot(gauss_weights(r.cols()).transpose());
 }
 

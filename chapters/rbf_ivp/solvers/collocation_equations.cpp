@@ -1,11 +1,7 @@
-/// @file
-/// Members of CollocationEquations. Included where it is instantiated, once a size.
-#pragma once
+#include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
 
 #include <Eigen/LU>
 #include <utility>
-
-#include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -128,5 +124,8 @@ void CollocationEquations<n>::slopes(const Eigen::VectorXd& x) {
   states_ = as_states(x);
   system_.rhs(times_, states_, slopes_);
 }
+
+template class CollocationEquations<2>;
+template class CollocationEquations<6>;
 
 }  // namespace nlmech::chapters::rbf_ivp
