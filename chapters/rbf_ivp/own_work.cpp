@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "chapters/rbf_ivp/chapter.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
 #include "nlmech/problems/blow_up.hpp"
@@ -23,7 +22,7 @@ extern template std::unique_ptr<OwnProblem> own_problem<problems::Hires>();
 
 namespace nlmech::chapters::rbf_ivp {
 
-void rbf_ivp_work(CLI::App& app) {
+void commands(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,

@@ -61,10 +61,8 @@ int bench(int argc, char** argv) {
   const auto printed = [&published](const std::string& table) {
     return scene::printed_seconds(published, table);
   };
-  scene::Chapter chapter("rbf_ivp", "its rows alone");
-  const auto duffing = chapters::rbf_ivp::free_duffing_rows(chapter),
-             impact = chapters::rbf_ivp::impact_rows(chapter);
-  const auto masses = chapters::rbf_ivp::three_mass_rows(chapter);
+  const auto duffing = chapters::rbf_ivp::free_duffing_rows(), impact = chapters::rbf_ivp::impact_rows();
+  const auto masses = chapters::rbf_ivp::three_mass_rows();
   std::vector<Work> all;
   add_works(all, duffing, printed(duffing.table));
   add_works(all, impact, printed(impact.table));

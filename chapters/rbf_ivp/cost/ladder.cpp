@@ -8,17 +8,16 @@
 
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/comparison/cost_curves.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using comparison::Cost;
 using comparison::Kind;
-using scene::Workshop;
 
 constexpr double nine_digits = 1e-9;
 
@@ -93,7 +92,7 @@ scene::Table table_of(const Ladders& ladders) {
         continue;
       }
       const double now = r.cost->time.median;
-      table.add({problem, r.what, scene::to_cell(r.cost->error), r.cost->work.right_hand_sides, 1e3 * now,
+      table.add({problem, r.what, r.cost->error, r.cost->work.right_hand_sides, 1e3 * now,
                  1e6 * now / static_cast<double>(r.cost->work.steps),
                  before > 0 ? scene::Cell(before / now) : scene::Cell()});
       before = now;
@@ -104,58 +103,64 @@ scene::Table table_of(const Ladders& ladders) {
   return table;
 }
 
-scene::Figure figure_of(const Ladders& ladders) {
+void draw(const Ladders& ladders, scene::Show& show) {
+  scene::Panel& panel = show.plot("Sweeps and accelerations save most of the time",
+                                  "median run time at nine digits (s); the Gaussians have fewer", "");
+  panel.log_x().y_range(6.6, 0.4).set("lmargin 27").key("at graph 0.02, graph 0.99 left top samplen 2");
+  panel.set(
+      "ytics ('Gaussians, 35 LGL nodes' 1, 'polynomials, same nodes' 2, 'left end, 16 Radau nodes' 3, "
+      "'sweeps, step control' 4, 'adaptive-collocation' 5, 'beside: odeint-dopri5' 6)");
+  panel.set("arrow from graph 0, first 5.5 to graph 1, first 5.5 nohead linestyle 11");
   scene::Table data({{"problem"}, {"rung"}, {"time_s"}, {"time_low_s"}, {"time_high_s"}, {"error"}});
-  const auto add = [&](std::int64_t problem, const std::vector<Rung>& rungs) {
-    std::int64_t number = 0;
-    for (const Rung& r : rungs) {
+  const auto add = [&](int problem, const char* name, const std::vector<Rung>& rungs, int style) {
+    for (int number = 0; const Rung& r : rungs) {
       ++number;
       if (r.cost)
         data.add({problem, number, r.cost->time.median, r.cost->time.smallest, r.cost->time.largest,
-                  scene::to_cell(r.cost->error)});
+                  r.cost->error});
     }
+    const auto of = [problem](const char* which) {
+      return fmt::format(
+          "(int(column('problem')) == {} && int(column('rung')) {} ? column('time_s') : NaN):rung", problem,
+          which);
+    };
+    panel.columns(name, of("< 6"), {"linespoints dashtype solid", style});
+    panel.columns("", of("== 6"), scene::points(style));
   };
-  add(1, ladders.duffing);
-  add(2, ladders.chain);
-  return {std::move(data),
-          "rbf_ivp-ladder",
-          {{"heading", "Sweeps and accelerations save most of the time"}, {"height", "360"}}};
+  add(1, "free oscillator, 500 s", ladders.duffing, 5);
+  add(2, "three masses, 200 s", ladders.chain, 1);
+  show.figure().size(760, 360).data(std::move(data));
 }
 
-scene::Showing show(const Ladders& ladders) {
-  scene::Showing showing;
-  showing.figure = figure_of(ladders);
-  showing.table = table_of(ladders);
+void put(const Ladders& ladders, scene::Show& show) {
+  draw(ladders, show);
+  show.table(table_of(ladders));
   const auto work = [](const std::vector<Rung>& rungs) {
     const auto& ours = rungs[rungs.size() - 2].cost;  // the last one is the yardstick
     return ours ? static_cast<double>(ours->work.right_hand_sides) : NAN;
   };
   // Recorded with fixed steps chosen by hindsight: 16 nodes, 10.8 sweeps a step of P, 105
   // steps; control of steps and the estimate are not to cost more than twice that, nor can they halve it.
-  showing.quantities = {{"right-hand sides for nine digits, free Duffing", "1", work(ladders.duffing), 0.9e4,
-                         7.2e4, "half to four times the recorded ones with the best fixed step: 1.8e4"},
-                        {"right-hand sides for nine digits, three masses", "1", work(ladders.chain), 1.5e3,
-                         1.2e4, "the same nodes and sweeps: some 3e3 at the best fixed step"}};
-  return showing;
+  show.between("right-hand sides for nine digits, free Duffing", work(ladders.duffing), 0.9e4, 7.2e4,
+               "half to four times the recorded ones with the best fixed step: 1.8e4");
+  show.between("right-hand sides for nine digits, three masses", work(ladders.chain), 1.5e3, 1.2e4,
+               "the same nodes and sweeps: some 3e3 at the best fixed step");
 }
 
 }  // namespace
 
-void add_ladder(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Ladders>(
+std::vector<scene::Scene> ladder() {
+  const scene::Result run(
       "times-ladder",
       "the cheapest of a few steps or of the tolerances 1e-4 to 1e-13 with nine digits, the most accurate "
-      "one "
-      "where none has them; one thread, median of repeats",
-      {}, [](Workshop& w) {
-        return Ladders{climb<problems::Duffing>(free_duffing_case(), free_duffing_steps(), w.quick()),
-                       climb<problems::ThreeMassChain>(three_mass_case(), three_mass_steps(), w.quick())};
+      "one where none has them; one thread, median of repeats",
+      [](bool quick) {
+        return Ladders{climb<problems::Duffing>(free_duffing_case(), free_duffing_steps(), quick),
+                       climb<problems::ThreeMassChain>(three_mass_case(), three_mass_steps(), quick)};
       });
-  chapter.add({.name = "ladder",
-               .title = "From the dissertation's algorithm to the adaptive integrator, step by step",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(w.result(run)); }});
+  return {{.name = "ladder",
+           .title = "From the dissertation's algorithm to the adaptive integrator, step by step",
+           .content = scene::Content(put, run)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

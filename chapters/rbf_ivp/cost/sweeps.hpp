@@ -3,9 +3,11 @@
 /// steps or tolerances.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "nlmech/comparison/contenders.hpp"
+#include "nlmech/comparison/cost_scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -31,5 +33,11 @@ struct StepScales {
 
 /// Those with step control alone: adaptive-collocation, ode45 and the peers.
 [[nodiscard]] std::vector<comparison::Contender> with_step_control(bool quick);
+
+/// Checks that a method errs by no more than four roundings of one sign in each step of its best run.
+void check_at_rounding(const comparison::Costs& costs, const std::string& method, scene::Show& show);
+/// The same of `adaptive-collocation` with --quick, whose tolerances end at 1e-8: that tolerance in each
+/// step.
+void check_at_quick_tolerance(const comparison::Costs& costs, scene::Show& show);
 
 }  // namespace nlmech::chapters::rbf_ivp

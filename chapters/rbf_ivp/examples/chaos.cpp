@@ -11,16 +11,14 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/collocation.hpp"
 #include "nlmech/ivp/dormand_prince.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
-
-using scene::Workshop;
 
 constexpr double half = 50, end = 100;
 constexpr double tolerated = 0.01;  // error over amplitude, of a run that follows a motion
@@ -53,7 +51,7 @@ Motion make_motion(const std::string& name, bool forced) {
 }
 
 /// What a method makes of a motion.
-struct Result {
+struct Attempt {
   std::string method;
   std::string setting;
   std::int64_t steps = 0;                 ///< made
@@ -67,8 +65,8 @@ struct Result {
 
 /// From 0 to 50, and from the state found there to 100.
 template <class Method>
-Result follow(const Motion& m, const std::string& name, const std::string& setting, const Method& method) {
-  Result r;
+Attempt follow(const Motion& m, const std::string& name, const std::string& setting, const Method& method) {
+  Attempt r;
   r.method = name;
   r.setting = setting;
   const auto error = [&m](double t, const ivp::State<2>& x) {
@@ -101,18 +99,18 @@ constexpr std::array tolerances = {1e-4, 1e-6, 1e-9, 1e-13};
 /// All runs on a motion: collocations with 8 to 512 steps to t = 50, and ode45.
 struct Runs {
   Motion motion;
-  std::vector<Result> all;
+  std::vector<Attempt> all;
 
-  [[nodiscard]] const Result& of(const std::string& method, const std::string& setting) const {
-    const auto is = [&](const Result& r) { return r.method == method && r.setting == setting; };
-    const auto found = std::find_if(all.begin(), all.end(), is);
+  [[nodiscard]] const Attempt& of(const std::string& method, const std::string& setting) const {
+    const auto found = std::ranges::find_if(
+        all, [&](const Attempt& r) { return r.method == method && r.setting == setting; });
     if (found == all.end()) throw std::out_of_range("no run of " + method + ", " + setting);
     return *found;
   }
   /// The run with the longest step that follows the motion to t = 100.
-  [[nodiscard]] const Result& longest(const std::string& method) const {
-    const Result* best = nullptr;
-    for (const Result& r : all) {
+  [[nodiscard]] const Attempt& longest(const std::string& method) const {
+    const Attempt* best = nullptr;
+    for (const Attempt& r : all) {
       if (r.method == method && r.follows() && (best == nullptr || r.mean_step > best->mean_step)) best = &r;
     }
     if (best == nullptr) throw std::out_of_range(method + " follows with no step");
@@ -142,8 +140,8 @@ Runs run_all(Motion motion) {
   return runs;
 }
 
-constexpr std::array collocations = {"RBF-Coll, N = 35", "polynomials, N = 35", "RBF-Coll, N = 7",
-                                     "polynomials, N = 7"};
+constexpr std::array methods = {"RBF-Coll, N = 35", "polynomials, N = 35", "RBF-Coll, N = 7",
+                                "polynomials, N = 7", "ode45"};
 
 /// For each collocation one step a period of the load, or ten, and the longest step that follows.
 scene::Table table_of(const std::vector<Runs>& motions) {
@@ -155,15 +153,15 @@ scene::Table table_of(const std::vector<Runs>& motions) {
                       {"error of u(100)", 2},
                       {"right-hand sides"}});
   for (const Runs& runs : motions) {
-    const auto add = [&](const Result& r) {
-      table.add({runs.motion.name, r.method, r.setting, r.followed, scene::to_cell(r.at_half),
-                 scene::to_cell(r.at_end), r.right_hand_sides});
+    const auto add = [&](const Attempt& r) {
+      table.add({runs.motion.name, r.method, r.setting, r.followed, r.at_half, r.at_end, r.right_hand_sides});
     };
-    for (const std::string method : collocations) {
+    for (const std::string method : methods) {
+      if (method == "ode45") continue;
       add(runs.of(method, steps_to_half(method.ends_with("35") ? 8 : 76)));
       add(runs.longest(method));
     }
-    for (const Result& r : runs.all) {
+    for (const Attempt& r : runs.all) {
       if (r.method == "ode45") add(r);
     }
   }
@@ -171,126 +169,132 @@ scene::Table table_of(const std::vector<Runs>& motions) {
 }
 
 /// Method by method, so that lines join its points.
-scene::Table data_of(const std::vector<Runs>& motions) {
+void draw(const std::vector<Runs>& motions, scene::Show& show) {
+  scene::Plot& plot = show.plots("RBF-Coll follows the chaotic motion too, with short steps");
   scene::Table data({{"motion"}, {"method"}, {"step"}, {"error"}});
+  constexpr std::array styles = {1, 3, 5, 2, 8}, order = {0, 2, 1, 3, 4};  // in the key
   for (const Runs& runs : motions) {
-    for (const std::string method :
-         {collocations[0], collocations[1], collocations[2], collocations[3], "ode45"}) {
-      std::string word = method;  // a comma would part the cell
-      std::erase(word, ',');
-      for (const Result& r : runs.all) {
-        if (r.method == method && r.at_end) data.add({runs.motion.name, word, r.mean_step, *r.at_end});
+    const bool chaotic = runs.motion.name == "chaotic";
+    scene::Panel& panel = plot.panel("mean length of a step", chaotic ? "error of {/:Italic u}(100)" : "");
+    panel.caption(chaotic ? "chaotic: force 7.5 cos t" : "transient: no force")
+        .log_x(2e-3, 4)
+        .log_y(1e-13, 10);
+    panel.place(chaotic ? 0.12 : 0.58, chaotic ? 0.51 : 0.97, 0.26, 0.86).set("xtics (0.01, 0.1, 1)");
+    panel.set("format x '%g'").level(tolerated * 3.35, chaotic ? "1 % of the amplitude" : "");
+    panel.key(chaotic ? "at screen 0.52, screen 0.07 center maxrows 2 samplen 2" : "off");
+    const auto word = [](std::size_t i) {
+      std::string name = methods.at(i);  // a comma would part the cell
+      std::erase(name, ',');
+      return name;
+    };
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      for (const Attempt& r : runs.all) {
+        if (r.method == methods.at(i) && r.at_end)
+          data.add({runs.motion.name, word(i), r.mean_step, *r.at_end});
       }
     }
+    for (const std::size_t i : order) {
+      panel.columns(word(i),
+                    fmt::format("(strcol('motion') eq '{}' && strcol('method') eq '{}' ? column('step') : "
+                                "NaN):error",
+                                runs.motion.name, word(i)),
+                    {"linespoints", styles.at(i)});
+    }
   }
-  return data;
-}
-
-/// Thrice as much to a third of it: D has roundings, which other compilers and processors make elsewhere, and
-/// the oracle has none.
-scene::Quantity about(const std::string& name, const std::optional<double>& value, double known) {
-  constexpr double widened = 3;
-  return {name,
-          "1",
-          value.value_or(HUGE_VAL),
-          known / widened,
-          known * widened,
-          "tools/oracles/rbf_ivp_chaos.py, without the roundings of D; a factor of 3 to both sides"};
+  plot.data(std::move(data));
 }
 
 /// The motions as the oracles have them.
-void add_references(std::vector<scene::Quantity>& q, const Motion& chaotic, const Motion& transient) {
+void check_references(const Motion& chaotic, const Motion& transient, scene::Show& show) {
   const auto u = [](const Motion& m, double t) { return static_cast<double>(m.reference(t)[0]); };
   // oracle: algebraic_series_motions Duffing u(*
   const char* known = "tools/oracles/algebraic_series_motions.py";
-  q.push_back(scene::near("chaotic u(50)", "1", u(chaotic, half), 1.221946638567542, 1e-14, known));
-  q.push_back(scene::near("chaotic u(100)", "1", u(chaotic, end), 0.6948913708446737, 1e-14, known));
+  show.near("chaotic u(50)", u(chaotic, half), 1.221946638567542, 1e-14, known);
+  show.near("chaotic u(100)", u(chaotic, end), 0.6948913708446737, 1e-14, known);
 
   // oracle: rbf_ivp_chaos transient u(*
   const char* also = "tools/oracles/rbf_ivp_chaos.py";
-  q.push_back(scene::near("transient u(50)", "1", u(transient, half), 0.9725908921302836, 1e-14, also));
-  q.push_back(scene::near("transient u(100)", "1", u(transient, end), -0.3969554297434740, 1e-14, also));
+  show.near("transient u(50)", u(transient, half), 0.9725908921302836, 1e-14, also);
+  show.near("transient u(100)", u(transient, end), -0.3969554297434740, 1e-14, also);
 }
 
-/// Errors of RBF-Coll.
-void add_collocation(std::vector<scene::Quantity>& q, const Runs& chaotic, const Runs& transient) {
-  const char *many = "RBF-Coll, N = 35", *few = "RBF-Coll, N = 7";
-  const Result &a = chaotic.of(many, steps_to_half(27)), &b = transient.of(many, steps_to_half(32)),
-               &c = chaotic.of(few, steps_to_half(256)), &d = transient.of(few, steps_to_half(256)),
-               &e = chaotic.of(few, steps_to_half(215));
+/// Errors of RBF-Coll, thrice as much to a third of it: D has roundings, which other compilers and processors
+/// make elsewhere, and the oracle has none.
+void check_collocation(const Runs& chaotic, const Runs& transient, scene::Show& show) {
+  constexpr double widened = 3;
+  struct Known {
+    const Runs& runs;
+    int nodes, steps;
+    double at_half, at_end;
+  };
   // oracle: rbf_ivp_chaos chaotic N = 35 27 *: error*, transient N = 35 32 *: error*, * N = 7 *: error*
-  q.push_back(about("error of u(50), chaotic, N = 35, 27 steps to 50", a.at_half, 1.0e-7));
-  q.push_back(about("error of u(100), chaotic, N = 35, 27 steps to 50", a.at_end, 6.1e-5));
-  q.push_back(about("error of u(50), transient, N = 35, 32 steps to 50", b.at_half, 2.9e-6));
-  q.push_back(about("error of u(100), transient, N = 35, 32 steps to 50", b.at_end, 3.6e-6));
-  q.push_back(about("error of u(50), chaotic, N = 7, 256 steps to 50", c.at_half, 4.8e-6));
-  q.push_back(about("error of u(100), chaotic, N = 7, 256 steps to 50", c.at_end, 0.0068));
-  q.push_back(about("error of u(50), chaotic, N = 7, 215 steps to 50", e.at_half, 5.8e-5));
-  q.push_back(about("error of u(100), chaotic, N = 7, 215 steps to 50", e.at_end, 0.041));
-  q.push_back(about("error of u(50), transient, N = 7, 256 steps to 50", d.at_half, 3.6e-5));
-  q.push_back(about("error of u(100), transient, N = 7, 256 steps to 50", d.at_end, 6.1e-5));
+  for (const Known& k : {Known{chaotic, 35, 27, 1.0e-7, 6.1e-5}, Known{transient, 35, 32, 2.9e-6, 3.6e-6},
+                         Known{chaotic, 7, 256, 4.8e-6, 0.0068}, Known{chaotic, 7, 215, 5.8e-5, 0.041},
+                         Known{transient, 7, 256, 3.6e-5, 6.1e-5}}) {
+    const std::string what = fmt::format("{}, N = {}, {} steps to 50", k.runs.motion.name, k.nodes, k.steps);
+    const Attempt& attempt = k.runs.of(fmt::format("RBF-Coll, N = {}", k.nodes), steps_to_half(k.steps));
+    const char* reason =
+        "tools/oracles/rbf_ivp_chaos.py, without the roundings of D; a factor of 3 to both sides";
+    show.between("error of u(50), " + what, attempt.at_half.value_or(HUGE_VAL), k.at_half / widened,
+                 k.at_half * widened, reason);
+    show.between("error of u(100), " + what, attempt.at_end.value_or(HUGE_VAL), k.at_end / widened,
+                 k.at_end * widened, reason);
+  }
 }
 
 /// The longest steps with which RBF-Coll follows.
-void add_longest(std::vector<scene::Quantity>& q, const Runs& chaotic, const Runs& transient) {
+void check_longest(const Runs& chaotic, const Runs& transient, scene::Show& show) {
   const char *many = "RBF-Coll, N = 35", *few = "RBF-Coll, N = 7";
   // Newton's iteration of the oracle fails after 1 step with 23 to t = 50 (chaotic) and with 27 (transient),
   // and with 8 after 0 and 2. oracle: rbf_ivp_chaos *: made
-  const char* known =
-      "tools/oracles/rbf_ivp_chaos.py: with this step it follows, with the next longer one not";
-  const auto longest = [&q, known](const std::string& name, double value, int steps) {
-    q.push_back(scene::near("longest step that follows, " + name, "1", value, half / steps, 1e-12, known));
+  const auto longest = [&show](const std::string& name, double value, int steps) {
+    show.near("longest step that follows, " + name, value, half / steps, 1e-12,
+              "tools/oracles/rbf_ivp_chaos.py: with this step it follows, with the next longer one not");
   };
   longest("chaotic, N = 35", chaotic.longest(many).mean_step, 27);
   longest("transient, N = 35", transient.longest(many).mean_step, 32);
   longest("chaotic, N = 7", chaotic.longest(few).mean_step, 256);
   for (const Runs* runs : {&chaotic, &transient}) {
-    q.push_back(scene::at_most(
-        "steps of 6.25 before Newton's iteration fails, " + runs->motion.name + ", N = 35", "1",
-        double(runs->of(many, steps_to_half(8)).steps), 2, "tools/oracles/rbf_ivp_chaos.py: 0 and 2"));
+    show.at_most("steps of 6.25 before Newton's iteration fails, " + runs->motion.name + ", N = 35",
+                 runs->of(many, steps_to_half(8)).steps, 2, "tools/oracles/rbf_ivp_chaos.py: 0 and 2");
   }
 }
 
-scene::Showing show(const std::vector<Runs>& motions) {
+void check_ode45(const Runs& chaotic, scene::Show& show) {
+  const Attempt &loose = chaotic.of("ode45", "tolerance 1e-06"),
+                &tight = chaotic.of("ode45", "tolerance 1e-09");
+  show.at_most("error of u(100), chaotic, ode45, 1e-6", loose.at_end.value_or(HUGE_VAL), 0.0335,
+               "1 % of the amplitude: what is called following here");
+  show.at_most("error of u(100), chaotic, ode45, 1e-9", tight.at_end.value_or(HUGE_VAL),
+               1e-9 * double(tight.steps) * std::exp(8.33),
+               "a tolerance a step, grown by e^8.33: tools/oracles/algebraic_series_starts.py");
+}
+
+void put(const std::vector<Runs>& motions, scene::Show& show) {
   const Runs &chaotic = motions.at(0), &transient = motions.at(1);
-  scene::Showing showing;
-  showing.table = table_of(motions);
-  showing.figure = {
-      data_of(motions),
-      "rbf_ivp-chaos",
-      {{"heading", "RBF-Coll follows the chaotic motion too, with steps well below a period of its force"}}};
-  add_references(showing.quantities, chaotic.motion, transient.motion);
-  add_collocation(showing.quantities, chaotic, transient);
-  add_longest(showing.quantities, chaotic, transient);
-  const char* seen = "1 % of the amplitude: what is called following here";
-  const Result& loose = chaotic.of("ode45", "tolerance 1e-06");
-  showing.quantities.push_back(scene::at_most("error of u(100), chaotic, ode45, 1e-6", "1",
-                                              loose.at_end.value_or(HUGE_VAL), 0.0335, seen));
-  const Result& tight = chaotic.of("ode45", "tolerance 1e-09");
-  const double grown = 1e-9 * double(tight.steps) * std::exp(8.33);
-  showing.quantities.push_back(
-      scene::at_most("error of u(100), chaotic, ode45, 1e-9", "1", tight.at_end.value_or(HUGE_VAL), grown,
-                     "a tolerance a step, grown by e^8.33: tools/oracles/algebraic_series_starts.py"));
-  return showing;
+  draw(motions, show);
+  show.table(table_of(motions));
+  check_references(chaotic.motion, transient.motion, show);
+  check_collocation(chaotic, transient, show);
+  check_longest(chaotic, transient, show);
+  check_ode45(chaotic, show);
 }
 
 }  // namespace
 
-void add_chaos(scene::Chapter& chapter) {
-  const auto& runs = chapter.add_run<std::vector<Runs>>(
+std::vector<scene::Scene> chaos() {
+  const scene::Result runs(
       "chaos",
       "u'' + 0.05 u' + u^3 = 7.5 cos t, chaotic, and without the force, a transient, from (3, 4) to t = 100; "
-      "c h = "
-      "0.367 with 7 nodes as in Table 4.2, (N - 1)/4 with 35; 8 to 512 steps to t = 50, to 128 with 35 nodes",
-      {}, [](Workshop&) {
+      "c h = 0.367 with 7 nodes as in Table 4.2, (N - 1)/4 with 35; 8 to 512 steps to t = 50, to 128 with 35 "
+      "nodes",
+      [] {
         return std::vector<Runs>{run_all(make_motion("chaotic", true)),
                                  run_all(make_motion("transient", false))};
       });
-  chapter.add({.name = "chaos",
-               .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",
-               .place = "our own",
-               .needs = {&runs},
-               .show = [&runs](Workshop& w) { return show(w.result(runs)); }});
+  return {{.name = "chaos",
+           .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",
+           .content = scene::Content(put, runs)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

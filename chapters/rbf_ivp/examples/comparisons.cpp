@@ -8,27 +8,24 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-using scene::Workshop;
-
 constexpr double visible = 0.05;  // of the amplitude: a curve that far from the reference is seen to be off
 
 /// Which points of the data are what.
-enum Kind : std::int64_t { line = 0, step_end = 1 };
+constexpr int line = 0, step_end = 1;
 
 template <int n>
 void add_reference(scene::Table& data, const Record<n>& record, const Case<n>& c, int component) {
   for (const auto& drawn : record.window)
-    data.add(
-        {std::int64_t(0), std::int64_t(line), drawn.t, static_cast<double>(c.reference(drawn.t)[component])});
+    data.add({0, line, drawn.t, static_cast<double>(c.reference(drawn.t)[component])});
 }
 
 template <int n>
-void add_method(scene::Table& data, std::int64_t number, const Record<n>& record, const Keeping& window,
+void add_method(scene::Table& data, int number, const Record<n>& record, const Keeping& window,
                 int component) {
-  for (const auto& drawn : record.window) data.add({number, std::int64_t(line), drawn.t, drawn.x[component]});
+  for (const auto& drawn : record.window) data.add({number, line, drawn.t, drawn.x[component]});
   for (const auto& value : record.values) {
     if (!value.end || value.t < window.window_begin) continue;
-    data.add({number, std::int64_t(step_end), value.t, value.x[component]});
+    data.add({number, step_end, value.t, value.x[component]});
   }
 }
 
@@ -44,58 +41,65 @@ double distance(const Record<n>& record, const Case<n>& c, int component) {
 }
 
 template <int n>
-scene::Showing show(const Example<n>& example, const Comparison& comparison, Workshop& w) {
-  const Case<n>& c = example.made();
-  scene::Table data({{"curve", 3, true}, {"kind"}, {"t_s"}, {"x"}});
-  std::vector<std::string> legend;
-  int off = 0;
-  for (const std::string& method : comparison.methods) {
-    const Record<n>& record = w.result(*example.row(method).nominal);
-    if (legend.empty()) add_reference(data, record, c, comparison.component);
-    legend.push_back(method);
-    add_method(data, static_cast<std::int64_t>(legend.size()), record, example.keeping, comparison.component);
-    off += distance(record, c, comparison.component) > visible ? 1 : 0;
-  }
-  scene::Showing showing;
-  showing.figure = {std::move(data),
-                    "rbf_ivp-comparison",
-                    {{"heading", fmt::format("{}: {} of {} methods have left {}", example.title, off,
-                                             comparison.methods.size(), comparison.symbol)},
-                     {"legend", fmt::format("{}", fmt::join(legend, "|"))},
-                     {"symbol", comparison.symbol},
-                     {"begin", fmt::format("{:.17g}", example.keeping.window_begin)},
-                     {"end", fmt::format("{:.17g}", example.keeping.window_end)}}};
-  for (const std::string& method : comparison.methods) {
-    const Row<n>& row = example.row(method);
-    if (!row.reading.nominal) continue;
-    const Expected& e = *row.reading.nominal;
-    showing.quantities.push_back(
-        {"RMS error of " + method, "1", row.nominal_error(w), e.low, e.high, e.reason});
-  }
-  return showing;
+using Records = std::vector<const Record<n>*>;
+
+/// The reference is the first block of the data, methods are the others.
+void draw(const Comparison& figure, const Keeping& window, scene::Panel& panel) {
+  panel.place(0.12, 0.97, 0.13, 0.79)
+      .set("title offset 0,2.4")
+      .x_range(window.window_begin, window.window_end);
+  panel.key("at screen 0.535, screen 0.91 center top horizontal maxrows 2 samplen 2.5");
+  const auto of = [](int kind) {
+    return fmt::format("(column('kind') == {} ? column('t_s') : NaN):x", kind);
+  };
+  panel.columns("reference", of(line), {"lines linecolor rgb '#c9c9c9' linewidth 9 dashtype solid", 1}, 0);
+  const int count = static_cast<int>(figure.methods.size());
+  for (int i = 1; i <= count; ++i) panel.columns("", of(line), {"lines linewidth 1.4", i}, i);
+  for (int i = 1; i <= count; ++i) panel.columns("", of(step_end), {"points pointsize 0.9", i}, i);
+  for (int i = 1; const std::string& method : figure.methods)
+    panel.also(fmt::format("keyentry with linespoints linestyle {} linewidth 1.4 pointsize 0.9 title '{}'",
+                           i++, method));
 }
 
 template <int n>
-void add(scene::Chapter& chapter, const Example<n>& example, const Comparison& comparison) {
-  std::vector<const scene::AnyRun*> needs;
-  for (const std::string& method : comparison.methods) needs.push_back(example.row(method).nominal);
-  chapter.add(
-      {.name = fmt::format("fig-4.{}", comparison.figure),
-       .title = fmt::format("{}: {} by all methods over the last {:.3g} s", example.title, comparison.symbol,
-                            example.keeping.window_end - example.keeping.window_begin),
-       .place = fmt::format("Figure 4.{}", comparison.figure),
-       .needs = needs,
-       .show = [example, comparison](Workshop& w) { return show(example, comparison, w); }});
+void put(const Example<n>& example, const Comparison& figure, const Records<n>& records, scene::Show& show) {
+  const Case<n>& c = example.made();
+  scene::Table data({{"curve", 3, true}, {"kind"}, {"t_s"}, {"x"}});
+  add_reference(data, *records.front(), c, figure.component);
+  int off = 0;
+  for (int number = 0; const Record<n>* record : records) {
+    add_method(data, ++number, *record, example.keeping, figure.component);
+    off += distance(*record, c, figure.component) > visible ? 1 : 0;
+  }
+  scene::Panel& panel = show.plot(
+      fmt::format("{}: {} of {} methods have left {}", example.title, off, records.size(), figure.symbol),
+      "{/:Italic t} (s)", figure.symbol);
+  draw(figure, example.keeping, panel);
+  show.figure().data(std::move(data));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Row<n>& row = example.row(figure.methods[i]);
+    if (row.reading.nominal)
+      row.reading.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
+  }
 }
 
 }  // namespace
 
-void add_comparison(scene::Chapter& chapter, const Example<2>& example, const Comparison& figure) {
-  add(chapter, example, figure);
+template <int n>
+scene::Scene comparison(const Example<n>& example, const Comparison& figure) {
+  std::vector<scene::Result<Record<n>>> results;
+  for (const std::string& method : figure.methods) results.push_back(example.row(method).nominal);
+  const auto show = [example, figure](const Records<n>& records, scene::Show& to) {
+    put(example, figure, records, to);
+  };
+  return {.name = fmt::format("fig-4.{}", figure.figure),
+          .title = fmt::format("{}: {} by all methods over the last {:.3g} s", example.title, figure.symbol,
+                               example.keeping.window_end - example.keeping.window_begin),
+          .place = fmt::format("Figure 4.{}", figure.figure),
+          .content = scene::Content(show, results)};
 }
 
-void add_comparison(scene::Chapter& chapter, const Example<6>& example, const Comparison& figure) {
-  add(chapter, example, figure);
-}
+template scene::Scene comparison(const Example<2>&, const Comparison&);
+template scene::Scene comparison(const Example<6>&, const Comparison&);
 
 }  // namespace nlmech::chapters::rbf_ivp

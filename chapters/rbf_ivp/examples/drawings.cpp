@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "chapters/drawing.hpp"
-#include "chapters/rbf_ivp/scenes.hpp"
 #include "nlmech/ivp/picard.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
@@ -37,7 +36,7 @@ double error_of_powers() {
   return greatest;
 }
 
-scene::Showing draw_flow_chart() {
+void draw_flow_chart(scene::Show& show) {
   FlowChart chart;
   constexpr Spot left{20, 7}, right{23, 7};  // half sides
   chart.box({22, 90}, left,
@@ -68,10 +67,9 @@ scene::Showing draw_flow_chart() {
   chart.note("yes", {48, 13.5});
   chart.note("no", {93, 13.5});
   chart.note("next step", {29.5, 27});
-  return {chart.take("MCPI: expand the right-hand side, integrate term by term, repeat"),
-          {},
-          {scene::at_most("error of one step on x' = N t^(N-1), orders N = 2 to 20", "1", error_of_powers(),
-                          2e-15, "the chart integrates degree N - 1 exactly; a few roundings")}};
+  show.draw(chart.take("MCPI: expand the right-hand side, integrate term by term, repeat"));
+  show.at_most("error of one step on x' = N t^(N-1), orders N = 2 to 20", error_of_powers(), 2e-15,
+               "the chart integrates degree N - 1 exactly; a few roundings");
 }
 
 // ---------------------------------------------------------------------------------- figure 4.30, the chain
@@ -134,7 +132,7 @@ double force_balance() {
   return greatest;
 }
 
-scene::Showing draw_chain() {
+void draw_chain(scene::Show& show) {
   Drawing d;
   constexpr double element = 15, mass = 10, first = 5;
   draw_wall(d, first, 1);
@@ -149,24 +147,26 @@ scene::Showing draw_chain() {
   draw_wall(d, first + 4 * element + 3 * mass, -1);
   d.arrow({43, -10}, {51, -10}, "force");
   d.text("{/:Italic F} cos Ω{/:Italic t} on m_2", {60.5, -10});
-  return {
-      d.take({{"heading", "A linear and a cubic spring and a damper on either side of each mass"},
-              {"xrange", "[1:99]"},
-              {"yrange", "[-15:17]"},
-              {"height", "330"},
-              {"head", "1.2"}}),
-      {},
-      {scene::at_most("imbalance of forces over a hundred states", "1", force_balance(), 4e-15,
-                      "Newton's third law for the elements between masses; a dozen roundings of forces up "
-                      "to 4")}};
+  show.draw(d.take({{"heading", "A linear and a cubic spring and a damper on either side of each mass"},
+                    {"xrange", "[1:99]"},
+                    {"yrange", "[-15:17]"},
+                    {"height", "330"},
+                    {"head", "1.2"}}));
+  show.at_most("imbalance of forces over a hundred states", force_balance(), 4e-15,
+               "Newton's third law for the elements between masses; a dozen roundings of forces up to 4");
 }
 
 }  // namespace
 
-void add_drawings(scene::Chapter& chapter) {
-  add_drawing(chapter, "fig-4.1", "Modified Chebyshev-Picard iteration, step by step (flow chart)",
-              draw_flow_chart);
-  add_drawing(chapter, "fig-4.30", "Three masses between walls with springs and dampers (drawn)", draw_chain);
+std::vector<scene::Scene> drawings() {
+  return {{.name = "fig-4.1",
+           .title = "Modified Chebyshev-Picard iteration, step by step (flow chart)",
+           .place = "Figure 4.1",
+           .content = scene::Content(draw_flow_chart)},
+          {.name = "fig-4.30",
+           .title = "Three masses between walls with springs and dampers (drawn)",
+           .place = "Figure 4.30",
+           .content = scene::Content(draw_chain)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

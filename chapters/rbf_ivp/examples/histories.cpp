@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
-
-using scene::Workshop;
 
 /// How a record is thinned out for drawing.
 struct Thinning {
@@ -93,23 +92,36 @@ Curves curves_of(const Record<n>& record, const Case<n>& c, Shown shown, const s
   return all;
 }
 
-scene::Figure draw(const Curves& curves, std::map<std::string, std::string> variables) {
-  scene::Table data({{"curve", 3, true}, {"t_s"}, {"error"}});
-  std::int64_t number = 0;
-  std::vector<std::string> lines, dots;
-  for (const Curve& curve : curves.lines) {
-    ++number;
-    lines.push_back(curve.label);
-    for (const TimeError& p : curve.points) data.add({number, p.t, p.error});
+/// Decades that hold all errors; twelve at most, for a first step may be exact to rounding.
+void set_decades(const Curves& curves, scene::Panel& panel) {
+  double least = HUGE_VAL, largest = 0;
+  for (const std::vector<Curve>* group : {&curves.lines, &curves.dots}) {
+    for (const Curve& curve : *group) {
+      largest = std::max(largest, greatest(curve.points));
+      least = std::min(least, std::ranges::min(curve.points, {}, &TimeError::error).error);
+    }
   }
-  for (const Curve& curve : curves.dots) {
-    ++number;
-    dots.push_back(curve.label);
-    for (const TimeError& p : curve.points) data.add({number, p.t, p.error});
+  const double high = std::ceil(std::log10(largest));
+  const double low = std::clamp(std::floor(std::log10(least)), high - 12, high - 1);
+  panel.log_y(std::pow(10, low), std::pow(10, high)).set("format y power_of_ten");
+  panel.set(high - low > 8 ? "ytics 100" : "ytics 10");
+}
+
+/// @param size of dots
+void draw(const Curves& curves, double end, const char* size, scene::Panel& panel) {
+  const bool alone = curves.lines.size() + curves.dots.size() == 1;
+  panel.place(0.12, 0.97, 0.13, alone ? 0.89 : 0.83).set(alone ? "title offset 0,0.2" : "title offset 0,1.4");
+  panel.x_range(0, end).key(
+      "at screen 0.545, screen 0.905 center top horizontal maxrows 1 samplen 2.5 width -1");
+  set_decades(curves, panel);
+  for (const Curve& curve : curves.lines)
+    panel.curve(alone ? "" : curve.label, curve.points, &TimeError::t, &TimeError::error,
+                {"lines linewidth 1.6"});
+  for (int style = 1; const Curve& curve : curves.dots) {
+    panel.curve(style == 1 ? curve.label : "", curve.points, &TimeError::t, &TimeError::error,
+                {fmt::format("points pointtype 7 pointsize {}", size), style});
+    ++style;
   }
-  variables["lines"] = fmt::format("{}", fmt::join(lines, "|"));
-  if (!dots.empty()) variables["dots"] = fmt::format("{}", fmt::join(dots, "|"));
-  return {std::move(data), "rbf_ivp-history", std::move(variables)};
 }
 
 const char* word_for(Shown shown) {
@@ -128,12 +140,10 @@ std::string size_text(double size) {
 
 /// What there is to see: the time at which the phase is lost, or how large the error gets and how it grows.
 std::string finding(const std::vector<Curve>& lines, Shown shown) {
-  const Curve& worst = *std::max_element(lines.begin(), lines.end(), [](const Curve& a, const Curve& b) {
-    return greatest(a.points) < greatest(b.points);
-  });
+  const Curve& worst =
+      *std::ranges::max_element(lines, {}, [](const Curve& c) { return greatest(c.points); });
   const double largest = greatest(worst.points);
-  const auto lost =
-      std::find_if(worst.points.begin(), worst.points.end(), [](const TimeError& p) { return p.error > 1; });
+  const auto lost = std::ranges::find_if(worst.points, [](const TimeError& p) { return p.error > 1; });
   if (lost != worst.points.end()) return fmt::format("{} above 1 from {:.0f} s on", word_for(shown), lost->t);
   const std::string size = size_text(largest);
   const double exponent = growth_exponent(worst.points);
@@ -143,56 +153,50 @@ std::string finding(const std::vector<Curve>& lines, Shown shown) {
 }
 
 template <int n>
-scene::Showing show(const Example<n>& example, const Row<n>& row, const History& history, Workshop& w) {
-  const Case<n>& c = example.made();
-  const Record<n>& record = w.result(*row.nominal);
-  const bool two = row.inferred != row.nominal;
-  Curves curves = curves_of(record, c, history.shown, two ? row.reading.as_printed : "all nodes");
-  const std::string seen = finding(curves.lines, history.shown);
+void put(const Case<n>& c, const Row<n>& row, const History& figure, const Record<n>& nominal,
+         const Record<n>& inferred, scene::Show& show) {
+  const bool two = &nominal != &inferred;
+  Curves curves = curves_of(nominal, c, figure.shown, two ? row.reading.as_printed : "all nodes");
+  const std::string seen = finding(curves.lines, figure.shown);
   if (two) {
-    Curves others = curves_of(w.result(*row.inferred), c, history.shown, row.reading.as_inferred);
-    std::move(others.lines.begin(), others.lines.end(), std::back_inserter(curves.lines));
-    std::move(others.dots.begin(), others.dots.end(), std::back_inserter(curves.dots));
+    Curves others = curves_of(inferred, c, figure.shown, row.reading.as_inferred);
+    std::ranges::move(others.lines, std::back_inserter(curves.lines));
+    std::ranges::move(others.dots, std::back_inserter(curves.dots));
   }
   drop_needless_dots(curves);
-  scene::Showing showing;
-  showing.figure = draw(
-      curves,
-      {{"heading", fmt::format("{} ({}): {}", row.reading.method, row.reading.setting, seen)},
-       {"quantity", fmt::format("normalised {}, {}", word_for(history.shown), thinning_of(record, c).text)},
-       {"end", fmt::format("{:g}", c.t1)},
-       {"dot_size", record.statistics.steps <= 20   ? "0.9"
-                    : record.statistics.steps <= 60 ? "0.5"
-                                                    : "0.35"}});
-  const auto promise = [&](const std::string& name, double value, const Expected& expected) {
-    showing.quantities.push_back({name, "1", value, expected.low, expected.high, expected.reason});
-  };
-  if (row.reading.nominal) promise("RMS position error", row.nominal_error(w), *row.reading.nominal);
+  scene::Panel& panel =
+      show.plot(fmt::format("{} ({}): {}", row.reading.method, row.reading.setting, seen), "{/:Italic t} (s)",
+                fmt::format("normalised {}, {}", word_for(figure.shown), thinning_of(nominal, c).text));
+  show.figure().columns({"curve", "t_s", "error"});
+  const auto steps = nominal.statistics.steps;
+  draw(curves, c.t1, steps <= 20 ? "0.9" : steps <= 60 ? "0.5" : "0.35", panel);
+  if (row.reading.nominal) row.reading.nominal->check("RMS position error", row.nominal_error(nominal), show);
   if (two && row.reading.inferred) {
-    promise("RMS position error, inferred reading", row.inferred_error(w, c.inferred_end),
-            *row.reading.inferred);
+    row.reading.inferred->check("RMS position error, inferred reading",
+                                row.inferred_error(inferred, c.inferred_end), show);
   }
-  if (history.velocity.high > 0) {
-    promise("RMS velocity error", rms_error(w.result(*row.nominal), n / 2, row.reading.points),
-            history.velocity);
-  }
-  return showing;
-}
-
-template <int n>
-void add(scene::Chapter& chapter, const Example<n>& example, const std::vector<History>& figures) {
-  for (const History& history : figures) {
-    const Row<n>& row = example.row(history.method);
-    chapter.add({.name = fmt::format("fig-4.{}", history.figure),
-                 .title = fmt::format("{}: {} in time, {}, {}", example.title, word_for(history.shown),
-                                      row.reading.method, row.reading.setting),
-                 .place = fmt::format("Figure 4.{}", history.figure),
-                 .needs = row.needs(),
-                 .show = [example, row, history](Workshop& w) { return show(example, row, history, w); }});
-  }
+  if (figure.velocity.high > 0)
+    figure.velocity.check("RMS velocity error", rms_error(nominal, n / 2, row.reading.points), show);
 }
 
 }  // namespace
+
+template <int n>
+scene::Scene history(const Example<n>& example, const History& figure) {
+  const Row<n>& row = example.row(figure.method);
+  const auto show = [made = example.made, row, figure](const Record<n>& nominal, const Record<n>& inferred,
+                                                       scene::Show& to) {
+    put(made(), row, figure, nominal, inferred, to);
+  };
+  return {.name = fmt::format("fig-4.{}", figure.figure),
+          .title = fmt::format("{}: {} in time, {}, {}", example.title, word_for(figure.shown),
+                               row.reading.method, row.reading.setting),
+          .place = fmt::format("Figure 4.{}", figure.figure),
+          .content = scene::Content(show, row.nominal, row.inferred)};
+}
+
+template scene::Scene history(const Example<2>&, const History&);
+template scene::Scene history(const Example<6>&, const History&);
 
 std::vector<TimeError> greatest_by_bin(const std::vector<TimeError>& errors, double begin, double end,
                                        int bins) {
@@ -219,14 +223,6 @@ double growth_exponent(const std::vector<TimeError>& errors) {
     xy += lt * le;
   }
   return (count * xy - x * y) / (count * xx - x * x);
-}
-
-void add_histories(scene::Chapter& chapter, const Example<2>& example, const std::vector<History>& figures) {
-  add(chapter, example, figures);
-}
-
-void add_histories(scene::Chapter& chapter, const Example<6>& example, const std::vector<History>& figures) {
-  add(chapter, example, figures);
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

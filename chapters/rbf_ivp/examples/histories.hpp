@@ -2,7 +2,6 @@
 /// Figures of errors against time, and of solutions over a short window.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,11 +25,10 @@ struct History {
   Expected velocity = {};  ///< RMS error of the first velocity, where the figure shows velocities
 };
 
-/// Adds "fig-4.<figure>": the error at all values that the method gives, and at the ends of its steps where
-/// it gives more than those; where the inferred reading has settings of its own, its errors beside them.
-void add_histories(scene::Chapter& chapter, const Example<2>& example, const std::vector<History>& figures);
-/// The same for the three masses.
-void add_histories(scene::Chapter& chapter, const Example<6>& example, const std::vector<History>& figures);
+/// "fig-4.<figure>": the error at all values that the method gives, and at the ends of its steps where it
+/// gives more than those; where the inferred reading has settings of its own, its errors beside them.
+template <int n>
+[[nodiscard]] scene::Scene history(const Example<n>& example, const History& figure);
 
 /// A figure of solutions over the window that the runs of an example keep.
 struct Comparison {
@@ -40,10 +38,9 @@ struct Comparison {
   std::vector<std::string> methods;  ///< rows of the example
 };
 
-/// Adds "fig-4.<figure>": the reference, dense output and step ends of each method.
-void add_comparison(scene::Chapter& chapter, const Example<2>& example, const Comparison& figure);
-/// The same for the three masses.
-void add_comparison(scene::Chapter& chapter, const Example<6>& example, const Comparison& figure);
+/// "fig-4.<figure>": the reference, dense output and step ends of each method.
+template <int n>
+[[nodiscard]] scene::Scene comparison(const Example<n>& example, const Comparison& figure);
 
 /// A point of a curve.
 struct TimeError {

@@ -35,7 +35,7 @@ Expected scattered(double low, double high) {
           "three times as wide to both sides"};
 }
 
-Example<2> free_duffing_rows(scene::Chapter& chapter) {
+Example<2> free_duffing_rows() {
   // oracle: rbf_ivp_methods 4.2 * 500, 4.2 * 100 P
   const double P = duffing_period();
   Example<2> all{.made = free_duffing_case,
@@ -45,7 +45,7 @@ Example<2> free_duffing_rows(scene::Chapter& chapter) {
                  .quantity = "position RMS error",
                  .keeping = {.window_begin = 500 - P, .window_end = 500}};
   const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(chapter, std::move(reading), run, how + "; to t = 500, P = 4.768022", throughout<2>(method));
+    all.add(std::move(reading), run, how + "; to t = 500, P = 4.768022", throughout<2>(method));
   };
   add({"ODE45-1", "ODE45-1", "tolerance 1e-6", Points::all, 0, about(1.302e-4, digits, found),
        about(1.175e-4, digits, found)},
@@ -91,7 +91,7 @@ Example<2> free_duffing_rows(scene::Chapter& chapter) {
   return all;
 }
 
-Example<2> impact_rows(scene::Chapter& chapter) {
+Example<2> impact_rows() {
   // The row of one shape, 0.33, is recorded. oracle: rbf_ivp_methods 4.4 RK* to *, 4.4 Newmark* to *, 4.4
   // HHT* to *, 4.4 MCPI* to *, 4.4 Explicit-* once, 4.4 Explicit-* fault *
   Example<2> all{.made = impact_case,
@@ -108,7 +108,7 @@ Example<2> impact_rows(scene::Chapter& chapter) {
   };
   const auto add = [&](Reading reading, const std::string& run, const std::string& how,
                        const Procedure<2>& procedure) {
-    all.add(chapter, std::move(reading), run, how + "; to t = 500 in two intervals", procedure);
+    all.add(std::move(reading), run, how + "; to t = 500 in two intervals", procedure);
   };
   const char *honest = "restarted with v(t_1)", *fault = "restarted with v(t_1 − h/2)";
   const auto faulty = [](double during, double after) {
@@ -116,7 +116,7 @@ Example<2> impact_rows(scene::Chapter& chapter) {
                          CentralDifference{.step = after, .initial = VelocityTime::half_step_before});
   };
   const auto add_explicit = [&](Reading reading, const std::string& run, double during, double after) {
-    all.add(chapter, std::move(reading), run, "restarted with v(t1 - h/2) = v(t1) - h/2 a(t1)",
+    all.add(std::move(reading), run, "restarted with v(t1 - h/2) = v(t1) - h/2 a(t1)",
             phases(CentralDifference{}, during, after),
             "restarted with v(t1 - h'/2) of the first step h' taken for v(t1 - h/2) of the second step h",
             faulty(during, after));
@@ -154,8 +154,7 @@ Example<2> impact_rows(scene::Chapter& chapter) {
   add({"MCPI-2 (0.5; 2)", "MCPI-2", "0.5, 2 s", Points::all, 0, about(6.9e-7, 0.015, found),
        about(6.9e-7, 0.015, found)},
       "mcpi-2", "order 10, 11 nodes, right-hand side to degree 9", phases(Mcpi{.order = 10}, 0.5, 2));
-  all.add(chapter,
-          {"RBF-Coll-1 (0.1; 0.5)", "RBF-Coll-1", "0.1, 0.5 s", Points::ends, 0, about(0.33, 0.015, found),
+  all.add({"RBF-Coll-1 (0.1; 0.5)", "RBF-Coll-1", "0.1, 0.5 s", Points::ends, 0, about(0.33, 0.015, found),
            scattered(1.1e-6, 1.3e-6), "c = 2.5", "c = 2.5, then 0.66"},
           "rbf-1", "7 nodes, c = 2.5 in both intervals; to t = 500",
           phases(RbfCollocation{.nodes = 7, .shape = 2.5}, 0.1, 0.5),
@@ -167,7 +166,7 @@ Example<2> impact_rows(scene::Chapter& chapter) {
   return all;
 }
 
-Example<6> three_mass_rows(scene::Chapter& chapter) {
+Example<6> three_mass_rows() {
   // oracle: rbf_ivp_methods 4.6 RK4-? x1, 4.6 Newmark-? x1, 4.6 HHT-? x1, 4.6 MCPI-? x1, 4.6 Explicit-?
   // x1, 4.6 Explicit-? x3
   Example<6> all{.made = three_mass_case,
@@ -177,7 +176,7 @@ Example<6> three_mass_rows(scene::Chapter& chapter) {
                  .quantity = "x1 RMS error",
                  .keeping = {.window_begin = 190, .window_end = 200}};
   const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(chapter, std::move(reading), run, how, throughout<6>(method));
+    all.add(std::move(reading), run, how, throughout<6>(method));
   };
   add({"", "ODE45", "tolerance 1e-13", Points::all, 0, {}, {}}, "ode45",
       "the dissertation's reference: relative and absolute tolerance 1e-13", Ode45{1e-13, 1e-13});

@@ -1,9 +1,11 @@
 /// @file
-/// Rows of Tables 4.2, 4.4 and 4.6: a method with its settings, the runs behind it, and which of their values
-/// the printed error is held against.
+/// Rows of Tables 4.2, 4.4 and 4.6: a method with its settings, the results behind it, and which of their
+/// values the printed error is held against.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +21,11 @@ struct Expected {
   double low = 0;           ///< least value
   double high = 0;          ///< greatest value
   const char* reason = "";  ///< where the range comes from
+
+  /// Checks it.
+  void check(const std::string& name, double value, scene::Show& show) const {
+    show.between(name, value, low, high, reason);
+  }
 };
 
 /// Four digits of tools/oracles/rbf_ivp_methods.py, or as many as are given.
@@ -39,35 +46,30 @@ struct Reading {
   std::string as_inferred = {};      ///< those other ones
 };
 
-/// A row with its runs.
+/// A row with its results.
 template <int n>
 struct Row {
   Reading reading;
-  const scene::Run<Record<n>>* nominal;   ///< settings as printed
-  const scene::Run<Record<n>>* inferred;  ///< the same run, unless the inferred reading has other settings
-  const scene::Run<double>* time;         ///< of the nominal run, ms; only the table shows it
-  Procedure<n> procedure;                 ///< of the nominal run
+  scene::Result<Record<n>> nominal;   ///< settings as printed
+  scene::Result<Record<n>> inferred;  ///< the same, unless the inferred reading has other settings
+  scene::Result<double> time;         ///< of the nominal run, ms; only the table shows it
+  Procedure<n> procedure;             ///< of the nominal run
 
   /// RMS error to the printed end.
-  [[nodiscard]] double nominal_error(scene::Workshop& w) const {
-    return rms_error(w.result(*nominal), 0, reading.points);
+  [[nodiscard]] double nominal_error(const Record<n>& record) const {
+    return rms_error(record, 0, reading.points);
   }
   /// RMS error to the end @p until under the inferred reading.
-  [[nodiscard]] double inferred_error(scene::Workshop& w, double until) const {
-    return rms_error(w.result(*inferred), reading.inferred_component, reading.points, until);
-  }
-  /// One run or two.
-  [[nodiscard]] std::vector<const scene::AnyRun*> needs() const {
-    if (nominal == inferred) return {nominal};
-    return {nominal, inferred};
+  [[nodiscard]] double inferred_error(const Record<n>& record, double until) const {
+    return rms_error(record, reading.inferred_component, reading.points, until);
   }
 };
 
 /// An example with its rows.
 template <int n>
 struct Example {
-  const Case<n>& (*made)();       ///< free_duffing_case and its like; called only when a run is computed
-  std::string name;               ///< begins the names of its runs: "duffing"
+  const Case<n>& (*made)();       ///< free_duffing_case and its like; called only when a result is computed
+  std::string name;               ///< begins the names of its results: "duffing"
   std::string title;              ///< in headings: "Free Duffing"
   std::string table;              ///< "table-4.2"
   std::string quantity;           ///< as in `elgohary.csv`: "position RMS error"
@@ -75,59 +77,53 @@ struct Example {
   std::vector<Row<n>> rows = {};  ///< in the order of the table
 
   /// Adds a row whose inferred reading has the settings as printed.
-  /// @param run the run's name without the example's: "rk4-1"
-  void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
-           Procedure<n> procedure) {
-    const auto& added = add_run(chapter, run, how, procedure);
-    const auto& time = add_time(chapter, run, how, procedure);
-    rows.push_back({std::move(reading), &added, &added, &time, std::move(procedure)});
+  /// @param run the result's name without the example's: "rk4-1"
+  void add(Reading reading, const std::string& run, const std::string& how, const Procedure<n>& procedure) {
+    const auto result = recorded(run, how, procedure);
+    rows.push_back({std::move(reading), result, result, timed(run, how, procedure), procedure});
   }
   /// Adds a row whose inferred reading has settings of its own.
-  void add(scene::Chapter& chapter, Reading reading, const std::string& run, const std::string& how,
-           Procedure<n> as_printed, const std::string& how_inferred, Procedure<n> inferred) {
-    const auto& nominal = add_run(chapter, run, how, as_printed);
-    const auto& other = add_run(chapter, run + "-inferred", how_inferred, std::move(inferred));
-    const auto& time = add_time(chapter, run, how, as_printed);
-    rows.push_back({std::move(reading), &nominal, &other, &time, std::move(as_printed)});
+  void add(Reading reading, const std::string& run, const std::string& how, const Procedure<n>& as_printed,
+           const std::string& how_inferred, const Procedure<n>& inferred) {
+    rows.push_back({std::move(reading), recorded(run, how, as_printed),
+                    recorded(run + "-inferred", how_inferred, inferred), timed(run, how, as_printed),
+                    as_printed});
   }
   /// The row of a method. @throws std::out_of_range if there is none
   [[nodiscard]] const Row<n>& row(const std::string& method) const {
-    for (const Row<n>& r : rows) {
-      if (r.reading.method == method) return r;
-    }
-    throw std::out_of_range("no row " + method);
+    const auto found = std::ranges::find(
+        rows, method, [](const Row<n>& r) -> const std::string& { return r.reading.method; });
+    if (found == rows.end()) throw std::out_of_range("no row " + method);
+    return *found;
   }
 
  private:
-  const scene::Run<Record<n>>& add_run(scene::Chapter& chapter, const std::string& run,
-                                       const std::string& how, Procedure<n> procedure) const {
-    return chapter.add_run<Record<n>>(
-        name + "-" + run, how, {},
-        [made = made, procedure = std::move(procedure), keeping = keeping](scene::Workshop&) {
-          return record<n>(made(), made().t1, procedure, keeping);
-        });
+  [[nodiscard]] scene::Result<Record<n>> recorded(const std::string& run, const std::string& how,
+                                                  const Procedure<n>& procedure) const {
+    return {name + "-" + run, how, [made = made, procedure, keeping = keeping] {
+              return record<n>(made(), made().t1, procedure, keeping);
+            }};
   }
-  const scene::Run<double>& add_time(scene::Chapter& chapter, const std::string& run, const std::string& how,
-                                     Procedure<n> procedure) const {
-    return chapter.add_run<double>(name + "-" + run + "-time", how + "; one thread, median of nine, ms", {},
-                                   [made = made, procedure = std::move(procedure)](scene::Workshop& w) {
-                                     const Case<n>& c = made();
-                                     const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
-                                     return 1e3 * time_repeats(once, w.quick() ? 1 : 9).median;
-                                   });
+  [[nodiscard]] scene::Result<double> timed(const std::string& run, const std::string& how,
+                                            const Procedure<n>& procedure) const {
+    return {name + "-" + run + "-time", how + "; one thread, median of nine, ms",
+            [made = made, procedure](bool quick) {
+              const Case<n>& c = made();
+              const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
+              return 1e3 * time_repeats(once, quick ? 1 : 9).median;
+            }};
   }
 };
 
-/// Declares the rows of Table 4.2 with their runs.
-[[nodiscard]] Example<2> free_duffing_rows(scene::Chapter& chapter);
-/// Declares the rows of Table 4.4 with their runs.
-[[nodiscard]] Example<2> impact_rows(scene::Chapter& chapter);
-/// Declares the rows of Table 4.6 with their runs.
-[[nodiscard]] Example<6> three_mass_rows(scene::Chapter& chapter);
+/// The rows of Table 4.2.
+[[nodiscard]] Example<2> free_duffing_rows();
+/// The rows of Table 4.4.
+[[nodiscard]] Example<2> impact_rows();
+/// The rows of Table 4.6.
+[[nodiscard]] Example<6> three_mass_rows();
 
-/// The table as a scene, published beside ours, and a measurement for each printed error.
-void add_result_table(scene::Chapter& chapter, const Example<2>& example);
-/// The same for the three masses.
-void add_result_table(scene::Chapter& chapter, const Example<6>& example);
+/// The table as a scene, published beside ours, with what we get for each printed error.
+template <int n>
+[[nodiscard]] scene::Scene result_table(const Example<n>& example);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -254,6 +254,7 @@ scene::Panel& growth_panel(scene::Plot& plot, const Shown& shown, bool first) {
   const double left = first ? 0.11 : 0.38;
   panel.place(left, left + 0.235, 0.07, 0.32).x_range(6, 34).set("xtics (8, 16, 24, 32)");
   panel.log_y(1e-14, 10).set("ytics 1e4").key("off");
+  panel.set("xlabel offset 0,0.5");
   if (first) return panel;
   panel.set("format y ''")
       .key("at screen 0.995, screen 0.32 right top vertical maxrows 9 samplen 2 spacing 1.05");
