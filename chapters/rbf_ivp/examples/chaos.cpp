@@ -244,9 +244,10 @@ void check_collocation(const Runs& chaotic, const Runs& transient, scene::Show& 
 
 /// The longest steps with which RBF-Coll follows.
 void check_longest(const Runs& chaotic, const Runs& transient, scene::Show& show) {
+  // oracle: rbf_ivp_chaos *: made
   const char *many = "RBF-Coll, N = 35", *few = "RBF-Coll, N = 7";
-  // Newton's iteration of the oracle fails after 1 step with 23 to t = 50 (chaotic) and with 27 (transient),
-  // and with 8 after 0 and 2. oracle: rbf_ivp_chaos *: made
+  // The oracle's Newton iteration fails after 1 step with 23 to t = 50 (chaotic) and with 27 (transient), and
+  // with 8 after 0 and 2.
   const auto longest = [&show](const std::string& name, double value, int steps) {
     show.near("longest step that follows, " + name, value, half / steps, 1e-12,
               "tools/oracles/rbf_ivp_chaos.py: with this step it follows, with the next longer one not");

@@ -309,42 +309,40 @@ const Comparison& row(const Study& study, const std::string& problem, int nodes)
   throw std::out_of_range("no comparison " + problem);
 }
 
-/// What a variant gains over equal shapes at LGL nodes.
-double gain(const Study& study, const char* name, const std::string& problem, int nodes,
+/// What a variant gains over equal shapes at LGL nodes, at the end or anywhere.
+double gain(const Study& study, const char* variant, const std::string& problem, int nodes,
             double Errors::*where) {
   const auto& errors = row(study, problem, nodes).errors;
-  constexpr double rounding = 1e-16;  // of errors at the end
-  const double least = where == &Errors::end ? rounding : 0;
-  return errors.at(equal).*where / std::max(errors.at(name).*where, least);
+  const double rounding = where == &Errors::end ? 1e-16 : 0;
+  return errors.at(equal).*where / std::max(errors.at(variant).*where, rounding);
 }
 
 void check_variants(const Study& study, scene::Show& show) {
   constexpr auto at_end = &Errors::end, anywhere = &Errors::largest;
+  const auto check = [&](const char* words, const char* variant, const char* problem, int nodes,
+                         double Errors::*where, double low, double high, const char* reason) {
+    show.between(fmt::format("gain of {} {}, {}, N = {}", words, where == at_end ? "at the end" : "anywhere",
+                             problem, nodes),
+                 gain(study, variant, problem, nodes, where), low, high, reason);
+  };
   const int N = show.quick() ? 20 : 35;
   for (const char* problem : {"duffing", "after the impact", "three masses"}) {
-    show.between(
-        fmt::format("gain of least squares at the end, {}, N = {}", problem, N),
-        gain(study, squares, problem, N, at_end), 10, HUGE_VAL,
-        "a digit at least: the least-squares error at the end is of twice the order of that between");
-    show.between(fmt::format("gain of least squares anywhere, {}, N = {}", problem, N),
-                 gain(study, squares, problem, N, anywhere), 1, HUGE_VAL, "must not lose");
+    check("least squares", squares, problem, N, at_end, 10, HUGE_VAL,
+          "a digit at least: the least-squares error at the end is of twice the order of that between");
+    check("least squares", squares, problem, N, anywhere, 1, HUGE_VAL, "must not lose");
   }
-  show.between("gain of Radau nodes at the end, duffing, N = 20", gain(study, right, "duffing", 20, at_end),
-               1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1");
-  show.between("gain of nodes by residual anywhere, duffing, N = 20",
-               gain(study, residual, "duffing", 20, anywhere), 0.1, 10, "no digit either way");
+  check("Radau nodes", right, "duffing", 20, at_end, 1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1");
+  check("nodes by residual", residual, "duffing", 20, anywhere, 0.1, 10, "no digit either way");
   if (!show.quick()) {
-    show.between("gain of nodes by residual anywhere, duffing, N = 35",
-                 gain(study, residual, "duffing", 35, anywhere), 1, 10, "narrow functions gain, no digit");
+    check("nodes by residual", residual, "duffing", 35, anywhere, 1, 10, "narrow functions gain, no digit");
     show.between("loss of nodes by residual at the end, duffing, N = 35",
                  1 / gain(study, residual, "duffing", 35, at_end), 10, HUGE_VAL,
                  "moved nodes are no quadrature of high order: the end is as inexact as the rest");
   }
-  show.between("gain of own shapes anywhere, duffing, N = 20", gain(study, own, "duffing", 20, anywhere), 0,
-               1, "functions that are narrow where nodes are dense lose what wide ones share");
-  show.between("gain of least squares anywhere, impact inside, N = 20",
-               gain(study, squares, "impact inside", 20, anywhere), 1, 30,
-               "a kink leaves an error of low order in any smooth space");
+  check("own shapes", own, "duffing", 20, anywhere, 0, 1,
+        "functions that are narrow where nodes are dense lose what wide ones share");
+  check("least squares", squares, "impact inside", 20, anywhere, 1, 30,
+        "a kink leaves an error of low order in any smooth space");
 }
 
 void check_refinement(const Study& study, scene::Show& show) {

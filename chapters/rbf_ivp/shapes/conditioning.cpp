@@ -171,7 +171,7 @@ void draw_setting(const Setting& setting, int i, scene::Plot& plot) {
 }
 
 void draw(const std::vector<Study>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Rounding from the left, truncation from the right: 1e-7 is left");
+  scene::Plot& plot = show.plots("Rounding from the left, truncation from the right");
   scene::Table data({{"nodes", 3, true},
                      {"shape"},
                      {"inverse"},

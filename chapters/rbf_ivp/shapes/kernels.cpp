@@ -56,7 +56,7 @@ double largest_error(Kernel kernel, const std::vector<double>& distances) {
 }
 
 void draw(const std::vector<double>& distances, scene::Show& show) {
-  scene::Plot& plot = show.plots("Three of the four radial functions decay; the multiquadric grows");
+  scene::Plot& plot = show.plots("Three radial functions decay; the multiquadric grows");
   scene::Table data({{"kernel", 3, true}, {"distance"}, {"value"}, {"derivative"}});
   scene::Panel& value = plot.panel("{/:Italic c r}", "φ").place(0.10, 0.49, 0.13, 0.76);
   scene::Panel& slope = plot.panel("{/:Italic c r}", "φ'/{/:Italic c}").place(0.58, 0.98, 0.13, 0.76);

@@ -224,7 +224,7 @@ void draw_sweeps(scene::Plot& plot, scene::Table& data) {
 }
 
 void draw(const Limits& limits, scene::Show& show) {
-  scene::Plot& plot = show.plots("Past P/2 the constant start diverges, though Picard would contract");
+  scene::Plot& plot = show.plots("Past P/2 the constant start diverges; Picard would contract");
   scene::Table data({{"panel"}, {"series", 3, true}, {"abscissa"}, {"ordinate"}});
   draw_sweeps(plot, data);
   scene::Panel& factor = plot.panel("step (periods)", "mean ratio of changes").place(0.60, 0.97, 0.57, 0.87);
