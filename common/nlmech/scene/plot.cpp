@@ -37,11 +37,6 @@ std::string decades(const char* axis, double low, double high) {
   return fmt::format("set {}tics ({})\n", axis, fmt::join(tics, ", "));
 }
 
-std::string margins_at(double left, double right, double bottom, double top) {
-  return fmt::format("margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}", left, right,
-                     bottom, top);
-}
-
 /// `using "t":"laier"` of "t:laier"; a part with parentheses is an expression.
 std::string by_name(const std::string& columns) {
   std::string out = "using ", part;
@@ -59,6 +54,11 @@ std::string by_name(const std::string& columns) {
   }
   end();
   return out;
+}
+
+std::string margins_at(double left, double right, double bottom, double top) {
+  return fmt::format("margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}", left, right,
+                     bottom, top);
 }
 
 }  // namespace
@@ -123,9 +123,6 @@ Panel& Panel::caption(const std::string& text) {
 Panel& Panel::key(const std::string& place) {
   settings_ += place == "off" ? "unset key\n" : "set key " + place + "\n";
   return *this;
-}
-Panel& Panel::place(double left, double right, double bottom, double top) {
-  return set(margins_at(left, right, bottom, top));
 }
 Panel& Panel::set(const std::string& setting) {
   settings_ += "set " + setting + "\n";
@@ -192,6 +189,10 @@ Panel& Panel::columns(const std::string& name, const std::string& columns, const
 Panel& Panel::also(const std::string& element) {
   elements_.push_back(element);
   return *this;
+}
+
+Panel& Panel::place(double left, double right, double bottom, double top) {
+  return set(margins_at(left, right, bottom, top));
 }
 
 Plot::Plot(const std::string& heading)
