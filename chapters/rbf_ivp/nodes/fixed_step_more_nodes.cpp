@@ -55,7 +55,7 @@ std::vector<Row> all_rows(bool quick) {
 }
 
 void draw(const std::vector<Row>& rows, scene::Show& show) {
-  scene::Plot& plot = show.plots("At a fixed step more nodes help polynomials alone");
+  scene::Plot& plot = show.plots("More nodes at a step: radial functions soon stop gaining");
   const auto add = [&](const char* caption, double last, const char* y_label, int block) -> scene::Panel& {
     scene::Panel& panel = plot.panel("nodes in a step", y_label).caption(caption);
     panel.x_range(5, last).set("xtics 20").log_y(1e-15, 1).set("ytics 1e3").key("off");

@@ -192,7 +192,7 @@ void draw_study(const Study& study, int i, scene::Plot& plot) {
 }
 
 void draw(const std::vector<Study>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Leave-one-out picks rounding; the error picks better");
+  scene::Plot& plot = show.plots("Leave-one-out picks where rounding is; the error does not");
   scene::Table data({{"nodes", 3, true},
                      {"shape"},
                      {"inverse"},

@@ -146,7 +146,7 @@ std::vector<double> frequencies(const std::vector<Window>& windows, int count) {
 }
 
 void draw(const std::vector<Extent>& extents, const std::vector<Growth>& growths, scene::Show& show) {
-  scene::Plot& plot = show.plots("Lobatto nodes amplify oscillations; Radau nodes never do");
+  scene::Plot& plot = show.plots("Lobatto nodes amplify some oscillations; Radau nodes none");
   scene::Panel& step = plot.panel("{/Symbol w} h", "").place(0.09, 0.49, 0.42, 0.86);
   step.caption("growth in a step: |R(i{/Symbol w}h)|").log_x(1, 300).log_y(0.05, 100);
   step.set("xtics (1, 10, 100)").set("ytics (0.1, 1, 10, 100)").set("format '%g'");

@@ -180,7 +180,7 @@ void draw(const std::vector<Ending>& endings, scene::Show& show) {
     }
   }
   show.draw(std::move(data), "rbf_ivp-stability",
-            {{"heading", "Leaps defeat fixed steps; implicit step control passes all"},
+            {{"heading", "Leaps defeat fixed steps; only implicit control passes all"},
              {"rows_fixed", std::to_string(fixed_rows)},
              {"rows_adaptive", std::to_string(adaptive_rows)},
              {"height", "620"}});
