@@ -83,27 +83,27 @@ test: build
 # All random cases; the tests of `make test` run a seeded share of them.
 adversary: build
 	@rm -rf $(BUILD)/adversary
-	@missed=0; ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || missed=1; \
-	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$missed
+	@failed=0; ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || failed=1; \
+	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$failed
 
 # Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.
 oracles: deps
 	@scripts/oracles run && scripts/oracles uses
 
-# All chapters are checked before the command says whether one missed a promise. A chapter that kept its promises is
+# All chapters are checked before the command says whether a check failed. A chapter whose checks passed is
 # checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
 # nothing to do.
 check: programs
-	@missed=0; $(AT_ONCE) -k check-chapters || missed=1; \
-	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || missed=1; \
-	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || missed=1; \
-	$(BUILD)/bin/reproduction claims --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/CLAIMS.md || missed=1; \
-	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || missed=1; \
-	exit $$missed
+	@failed=0; $(AT_ONCE) -k check-chapters || failed=1; \
+	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || failed=1; \
+	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || failed=1; \
+	$(BUILD)/bin/reproduction claims --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/CLAIMS.md || failed=1; \
+	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || failed=1; \
+	exit $$failed
 
 .PHONY: check-chapters
-check-chapters: $(CHAPTERS:%=results/%/.kept)
-results/%/.kept: $(BUILD)/inputs/%
+check-chapters: $(CHAPTERS:%=results/%/.checked)
+results/%/.checked: $(BUILD)/inputs/%
 	@$(BUILD)/bin/$* check --draw --out $(OUT) > /dev/null
 	@touch figures/$*/.complete
 	@mkdir -p $(@D) && touch $@
@@ -111,7 +111,7 @@ results/%/.kept: $(BUILD)/inputs/%
 # Claims about speed, measured with nothing beside them; tables/BENCH.md. Printed ratios of run times; tables/RATIOS.md.
 bench: configure
 	@cmake --build $(BUILD) --target benchmarks
-	@missed=0; for b in $(BUILD)/bin/*_bench; do $$b || missed=1; done; exit $$missed
+	@failed=0; for b in $(BUILD)/bin/*_bench; do $$b || failed=1; done; exit $$failed
 
 book: programs
 	@$(MAKE) --no-print-directory check > /dev/null

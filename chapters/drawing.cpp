@@ -23,7 +23,7 @@ void Drawing::arrow(Spot from, Spot to, const std::string& kind) {
 }
 
 void Drawing::text(const std::string& words, Spot at, const std::string& shade) {
-  labels_ += fmt::format("{}{}@{:.9g}@{:.9g}@{}", labels_.empty() ? "" : "|", with_kept_blanks(words), at.x,
+  labels_ += fmt::format("{}{}@{:.9g}@{:.9g}@{}", labels_.empty() ? "" : "|", scene::with_kept_blanks(words), at.x,
                          at.y, shade);
 }
 
@@ -81,15 +81,6 @@ scene::Figure FlowChart::take(const std::string& heading) {
                         {"free", "1"},
                         {"letters", "12"},
                         {"head", "1.5"}});
-}
-
-void add_drawing(scene::Chapter& chapter, const std::string& name, const std::string& title,
-                 scene::Showing (*show)()) {
-  chapter.add({.name = name,
-               .title = title,
-               .place = "Figure " + name.substr(4),
-               .needs = {},
-               .show = [show](scene::Workshop&) { return show(); }});
 }
 
 }  // namespace nlmech::chapters

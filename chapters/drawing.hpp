@@ -1,5 +1,5 @@
 /// @file
-/// Drawings: lines, arrows, filled outlines and texts for the template `drawing`, and the scene of one.
+/// Drawings: lines, arrows, filled outlines and texts for the template `drawing`.
 #pragma once
 
 #include <map>
@@ -19,8 +19,6 @@ struct Spot {
 [[nodiscard]] Spot operator*(double s, Spot a);
 [[nodiscard]] double length(Spot a);         ///< from the origin
 [[nodiscard]] Spot direction(double angle);  ///< of length one; radians, from the x axis
-
-using scene::with_kept_blanks;
 
 /// Collects what is drawn. Kinds of paths: `member` thick, `outline`, `ground` a thick support, `thin`,
 /// `hatch`, `rest` dashed; `body` a filled outline. Kinds of arrows: `axis`, `force`, and `arrow`, a thin one
@@ -64,9 +62,5 @@ class FlowChart {
   void write(Spot centre, const std::vector<std::string>& lines);
   Drawing drawing_;
 };
-
-/// A scene without runs. @param name "fig-2.4", of the figure 2.4
-void add_drawing(scene::Chapter& chapter, const std::string& name, const std::string& title,
-                 scene::Showing (*show)());
 
 }  // namespace nlmech::chapters

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,10 @@
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/peers/ivp/cvode.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/work_precision.hpp"
 #include "nlmech/spacecraft/assumed_modes.hpp"
 #include "nlmech/spacecraft/inverse_laplace.hpp"
 #include "nlmech/spacecraft/response.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::gss_control {
 namespace {
@@ -33,14 +32,7 @@ struct History {
 };
 using Compute = std::function<History()>;
 
-struct Cost {
-  std::string method, setting;
-  double middle = 0, largest = 0;  ///< of the errors over the times
-  Timing time;                     ///< of all times together
-
-  [[nodiscard]] double seconds() const { return time.median; }
-  [[nodiscard]] double digits() const { return std::clamp(-std::log10(middle), 0., 17.); }
-};
+enum Group : std::size_t { residue_sums, inversion, truncation };
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
 
@@ -57,12 +49,12 @@ class Field {
     truth_ = sample(r);
   }
 
-  std::vector<Cost> measure() {
+  scene::ProblemLines measure() {
     residues();
     inversions();
     bromwich_lines();
-    if (peers::cvode_available()) discretised();
-    return std::move(costs_);
+    discretised();
+    return std::move(all_);
   }
 
  private:
@@ -75,31 +67,36 @@ class Field {
     return h;
   }
 
-  void add(const std::string& method, const std::string& setting, const Compute& compute, int repeats) {
-    const Stopwatch watch;
-    const History h = compute();
-    const double once = watch.seconds();  // what takes long is timed once
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < times_.size(); ++i) {
-      const double e = i < h.theta.size() ? error(h, truth_, i) : HUGE_VAL;
-      errors.push_back(std::isfinite(e) ? e : 1);
-    }
-    costs_.push_back({method, setting, std::max(median(errors), 1e-17),
-                      *std::max_element(errors.begin(), errors.end()),
-                      quick_ || once > 0.2 ? Timing{once, once, once, 1}
-                                           : time_repeats([&] { static_cast<void>(compute()); }, repeats)});
+  /// Begins a line of the next attempts.
+  void begin(const std::string& method, Group group) { all_.lines.push_back({method, group, {}}); }
+
+  void add(const std::string& setting, const Compute& compute) {
+    double largest = 0;
+    const auto judge = [&](const History& h) -> scene::Ending {
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < times_.size(); ++i) {
+        const double e = i < h.theta.size() ? error(h, truth_, i) : HUGE_VAL;
+        errors.push_back(std::isfinite(e) ? e : 1);
+      }
+      largest = *std::max_element(errors.begin(), errors.end());
+      return {Status(), std::clamp(median(errors), 1e-17, 1.)};
+    };
+    scene::Attempt attempt = scene::attempt(setting, compute, judge, quick_);
+    attempt.work = {largest};
+    all_.lines.back().attempts.push_back(std::move(attempt));
   }
 
   void residues() {
-    for (const int pairs : {1, 2, 4, 8, 16, 32, 64}) {
-      if (quick_ && pairs > 16) continue;
-      const spacecraft::ResidueOptions options{.pairs = pairs};
-      add(
-          "residues and their poles", fmt::format("{} pairs", pairs),
-          [&] { return sample(step_response(loop_, 1, places, options)); }, 3);
-      const auto known = step_response(loop_, 1, places, options);
-      add(
-          "residues, poles known", fmt::format("{} pairs", pairs), [&] { return sample(known); }, 11);
+    const std::vector<int> all_pairs =
+        quick_ ? std::vector{1, 2, 4, 8, 16} : std::vector{1, 2, 4, 8, 16, 32, 64};
+    const auto setting = [](int pairs) { return fmt::format("{} pairs", pairs); };
+    begin("residues and their poles", residue_sums);
+    for (const int pairs : all_pairs)
+      add(setting(pairs), [&] { return sample(step_response(loop_, 1, places, {.pairs = pairs})); });
+    begin("residues, poles known", residue_sums);
+    for (const int pairs : all_pairs) {
+      const auto known = step_response(loop_, 1, places, {.pairs = pairs});
+      add(setting(pairs), [&] { return sample(known); });
     }
   }
 
@@ -119,46 +116,39 @@ class Field {
   }
 
   void inversions() {
+    begin("Talbot", inversion);
     for (const int nodes : {8, 12, 16, 24, 32, 48}) {
-      add(
-          "Talbot", fmt::format("{} nodes", nodes),
-          [&] {
-            return inverted([nodes](const spacecraft::Transform& f, double t) {
-              return spacecraft::talbot_sum(f, t, nodes);
-            });
-          },
-          5);
+      add(fmt::format("{} nodes", nodes), [&] {
+        return inverted([nodes](const spacecraft::Transform& f, double t) {
+          return spacecraft::talbot_sum(f, t, nodes);
+        });
+      });
     }
+    begin("de Hoog", inversion);
     for (const int degree : {10, 20, 40, 80, 160, 320}) {
       if (quick_ && degree > 80) continue;
-      add(
-          "de Hoog", fmt::format("degree {}", degree),
-          [&] {
-            return inverted([degree](const spacecraft::Transform& f, double t) {
-              return spacecraft::de_hoog_sum(f, t, {.degree = degree});
-            });
-          },
-          3);
+      add(fmt::format("degree {}", degree), [&] {
+        return inverted([degree](const spacecraft::Transform& f, double t) {
+          return spacecraft::de_hoog_sum(f, t, {.degree = degree});
+        });
+      });
     }
   }
 
   void bromwich_lines() {
+    begin("Bromwich", inversion);
     for (const double highest : {1e2, 3e2, 1e3, 3e3, 1e4}) {
       if (quick_ && highest > 3e3) continue;
-      add(
-          "Bromwich", fmt::format("to {} rad/s", highest),
-          [&] {
-            const spacecraft::BromwichOptions options{.frequency = highest};
-            History h;
-            for (const bool hub : {true, false}) {
-              auto& values = hub ? h.theta : h.deflection;
-              for (const auto& v :
-                   bromwich([&](const Complex& s) { return transform(s, hub); }, times_, options))
-                values.push_back(v.value);
-            }
-            return h;
-          },
-          3);
+      add(fmt::format("to {} rad/s", highest), [&] {
+        const spacecraft::BromwichOptions options{.frequency = highest};
+        History h;
+        for (const bool hub : {true, false}) {
+          auto& values = hub ? h.theta : h.deflection;
+          for (const auto& v : bromwich([&](const Complex& s) { return transform(s, hub); }, times_, options))
+            values.push_back(v.value);
+        }
+        return h;
+      });
     }
   }
 
@@ -184,16 +174,16 @@ class Field {
 
   void discretised() {
     for (const int modes : {5, 10, 20}) {
-      if (quick_ && modes > 5) continue;
+      begin(fmt::format("{} assumed modes by CVODE", modes), truncation);
+      if ((quick_ && modes > 5) || !peers::cvode_available()) continue;
       const auto model = diagonalise(spacecraft::assumed_modes(loop_.parameters(), modes));
       const ModalLoop problem(model, designed_gains, 1);
       const ivp::System<Eigen::Dynamic> system(problem);
       const Eigen::VectorXd shapes = model.mode_shapes(places.front());
       for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
         if (modes > 10 && tolerance != 1e-5) continue;
-        add(
-            fmt::format("{} assumed modes by CVODE", modes), fmt::format("tolerance {:.0e}", tolerance),
-            [&] { return integrated(system, problem, shapes, tolerance); }, 1);
+        add(fmt::format("tolerance {:.0e}", tolerance),
+            [&] { return integrated(system, problem, shapes, tolerance); });
       }
     }
   }
@@ -202,66 +192,29 @@ class Field {
   spacecraft::ClosedLoop loop_;
   std::vector<double> times_;
   History truth_;
-  std::vector<Cost> costs_;
+  scene::ProblemLines all_;
 };
 
-std::vector<Cost> measure_all(bool quick) { return Field(quick).measure(); }
+scene::ProblemLines measure_all(bool quick) { return Field(quick).measure(); }
 
-/// Those of a method; none of CVODE's without CVODE.
-std::vector<Cost> of(const std::vector<Cost>& all, const std::string& method) {
-  std::vector<Cost> found;
-  std::ranges::copy_if(all, std::back_inserter(found), [&](const Cost& c) { return c.method == method; });
-  return found;
-}
-
-double best(const std::vector<Cost>& all, const std::string& method) {
-  return std::ranges::min(of(all, method), {}, &Cost::middle).middle;
-}
-
-void draw(const std::vector<Cost>& all, scene::Show& show) {
-  scene::Panel& panel =
-      show.plot("Residues gain digits; ten assumed modes stop at three", "time for 16 instants (s)",
-                "digits of {/:Italic θ} and {/:Italic y}, median");
-  panel.log_x(1e-6, 10)
-      .y_range(0, 17)
-      .set("ytics 0, 2")
-      .set("bmargin at screen 0.31")
-      .key("at screen 0.53, screen 0.005 center bottom samplen 3 width -2 spacing 1.1 maxrows 5 maxcols 2");
-  show.figure().size(760, 600).columns({"curve", "panel", "time_s", "y"});
-  struct Drawn {
-    const char* method;
-    int style;
-  };
-  for (const Drawn& d : {Drawn{"residues, poles known", 1},
-                         {"residues and their poles", 6},
-                         {"Talbot", 2},
-                         {"de Hoog", 4},
-                         {"Bromwich", 3},
-                         {"5 assumed modes by CVODE", 7},
-                         {"10 assumed modes by CVODE", 5},
-                         {"20 assumed modes by CVODE", 8}}) {
-    const std::vector<Cost> costs = of(all, d.method);
-    if (!costs.empty())
-      panel.curve(d.method, costs, &Cost::seconds, &Cost::digits, scene::linespoints(d.style));
-  }
-}
-
-void put(const std::vector<Cost>& all, scene::Show& show) {
-  draw(all, show);
-  show.table(all, {{"method", &Cost::method},
-                   {"setting", &Cost::setting},
-                   {"median error", &Cost::middle, 2},
-                   {"largest error", &Cost::largest, 2},
-                   {"time (ms)", [](const Cost& c) { return 1e3 * c.time.median; }, 3},
-                   {"from", [](const Cost& c) { return 1e3 * c.time.smallest; }, 3},
-                   {"to", [](const Cost& c) { return 1e3 * c.time.largest; }, 3}});
-  show.at_most("least error of residues", best(all, "residues, poles known"), 1e-7,
+void put(const scene::ProblemLines& all, scene::Show& show) {
+  scene::show_work_precision({.heading = "Residues gain digits; ten assumed modes stop at three",
+                              .digits = "digits of {/:Italic θ} and {/:Italic y}, median",
+                              .most_digits = 17,
+                              .error = "median error",
+                              .time = "time for 16 instants (s)",
+                              .work = {"largest error"},
+                              .groups = {{"residues", "#0072B2", 7, 2},
+                                         {"numerical inversion", "#009E73", 9},
+                                         {"truncated models", "#D55E00", 5}}},
+                             {all}, show);
+  const auto best = [&](const char* method) { return all.of(method).least_error(); };
+  show.at_most("least error of residues", best("residues, poles known"), 1e-7,
                "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");
-  show.at_most("least error of the Bromwich integral", best(all, "Bromwich"), 1e-6,
+  show.at_most("least error of the Bromwich integral", best("Bromwich"), 1e-6,
                "what lies beyond 1.2e4 rad/s, below 1e-8 ft in y");
   if (peers::cvode_available())
-    show.between("least error of five assumed modes by CVODE", best(all, "5 assumed modes by CVODE"), 1e-6,
-                 0.2,
+    show.between("least error of five assumed modes by CVODE", best("5 assumed modes by CVODE"), 1e-6, 0.2,
                  "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft "
                  "(tests/spacecraft/lyapunov_test.cpp)");
 }

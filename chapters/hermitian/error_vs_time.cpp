@@ -50,7 +50,7 @@ scene::Scene scene_of(const Problem& problem, const std::string& heading, double
       {.name = std::string(Problem::name),
        .heading = heading,
        .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
-       .variables = {{"own_name", "Hermitian operators"}},
+       .own = "Hermitian operators",
        .measure = measure,
        .check = check});
 }

@@ -1,11 +1,8 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +12,8 @@
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -24,8 +21,9 @@ namespace {
 using Extended = long double;
 
 const char *const kinsol = "kinsol", *const trust_region = "energy-trust-region";
+constexpr std::array homotopies = {"fixed-point", "newton-homotopy", "scalar-homotopy"};
 
-/// A panel of the figure.
+/// A toggle and its load.
 struct Setting {
   double height, load;
   int elements;
@@ -73,28 +71,10 @@ class Subject {
   Extended reference_ = 0;
 };
 
-/// What one tolerance of a solver came to.
-struct Cost {
-  double tolerance;
-  std::string status;
-  std::optional<double> error;  ///< nothing if it failed
-  std::int64_t iterations = 0, residuals = 0, jacobians = 0;
-  Timing time;
-};
-
-struct Line {
-  std::string solver;
-  std::vector<Cost> costs;  ///< ends with the first that fails
-};
-
-struct Panel {
-  Setting setting;
+/// Its deflection, and what solvers came to.
+struct Toggle {
   double reference;
-  std::vector<Line> lines;
-
-  [[nodiscard]] const Line& of(const std::string& solver) const {
-    return *std::ranges::find(lines, solver, &Line::solver);
-  }
+  scene::ProblemLines problem;
 };
 
 algebraic::Report solve(const std::string& solver, Subject& subject, double tolerance, std::int64_t limit,
@@ -115,24 +95,20 @@ algebraic::Report solve(const std::string& solver, Subject& subject, double tole
   return report;
 }
 
-Cost cost(const std::string& solver, Subject& subject, double tolerance, bool quick) {
-  const std::int64_t limit = quick ? 500 : 2500;
+scene::Attempt attempt(const std::string& solver, Subject& subject, double tolerance, bool quick) {
   Eigen::VectorXd x;
-  const Stopwatch watch;
-  const algebraic::Report report = solve(solver, subject, tolerance, limit, x);
-  const double first = watch.seconds();
-  Cost c{tolerance,
-         std::string(to_string(report.status.outcome())),
-         {},
-         report.statistics.steps + report.statistics.rejected,
-         report.statistics.right_hand_sides,
-         report.statistics.jacobians,
-         {first, first, first, 1}};
-  if (!report.status.ok()) return c;
-  c.error = std::max(subject.error(x), 1e-16);
-  if (quick || first > 0.05) return c;
-  c.time = time_repeats([&] { static_cast<void>(solve(solver, subject, tolerance, limit, x)); }, 9);
-  return c;
+  Statistics work;
+  scene::Attempt result = scene::attempt(
+      fmt::format("tolerance {:.0e}", tolerance),
+      [&] { return solve(solver, subject, tolerance, quick ? 500 : 2500, x); },
+      [&](const algebraic::Report& report) -> scene::Ending {
+        work = report.statistics;
+        if (!report.status.ok()) return {report.status, {}};
+        return {report.status, std::max(subject.error(x), 1e-16)};
+      },
+      quick);
+  result.work = {work.steps + work.rejected, work.right_hand_sides, work.jacobians};
+  return result;
 }
 
 std::vector<std::string> solvers() {
@@ -143,162 +119,96 @@ std::vector<std::string> solvers() {
   return names;
 }
 
-Panel measure(const Setting& setting, bool quick) {
+/// Solvers that belong together; those of no other group are homotopies.
+const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>>& groups() {
+  static const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> all = {
+      {{"Newton's kind", "#0072B2", 7}, {"newton", "least-squares", "continuous-newton", "broyden"}},
+      {{"made safe by |F|", "#E69F00", 5}, {"damped-newton", kinsol, "levenberg-marquardt", "dogleg"}},
+      {{"descent", "#7F7F7F", 2}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
+      {{"energy", "#000000", 15}, {trust_region}},
+      {{"path following", "#CC79A7", 13}, {"riks", "crisfield", "gdc"}},
+      {{"homotopy", "#009E73", 9}, {}}};
+  return all;
+}
+
+std::size_t group_of(const std::string& solver) {
+  const auto has = [&](const auto& group) { return std::ranges::count(group.second, solver) > 0; };
+  return std::min(static_cast<std::size_t>(std::ranges::find_if(groups(), has) - groups().begin()),
+                  groups().size() - 1);
+}
+
+Toggle measure(const Setting& setting, bool quick) {
   Subject subject(setting);
-  Panel panel{setting, static_cast<double>(subject.reference()), {}};
+  Toggle toggle{static_cast<double>(subject.reference()),
+                {fmt::format("{:.2f} in, {:.2f} lb, {} element{} a member", setting.height, setting.load,
+                             setting.elements, setting.elements == 1 ? "" : "s"),
+                 {}}};
   for (const std::string& solver : solvers()) {
-    Line line{solver, {}};
-    if (solver == kinsol && !peers::kinsol_available()) {
-      panel.lines.push_back(line);
-      continue;
-    }
+    scene::MethodLine& line = toggle.problem.lines.emplace_back();
+    line.method = solver;
+    line.group = group_of(solver);
+    if (solver == kinsol && !peers::kinsol_available()) continue;
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
       if (quick && tolerance != 1e-4 && tolerance != 1e-8) continue;
-      line.costs.push_back(cost(solver, subject, tolerance, quick));
-      if (!line.costs.back().error) break;  // a tighter tolerance fails as well
-    }
-    panel.lines.push_back(std::move(line));
-  }
-  return panel;
-}
-
-std::vector<Panel> measure_all(bool quick) {
-  std::vector<Panel> panels;
-  for (const Setting& s : settings) panels.push_back(measure(s, quick));
-  return panels;
-}
-
-/// Its colour: Newton's kind, |F| made smaller, descent, homotopy, energy, path following.
-int kind_of(const std::string& solver) {
-  static const std::map<std::string, int> kinds = {{"newton", 1},
-                                                   {"least-squares", 1},
-                                                   {"continuous-newton", 1},
-                                                   {"broyden", 1},
-                                                   {"damped-newton", 2},
-                                                   {kinsol, 2},
-                                                   {"levenberg-marquardt", 2},
-                                                   {"dogleg", 2},
-                                                   {"steepest-descent", 3},
-                                                   {"fictitious-time", 3},
-                                                   {"optimal-iterative", 3},
-                                                   {trust_region, 5},
-                                                   {"riks", 6},
-                                                   {"crisfield", 6},
-                                                   {"gdc", 6}};
-  const auto found = kinds.find(solver);
-  return found == kinds.end() ? 4 : found->second;
-}
-
-double best_error(const Line& line) {
-  double least = HUGE_VAL;
-  for (const Cost& c : line.costs) least = std::min(least, c.error.value_or(HUGE_VAL));
-  return least;
-}
-
-void draw(const std::vector<Panel>& panels, scene::Show& show) {
-  scene::Table data({{"panel"},
-                     {"line", 3, true},
-                     {"kind"},
-                     {"number"},
-                     {"digits"},
-                     {"time_s"},
-                     {"last"},
-                     {"solver"},
-                     {"status"}});
-  const std::vector<std::string> names = solvers();
-  std::vector<int> kinds;
-  for (const std::string& name : names) kinds.push_back(kind_of(name));
-  int line = 0;
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      ++line;
-      const auto& costs = panels[p].lines[i].costs;
-      for (std::size_t k = 0; k < costs.size(); ++k) {
-        const Cost& c = costs[k];
-        const bool last = c.error && (k + 1 == costs.size() || !costs[k + 1].error);
-        std::optional<double> digits;
-        if (c.error) digits = -std::log10(*c.error);
-        data.add({p + 1, line, kinds[i], i + 1, digits, c.time.median, last, names[i], c.status});
-      }
+      line.attempts.push_back(attempt(solver, subject, tolerance, quick));
+      if (!line.attempts.back().error) break;  // a tighter tolerance fails as well
     }
   }
+  return toggle;
+}
+
+std::vector<Toggle> measure_all(bool quick) {
+  std::vector<Toggle> toggles;
+  for (const Setting& s : settings) toggles.push_back(measure(s, quick));
+  return toggles;
+}
+
+void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
+  std::vector<scene::ProblemLines> problems;
+  for (const Toggle& t : toggles) problems.push_back(t.problem);
+  const auto& last = problems.back().lines;
   const auto passed =
-      std::ranges::count_if(panels.back().lines, [](const Line& l) { return best_error(l) < 1; });
-  show.draw(std::move(data), "homotopy-error-vs-time",
-            {{"heading", fmt::format("With 16 elements {} of {} solvers get past the limit point", passed,
-                                     names.size())},
-             {"width", "1000"},
-             {"height", "720"},
-             {"legend", fmt::format("{}", fmt::join(names, "|"))},
-             {"kinds", fmt::format("{}", fmt::join(kinds, " "))}});
+      std::ranges::count_if(last, [](const scene::MethodLine& l) { return l.least_error() < 1; });
+  std::vector<scene::MethodGroup> looks;
+  for (const auto& [look, members] : groups()) looks.push_back(look);
+  scene::show_work_precision(
+      {.heading =
+           fmt::format("With 16 elements {} of {} solvers get past the limit point", passed, last.size()),
+       .digits = "digits of the deflection",
+       .most_digits = 17.5,
+       .error = "error of the deflection",
+       .work = {"iterations", "residuals", "Jacobians"},
+       .groups = looks},
+      problems, show);
 }
 
-/// A row of the table; without a cost the solver is not in this build.
-struct Row {
-  Setting setting;
-  std::string solver;
-  std::optional<Cost> cost;
-
-  template <class Value>
-  [[nodiscard]] scene::Cell cell(Value Cost::*value) const {
-    return cost ? scene::Cell(*cost.*value) : scene::Cell();
-  }
-  /// Thousandths of a second.
-  [[nodiscard]] scene::Cell time(double Timing::*value) const {
-    return cost ? scene::Cell(1e3 * cost->time.*value) : scene::Cell();
-  }
-};
-
-void put_table(const std::vector<Panel>& panels, scene::Show& show) {
-  std::vector<Row> rows;
-  for (const Panel& p : panels) {
-    for (const Line& line : p.lines) {
-      if (line.costs.empty()) rows.push_back({p.setting, line.solver, {}});
-      for (const Cost& c : line.costs) rows.push_back({p.setting, line.solver, c});
-    }
-  }
-  show.table(rows, {{"height (in)", [](const Row& r) { return r.setting.height; }},
-                    {"load (lb)", [](const Row& r) { return r.setting.load; }, 4},
-                    {"elements", [](const Row& r) { return r.setting.elements; }},
-                    {"solver", &Row::solver},
-                    {"tolerance", [](const Row& r) { return r.cell(&Cost::tolerance); }},
-                    {"status",
-                     [](const Row& r) { return r.cost ? r.cost->status : std::string("not in this build"); }},
-                    {"error of the deflection", [](const Row& r) { return r.cell(&Cost::error); }, 2},
-                    {"iterations", [](const Row& r) { return r.cell(&Cost::iterations); }},
-                    {"residuals", [](const Row& r) { return r.cell(&Cost::residuals); }},
-                    {"Jacobians", [](const Row& r) { return r.cell(&Cost::jacobians); }},
-                    {"time (ms)", [](const Row& r) { return r.time(&Timing::median); }},
-                    {"from", [](const Row& r) { return r.time(&Timing::smallest); }},
-                    {"to", [](const Row& r) { return r.time(&Timing::largest); }}});
-}
-
-void put(const std::vector<Panel>& panels, scene::Show& show) {
-  draw(panels, show);
-  put_table(panels, show);
+void put(const std::vector<Toggle>& toggles, scene::Show& show) {
+  draw(toggles, show);
   // oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11, toggle 0.44 of 1 drop under 43.79
   const char* program = "tools/oracles/homotopy_frames.py, all digits";
-  show.near("deflection, height 0.32, 1 element", {panels[0].reference, "in"}, 0.265167973289, 1e-11,
+  show.near("deflection, height 0.32, 1 element", {toggles[0].reference, "in"}, 0.265167973289, 1e-11,
             program);
-  show.near("deflection, height 0.44, 1 element", {panels[2].reference, "in"}, 0.621922545486, 1e-11,
+  show.near("deflection, height 0.44, 1 element", {toggles[2].reference, "in"}, 0.621922545486, 1e-11,
             program);
   // Rounding of a chord's length, eps l, is an axial force of eps EA, of which sin(beta) loads the apex; the
   // stiffness there is 15 lb/in and more.
   const double rounding = 2.2e-16 * 1.885e6 * 0.034 / 7 / 0.26;
-  for (const Panel& p : panels)
-    show.at_most(fmt::format("least error of the energy trust region, height {}, {} element{}",
-                             p.setting.height, p.setting.elements, p.setting.elements == 1 ? "" : "s"),
-                 best_error(p.of(trust_region)), show.quick() ? 1e-6 : 1e-9 + 64 * rounding,
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Setting& s = settings[i];
+    show.at_most(fmt::format("least error of the energy trust region, height {}, {} element{}", s.height,
+                             s.elements, s.elements == 1 ? "" : "s"),
+                 toggles[i].problem.of(trust_region).least_error(),
+                 show.quick() ? 1e-6 : 1e-9 + 64 * rounding,
                  show.quick() ? "tolerance 1e-8, 0.3 % of the load an inch at least"
                               : "tolerance 1e-10 over the stiffness there, and rounding");
+  }
   for (const std::size_t i : {std::size_t{1}, std::size_t{3}}) {
-    int converged = 0;
-    for (const char* name : {"fixed-point", "newton-homotopy", "scalar-homotopy"})
-      converged += std::isfinite(best_error(panels[i].of(name))) ? 1 : 0;
+    const auto converged = std::ranges::count_if(homotopies, [&](const char* name) {
+      return std::isfinite(toggles[i].problem.of(name).least_error());
+    });
     show.at_most(
-        fmt::format("scalar homotopies that converge, height {}, 16 elements", panels[i].setting.height),
-        converged, 0,
-        "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned");
+        fmt::format("scalar homotopies that converge, height {}, 16 elements", settings[i].height), converged,
+        0, "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned");
   }
 }
 

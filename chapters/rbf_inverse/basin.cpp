@@ -1,192 +1,161 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <ranges>
+#include <string>
+#include <vector>
 
-#include "chapters/rbf_inverse/curves.hpp"
-#include "chapters/rbf_inverse/random_guess.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/duffing_runs.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-using scene::Workshop;
-
-/// The methods that get the same guesses.
-enum class Solver : std::uint8_t {
-  printed,     ///< Gaussians as printed, Newton's iteration
-  polynomial,  ///< 40 nodes too, damped
-  refined      ///< the library's own: intervals that follow the residual, damped, flown
+/// A method that gets the same guesses as the others.
+struct Solver {
+  std::string name;
+  int style;  ///< of its curves
+  bvp::Extremal (*solve)(const bvp::ExtremalProblem&, const bvp::Start&);
 };
-constexpr std::array solvers = {Solver::printed, Solver::polynomial, Solver::refined};
-
-const char* name_of(Solver solver) {
-  switch (solver) {
-    case Solver::printed: return "Gaussian, Newton (printed)";
-    case Solver::polynomial: return "polynomial, damped Newton";
-    case Solver::refined: return "refined, damped Newton";
-  }
-  return "";
+const std::vector<Solver>& solvers() {
+  static const std::vector<Solver> all = {
+      {"Gaussian, Newton (printed)", 5,
+       [](const auto& problem, const auto& start) {
+         return solve_global(problem, printed_method(problem), start).extremal;
+       }},
+      {"polynomial, damped Newton", 1,
+       [](const auto& problem, const auto& start) {
+         const auto method = printed_method(problem, bvp::DerivativeMatrix::polynomial);
+         return solve_global(problem, method, start, 0.1, true).extremal;
+       }},
+      // The library's own: intervals that follow the residual, damped, confirmed by an integrator.
+      {"refined, damped Newton", 3, [](const auto& problem, const auto& start) {
+         return solve_extremal(problem, start, {.newton_iterations = 60});
+       }}};
+  return all;
 }
 
-bvp::Extremal solve_one(Solver solver, const bvp::ExtremalProblem& problem, const bvp::Start& start) {
-  using enum bvp::DerivativeMatrix;
-  switch (solver) {
-    case Solver::printed: return solve_global(problem, printed_method(problem), start).extremal;
-    case Solver::polynomial:
-      return solve_global(problem, printed_method(problem, polynomial), start, 0.1, true).extremal;
-    case Solver::refined: return solve_extremal(problem, start, {.newton_iterations = 60});
-  }
-  return {};
-}
-
-/// What the guesses led to.
-struct Shares {
-  int guesses = 0, good = 0, spurious = 0, failed = 0;
+/// What the guesses of one case at one final time led one method to.
+struct Row {
+  double final_time;
+  const DuffingSubject* subject;
+  const Solver* solver;
+  int guesses;
+  bvp::Multistart all;
   int cheapest = 0;  ///< of the good ones, how many to the cheapest extremal that any method found
-  int distinct = 0;
-  double lowest = HUGE_VAL;
-  std::vector<std::pair<double, int>> costs;  ///< with hits
+
+  [[nodiscard]] double lowest() const {
+    return all.found.empty() ? HUGE_VAL : all.found.front().extremal.cost;
+  }
+  [[nodiscard]] int good() const { return all.good; }
+  [[nodiscard]] int spurious() const { return all.spurious; }
+  /// In the order of the cases, from 1.
+  [[nodiscard]] std::ptrdiff_t place() const { return subject - duffing_subjects().data() + 1; }
 };
 
-/// [time][subject][solver]
-using Basin = std::array<std::vector<std::array<Shares, solvers.size()>>, final_times.size()>;
-
-Shares count(Solver solver, const bvp::DuffingSettings& settings, int guesses) {
-  const bvp::ExtremalProblem problem = duffing_problem(settings);
+Row solve_all(double final_time, const DuffingSubject& subject, const Solver& solver, int guesses) {
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(subject.which, final_time));
   std::vector<bvp::Start> starts;
-  for (int k = 0; k < guesses; ++k) starts.push_back(random_guess(k, settings.final_time));
-  const bvp::Multistart all =
-      multistart(problem, starts, [&](const bvp::Start& start) { return solve_one(solver, problem, start); },
-                 {.distinct = 1e-2});
-  Shares shares;
-  shares.guesses = guesses;
-  shares.good = all.good;
-  shares.spurious = all.spurious;
-  shares.failed = all.failed;
-  shares.distinct = static_cast<int>(all.found.size());
-  for (const bvp::Found& f : all.found) {
-    shares.lowest = std::min(shares.lowest, f.extremal.cost);
-    shares.costs.emplace_back(f.extremal.cost, f.hits);
-  }
-  return shares;
+  for (int k = 0; k < guesses; ++k) starts.push_back(random_guess(k, final_time));
+  const auto solve_one = [&](const bvp::Start& start) { return solver.solve(problem, start); };
+  return {final_time, &subject, &solver, guesses, multistart(problem, starts, solve_one, {.distinct = 1e-2})};
 }
 
-Basin compute(bool quick) {
-  Basin basin;
-  for (std::size_t t = 0; t < final_times.size(); ++t) {
+std::vector<Row> compute(bool quick) {
+  std::vector<Row> rows;
+  for (const double time : final_times) {
     for (const DuffingSubject& subject : duffing_subjects()) {
-      auto& row = basin[t].emplace_back();
-      for (std::size_t s = 0; s < solvers.size(); ++s)
-        row[s] = count(solvers[s], printed_settings(subject.which, final_times[t]), quick ? 3 : 100);
       double lowest = HUGE_VAL;
-      for (const Shares& shares : row) lowest = std::min(lowest, shares.lowest);
-      for (Shares& shares : row)
-        for (const auto& [cost, hits] : shares.costs)
-          if (cost <= lowest * (1 + 1e-2)) shares.cheapest += hits;
+      const std::size_t first = rows.size();
+      for (const Solver& solver : solvers()) {
+        rows.push_back(solve_all(time, subject, solver, quick ? 3 : 100));
+        lowest = std::min(lowest, rows.back().lowest());
+      }
+      for (std::size_t k = first; k < rows.size(); ++k)
+        for (const bvp::Found& f : rows[k].all.found)
+          if (f.extremal.cost <= lowest * (1 + 1e-2)) rows[k].cheapest += f.hits;
     }
   }
-  return basin;
+  return rows;
 }
 
-scene::Table tabulate(const Basin& basin) {
-  scene::Table table({{"T"},
-                      {"case"},
-                      {"method"},
-                      {"guesses"},
-                      {"extremals"},
-                      {"of them the cheapest found"},
-                      {"spurious roots"},
-                      {"failures"},
-                      {"different extremals"},
-                      {"lowest cost", 6}});
-  for (std::size_t t = 0; t < final_times.size(); ++t)
-    for (std::size_t i = 0; i < basin[t].size(); ++i)
-      for (std::size_t s = 0; s < solvers.size(); ++s) {
-        const Shares& n = basin[t][i][s];
-        table.add({final_times[t], std::string(to_string(duffing_subjects()[i].which)),
-                   std::string(name_of(solvers[s])), std::int64_t{n.guesses}, std::int64_t{n.good},
-                   std::int64_t{n.cheapest}, std::int64_t{n.spurious}, std::int64_t{n.failed},
-                   std::int64_t{n.distinct},
-                   std::isfinite(n.lowest) ? scene::Cell(n.lowest) : scene::Cell()});
-      }
-  return table;
+void draw(const std::vector<Row>& rows, scene::Show& show) {
+  scene::Plot& plot = show.plots("The basin shrinks with T, whatever the functions are");
+  plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
+  std::vector<bvp::DuffingCase> cases;
+  for (const DuffingSubject& subject : duffing_subjects()) cases.push_back(subject.which);
+  for (const double time : final_times) {
+    scene::Panel& panel = plot.panel("", time == final_times.front() ? "share of guesses (%)" : "");
+    panel.caption(time_label(time)).y_range(0, 105).x_range(0.5, 6.5).set("bmargin at screen 0.32");
+    panel.set(case_tics(cases));
+    panel.key(time == final_times.back() ? "at screen 0.5, screen 0.01 center bottom maxrows 2 samplen 3"
+                                         : "off");
+    const auto curve = [&](const std::string& name, const Solver& solver, auto count,
+                           const scene::Look& look) {
+      panel.curve(
+          name, rows | std::views::filter([&](const Row& r) {
+                  return r.final_time == time && r.solver == &solver;
+                }),
+          &Row::place, [&](const Row& r) { return 100. * std::invoke(count, r) / r.guesses; }, look);
+    };
+    for (const Solver& s : solvers()) curve(s.name, s, &Row::good, scene::linespoints(s.style));
+    curve("spurious roots of the printed one", solvers().front(), &Row::spurious,
+          {"points pointsize 1.2", 2});
+  }
 }
 
-/// Over all cases.
-double share(const Basin& basin, std::size_t time, std::size_t solver, int Shares::*what) {
+/// Of one method at one final time, over all cases.
+template <class What>
+double share(const std::vector<Row>& rows, double time, std::size_t solver, What what) {
   double sum = 0, all = 0;
-  for (const auto& row : basin[time]) {
-    sum += row[solver].*what;
-    all += row[solver].guesses;
+  for (const Row& r : rows) {
+    if (r.final_time != time || r.solver != &solvers()[solver]) continue;
+    sum += std::invoke(what, r);
+    all += r.guesses;
   }
   return sum / all;
 }
 
-scene::Figure draw(const Basin& basin) {
-  ControlCurves figure("The basin shrinks with T, whatever the functions are");
-  std::string tics;
-  for (std::size_t i = 0; i < duffing_subjects().size(); ++i)
-    tics += fmt::format("{}\"{}\" {}", i == 0 ? "(" : ", ", to_string(duffing_subjects()[i].which), i + 1);
-  tics += ") rotate by 40 right";
-  constexpr std::array looks = {"b5", "b1", "b3"};
-  for (std::size_t t = 0; t < final_times.size(); ++t) {
-    figure.panel("", t == 0 ? "share of guesses (%)" : "", time_label(final_times[t]));
-    for (std::size_t s = 0; s < solvers.size(); ++s) {
-      figure.begin(name_of(solvers[s]), looks[s]);
-      for (std::size_t i = 0; i < basin[t].size(); ++i)
-        figure.add(double(i) + 1, 100. * basin[t][i][s].good / basin[t][i][s].guesses);
-    }
-    figure.begin("spurious roots of the printed one", "o2");
-    for (std::size_t i = 0; i < basin[t].size(); ++i)
-      figure.add(double(i) + 1, 100. * basin[t][i][0].spurious / basin[t][i][0].guesses);
-    figure.with("yrange", "[0:105]").with("xrange", "[0.5:6.5]").with("xtics", tics);
-    figure.with("key", t == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 2 samplen 3" : "off");
-  }
-  figure.overall("bottom", "0.32").overall("width", "1000").overall("height", "480");
-  return figure.take();
-}
-
-std::vector<scene::Quantity> promises(const Basin& basin, bool quick) {
+void put(const std::vector<Row>& rows, scene::Show& show) {
+  draw(rows, show);
+  show.table(rows, {{"T", &Row::final_time},
+                    {"case", [](const Row& r) { return to_string(r.subject->which); }},
+                    {"method", [](const Row& r) { return r.solver->name; }},
+                    {"guesses", &Row::guesses},
+                    {"extremals", &Row::good},
+                    {"of them the cheapest found", &Row::cheapest},
+                    {"spurious roots", &Row::spurious},
+                    {"failures", [](const Row& r) { return r.all.failed; }},
+                    {"different extremals", [](const Row& r) { return r.all.found.size(); }},
+                    {"lowest cost", [](const Row& r) { return finite(r.lowest()); }, 6}});
   // Recorded shares of 600 guesses: 80, 42 and 1 %, of as many of ours: three deviations of
   // the difference are at most 9 %. It stops at other roundings, which moves roots from spurious to failed.
-  const double slack = quick ? 0.35 : 0.09;
-  const auto within = [](const char* name, double value, double known, double off) {
-    return scene::Quantity{name,        "1",         value,
-                           known - off, known + off, "recorded shares of 600 other guesses; sampling"};
-  };
-  const auto near = [&](const char* name, double value, double known) {
-    return within(name, value, known, slack);
-  };
-  return {near("share of extremals, printed method, T = 1", share(basin, 0, 0, &Shares::good), 0.80),
-          near("share of extremals, printed method, T = 2", share(basin, 1, 0, &Shares::good), 0.42),
-          near("share of extremals, printed method, T = 5", share(basin, 2, 0, &Shares::good), 0.01),
-          within("share of spurious roots, printed method, T = 5", share(basin, 2, 0, &Shares::spurious),
-                 0.19, quick ? 0.35 : 0.16),
-          {"share of spurious roots, refined intervals, T = 2", "1", share(basin, 1, 2, &Shares::spurious), 0,
-           0.02, "a root is resolved, or divided"},
-          {"share that the printed method leads to the cheapest extremal, T = 2", "1",
-           share(basin, 1, 0, &Shares::cheapest), 0, 0.42 + slack, "no more than lead to any extremal"}};
+  const double slack = show.quick() ? 0.35 : 0.09;
+  const char* const reason = "recorded shares of 600 other guesses; sampling";
+  for (const auto& [time, known] : {std::pair{1, 0.80}, {2, 0.42}, {5, 0.01}})
+    show.between(fmt::format("share of extremals, printed method, T = {}", time),
+                 share(rows, time, 0, &Row::good), known - slack, known + slack, reason);
+  const double off = show.quick() ? 0.35 : 0.16;
+  show.between("share of spurious roots, printed method, T = 5", share(rows, 5, 0, &Row::spurious),
+               0.19 - off, 0.19 + off, reason);
+  show.between("share of spurious roots, refined intervals, T = 2", share(rows, 2, 2, &Row::spurious), 0,
+               0.02, "a root is resolved, or divided");
+  show.between("share that the printed method leads to the cheapest extremal, T = 2",
+               share(rows, 2, 0, &Row::cheapest), 0, 0.42 + slack, "no more than lead to any extremal");
 }
 
 }  // namespace
 
-void add_basin(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<Basin>(
+std::vector<scene::Scene> basin() {
+  const scene::Result rows(
       "random-guesses",
       "the same guesses for all methods, half of them independent at 40 nodes, in +-1, half constant, in "
       "+-5; "
       "60 iterations at most; a root whose flown trajectory is more than 10 % off is spurious",
-      {}, [](Workshop& w) { return compute(w.quick()); });
-  chapter.add({.name = "basin",
-               .title = "What random guesses lead to: extremals, spurious roots, failures",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Basin& basin = w.result(run);
-                 return scene::Showing{draw(basin), tabulate(basin), promises(basin, w.quick())};
-               }});
+      compute);
+  return {{.name = "basin",
+           .title = "What random guesses lead to: extremals, spurious roots, failures",
+           .content = scene::Content(put, rows)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

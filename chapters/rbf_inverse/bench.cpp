@@ -14,13 +14,14 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/multiple_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/peers/bvp/ipopt.hpp"
 
 namespace {
 
 using namespace nlmech;
+namespace inverse = chapters::rbf_inverse;
 using bvp::DuffingCase;
 using Eigen::VectorXd;
 
@@ -33,8 +34,8 @@ struct Work {
 /// A case at T = 2 and the start of all: a coarse direct method's trajectory, which is not timed.
 struct Subject {
   explicit Subject(DuffingCase which)
-      : known(chapters::known_extremal(which)),
-        problem(duffing_problem(chapters::printed_settings(which, known.final_time))),
+      : known(inverse::known_extremal(which)),
+        problem(duffing_problem(inverse::printed_settings(which, known.final_time))),
         guess{VectorXd::Zero(2), [](double, VectorXd& u) { u[0] = 0; }},
         start(direct_start(problem, guess, {.pieces = 40}).start) {}
 
@@ -46,7 +47,7 @@ struct Subject {
            std::abs(first[3] - known.first[3]) <= 1e-9 * size;
   }
 
-  chapters::KnownExtremal known;
+  inverse::KnownExtremal known;
   bvp::ExtremalProblem problem;
   bvp::ControlGuess guess;
   bvp::Start start;
@@ -77,10 +78,9 @@ std::vector<Work> work_on(const Subject& s) {
          return s.right(r.extremal.solution.status, r.extremal.solution.first());
        }},
       {named(own, s), [&s] { return direct_start(s.problem, s.guess, {.pieces = 200}).status.ok(); }}};
-  if (chapters::multiple_shooting_available())
+  if (inverse::multiple_shooting_available())
     all.push_back({named(shooting, s), [&s] {
-                     const chapters::ShotSolution r =
-                         chapters::shoot(s.problem, s.start, {.tolerance = 1e-10});
+                     const inverse::Shot r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
                      return s.right(r.status, r.first);
                    }});
   if (peers::ipopt_available())

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/rbf_inverse/printed_transfer.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/porkchop.hpp"
@@ -55,12 +56,8 @@ Work izzo() {
           }};
 }
 
-orbit::TransferProblem printed() {
-  return {{2.87e6, 5.19e6, 2.85e6}, {2.09e6, 7.82e6, 0}, 4320, {.mu = 3.986e14}};
-}
-
 Work one() {
-  const orbit::TransferProblem p = printed();
+  const orbit::TransferProblem p = chapters::rbf_inverse::printed_transfer();
   return {"the printed transfer by Izzo's method",
           [l = orbit::LambertProblem{p.from, p.to, p.time, p.gravity.mu}] {
             benchmark::DoNotOptimize(orbit::solve_lambert(l).v1);
@@ -69,7 +66,8 @@ Work one() {
 
 Work collocation(const std::string& name, orbit::TransferEquations equations) {
   return {name, [equations] {
-            benchmark::DoNotOptimize(orbit::collocate(printed(), {.equations = equations}).v1);
+            benchmark::DoNotOptimize(
+                orbit::collocate(chapters::rbf_inverse::printed_transfer(), {.equations = equations}).v1);
           }};
 }
 

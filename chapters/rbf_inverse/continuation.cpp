@@ -2,137 +2,121 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
-#include "chapters/rbf_inverse/curves.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/duffing_runs.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using bvp::DuffingCase;
-using scene::Workshop;
 
 /// A point of a branch, without its solution.
 struct Spot {
-  double parameter, cost, x2, lambda1;
+  double parameter, cost, lambda1;
 };
 struct Line {
   DuffingCase which;
-  bool in_beta;
+  bool in_beta;  ///< else in T
   std::vector<Spot> points, folds;
-  std::string status;
+  std::string end;  ///< how the branch ended
 };
 
-Spot spot(const bvp::ExtremalProblem& problem, const bvp::BranchPoint& p) {
-  const Eigen::VectorXd z = p.solution.first();
-  return {p.parameter, cost_of(problem, p.solution), z[1], z[2]};
-}
-
-Line follow(const DuffingRuns& runs, DuffingCase which, bool in_beta, Workshop& w) {
-  bvp::DuffingSettings settings = printed_settings(which, 2);
+Line follow(DuffingCase which, const bvp::Multistart& from, bool in_beta, bool quick) {
+  bvp::DuffingSettings settings = printed_settings(which);
   settings.continued = in_beta ? bvp::Continued::parameter : bvp::Continued::final_time;
   const bvp::ExtremalProblem problem = duffing_problem(settings);
-  bvp::Start start = start_from(best_of(runs, w, which).solution);
+  bvp::Start start = start_from(cheapest_of(from).solution);
   start.parameters = problem.own_parameters();
   bvp::ContinuationOptions options;
   options.first_step = in_beta ? 0.05 : 0.02;
   options.low = in_beta ? 0.05 : 0.4;
   options.high = in_beta ? 25 : 8;
-  options.folds = w.quick() ? 1 : 4;
-  options.points = w.quick() ? 60 : 200;
+  options.folds = quick ? 1 : 4;
+  options.points = quick ? 60 : 200;
   options.solve.tolerance = 1e-8;
   options.solve.reflight = bvp::Reflight::none;
   const bvp::Branch branch = continue_branch(problem, start, options);
-  Line line{which, in_beta, {}, {}, branch.status.ok() ? "" : std::string(branch.status.sentence())};
-  for (const bvp::BranchPoint& p : branch.points) line.points.push_back(spot(problem, p));
-  for (const bvp::BranchPoint& p : branch.folds) line.folds.push_back(spot(problem, p));
-  return line;
+  const auto spots = [&](const std::vector<bvp::BranchPoint>& points) {
+    std::vector<Spot> all;
+    for (const bvp::BranchPoint& p : points)
+      all.push_back({p.parameter, cost_of(problem, p.solution), p.solution.first()[2]});
+    return all;
+  };
+  return {which, in_beta, spots(branch.points), spots(branch.folds),
+          branch.status.ok() ? "as asked" : std::string(branch.status.sentence())};
 }
 
-using Lines = std::vector<Line>;
-
-Lines compute(const DuffingRuns& runs, Workshop& w) {
-  Lines lines;
-  for (const bool in_beta : {false, true})
-    for (const DuffingCase which : {DuffingCase::free, DuffingCase::fixed})
-      lines.push_back(follow(runs, which, in_beta, w));
-  return lines;
+std::vector<Line> compute(const bvp::Multistart& free, const bvp::Multistart& fixed, bool quick) {
+  return {follow(DuffingCase::free, free, false, quick), follow(DuffingCase::fixed, fixed, false, quick),
+          follow(DuffingCase::free, free, true, quick), follow(DuffingCase::fixed, fixed, true, quick)};
 }
 
-scene::Figure draw(const Lines& lines) {
-  ControlCurves figure("Branches turn back: larger T and beta are on others");
-  for (const bool in_beta : {false, true}) {
-    figure.panel(in_beta ? "{/:Italic β}, {/:Italic T} = 2" : "{/:Italic T} (s), {/:Italic β} = 0.9",
-                 in_beta ? "" : "cost {/:Italic J}");
-    for (const Line& line : lines) {
-      if (line.in_beta != in_beta) continue;
-      const bool is_free = line.which == DuffingCase::free;
-      figure.begin(is_free ? "free final state" : "final state given", is_free ? "l1" : "l5");
-      for (const Spot& p : line.points) figure.add(p.parameter, p.cost);
-      if (line.folds.empty()) continue;
-      figure.begin("its folds", is_free ? "o1" : "o5");
-      for (const Spot& p : line.folds) figure.add(p.parameter, p.cost);
-    }
-    figure.with("logy", "1").with("yrange", "[1:1e6]").with("key", in_beta ? "off" : "top right");
-  }
-  figure.overall("width", "900");
-  return figure.take();
-}
-
-scene::Table tabulate(const Lines& lines) {
-  scene::Table table({{"case"},
-                      {"parameter"},
-                      {"place"},
-                      {"at", 8},
-                      {"cost there", 6},
-                      {"lambda1(0)", 6},
-                      {"how the branch ended"}});
+void draw(const std::vector<Line>& lines, scene::Show& show) {
+  scene::Plot& plot = show.plots("Branches turn back: larger T and beta are on others");
+  plot.size(900, 480).columns({"panel", "curve", "x", "y"});
+  scene::Panel& in_time = plot.panel("{/:Italic T} (s), {/:Italic β} = 0.9", "cost {/:Italic J}");
+  scene::Panel& in_beta = plot.panel("{/:Italic β}, {/:Italic T} = 2", "").key("off");
   for (const Line& line : lines) {
-    const auto row = [&](const std::string& place, const Spot& p, const std::string& remark) {
-      table.add({std::string(to_string(line.which)), std::string(line.in_beta ? "beta" : "T"), place,
-                 p.parameter, p.cost, p.lambda1, remark});
-    };
-    for (std::size_t k = 0; k < line.folds.size(); ++k) row(fmt::format("fold {}", k + 1), line.folds[k], "");
-    if (!line.points.empty()) row("end", line.points.back(), line.status.empty() ? "as asked" : line.status);
+    scene::Panel& panel = (line.in_beta ? in_beta : in_time);
+    const bool is_free = line.which == DuffingCase::free;
+    const int style = is_free ? 1 : 5;
+    panel.curve(is_free ? "free final state" : "final state given", line.points, &Spot::parameter,
+                &Spot::cost, scene::lines(style));
+    if (!line.folds.empty())
+      panel.curve("its folds", line.folds, &Spot::parameter, &Spot::cost, {"points pointsize 1.2", style});
   }
-  return table;
+  in_time.log_y(1, 1e6);
+  in_beta.log_y(1, 1e6);
 }
 
-std::vector<scene::Quantity> promises(const Lines& lines) {
-  const auto first = [&](DuffingCase which, bool in_beta) {
-    for (const Line& line : lines)
-      if (line.which == which && line.in_beta == in_beta && !line.points.empty())
-        return line.folds.empty() ? line.points.back().parameter : line.folds.front().parameter;
-    return std::nan("");
+/// A fold, or where a branch ended.
+struct Row {
+  const Line* line;
+  std::string place;
+  Spot at;
+  std::string remark = {};
+};
+
+void put(const std::vector<Line>& lines, scene::Show& show) {
+  draw(lines, show);
+  std::vector<Row> rows;
+  for (const Line& line : lines) {
+    for (std::size_t k = 0; k < line.folds.size(); ++k)
+      rows.push_back({&line, fmt::format("fold {}", k + 1), line.folds[k]});
+    if (!line.points.empty()) rows.push_back({&line, "end", line.points.back(), line.end});
+  }
+  show.table(rows, {{"case", [](const Row& r) { return to_string(r.line->which); }},
+                    {"parameter", [](const Row& r) { return r.line->in_beta ? "beta" : "T"; }},
+                    {"place", &Row::place},
+                    {"at", [](const Row& r) { return r.at.parameter; }, 8},
+                    {"cost there", [](const Row& r) { return r.at.cost; }, 6},
+                    {"lambda1(0)", [](const Row& r) { return r.at.lambda1; }, 6},
+                    {"how the branch ended", &Row::remark}});
+  const auto first = [&](const char* name, DuffingCase which, bool in_beta, double known, double off) {
+    const auto row = std::ranges::find_if(
+        rows, [&](const Row& r) { return r.line->which == which && r.line->in_beta == in_beta; });
+    show.between(name, {row == rows.end() ? NAN : row->at.parameter, in_beta ? "1" : "s"}, known - off,
+                 known + off, "recorded; it steps up to the turn or meets it by arclength");
   };
-  const auto fold = [&](const char* name, DuffingCase which, bool in_beta, double known, double digits) {
-    return scene::Quantity{
-        name,           in_beta ? "1" : "s", first(which, in_beta),
-        known - digits, known + digits,      "recorded; it steps up to the turn or meets it by arclength"};
-  };
-  return {fold("first fold in T, free", DuffingCase::free, false, 2.9635, 0.006),
-          fold("first fold in T, fixed", DuffingCase::fixed, false, 2.678, 0.004),
-          fold("end of the branch in beta, free", DuffingCase::free, true, 18.375, 0.2),
-          fold("first fold in beta, fixed", DuffingCase::fixed, true, 1.756, 0.01)};
+  first("first fold in T, free", DuffingCase::free, false, 2.9635, 0.006);
+  first("first fold in T, fixed", DuffingCase::fixed, false, 2.678, 0.004);
+  first("end of the branch in beta, free", DuffingCase::free, true, 18.375, 0.2);
+  first("first fold in beta, fixed", DuffingCase::fixed, true, 1.756, 0.01);
 }
 
 }  // namespace
 
-void add_continuation(scene::Chapter& chapter, const DuffingRuns& runs) {
-  const auto& run = chapter.add_run<Lines>(
+std::vector<scene::Scene> continuation() {
+  const scene::Result lines(
       "branches", "from the cheapest extremals at T = 2 upward in T, and in beta; four folds at most",
-      {&run_of(runs.extremals, DuffingCase::free), &run_of(runs.extremals, DuffingCase::fixed)},
-      [runs](Workshop& w) { return compute(runs, w); });
-  chapter.add({.name = "continuation",
-               .title = "Branches of extremals in T and beta, with their folds",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) {
-                 const Lines& lines = w.result(run);
-                 return scene::Showing{draw(lines), tabulate(lines), promises(lines)};
-               }});
+      compute, extremals(DuffingCase::free), extremals(DuffingCase::fixed));
+  return {{.name = "continuation",
+           .title = "Branches of extremals in T and beta, with their folds",
+           .content = scene::Content(put, lines)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -1,18 +1,20 @@
 #include "chapters/rbf_inverse/duffing_runs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <ranges>
 
-#include "chapters/rbf_inverse/random_guess.hpp"
+#include "nlmech/collocation/nodes.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 using bvp::DuffingCase;
-using scene::Workshop;
 
 const std::vector<DuffingSubject>& duffing_subjects() {
   static const std::vector<DuffingSubject> all = {
@@ -52,55 +54,96 @@ NodeErrors node_errors(const bvp::GlobalResult& result) {
   return {error.topRows(2).maxCoeff(), error.bottomRows(2).maxCoeff()};
 }
 
-const bvp::Multistart& extremals_of(const DuffingRuns& runs, Workshop& workshop, DuffingCase which,
-                                    std::size_t time) {
-  return workshop.result(run_of(runs.extremals, which, time));
+double largest_error(const bvp::GlobalResult& result) {
+  const NodeErrors e = node_errors(result);
+  return is_extremal(result) ? std::max(e.states, e.costates) : HUGE_VAL;
 }
 
-const bvp::Extremal& best_of(const DuffingRuns& runs, Workshop& workshop, DuffingCase which,
-                             std::size_t time) {
-  const bvp::Multistart& found = extremals_of(runs, workshop, which, time);
-  if (found.found.empty())
-    throw Failure(fmt::format("case {}: none of {} starts led to an extremal", bvp::to_string(which),
-                              found.spurious + found.failed));
-  return found.found.front().extremal;
+double FromGuesses::least_error() const {
+  return largest_error(*std::ranges::min_element(results, {}, largest_error));
 }
 
-std::size_t drawn_of(const FromGuesses& all) {
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (all[k].extremal.solution.status.ok()) return k;
-  throw Failure(fmt::format("the printed method finds an extremal from none of {} guesses", all.size()));
+GuessCounts& GuessCounts::operator+=(const GuessCounts& others) {
+  good += others.good;
+  cheapest += others.cheapest;
+  spurious += others.spurious;
+  failed += others.failed;
+  return *this;
+}
+
+const bvp::Extremal& cheapest_of(const bvp::Multistart& all) {
+  if (all.found.empty())
+    throw Failure(fmt::format("none of {} starts led to an extremal", all.spurious + all.failed));
+  return all.found.front().extremal;
+}
+
+std::size_t FromGuesses::chosen() const {
+  const auto found = std::ranges::find_if(results, is_extremal);
+  if (found == results.end())
+    throw Failure(
+        fmt::format("the printed method finds an extremal from none of {} guesses", results.size()));
+  return static_cast<std::size_t>(found - results.begin());
+}
+
+bvp::Start random_guess(int number, double final_time) {
+  // The engine's numbers are the same on every machine; the library's distributions need not be.
+  std::mt19937_64 engine(static_cast<std::uint64_t>(number) + 1);
+  const auto draw = [&](double size) {
+    return size * (2 * static_cast<double>(engine() >> 11) / 9007199254740992.0 - 1);
+  };
+  if (number % 2 == 1) {
+    Eigen::VectorXd constant(4);
+    for (double& value : constant) value = draw(5);
+    return bvp::constant_start(constant);
+  }
+  constexpr int nodes = 40;
+  const Eigen::VectorXd times = final_time * (collocation::legendre_gauss_lobatto(nodes).array() + 1) / 2;
+  Eigen::MatrixXd values(4, nodes);
+  for (double& value : values.reshaped()) value = draw(1);
+  return {.states = [times, values](double t, Eigen::VectorXd& x) {
+    // Linear between the nodes, exact at them.
+    Eigen::Index k = 0;
+    while (k + 2 < times.size() && t > times[k + 1]) ++k;
+    const double part = std::clamp((t - times[k]) / (times[k + 1] - times[k]), 0.0, 1.0);
+    x = (1 - part) * values.col(k) + part * values.col(k + 1);
+  }};
 }
 
 std::string guess_name(std::size_t guess) {
   return guess == 0 ? "zeros" : fmt::format("random guess {}", guess);
 }
 
-GuessCounts count_of(const FromGuesses& all, double cheapest) {
+GuessCounts FromGuesses::counts() const {
+  const double cheapest = known_extremal(subject->which, final_time).cost;
   GuessCounts counts;
-  for (const bvp::GlobalResult& r : all) {
-    const bvp::Extremal& e = r.extremal;
-    if (e.solution.status.ok()) {
-      ++counts.good;
-      if (e.cost <= 1.01 * cheapest) ++counts.cheapest;
-    }
-    if (e.solution.status.outcome() == Outcome::spurious_root) ++counts.spurious;
+  for (const bvp::GlobalResult& r : results) {
+    if (!is_extremal(r))
+      ++(r.extremal.solution.status.outcome() == Outcome::spurious_root ? counts.spurious : counts.failed);
+    else if (++counts.good; r.extremal.cost <= 1.01 * cheapest)
+      ++counts.cheapest;
   }
   return counts;
 }
 
-std::vector<const bvp::Extremal*> distinct_of(const FromGuesses& all) {
+std::vector<const bvp::Extremal*> FromGuesses::distinct() const {
   std::vector<const bvp::Extremal*> some;
-  for (const bvp::GlobalResult& r : all) {
+  for (const bvp::GlobalResult& r : results) {
     const bvp::Extremal& e = r.extremal;
     // Roots of one extremal differ by their errors, below a hundredth in the cost.
     const auto same = [&](const bvp::Extremal* other) {
       return std::abs(other->cost - e.cost) <= 1e-2 * std::abs(e.cost);
     };
-    if (e.solution.status.ok() && std::none_of(some.begin(), some.end(), same)) some.push_back(&e);
+    if (is_extremal(r) && std::ranges::none_of(some, same)) some.push_back(&e);
   }
-  std::sort(some.begin(), some.end(), [](const auto* a, const auto* b) { return a->cost < b->cost; });
+  std::ranges::sort(some, {}, &bvp::Extremal::cost);
   return some;
+}
+
+std::string case_tics(const std::vector<DuffingCase>& cases) {
+  std::vector<std::string> tics;
+  for (const DuffingCase which : cases)
+    tics.push_back(fmt::format("\"{}\" {}", to_string(which), tics.size() + 1));
+  return fmt::format("xtics ({}) rotate by 40 right", fmt::join(tics, ", "));
 }
 
 std::string time_label(double final_time) { return fmt::format("T = {:g}", final_time); }
@@ -113,68 +156,64 @@ bvp::Multistart find_all(DuffingCase which, double final_time, bool quick) {
   return bvp::duffing_extremals(printed_settings(which, final_time), quick ? fewer : bvp::DuffingStarts{});
 }
 
+/// The guesses that a case gets: zeros, then ten random ones.
+constexpr int guesses_a_case = 11;
+
 /// The equations as they stand, none eliminated: rounding belongs to what is shown.
-FromGuesses solve_from_guesses(DuffingCase which, double final_time) {
-  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(which, final_time));
+FromGuesses solve_from_guesses(const DuffingSubject& subject, double final_time) {
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(subject.which, final_time));
   const bvp::GlobalMethod method{.rows = printed_rows(problem)};
-  FromGuesses all;
+  FromGuesses all{&subject, final_time, {}};
   for (int k = 0; k < guesses_a_case; ++k) {
-    bvp::GlobalResult& r = all.emplace_back(solve_global(
+    bvp::GlobalResult& r = all.results.emplace_back(solve_global(
         problem, method,
         k == 0 ? bvp::constant_start(Eigen::VectorXd::Zero(4)) : random_guess(k - 1, final_time)));
-    if (r.extremal.solution.status.ok()) r.extremal.second_order = second_order(problem, r.extremal.solution);
+    if (is_extremal(r)) r.extremal.second_order = second_order(problem, r.extremal.solution);
   }
   return all;
 }
 
-FromGuesses solve_variants(DuffingCase which, double final_time, const bvp::GlobalResult& drawn) {
-  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(which, final_time));
-  FromGuesses all = {drawn};
-  for (std::size_t v = 1; v < global_variants().size(); ++v) {
-    const GlobalVariant& variant = global_variants()[v];
+std::vector<bvp::GlobalResult> solve_variants(const FromGuesses& printed) {
+  const bvp::ExtremalProblem problem = duffing_problem(printed_settings(printed.subject->which));
+  std::vector<bvp::GlobalResult> all = {printed.drawn()};
+  for (const GlobalVariant& variant : global_variants() | std::views::drop(1)) {
     all.push_back(solve_global(problem,
                                {.relative_shape = variant.relative_shape,
                                 .derivative = variant.derivative,
                                 .rows = printed_rows(problem)},
-                               start_from(drawn.extremal.solution)));
+                               start_from(all.front().extremal.solution)));
   }
   return all;
 }
 
 }  // namespace
 
-DuffingRuns add_duffing_runs(scene::Chapter& chapter) {
-  DuffingRuns runs{};
-  for (std::size_t i = 0; i < final_times.size(); ++i) {
-    const double t = final_times[i];
-    for (const DuffingCase which : bvp::duffing_cases()) {
-      const auto c = static_cast<std::size_t>(which);
-      runs.extremals[i][c] = &chapter.add_run<bvp::Multistart>(
-          fmt::format("extremals-{}-T{:g}", to_string(which), t),
-          fmt::format("T = {:g}, S = I (neither is stated); the program's own starts", t), {},
-          [which, t](Workshop& w) { return find_all(which, t, w.quick()); });
-    }
-    for (const DuffingSubject& subject : duffing_subjects()) {
-      runs.printed[i][static_cast<std::size_t>(subject.which)] = &chapter.add_run<FromGuesses>(
-          fmt::format("printed-{}-T{:g}", to_string(subject.which), t),
+scene::Result<bvp::Multistart> extremals(DuffingCase which, double final_time) {
+  return {fmt::format("extremals-{}-T{:g}", to_string(which), final_time),
+          fmt::format("T = {:g}, S = I (neither is stated); the program's own starts", final_time),
+          [which, final_time](bool quick) { return find_all(which, final_time, quick); }};
+}
+
+scene::Result<FromGuesses> printed_results(const DuffingSubject& subject, double final_time) {
+  return {fmt::format("printed-{}-T{:g}", to_string(subject.which), final_time),
           fmt::format("T = {:g}, S = I; 40 LGL nodes, Newton's iteration from zeros and ten random guesses "
                       "(independent at the nodes in +-1, or constant in +-5), 60 iterations at most; errors "
                       "against the trajectory flown from the own initial values at 1e-13",
-                      t),
-          {}, [which = subject.which, t](Workshop&) { return solve_from_guesses(which, t); });
-    }
-  }
-  for (const DuffingSubject& subject : duffing_subjects()) {
-    const auto& printed = run_of(runs.printed, subject.which);
-    runs.variants[static_cast<std::size_t>(subject.which)] = &chapter.add_run<FromGuesses>(
-        fmt::format("variants-{}", to_string(subject.which)),
-        "T = 2: other derivative matrices on the same nodes, begun at the root that is drawn", {&printed},
-        [&printed, which = subject.which](Workshop& w) {
-          const FromGuesses& all = w.result(printed);
-          return solve_variants(which, final_times[inferred], all[drawn_of(all)]);
-        });
-  }
-  return runs;
+                      final_time),
+          [&subject, final_time] { return solve_from_guesses(subject, final_time); }};
 }
 
-}  // namespace nlmech::chapters
+std::vector<scene::Result<FromGuesses>> all_printed_results() {
+  std::vector<scene::Result<FromGuesses>> all;
+  for (const double t : final_times)
+    for (const DuffingSubject& subject : duffing_subjects()) all.push_back(printed_results(subject, t));
+  return all;
+}
+
+scene::Result<std::vector<bvp::GlobalResult>> variants(const DuffingSubject& subject) {
+  return {fmt::format("variants-{}", to_string(subject.which)),
+          "T = 2: other derivative matrices on the same nodes, begun at the root that is drawn",
+          solve_variants, printed_results(subject)};
+}
+
+}  // namespace nlmech::chapters::rbf_inverse

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +13,7 @@
 #include "nlmech/bvp/printed.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// A case that the text solves.
 struct DuffingSubject {
@@ -25,11 +28,11 @@ struct DuffingSubject {
 
 /// The final times that are tabulated. T is not stated.
 inline constexpr std::array<double, 3> final_times = {1, 2, 5};
-/// Index of T = 2 among them, the inferred reading: the scene `shooting` tells what speaks for it.
-inline constexpr std::size_t inferred = 1;
+/// The inferred one of them: the scene `shooting` tells what speaks for it.
+inline constexpr double inferred = 2;
 
 /// A case with the printed values, S = I.
-[[nodiscard]] bvp::DuffingSettings printed_settings(bvp::DuffingCase which, double final_time);
+[[nodiscard]] bvp::DuffingSettings printed_settings(bvp::DuffingCase which, double final_time = inferred);
 
 /// The lowest extremal known of a case.
 struct KnownExtremal {
@@ -38,12 +41,14 @@ struct KnownExtremal {
   double cost;                  ///< J
   std::array<double, 4> first;  ///< x1, x2, lambda1, lambda2 at 0
   std::array<double, 2> last;   ///< x1, x2 at T
+
+  /// The largest error of initial states and co-states, relative where above 1.
+  [[nodiscard]] double error_of(const bvp::Extremal& e) const;
 };
 /// The six cases and x2x2 at all final times.
 [[nodiscard]] const std::vector<KnownExtremal>& known_extremals();
 /// One of them.
-[[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which,
-                                                  double final_time = final_times[inferred]);
+[[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which, double final_time = inferred);
 
 /// How D is made.
 struct GlobalVariant {
@@ -66,60 +71,75 @@ struct NodeErrors {
 };
 /// NaN if nothing was flown.
 [[nodiscard]] NodeErrors node_errors(const bvp::GlobalResult& result);
+/// The larger of both; infinite if it is no extremal.
+[[nodiscard]] double largest_error(const bvp::GlobalResult& result);
 
-/// The guesses that a case gets: zeros, then ten random ones.
-inline constexpr int guesses_a_case = 11;
+/// The number, or nothing if it is none.
+[[nodiscard]] inline std::optional<double> finite(double x) {
+  return std::isfinite(x) ? std::optional(x) : std::nullopt;
+}
 
-/// What the printed method made of its guesses, in their order.
-using FromGuesses = std::vector<bvp::GlobalResult>;
+/// Arbitrary guess number @p number, from 0, the same on every machine, for all states and co-states: even
+/// ones have independent values in (-1, 1) at each of 40 nodes, odd ones a constant in (-5, 5) for each
+/// component.
+[[nodiscard]] bvp::Start random_guess(int number, double final_time);
 
-/// Which of the results is drawn: that from zeros if it is an extremal, else the first that is one.
-/// @throws Failure if none is
-[[nodiscard]] std::size_t drawn_of(const FromGuesses& all);
-
-/// "zeros", "random guess 3".
-[[nodiscard]] std::string guess_name(std::size_t guess);
+/// Is it a solution, and no spurious root?
+[[nodiscard]] inline bool is_extremal(const bvp::GlobalResult& r) { return r.extremal.solution.status.ok(); }
 
 /// What guesses led to.
 struct GuessCounts {
   std::int64_t good = 0;      ///< extremals
-  std::int64_t cheapest = 0;  ///< of them, those within a hundredth of the cheapest
+  std::int64_t cheapest = 0;  ///< of them, those within a hundredth of the cheapest known
   std::int64_t spurious = 0;  ///< roots that are no solutions
+  std::int64_t failed = 0;    ///< no roots
+
+  GuessCounts& operator+=(const GuessCounts& others);
+  /// Of all guesses.
+  [[nodiscard]] double share(std::int64_t GuessCounts::*what) const {
+    return static_cast<double>(this->*what) / static_cast<double>(good + spurious + failed);
+  }
 };
-/// Counts them. @param cheapest cost
-[[nodiscard]] GuessCounts count_of(const FromGuesses& all, double cheapest);
 
-/// The extremals among them, each once, cheapest first. They live as long as the results.
-[[nodiscard]] std::vector<const bvp::Extremal*> distinct_of(const FromGuesses& all);
+/// What the printed method made of its guesses for one case at one final time: zeros, then ten random ones.
+struct FromGuesses {
+  const DuffingSubject* subject = nullptr;  ///< the case
+  double final_time = inferred;             ///< T
+  std::vector<bvp::GlobalResult> results;   ///< in the order of the guesses
 
-/// By final time and by the number of the case in the enumeration.
-template <class Result>
-using ByCase = std::array<std::array<const scene::Run<Result>*, 8>, final_times.size()>;
-
-/// The shared runs.
-struct DuffingRuns {
-  ByCase<bvp::Multistart> extremals;  ///< what the own starts find
-  ByCase<FromGuesses> printed;        ///< the printed method from guesses; the six cases that the text solves
-  /// T = 2: global_variants() begun at the root that is drawn, the first of them that root itself.
-  std::array<const scene::Run<FromGuesses>*, 8> variants;
+  /// The number of the result that is drawn: that from zeros if it is an extremal, else the first that is
+  /// one. @throws Failure if none is
+  [[nodiscard]] std::size_t chosen() const;
+  /// That result. @throws Failure if there is none
+  [[nodiscard]] const bvp::GlobalResult& drawn() const { return results[chosen()]; }
+  /// How they ended.
+  [[nodiscard]] GuessCounts counts() const;
+  /// The extremals among them, each once, cheapest first. They live as long as the results.
+  [[nodiscard]] std::vector<const bvp::Extremal*> distinct() const;
+  /// Of the extremals' largest errors at the nodes, the least; infinite without an extremal.
+  [[nodiscard]] double least_error() const;
 };
-/// Declares them.
-[[nodiscard]] DuffingRuns add_duffing_runs(scene::Chapter& chapter);
 
-/// The run of a case.
-template <class Result>
-[[nodiscard]] const scene::Run<Result>& run_of(const ByCase<Result>& runs, bvp::DuffingCase which,
-                                               std::size_t time = inferred) {
-  return *runs[time][static_cast<std::size_t>(which)];
-}
-/// What the own starts find.
-[[nodiscard]] const bvp::Multistart& extremals_of(const DuffingRuns& runs, scene::Workshop& workshop,
-                                                  bvp::DuffingCase which, std::size_t time = inferred);
-/// The cheapest. @throws Failure if there is none
-[[nodiscard]] const bvp::Extremal& best_of(const DuffingRuns& runs, scene::Workshop& workshop,
-                                           bvp::DuffingCase which, std::size_t time = inferred);
+/// "zeros", "random guess 3".
+[[nodiscard]] std::string guess_name(std::size_t guess);
+
+/// What the program's own starts find of a case.
+[[nodiscard]] scene::Result<bvp::Multistart> extremals(bvp::DuffingCase which, double final_time = inferred);
+/// The cheapest of these. @throws Failure if there is none
+[[nodiscard]] const bvp::Extremal& cheapest_of(const bvp::Multistart& all);
+
+/// What the printed method makes of its guesses.
+[[nodiscard]] scene::Result<FromGuesses> printed_results(const DuffingSubject& subject,
+                                                         double final_time = inferred);
+/// The same of all six cases at these final times, one after the other.
+[[nodiscard]] std::vector<scene::Result<FromGuesses>> all_printed_results();
+/// T = 2: global_variants() begun at the root that is drawn, the first of them that root itself.
+[[nodiscard]] scene::Result<std::vector<bvp::GlobalResult>> variants(const DuffingSubject& subject);
+
+/// For Panel::set(): the names of cases at 1, 2, ...
+[[nodiscard]] std::string case_tics(const std::vector<bvp::DuffingCase>& cases);
 
 /// "T = 2".
 [[nodiscard]] std::string time_label(double final_time);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

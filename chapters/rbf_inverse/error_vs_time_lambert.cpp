@@ -1,95 +1,89 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/curves.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
-#include "chapters/rbf_inverse/transfer_runs.hpp"
-#include "nlmech/support/stopwatch.hpp"
+#include "chapters/rbf_inverse/printed_transfer.hpp"
+#include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/work_precision.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using orbit::TransferEquations;
-using scene::Workshop;
 
-/// What one setting costs and how far it misses.
-struct Point {
-  int method;
-  double seconds, miss;
-};
-constexpr const char* methods[] = {"Izzo", "collocation, positions", "collocation, 6N equations"};
+constexpr const char *izzo = "Izzo", *positions = "positions", *both = "6N equations";
 
-/// Median of so many calls, each of @p inner solves.
-double time_of(int calls, int inner, const std::function<double()>& solve) {
-  std::vector<double> all;
-  for (int k = 0; k <= calls; ++k) {
-    const Stopwatch watch;
-    double sum = 0;
-    for (int i = 0; i < inner; ++i) sum += solve();
-    if (k > 0 && sum != 0) all.push_back(watch.seconds() / inner);  // the first warms up
-  }
-  std::sort(all.begin(), all.end());
-  return all[all.size() / 2];
+/// The error is the miss over the distance of the aim.
+scene::Attempt attempt(const std::string& setting, const orbit::TransferProblem& p, double miss,
+                       Timing time) {
+  return {setting, "success", std::max(miss / p.to.norm(), 1e-17), time, {miss}};
 }
 
-std::vector<Point> measure(Workshop& w) {
-  std::vector<Point> points;
-  const orbit::TransferProblem p = printed_transfer();
+scene::Attempt closed_form(const orbit::TransferProblem& p, bool quick) {
   const orbit::LambertProblem lambert{p.from, p.to, p.time, p.gravity.mu};
-  const int calls = w.quick() ? 3 : 9;
-  points.push_back({0, time_of(calls, 10'000, [&] { return orbit::solve_lambert(lambert).v1[0]; }),
-                    orbit::miss_of(p, orbit::solve_lambert(lambert).v1)});
-  for (const TransferEquations equations :
-       {TransferEquations::positions, TransferEquations::positions_and_velocities}) {
-    for (const int n : {21, 31, 41, 47, 61}) {
-      const orbit::TransferCollocation method{.nodes = n, .equations = equations, .largest_miss = 0.01};
-      const auto t = orbit::collocate(p, method);
-      if (!t.status.ok()) continue;
-      points.push_back({equations == TransferEquations::positions ? 1 : 2,
-                        time_of(calls, 1, [&] { return orbit::collocate(p, method).v1[0]; }), t.miss});
-    }
-  }
-  return points;
+  constexpr int solves = 10'000;  // one is as short as the clock's tick
+  double sum = 0;                 // used, so that no call is left out
+  const Timing t = time_repeats(
+      [&] {
+        for (int i = 0; i < solves; ++i) sum += orbit::solve_lambert(lambert).v1[0];
+      },
+      quick ? 3 : 9);
+  const double n = sum == 0 ? 2 * solves : solves;
+  return attempt("", p, orbit::miss_of(p, orbit::solve_lambert(lambert).v1),
+                 {t.median / n, t.smallest / n, t.largest / n, t.repeats});
 }
 
-scene::Showing show(const scene::Run<std::vector<Point>>& run, Workshop& w) {
-  const std::vector<Point>& points = w.result(run);
-  ControlCurves curves("Izzo's method: more digits in a thousandth of the time", "time_s");
-  curves.panel("time of a solve (s)", "miss (m)");
-  for (int m = 0; m < 3; ++m) {
-    curves.begin(methods[m], m == 0 ? "o1" : m == 1 ? "b2" : "b3");
-    for (const Point& p : points) {
-      if (p.method == m) curves.add(p.seconds, std::max(p.miss, 1e-10));
-    }
+scene::MethodLine collocation(const std::string& name, TransferEquations equations,
+                              const orbit::TransferProblem& p, bool quick) {
+  scene::MethodLine line{name, 1, {}};
+  for (const int n : {21, 31, 41, 47, 61}) {
+    const orbit::TransferCollocation method{.nodes = n, .equations = equations, .largest_miss = 0.01};
+    const auto t = orbit::collocate(p, method);
+    if (!t.status.ok()) continue;
+    const auto work = [&] { static_cast<void>(orbit::collocate(p, method)); };
+    line.attempts.push_back(
+        attempt(fmt::format("{} nodes", n), p, t.miss, time_repeats(work, quick ? 3 : 9)));
   }
-  curves.with("logx", "1").with("logy", "1").with("key", "bottom right").with("yrange", "[1e-12:1e3]");
-  double best = HUGE_VAL;
-  for (const Point& p : points) {
-    if (p.method > 0) best = std::min(best, p.miss);
-  }
-  scene::Showing showing;
-  showing.figure = curves.take();
-  showing.quantities = {scene::at_most("miss of Izzo's arc", "m", points.front().miss, 1e-6,
-                                       "2e-9 to 7e-8 m; recorded; kappa eps |r_F| is 1e-7 m"),
-                        scene::at_most("least miss of collocation", "m", best, 1e-4,
-                                       "6e-7 m; recorded with 61 nodes; rounding")};
-  return showing;
+  return line;
+}
+
+scene::ProblemLines measure(bool quick) {
+  const orbit::TransferProblem p = printed_transfer();
+  return {"",
+          {{izzo, 0, {closed_form(p, quick)}},
+           collocation(positions, TransferEquations::positions, p, quick),
+           collocation(both, TransferEquations::positions_and_velocities, p, quick)}};
+}
+
+void put(const scene::ProblemLines& all, scene::Show& show) {
+  scene::show_work_precision(
+      {.heading = "Izzo's method: more digits in a thousandth of the time",
+       .digits = "digits of the end: -log_{10}(miss/|{/:Bold r}_F|)",
+       .most_digits = 17,
+       .error = "miss over distance",
+       .time = "time of a solve (s)",
+       .work = {"miss (m)"},
+       .groups = {{"closed form", "#000000", 15, 2.6}, {"collocation", "#0072B2", 7, 2}}},
+      {all}, show);
+  const double scale = printed_transfer().to.norm();
+  show.at_most("miss of Izzo's arc", {all.of(izzo).least_error() * scale, "m"}, 1e-6,
+               "2e-9 to 7e-8 m; recorded; kappa eps |r_F| is 1e-7 m");
+  show.at_most("least miss of collocation",
+               {std::min(all.of(positions).least_error(), all.of(both).least_error()) * scale, "m"}, 1e-4,
+               "6e-7 m; recorded with 61 nodes; rounding");
 }
 
 }  // namespace
 
-void add_error_vs_time_lambert(scene::Chapter& chapter) {
-  const auto& run = chapter.add_run<std::vector<Point>>(
-      "lambert-times", "the printed transfer; polynomials, starts from an arc; medians of single threads", {},
+std::vector<scene::Scene> error_vs_time_lambert() {
+  const scene::Result lines(
+      "lambert-times", "the printed transfer; polynomials, starts from an arc; medians of single threads",
       measure);
-  chapter.add({.name = "error-vs-time-lambert",
-               .title = "Miss against time of a solve",
-               .place = "our own",
-               .needs = {&run},
-               .show = [&run](Workshop& w) { return show(run, w); }});
+  return {{.name = "error-vs-time-lambert",
+           .title = "Digits of the end against time of a solve",
+           .content = scene::Content(put, lines)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

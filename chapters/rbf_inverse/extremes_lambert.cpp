@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/lambert.hpp"
+#include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using orbit::LambertArc;
@@ -21,7 +22,6 @@ using orbit::LambertBranch;
 using orbit::LambertProblem;
 using orbit::LambertSolution;
 using orbit::Vector3;
-using scene::Workshop;
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -35,12 +35,8 @@ struct Extreme {
 };
 
 /// Radii 1 and 1.5 at an angle, mu = 1; rounded to double.
-LambertProblem apart(double angle, double time) {
-  return {{1, 0, 0}, {1.5 * std::cos(angle), 1.5 * std::sin(angle), 0}, time, 1};
-}
-/// The same so much short of opposite positions, with all digits of that.
-LambertProblem nearly_opposite(double lacking, double time) {
-  return {{1, 0, 0}, {-1.5 * std::cos(lacking), 1.5 * std::sin(lacking), 0}, time, 1};
+LambertProblem apart(double angle) {
+  return {{1, 0, 0}, {1.5 * std::cos(angle), 1.5 * std::sin(angle), 0}, 4, 1};
 }
 /// Nothing special about it.
 LambertProblem plain(double time) { return {{1, 0, 0}, {0.5, 1.5, 0.2}, time, 1}; }
@@ -51,49 +47,9 @@ double parabolic_time(const LambertProblem& p) {
   return (std::pow(r + c, 1.5) - std::pow(r - c, 1.5)) / 6;
 }
 
-void add_angles(std::vector<Extreme>& all) {
-  for (const double lacking : {1e-3, 1e-8, 1e-12}) {
-    for (const bool long_way : {false, true})
-      all.push_back({fmt::format("180 degrees {} {:g} rad", long_way ? "and" : "less", lacking),
-                     nearly_opposite(lacking, 4),
-                     {.long_way = long_way}});
-  }
-  const LambertProblem opposite{{1, 0, 0}, {-1.5, 0, 0}, 4, 1};
-  all.push_back({"180 degrees, no plane given", opposite, {}, Outcome::outside_validity});
-  LambertProblem in_plane = opposite;
-  in_plane.normal = Vector3<double>(0, 1, 2);
-  all.push_back({"180 degrees in a given plane", in_plane, {}});
-  for (const double angle : {1e-3, 1e-8, 1e-12}) {
-    all.push_back({fmt::format("{:g} rad", angle), apart(angle, 4), {}});
-    all.push_back({fmt::format("360 degrees less {:g} rad", angle), apart(angle, 4), {.long_way = true}});
-  }
-  all.push_back({"0 degrees", apart(0, 4), {}, Outcome::outside_validity});
-  all.push_back({"360 degrees", apart(0, 4), {.long_way = true}, Outcome::outside_validity});
-}
-
-void add_times(std::vector<Extreme>& all) {
-  for (const double time : {1e-3, 1e-50, 1e-140})
-    all.push_back({fmt::format("hyperbola in a time of {:g}", time), plain(time), {}});
-  all.push_back({"a time of 1e-200", plain(1e-200), {}, Outcome::outside_validity});
-  all.push_back({"parabola", plain(parabolic_time(plain(1))), {}});
-  for (const double time : {1e3, 1e7}) all.push_back({fmt::format("a time of {:g}", time), plain(time), {}});
-  all.push_back({"a time of 1e12", plain(1e12), {}, Outcome::outside_validity});
-}
-
 /// A problem at its least time for so many revolutions, times @p factor.
 LambertProblem at_limit(int revolutions, double factor) {
-  const double least = orbit::least_time(plain(1), false, revolutions);
-  return plain(least * factor);
-}
-
-void add_revolutions(std::vector<Extreme>& all) {
-  for (const int n : {1, 20, 1000}) {
-    const std::string label = fmt::format("{} revolutions, least time", n);
-    all.push_back({label + " less 1e-12", at_limit(n, 1 - 1e-12), {false, n}, Outcome::infeasible});
-    all.push_back({label + " and 1e-12, low", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::low}});
-    all.push_back({label + " and 1e-12, high", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::high}});
-  }
-  all.push_back({"1000000 revolutions, twice the least time", at_limit(1000000, 2), {false, 1000000}});
+  return plain(orbit::least_time(plain(1), false, revolutions) * factor);
 }
 
 /// The plain problem in units 2^length and 2^time times as small.
@@ -105,13 +61,43 @@ LambertProblem in_units(int length, int time) {
 
 std::vector<Extreme> extremes() {
   std::vector<Extreme> all;
-  add_angles(all);
-  add_times(all);
-  add_revolutions(all);
-  all.push_back({"r_2 = 1e-8 r_1", {{1, 0, 0}, {0, 1e-8, 0}, 1, 1}, {}});
-  all.push_back({"r_2 = 1e8 r_1", {{1, 0, 0}, {0, 1e8, 0}, 1e12, 1}, {}});
-  all.push_back({"lengths of 2^-600, times of 2^-700", in_units(-600, -700), {}});
-  all.push_back({"lengths of 2^600, times of 2^700", in_units(600, 700), {}});
+  const auto add = [&](std::string label, const LambertProblem& p, const LambertArc& arc = {},
+                       Outcome expected = Outcome::success) {
+    all.push_back({std::move(label), p, arc, expected});
+  };
+  const LambertArc long_way{.long_way = true};
+  for (const double lacking : {1e-3, 1e-8, 1e-12}) {  // with all digits of that
+    const LambertProblem p{{1, 0, 0}, {-1.5 * std::cos(lacking), 1.5 * std::sin(lacking), 0}, 4, 1};
+    add(fmt::format("180 degrees less {:g} rad", lacking), p);
+    add(fmt::format("180 degrees and {:g} rad", lacking), p, long_way);
+  }
+  LambertProblem opposite{{1, 0, 0}, {-1.5, 0, 0}, 4, 1};
+  add("180 degrees, no plane given", opposite, {}, Outcome::outside_validity);
+  opposite.normal = Vector3<double>(0, 1, 2);
+  add("180 degrees in a given plane", opposite);
+  for (const double angle : {1e-3, 1e-8, 1e-12}) {
+    add(fmt::format("{:g} rad", angle), apart(angle));
+    add(fmt::format("360 degrees less {:g} rad", angle), apart(angle), long_way);
+  }
+  add("0 degrees", apart(0), {}, Outcome::outside_validity);
+  add("360 degrees", apart(0), long_way, Outcome::outside_validity);
+  for (const double time : {1e-3, 1e-50, 1e-140})
+    add(fmt::format("hyperbola in a time of {:g}", time), plain(time));
+  add("a time of 1e-200", plain(1e-200), {}, Outcome::outside_validity);
+  add("parabola", plain(parabolic_time(plain(1))));
+  for (const double time : {1e3, 1e7}) add(fmt::format("a time of {:g}", time), plain(time));
+  add("a time of 1e12", plain(1e12), {}, Outcome::outside_validity);
+  for (const int n : {1, 20, 1000}) {
+    const std::string label = fmt::format("{} revolutions, least time", n);
+    add(label + " less 1e-12", at_limit(n, 1 - 1e-12), {false, n}, Outcome::infeasible);
+    add(label + " and 1e-12, low", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::low});
+    add(label + " and 1e-12, high", at_limit(n, 1 + 1e-12), {false, n, LambertBranch::high});
+  }
+  add("1000000 revolutions, twice the least time", at_limit(1000000, 2), {false, 1000000});
+  add("r_2 = 1e-8 r_1", {{1, 0, 0}, {0, 1e-8, 0}, 1, 1});
+  add("r_2 = 1e8 r_1", {{1, 0, 0}, {0, 1e8, 0}, 1e12, 1});
+  add("lengths of 2^-600, times of 2^-700", in_units(-600, -700));
+  add("lengths of 2^600, times of 2^700", in_units(600, 700));
   return all;
 }
 
@@ -121,6 +107,11 @@ struct Trial {
   LambertSolution solution;
   double miss = 0;    ///< of the flight in 50 digits, over |r_2|
   double scaled = 0;  ///< over kappa eps, the velocity's too if that is larger
+
+  /// Nothing if it is not solved.
+  [[nodiscard]] scene::Cell if_solved(const scene::Cell& cell) const {
+    return solution.status.ok() ? cell : scene::Cell();
+  }
 };
 
 double relative(const Vector3<double>& a, const Vector3<Digits50>& b) {
@@ -160,55 +151,43 @@ double worst_unit() {
   return worst;
 }
 
-scene::Table tabulate(const std::vector<Trial>& trials) {
-  scene::Table table(
-      {{"case"}, {"status"}, {"iterations"}, {"1/a", 3}, {"miss over |r_2|", 2}, {"over kappa eps too", 2}});
-  for (const Trial& t : trials) {
-    const std::string status(to_string(t.solution.status.outcome()));
-    if (t.solution.status.ok())
-      table.add({t.extreme.label, status, static_cast<std::int64_t>(t.solution.iterations),
-                 t.solution.reciprocal_axis, t.miss, t.scaled});
-    else
-      table.add({t.extreme.label, status, {}, {}, {}, {}});
-  }
-  return table;
-}
-
-scene::Showing show() {
+void put(scene::Show& show) {
   std::vector<Trial> trials;
-  for (const Extreme& e : extremes()) trials.push_back(attempt(e));
-  double right = 0, worst = 0, parabola = HUGE_VAL;
+  std::ranges::transform(extremes(), std::back_inserter(trials), attempt);
+  show.table(trials, {{"case", [](const Trial& t) { return t.extreme.label; }},
+                      {"status", [](const Trial& t) { return to_string(t.solution.status.outcome()); }},
+                      {"iterations", [](const Trial& t) { return t.if_solved(t.solution.iterations); }},
+                      {"1/a", [](const Trial& t) { return t.if_solved(t.solution.reciprocal_axis); }},
+                      {"miss over |r_2|", [](const Trial& t) { return t.if_solved(t.miss); }, 2},
+                      {"over kappa eps too", [](const Trial& t) { return t.if_solved(t.scaled); }, 2}});
+  double worst = 0, parabola = HUGE_VAL;
+  std::size_t right = 0;
   for (const Trial& t : trials) {
     right += t.solution.status.outcome() == t.extreme.expected ? 1 : 0;
     worst = std::max(worst, t.scaled);
     if (t.extreme.label == "parabola") parabola = std::abs(t.solution.reciprocal_axis);
   }
-  std::vector<scene::Quantity> quantities = {
-      scene::near(
-          "cases that end as they must", "1", right, static_cast<double>(trials.size()), 0,
-          "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
-          "too short ones for their revolutions are refused, all others solved"),
-      scene::at_most("largest miss over kappa eps, positions and velocities", "1", worst, 8,
-                     "what the method states; flown in 50 digits, kappa the condition of the flight"),
-      scene::at_most("1/a on the parabola", "1", parabola, 64 * eps,
-                     "0; Euler's time to a rounding, and 1/a changes by less than ten times its share"),
-      scene::at_most("largest difference of velocities in other units, relative", "1", worst_unit(), 4 * eps,
-                     "units by powers of two change no digit; sqrt(mu) of an odd power rounds")};
+  show.equals("cases that end as they must", right, static_cast<double>(trials.size()),
+              "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
+              "too short ones for their revolutions are refused, all others solved");
+  show.at_most("largest miss over kappa eps, positions and velocities", worst, 8,
+               "what the method states; flown in 50 digits, kappa the condition of the flight");
+  show.at_most("1/a on the parabola", parabola, 64 * eps,
+               "0; Euler's time to a rounding, and 1/a changes by less than ten times its share");
+  show.at_most("largest difference of velocities in other units, relative", worst_unit(), 4 * eps,
+               "units by powers of two change no digit; sqrt(mu) of an odd power rounds");
   for (const int n : {1, 20, 1000})
-    quantities.push_back(scene::near(
+    show.near(
         fmt::format("gap of both branches 1e-8 above the least time over that at 1e-12, {} revolutions", n),
-        "1", gap(n, 1e-8) / gap(n, 1e-12), 100, 1e-2, "a square root at the fold; eps/1e-12 of rounding"));
-  return {{}, tabulate(trials), quantities};
+        gap(n, 1e-8) / gap(n, 1e-12), 100, 1e-2, "a square root at the fold; eps/1e-12 of rounding");
 }
 
 }  // namespace
 
-void add_lambert_extremes(scene::Chapter& chapter) {
-  chapter.add({.name = "extremes-lambert",
-               .title = "Lambert's problem at its edges: angles, times, revolutions, units",
-               .place = "our own",
-               .needs = {},
-               .show = [](Workshop&) { return show(); }});
+std::vector<scene::Scene> extremes_lambert() {
+  return {{.name = "extremes-lambert",
+           .title = "Lambert's problem at its edges: angles, times, revolutions, units",
+           .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -2,255 +2,203 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/curves.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/duffing_runs.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-using scene::Workshop;
-
-/// Recorded: of 100 other guesses at T = 2, the share that Newton's iteration leads to an extremal.
-double known_share(bvp::DuffingCase which) {
-  switch (which) {
-    case bvp::DuffingCase::free: return 0.69;
-    case bvp::DuffingCase::fixed: return 0.48;
-    case bvp::DuffingCase::x1x1: return 0.21;
-    case bvp::DuffingCase::x1x2: return 0.62;
-    case bvp::DuffingCase::x2x1: return 0.05;
-    default: return 0.44;
-  }
-}
-
-std::vector<scene::Quantity> extremal_promises(const bvp::Extremal& e, const KnownExtremal& known) {
-  const char* const reason = "tools/oracles/rbf_inverse_extremals.py";
-  std::vector<scene::Quantity> all = {
-      scene::at_most("cost of the cheapest", "1", e.cost, known.cost * (1 + 1e-9), reason),
-      scene::at_most("distance of its flown end from prescribed values", "1", e.miss, 1e-9,
-                     "the tolerance of the collocation")};
-  double worst = 0;
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    const double value = known.first[static_cast<std::size_t>(i)];
-    worst = std::max(worst, std::abs(e.solution.first()[i] - value) / std::max(1.0, std::abs(value)));
-  }
-  all.push_back(scene::at_most("error of its initial states and co-states", "1", worst, 1e-10, reason));
-  return all;
-}
-
-/// What each guess leads to.
-scene::Table guess_table(const FromGuesses& all) {
-  scene::Table table({{"guess"},
-                      {"status"},
-                      {"Newton's iterations"},
-                      {"cost", 6},
-                      {"kind"},
-                      {"largest state error", 2},
-                      {"largest co-state error", 2}});
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const bvp::Extremal& e = all[k].extremal;
-    const bool good = e.solution.status.ok();
-    const NodeErrors errors = node_errors(all[k]);
-    const auto cell = [&](double value) { return good ? scene::Cell(value) : scene::Cell(); };
-    table.add({guess_name(k), std::string(to_string(e.solution.status.outcome())),
-               all[k].report.statistics.newton_iterations, cell(e.cost),
-               good ? scene::Cell(std::string(to_string(e.second_order.kind))) : scene::Cell(),
-               cell(errors.states), cell(errors.costates)});
-  }
-  return table;
-}
-
-/// x1, x2 or f.
-double component(const Eigen::VectorXd& z, int k) { return k < 2 ? z[k] : -z[3]; }
-
-/// A panel of x1, x2 or f, and how far its curves reach.
-struct Panel {
-  ControlCurves& figure;
-  int k;
-  double low = HUGE_VAL, high = -HUGE_VAL;
-
-  void add(double time, const Eigen::VectorXd& z) {
-    const double value = component(z, k);
-    figure.add(time, value);
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  /// An extremal of the printed method at its nodes.
-  void add_nodes(const bvp::Extremal& e) {
-    const std::vector<double> times = e.solution.node_times();
-    const Eigen::MatrixXd& values = e.solution.unknowns.intervals.front().values;
-    for (std::size_t j = 0; j < times.size(); ++j) add(times[j], values.col(static_cast<Eigen::Index>(j)));
-  }
-};
+using bvp::DuffingCase;
 
 bool same_cost(const bvp::Extremal& a, const bvp::Extremal& b) {
   return std::abs(a.cost - b.cost) <= 1e-2 * b.cost;
 }
 
-/// Extremals that other guesses lead to.
-void draw_others(Panel& panel, const FromGuesses& all, const bvp::Extremal& drawn,
-                 const bvp::Extremal& best) {
-  bool first = true;
-  for (const bvp::Extremal* e : distinct_of(all)) {
+/// A panel of x1, x2 or f, and how far its curves reach.
+struct Component {
+  scene::Panel& panel;
+  Eigen::Index k;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+
+  void curve(const std::string& name, const std::vector<double>& t, const Eigen::MatrixXd& z,
+             const scene::Look& look) {
+    const Eigen::VectorXd values = k < 2 ? Eigen::VectorXd(z.row(k)) : Eigen::VectorXd(-z.row(3));
+    low = std::min(low, values.minCoeff());
+    high = std::max(high, values.maxCoeff());
+    panel.curve(name, t, {values.begin(), values.end()}, look);
+  }
+  void curve(const std::string& name, const bvp::Extremal& at_nodes, const scene::Look& look) {
+    curve(name, at_nodes.solution.node_times(), at_nodes.solution.node_values(), look);
+  }
+};
+
+/// What is found from the guesses, and over it the cheapest known.
+void draw(Component component, const FromGuesses& all, const bvp::Extremal& best) {
+  const bvp::Extremal& drawn = all.drawn().extremal;
+  std::string others = "from other guesses";
+  for (const bvp::Extremal* e : all.distinct()) {
     // What costs orders of magnitude more would be steep lines through the picture; the cheapest is there.
     if (same_cost(*e, drawn) || same_cost(*e, best) || e->cost > 10 * drawn.cost) continue;
-    panel.figure.begin(first ? "from other guesses" : "", "l8");
-    panel.add_nodes(*e);
-    first = false;
+    component.curve(std::exchange(others, ""), *e, scene::lines(8));
   }
+  component.curve("as printed, from " + guess_name(all.chosen()), drawn, scene::linespoints(1));
+  std::vector<double> t;
+  Eigen::MatrixXd z(4, 201);
+  for (int i = 0; i <= 200; ++i) {
+    t.push_back(inferred * i / 200);
+    z.col(i) = best.solution.at(t.back());
+  }
+  const bool by_others = !same_cost(drawn, best) && all.counts().cheapest > 0;
+  component.curve(by_others ? "cheapest known, found from other guesses" : "cheapest known", t, z,
+                  scene::lines(2));
+  const double margin = 0.1 * (component.high - component.low);
+  component.panel.y_range(component.low - margin, component.high + margin).set("bmargin at screen 0.27");
+  component.panel.key(
+      component.k == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 3 width -4" : "off");
 }
 
-/// A panel for x1, x2 or f: what is found from the guesses, and over it the cheapest known.
-void draw_component(ControlCurves& figure, const FromGuesses& all, const bvp::Extremal& best, int k) {
-  constexpr std::array<const char*, 3> labels = {"{/:Italic x}_{1}", "{/:Italic x}_{2} (1/s)",
-                                                 "{/:Italic f} (1/s^{2})"};
-  figure.panel("time (s)", "", labels[static_cast<std::size_t>(k)]);
-  const std::size_t chosen = drawn_of(all);
-  const bvp::Extremal& drawn = all[chosen].extremal;
-  Panel panel{figure, k};
-  draw_others(panel, all, drawn, best);
-  figure.begin("as printed, from " + guess_name(chosen), "b1");
-  panel.add_nodes(drawn);
-  const bool by_others = !same_cost(drawn, best) && count_of(all, best.cost).cheapest > 0;
-  figure.begin(by_others ? "cheapest known, found from other guesses" : "cheapest known", "l2");
-  for (int i = 0; i <= 200; ++i) {
-    const double t = final_times[inferred] * i / 200;
-    panel.add(t, best.solution.at(t));
-  }
-  const double margin = 0.1 * (panel.high - panel.low);
-  figure.with("yrange", fmt::format("[{:g}:{:g}]", panel.low - margin, panel.high + margin));
-  figure.with("key",
-              k == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 3 width -4" : "off");
+/// How solves ended, a row each. @param name of each by its number @param kinds are they told?
+template <class Name>
+void tabulate(const std::vector<bvp::GlobalResult>& results, const char* heading, Name name, bool kinds,
+              scene::Show& show) {
+  struct Row {
+    std::string name;
+    const bvp::GlobalResult* r;
+    NodeErrors errors;
+
+    [[nodiscard]] const bvp::Extremal& extremal() const { return r->extremal; }
+    [[nodiscard]] scene::Cell if_good(const scene::Cell& cell) const {
+      return is_extremal(*r) ? cell : scene::Cell();
+    }
+  };
+  std::vector<Row> rows;
+  for (const bvp::GlobalResult& r : results) rows.push_back({name(rows.size()), &r, node_errors(r)});
+  scene::ColumnsOf<std::vector<Row>> columns = {
+      {heading, &Row::name},
+      {"status", [](const Row& r) { return to_string(r.extremal().solution.status.outcome()); }},
+      {"Newton's iterations", [](const Row& r) { return r.r->report.statistics.newton_iterations; }},
+      {"cost", [](const Row& r) { return r.if_good(r.extremal().cost); }, kinds ? 6 : 10},
+      {"kind", [](const Row& r) { return r.if_good(to_string(r.extremal().second_order.kind)); }},
+      {"largest state error", [](const Row& r) { return r.if_good(r.errors.states); }, 2},
+      {"largest co-state error", [](const Row& r) { return r.if_good(r.errors.costates); }, 2}};
+  if (!kinds) columns.erase(columns.begin() + 4);
+  show.table(rows, columns);
 }
 
 /// What the guesses led to, in numbers.
-std::vector<scene::Quantity> guess_promises(const DuffingSubject& subject, const FromGuesses& all,
-                                            const bvp::Extremal& best) {
-  const GuessCounts counts = count_of(all, best.cost);
-  const auto n = static_cast<double>(all.size()), good = double(counts.good);
-  const double share = known_share(subject.which), slack = 3 * std::sqrt(n * share * (1 - share)) + 1;
-  const std::vector<const bvp::Extremal*> found = distinct_of(all);
-  const double cost = all[drawn_of(all)].extremal.cost;
+void check_guesses(const FromGuesses& all, const bvp::Extremal& best, scene::Show& show) {
+  // Recorded: of 100 other guesses at T = 2, the share that Newton's iteration leads to an extremal.
+  static const std::map<DuffingCase, double> shares = {
+      {DuffingCase::free, 0.69}, {DuffingCase::fixed, 0.48}, {DuffingCase::x1x1, 0.21},
+      {DuffingCase::x1x2, 0.62}, {DuffingCase::x2x1, 0.05},  {DuffingCase::harmonic, 0.44}};
+  const GuessCounts counts = all.counts();
+  const double share = shares.at(all.subject->which), n = static_cast<double>(all.results.size()),
+               good = static_cast<double>(counts.good), slack = 3 * std::sqrt(n * share * (1 - share)) + 1,
+               cost = all.drawn().extremal.cost;
+  const auto found = all.distinct();
   const char* const least =
       "none costs less than the cheapest that any method found, to the root's own error";
-  return {{"guesses of eleven that find an extremal", "1", good, std::max(1.0, n * share - slack),
-           std::min(n, n * share + slack), "recorded of 100 other guesses; three deviations"},
-          {"guesses that find the cheapest", "1", double(counts.cheapest), 0, good, "some of those"},
-          {"guesses that find a root that is no solution", "1", double(counts.spurious), 0, n - good,
-           "some of the others"},
-          {"different extremals found", "1", double(found.size()), 1, good, "one at least"},
-          {"cost of what is drawn", "1", cost, 0.99 * best.cost, HUGE_VAL, least},
-          {"cost of what is drawn over the cheapest", "1", cost / best.cost, 0.99, HUGE_VAL, least},
-          {"highest cost found", "1", found.back()->cost, 0.99 * best.cost, HUGE_VAL, least}};
+  show.between("guesses of eleven that find an extremal", good, std::max(1.0, n * share - slack),
+               std::min(n, n * share + slack), "recorded of 100 other guesses; three deviations");
+  show.between("guesses that find the cheapest", counts.cheapest, 0, good, "some of those");
+  show.between("guesses that find a root that is no solution", counts.spurious, 0, n - good,
+               "some of the others");
+  show.between("different extremals found", found.size(), 1, good, "one at least");
+  show.between("cost of what is drawn", cost, 0.99 * best.cost, HUGE_VAL, least);
+  show.between("cost of what is drawn over the cheapest", cost / best.cost, 0.99, HUGE_VAL, least);
+  show.between("highest cost found", found.back()->cost, 0.99 * best.cost, HUGE_VAL, least);
 }
 
-scene::Showing show_states(const DuffingRuns& runs, const DuffingSubject& subject, Workshop& w) {
-  const bvp::Extremal& best = best_of(runs, w, subject.which);
-  const FromGuesses& all = w.result(run_of(runs.printed, subject.which));
-  const std::size_t chosen = drawn_of(all);
-  const double ratio = all[chosen].extremal.cost / best.cost;
-  ControlCurves figure(
-      same_cost(all[chosen].extremal, best)
-          ? fmt::format("From {} the printed method finds the cheapest extremal", guess_name(chosen))
-          : fmt::format("From {} the printed method pays {:.2g} times the least", guess_name(chosen), ratio));
-  for (int k = 0; k < 3; ++k) draw_component(figure, all, best, k);
-  figure.overall("bottom", "0.27").overall("width", "1000").overall("height", "440");
-  std::vector<scene::Quantity> quantities = guess_promises(subject, all, best);
-  for (scene::Quantity& q : extremal_promises(best, known_extremal(subject.which)))
-    quantities.push_back(std::move(q));
-  return {figure.take(), guess_table(all), quantities};
+void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Show& show) {
+  const bvp::Extremal &best = cheapest_of(found), &drawn = all.drawn().extremal;
+  const KnownExtremal& known = known_extremal(all.subject->which);
+  const std::string from = guess_name(all.chosen());
+  scene::Plot& plot = show.plots(
+      same_cost(drawn, best) ? fmt::format("From {} the printed method finds the cheapest extremal", from)
+                             : fmt::format("From {} the printed method pays {:.2g} times the least", from,
+                                           drawn.cost / best.cost));
+  plot.size(1000, 440).columns({"panel", "curve", "x", "y"});
+  const char* const names[] = {"{/:Italic x}_{1}", "{/:Italic x}_{2} (1/s)", "{/:Italic f} (1/s^{2})"};
+  for (int k = 0; k < 3; ++k)
+    draw({.panel = plot.panel("time (s)", "").caption(names[k]), .k = k}, all, best);
+  tabulate(all.results, "guess", guess_name, true, show);
+  check_guesses(all, best, show);
+  const char* const oracle = "tools/oracles/rbf_inverse_extremals.py";
+  show.at_most("cost of the cheapest", best.cost, known.cost * (1 + 1e-9), oracle);
+  show.at_most("distance of its flown end from prescribed values", best.miss, 1e-9,
+               "the tolerance of the collocation");
+  show.at_most("error of its initial states and co-states", known.error_of(best), 1e-10, oracle);
 }
 
-scene::Table variant_table(const FromGuesses& results) {
-  scene::Table table({{"derivative matrix"},
-                      {"status"},
-                      {"Newton's iterations"},
-                      {"cost", 10},
-                      {"largest state error", 2},
-                      {"largest co-state error", 2}});
-  for (std::size_t v = 0; v < results.size(); ++v) {
-    const bvp::GlobalResult& r = results[v];
-    const NodeErrors errors = node_errors(r);
-    const auto cell = [](double x) { return std::isfinite(x) ? scene::Cell(x) : scene::Cell(); };
-    table.add({global_variants()[v].name, std::string(to_string(r.extremal.solution.status.outcome())),
-               r.report.statistics.newton_iterations, cell(r.extremal.cost), cell(errors.states),
-               cell(errors.costates)});
-  }
-  return table;
-}
-
-/// |error| of one component, or the greater of two, at the nodes.
-void draw_errors(ControlCurves& figure, const bvp::GlobalResult& r, int from, int to) {
-  const auto& intervals = r.extremal.solution.unknowns.intervals;
-  if (intervals.empty() || r.flown.cols() != intervals.front().values.cols()) return;
-  const Eigen::MatrixXd error = (intervals.front().values - r.flown).cwiseAbs();
+/// The greatest |error| of some components at the nodes.
+void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalResult& r, Eigen::Index first,
+                Eigen::Index count, int style) {
+  if (!is_extremal(r)) return;
+  const Eigen::MatrixXd error =
+      (r.extremal.solution.node_values() - r.flown).cwiseAbs().middleRows(first, count);
   const std::vector<double> times = r.extremal.solution.node_times();
+  std::vector<double> t, worst;
   for (std::size_t j = 0; j < times.size(); ++j) {
-    double worst = 0;
-    for (int k = from; k <= to; ++k) worst = std::max(worst, error(k, static_cast<Eigen::Index>(j)));
-    if (worst > 0) figure.add(times[j], worst);  // the first node is where the flight begins
+    const double e = error.col(static_cast<Eigen::Index>(j)).maxCoeff();
+    if (!(e > 0)) continue;  // the first node is where the flight begins
+    t.push_back(times[j]);
+    worst.push_back(e);
   }
+  panel.curve(name, t, worst, scene::linespoints(style));
 }
 
-scene::Showing show_errors(const DuffingRuns& runs, std::size_t index, bool costates, Workshop& w) {
-  const DuffingSubject& subject = duffing_subjects()[index];
-  const FromGuesses& results = w.result(*runs.variants[static_cast<std::size_t>(subject.which)]);
+void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, scene::Show& show) {
   const NodeErrors printed = node_errors(results[0]);
   const double worst = costates ? printed.costates : printed.states;
-  ControlCurves figure(fmt::format("{} errors reach {}, where the text has 1e-7",
-                                   costates ? "Co-state" : "State", scene::format_number(worst, 1)));
-  figure.panel("time (s)",
-               costates ? "|{/:Italic λ} - {/:Italic λ}_{flown}|" : "|{/:Italic x} - {/:Italic x}_{flown}|");
+  const std::string letter = costates ? "λ" : "x";
+  scene::Panel& panel =
+      show.plot(fmt::format("{} errors reach {}, where the text has 1e-7", costates ? "Co-state" : "State",
+                            scene::format_number(worst, 1)),
+                "time (s)", fmt::format("|{{/:Italic {0}}} - {{/:Italic {0}}}_{{flown}}|", letter));
+  show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   const int first = costates ? 2 : 0;
-  const char* const letter = costates ? "λ" : "x";
-  for (int k = 0; k < 2; ++k) {
-    figure.begin(fmt::format("{{/:Italic {}}}_{{{}}}, Gaussians as printed", letter, k + 1),
-                 k == 0 ? "b1" : "b2");
-    draw_errors(figure, results[0], first + k, first + k);
-  }
-  for (const auto& [name, look, variant] : {std::tuple("greater of both, {/:Italic c T} = 7.5", "b4", 1U),
-                                            {"greater of both, polynomial", "b3", 3U}}) {
-    if (!results[variant].extremal.solution.status.ok()) continue;
-    figure.begin(name, look);
-    draw_errors(figure, results[variant], first, first + 1);
-  }
-  figure.begin("1e-7", "l5");
-  figure.add(0, 1e-7);
-  figure.add(final_times[inferred], 1e-7);
-  figure.with("logy", "1").with("yrange", "[1e-17:1]");
-  figure.with("key", "at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3")
-      .overall("bottom", "0.33");
-  return {
-      figure.take(),
-      variant_table(results),
-      {{costates ? "largest co-state error, printed shape" : "largest state error, printed shape", "1", worst,
-        1e-7, 1,
-        "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 is a lottery"}}};
+  for (int k = 0; k < 2; ++k)
+    draw_error(panel, fmt::format("{{/:Italic {}}}_{{{}}}, Gaussians as printed", letter, k + 1), results[0],
+               first + k, 1, k + 1);
+  draw_error(panel, "greater of both, {/:Italic c T} = 7.5", results[1], first, 2, 4);
+  draw_error(panel, "greater of both, polynomial", results[3], first, 2, 3);
+  panel.curve("1e-7", {0, inferred}, {1e-7, 1e-7}, scene::lines(5));
+  panel.log_y(1e-17, 1).set("bmargin at screen 0.33");
+  panel.key("at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3");
+  const auto name = [](std::size_t i) { return global_variants()[i].name; };
+  tabulate(results, "derivative matrix", name, false, show);
+  show.between(
+      costates ? "largest co-state error, printed shape" : "largest state error, printed shape", worst, 1e-7,
+      1, "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 is a lottery");
 }
 
 }  // namespace
 
-void add_duffing_histories(scene::Chapter& chapter, const DuffingRuns& runs) {
-  for (std::size_t i = 0; i < duffing_subjects().size(); ++i) {
-    const DuffingSubject& subject = duffing_subjects()[i];
-    chapter.add({.name = fmt::format("fig-5.{}", subject.figure),
-                 .title = "States and control, " + subject.title,
-                 .place = fmt::format("Figure 5.{}", subject.figure),
-                 .needs = {&run_of(runs.extremals, subject.which), &run_of(runs.printed, subject.which)},
-                 .show = [runs, i](Workshop& w) { return show_states(runs, duffing_subjects()[i], w); }});
+std::vector<scene::Scene> histories_control() {
+  std::vector<scene::Scene> all;
+  for (const DuffingSubject& subject : duffing_subjects()) {
+    all.push_back(
+        {.name = fmt::format("fig-5.{}", subject.figure),
+         .title = "States and control, " + subject.title,
+         .place = fmt::format("Figure 5.{}", subject.figure),
+         .content = scene::Content(put_states, extremals(subject.which), printed_results(subject))});
     for (const bool costates : {false, true}) {
       const int number = subject.figure + (costates ? 2 : 1);
-      chapter.add(
+      const auto put = [costates](const std::vector<bvp::GlobalResult>& results, scene::Show& show) {
+        put_errors(results, costates, show);
+      };
+      all.push_back(
           {.name = fmt::format("fig-5.{}", number),
            .title = fmt::format("{} errors at the nodes, {}", costates ? "Co-state" : "State", subject.title),
            .place = fmt::format("Figure 5.{}", number),
-           .needs = {runs.variants[static_cast<std::size_t>(subject.which)]},
-           .show = [runs, i, costates](Workshop& w) { return show_errors(runs, i, costates, w); }});
+           .content = scene::Content(put, variants(subject))});
     }
   }
+  return all;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -4,16 +4,18 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/scenes.hpp"
+#include "chapters/rbf_inverse/own_work.hpp"
 #include "nlmech/bvp/continuation.hpp"
+#include "nlmech/bvp/duffing.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 /// What was typed.
@@ -82,8 +84,8 @@ Request understand(const Words& words) {
 /// Two minutes, starts and the last solve included.
 constexpr double seconds_of_solves = 60;
 
-/// The cheapest extremal that the own starts lead to.
-std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
+/// The extremals that the own starts lead to, one at least.
+std::vector<bvp::Found> unbounded(const bvp::DuffingSettings& settings) {
   const bvp::Multistart all = bvp::duffing_extremals(settings, {}, {}, {.seconds = seconds_of_solves});
   if (all.found.empty())
     throw Failure(Status::failure(
@@ -91,9 +93,7 @@ std::vector<bvp::Extremal> unbounded(const bvp::DuffingSettings& settings) {
         fmt::format("duffing: none of {} starts led to an extremal that an integrator confirms ({} spurious "
                     "roots); try another final time or a smaller beta",
                     all.good + all.spurious + all.failed, all.spurious)));
-  std::vector<bvp::Extremal> extremals;
-  for (const bvp::Found& f : all.found) extremals.push_back(f.extremal);
-  return extremals;
+  return all.found;
 }
 
 /// A power of two in which the bound is 8 to 16: the smoothing of a bounded control is 1e-4, whatever the
@@ -114,9 +114,8 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   std::optional<bvp::Extremal> best;
   Status failure;
-  int tried = 0;
-  for (const bvp::Extremal& free : unbounded(settings)) {
-    if (++tried > 3) break;
+  for (const bvp::Found& found : unbounded(settings) | std::views::take(3)) {
+    const bvp::Extremal& free = found.extremal;
     double peak = 0;
     constexpr int samples = 1000;
     for (int i = 0; i <= samples; ++i)
@@ -138,8 +137,8 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
 std::string duffing(const Words& words) {
   const Request r = understand(words);
   const double unit = r.bound ? unit_of(*r.bound) : 1;
-  const bvp::Extremal e = r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit)
-                                  : std::move(unbounded(r.settings).front());
+  const bvp::Extremal e =
+      r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit) : unbounded(r.settings).front().extremal;
   const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
   // What is prescribed or vanishes comes out with the rounding of the solve.
   const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
@@ -172,4 +171,4 @@ void add_duffing_command(CLI::App& app) {
   command->callback([words] { scene::print_result(duffing(*words)); });
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

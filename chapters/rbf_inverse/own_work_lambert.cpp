@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/rbf_inverse/own_work.hpp"
 #include "chapters/rbf_inverse/porkchop_file.hpp"
 #include "chapters/rbf_inverse/porkchop_map.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/orbit/transfer.hpp"
 #include "nlmech/scene/csv.hpp"
 #include "nlmech/scene/files.hpp"
@@ -20,7 +20,7 @@
 #include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 /// What was typed.
@@ -311,4 +311,4 @@ void add_lambert_commands(CLI::App& app) {
   add_porkchop_commands(app);
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

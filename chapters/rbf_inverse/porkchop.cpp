@@ -1,21 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "chapters/rbf_inverse/porkchop_map.hpp"
-#include "chapters/rbf_inverse/scenes.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/porkchop.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using orbit::Porkchop;
 using orbit::PorkchopProblem;
-using scene::Workshop;
 
 constexpr double day = 86400, hour = 3600, pi = std::numbers::pi;
 
@@ -66,124 +65,106 @@ PorkchopProblem low_to_geostationary(bool quick) {
 }
 
 /// The cheapest cell by a measure.
-struct Cheapest {
-  std::size_t i = 0, j = 0;
-  double value = std::numeric_limits<double>::infinity();
+struct Row {
+  const char* measure;
+  double departure = 0, arrival = 0, value = HUGE_VAL;
+  orbit::PorkchopCell cell = {};
 };
 template <class Measure>
-Cheapest cheapest(const Porkchop& grid, const Measure& measure) {
-  Cheapest best;
+Row cheapest(const Porkchop& grid, const char* name, const Measure& measure) {
+  Row best{name};
   for (std::size_t i = 0; i < grid.departures.size(); ++i) {
     for (std::size_t j = 0; j < grid.arrivals.size(); ++j) {
       const orbit::PorkchopCell& cell = grid.at(i, j);
-      if (cell.exists() && measure(cell) < best.value) best = {i, j, measure(cell)};
+      if (cell.exists() && measure(cell) < best.value)
+        best = {name, grid.departures[i], grid.arrivals[j], measure(cell), cell};
     }
   }
   return best;
 }
 
-double sum_of(const orbit::PorkchopCell& c) { return c.v_departure + c.v_arrival; }
-
-/// Least sum, least departure, least arrival, a row each.
-scene::Table minima(const Porkchop& grid, const std::string& unit, double time) {
-  scene::Table table({{"least"},
-                      {fmt::format("departure ({})", unit), 5},
-                      {fmt::format("arrival ({})", unit), 5},
-                      {"speed at the departure (km/s)", 5},
-                      {"speed at the arrival (km/s)", 5},
-                      {"revolutions"},
-                      {"way"}});
-  const auto add = [&](const char* name, const Cheapest& at) {
-    const orbit::PorkchopCell& c = grid.at(at.i, at.j);
-    table.add({std::string(name), grid.departures[at.i] / time, grid.arrivals[at.j] / time,
-               c.v_departure / 1e3, c.v_arrival / 1e3, std::int64_t(c.revolutions),
-               std::string(c.long_way ? "long" : "short")});
-  };
-  add("sum of both", cheapest(grid, sum_of));
-  add("speed at the departure", cheapest(grid, [](const auto& c) { return c.v_departure; }));
-  add("speed at the arrival", cheapest(grid, [](const auto& c) { return c.v_arrival; }));
-  return table;
+/// Least sum, least departure, least arrival, a row each. @param time what @p unit is in seconds
+std::vector<Row> put_minima(const Porkchop& grid, const std::string& unit, double time, scene::Show& show) {
+  using orbit::PorkchopCell;
+  const auto cell = [&](const char* name, auto measure) { return cheapest(grid, name, measure); };
+  const std::vector<Row> rows = {
+      cell("sum of both", [](const PorkchopCell& c) { return c.v_departure + c.v_arrival; }),
+      cell("speed at the departure", [](const PorkchopCell& c) { return c.v_departure; }),
+      cell("speed at the arrival", [](const PorkchopCell& c) { return c.v_arrival; })};
+  show.table(rows,
+             {{"least", &Row::measure},
+              {fmt::format("departure ({})", unit), [time](const Row& r) { return r.departure / time; }, 5},
+              {fmt::format("arrival ({})", unit), [time](const Row& r) { return r.arrival / time; }, 5},
+              {"speed at the departure (km/s)", [](const Row& r) { return r.cell.v_departure / 1e3; }, 5},
+              {"speed at the arrival (km/s)", [](const Row& r) { return r.cell.v_arrival / 1e3; }, 5},
+              {"revolutions", [](const Row& r) { return r.cell.revolutions; }},
+              {"way", [](const Row& r) { return r.cell.long_way ? "long" : "short"; }}});
+  return rows;
 }
 
-/// Between the least value of continuous times and that of the nearest cells, a promise.
-scene::Quantity least(const std::string& name, double value, double known, double coarse,
-                      const std::string& reason) {
-  return {name, "km/s", value / 1e3, known / 1e3 * (1 - 1e-9), known / 1e3 * (1 + coarse), reason};
+/// Checks that a value is between the least one of continuous times and that of the nearest cells.
+void check_least(const std::string& name, const Row& row, double known, double coarse,
+                 const std::string& reason, scene::Show& show) {
+  show.between(name, {row.value / 1e3, "km/s"}, known / 1e3 * (1 - 1e-9), known / 1e3 * (1 + coarse), reason);
 }
 
-scene::Showing show_earth_to_mars(const scene::Run<Porkchop>& run, Workshop& w) {
-  const Porkchop& grid = w.result(run);
-  scene::Showing showing;
-  showing.figure =
-      porkchop_map(grid, {.heading = "Earth to Mars, summer of 2003: km/s by departure and arrival",
-                          .departure = "departure (days since J2000)",
-                          .arrival = "arrival (days since J2000)",
-                          .speed = "km/s",
-                          .time = day,
-                          .speed_unit = 1e3});
-  showing.table = minima(grid, "days since J2000", day);
-  const Cheapest best = cheapest(grid, sum_of);
-  const std::string program =
+void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
+  show.draw(porkchop_map(grid, {.heading = "Earth to Mars, summer of 2003: km/s by departure and arrival",
+                                .departure = "departure (days since J2000)",
+                                .arrival = "arrival (days since J2000)",
+                                .speed = "km/s",
+                                .time = day,
+                                .speed_unit = 1e3}));
+  const std::vector<Row> least = put_minima(grid, "days since J2000", day, show);
+  const char* const program =
       "recorded: least by other code (universal variables of Bate, Mueller and White, bisection) over "
       "continuous times; a grid with steps of days is a little above";
-  showing.quantities = {
-      least("least sum of excess speeds", best.value, 5669.37334827, 2e-3, program),
-      least("least excess speed at the departure",
-            cheapest(grid, [](const auto& c) { return c.v_departure; }).value, 2968.19185617, 2e-3, program),
-      least("least excess speed at the arrival",
-            cheapest(grid, [](const auto& c) { return c.v_arrival; }).value, 2697.71255038, 2e-3, program),
-      {"departure of the least sum", "days", grid.departures[best.i] / day, 1253.4 - 5, 1253.4 + 5,
-       "recorded: 1253.4; flat, so that two steps of the grid are allowed"},
-      {"arrival of the least sum", "days", grid.arrivals[best.j] / day, 1457.1 - 8, 1457.1 + 8,
-       "recorded: 1457.1; two steps"}};
-  return showing;
+  check_least("least sum of excess speeds", least[0], 5669.37334827, 2e-3, program, show);
+  check_least("least excess speed at the departure", least[1], 2968.19185617, 2e-3, program, show);
+  check_least("least excess speed at the arrival", least[2], 2697.71255038, 2e-3, program, show);
+  show.between("departure of the least sum", {least[0].departure / day, "days"}, 1253.4 - 5, 1253.4 + 5,
+               "recorded: 1253.4; flat, so that two steps of the grid are allowed");
+  show.between("arrival of the least sum", {least[0].arrival / day, "days"}, 1457.1 - 8, 1457.1 + 8,
+               "recorded: 1457.1; two steps");
 }
 
-scene::Showing show_low_to_geostationary(const scene::Run<Porkchop>& run, Workshop& w) {
-  const Porkchop& grid = w.result(run);
-  scene::Showing showing;
-  showing.figure = porkchop_map(grid, {.heading = "Low orbit to the geostationary one: windows every 1.6 h",
-                                       .departure = "departure (h)",
-                                       .arrival = "arrival (h)",
-                                       .speed = "km/s",
-                                       .time = hour,
-                                       .speed_unit = 1e3});
-  showing.table = minima(grid, "h", hour);
+void put_low_to_geostationary(const Porkchop& grid, scene::Show& show) {
+  show.draw(porkchop_map(grid, {.heading = "Low orbit to the geostationary one: windows every 1.6 h",
+                                .departure = "departure (h)",
+                                .arrival = "arrival (h)",
+                                .speed = "km/s",
+                                .time = hour,
+                                .speed_unit = 1e3}));
+  const std::vector<Row> least = put_minima(grid, "h", hour, show);
   const double sum = low + high, v1 = std::sqrt(earth_mu / low), v2 = std::sqrt(earth_mu / high);
   const double hohmann = v1 * (std::sqrt(2 * high / sum) - 1) + v2 * (1 - std::sqrt(2 * low / sum));
-  int around = 0;
-  for (const orbit::PorkchopCell& cell : grid.cells) around += cell.revolutions > 0;
-  showing.quantities = {
-      least("least sum of excess speeds", cheapest(grid, sum_of).value, hohmann, 5e-3,
-            "Hohmann's half ellipse, the least of all transfers between these circles; the grid misses its "
-            "arrival by "
-            "part of a step"),
-      {"share of the cells where a revolution more is cheaper", "1",
-       double(around) / double(grid.cells.size()), 1e-3, 0.5,
-       "there are such, since the transfer ellipse takes 10.5 h; but direct ones are cheaper mostly"}};
-  return showing;
+  const auto around =
+      std::ranges::count_if(grid.cells, [](const orbit::PorkchopCell& c) { return c.revolutions > 0; });
+  check_least("least sum of excess speeds", least[0], hohmann, 5e-3,
+              "Hohmann's half ellipse, the least of all transfers between these circles; the grid misses its "
+              "arrival by "
+              "part of a step",
+              show);
+  show.between("share of the cells where a revolution more is cheaper",
+               static_cast<double>(around) / static_cast<double>(grid.cells.size()), 1e-3, 0.5,
+               "there are such, since the transfer ellipse takes 10.5 h; but direct ones are cheaper mostly");
 }
 
 }  // namespace
 
-void add_porkchop(scene::Chapter& chapter) {
-  const auto& mars = chapter.add_run<Porkchop>(
-      "porkchop-mars", "conics of the mean elements at J2000; short and long way, no revolution", {},
-      [](Workshop& w) { return orbit::porkchop(earth_to_mars(w.quick())); });
-  const auto& geostationary = chapter.add_run<Porkchop>(
+std::vector<scene::Scene> porkchop() {
+  const scene::Result mars("porkchop-mars",
+                           "conics of the mean elements at J2000; short and long way, no revolution",
+                           [](bool quick) { return orbit::porkchop(earth_to_mars(quick)); });
+  const scene::Result geostationary(
       "porkchop-geostationary", "circles of 6678.137 km and 42164.137 km in one plane; up to two revolutions",
-      {}, [](Workshop& w) { return orbit::porkchop(low_to_geostationary(w.quick())); });
-  chapter.add({.name = "porkchop",
-               .title = "Earth to Mars: excess speeds by departure and arrival",
-               .place = "our own",
-               .needs = {&mars},
-               .show = [&mars](Workshop& w) { return show_earth_to_mars(mars, w); }});
-  chapter.add(
-      {.name = "porkchop-geostationary",
-       .title = "Low orbit to the geostationary one: excess speeds by departure and arrival",
-       .place = "our own",
-       .needs = {&geostationary},
-       .show = [&geostationary](Workshop& w) { return show_low_to_geostationary(geostationary, w); }});
+      [](bool quick) { return orbit::porkchop(low_to_geostationary(quick)); });
+  return {{.name = "porkchop",
+           .title = "Earth to Mars: excess speeds by departure and arrival",
+           .content = scene::Content(put_earth_to_mars, mars)},
+          {.name = "porkchop-geostationary",
+           .title = "Low orbit to the geostationary one: excess speeds by departure and arrival",
+           .content = scene::Content(put_low_to_geostationary, geostationary)}};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -19,7 +19,7 @@
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -325,4 +325,4 @@ std::string merged(const std::vector<PorkchopPart>& parts) {
   return text;
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -7,7 +7,7 @@
 
 #include "nlmech/orbit/porkchop.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// The problem in a TOML text: `mu`; tables `from` and `to`, each an orbit as elements (a or p, e, and in
 /// degrees i, raan, argp, nu) or as a state (position, velocity), with `epoch`; tables `departures` and
@@ -39,4 +39,4 @@ struct PorkchopPart {
 /// another grid, a part that was there before, one that is not whole, parts that are missing
 [[nodiscard]] std::string merged(const std::vector<PorkchopPart>& parts);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 constexpr double ceiling = 4;  ///< times the least speed: where the colours end
@@ -65,18 +68,14 @@ scene::Figure porkchop_map(const orbit::Porkchop& grid, const PorkchopAxes& axes
                 shown(cell.v_departure, least_departure), shown(cell.v_arrival, least_arrival)});
     }
   }
-  return {std::move(data),
-          axes.template_name,
-          {{"heading", axes.heading},
-           {"xlabel", axes.departure},
-           {"ylabel", axes.arrival},
-           {"speed", axes.speed},
-           {"least1", fmt::format("{:.6g}", least_departure)},
-           {"most1", fmt::format("{:.6g}", ceiling * least_departure)},
-           {"levels1", levels(least_departure)},
-           {"least2", fmt::format("{:.6g}", least_arrival)},
-           {"most2", fmt::format("{:.6g}", ceiling * least_arrival)},
-           {"levels2", levels(least_arrival)}}};
+  std::map<std::string, std::string> variables = {
+      {"heading", axes.heading}, {"xlabel", axes.departure}, {"ylabel", axes.arrival}, {"speed", axes.speed}};
+  for (const auto& [k, least] : {std::pair{1, least_departure}, {2, least_arrival}}) {
+    variables[fmt::format("least{}", k)] = fmt::format("{:.6g}", least);
+    variables[fmt::format("most{}", k)] = fmt::format("{:.6g}", ceiling * least);
+    variables[fmt::format("levels{}", k)] = levels(least);
+  }
+  return {std::move(data), "rbf_inverse-porkchop", std::move(variables)};
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

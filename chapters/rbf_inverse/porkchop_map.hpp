@@ -7,17 +7,16 @@
 #include "nlmech/orbit/porkchop.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 
 /// What is written at the axes, and in which units.
 struct PorkchopAxes {
-  std::string heading;                                 ///< at most 60 characters
-  std::string departure = "departure";                 ///< label below
-  std::string arrival = "arrival";                     ///< label at the left
-  std::string speed = "speed";                         ///< what follows the colours: "km/s"
-  double time = 1;                                     ///< so many units of the grid are one of the axes
-  double speed_unit = 1;                               ///< the same for speeds
-  std::string template_name = "rbf_inverse-porkchop";  ///< in figures/templates
+  std::string heading;                  ///< at most 60 characters
+  std::string departure = "departure";  ///< label below
+  std::string arrival = "arrival";      ///< label at the left
+  std::string speed = "speed";          ///< what follows the colours: "km/s"
+  double time = 1;                      ///< so many units of the grid are one of the axes
+  double speed_unit = 1;                ///< the same for speeds
 };
 
 /// Two maps over departure and arrival, of the excess speeds at both. Colours and contour lines go from the
@@ -27,4 +26,4 @@ struct PorkchopAxes {
 /// @throws Failure if there is nothing to draw
 [[nodiscard]] scene::Figure porkchop_map(const orbit::Porkchop& grid, const PorkchopAxes& axes);
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "chapters/rbf_ivp/chapter.hpp"
 #include "nlmech/comparison/ivp_commands.hpp"
 #include "nlmech/comparison/own_problem_of.hpp"
 #include "nlmech/problems/blow_up.hpp"
@@ -21,9 +20,9 @@ extern template std::unique_ptr<OwnProblem> own_problem<problems::Hires>();
 
 }  // namespace nlmech::comparison
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 
-void rbf_ivp_work(CLI::App& app) {
+void commands(CLI::App& app) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,
@@ -34,4 +33,4 @@ void rbf_ivp_work(CLI::App& app) {
   comparison::add_compare_command(app, problems, "rbf_ivp");
 }
 
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

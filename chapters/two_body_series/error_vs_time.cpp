@@ -106,7 +106,7 @@ double condition_near_end(const Subject& subject) {
   return median(all) / (std::numeric_limits<double>::epsilon() / 2);
 }
 
-/// `condition` is the floor of cost_figure(): rounding_of_data(), median near the end.
+/// `condition` is the rounding of a CostScene: rounding_of_data(), median near the end.
 comparison::Costs measure(const Subject& subject, bool quick) {
   const Example<6> c = example_of(subject);
   std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
@@ -146,7 +146,6 @@ scene::Scene scene_of(const Subject& subject) {
        .heading = subject.heading,
        .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default "
                   "settings, fixed steps by hand; errors are |dr|/a against Kepler's equation in 50 digits",
-       .variables = {{"floor_right", "1"}},  // Kepler stands at the left end
        .measure = [subject](bool quick) { return measure(subject, quick); },
        .check = [subject](const comparison::Costs& costs,
                           scene::Show& show) { check(costs, subject, show); }});

@@ -45,7 +45,7 @@ TEST(AdversaryReaders, TwoOrbitsAsToml) {
       "4000\nlast = 3e4\n"};
   hunt({.quick = 1500, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
-      const orbit::PorkchopProblem p = chapters::read_porkchop(text, "two.toml");
+      const orbit::PorkchopProblem p = chapters::rbf_inverse::read_porkchop(text, "two.toml");
       return p.mu > 0 && std::isfinite(p.mu) && p.from.state.position.allFinite() &&
              p.from.state.velocity.allFinite() && p.to.state.position.allFinite() &&
              p.to.state.velocity.allFinite() && p.departures.first <= p.departures.last &&
@@ -67,7 +67,7 @@ TEST(AdversaryReaders, KeysOfManyTables) {
                }).verdict == Case::Verdict::refused;
       };
       EXPECT_TRUE(refused(chapters::gss_control::parse_spacecraft)) << tables;
-      EXPECT_TRUE(refused(chapters::read_porkchop)) << tables;
+      EXPECT_TRUE(refused(chapters::rbf_inverse::read_porkchop)) << tables;
     }
   }
 }
@@ -82,11 +82,11 @@ TEST(AdversaryReaders, PartsOfAGrid) {
       "# shard 1 / 1 grid 1 x 1 rows 1 problem 0123456789abcdef\n" + header + "5,20,1.75,2.25,0\n"};
   hunt({.quick = 1500, .full = all_of_them, .least_right = 0.005}, [&](Draw& draw) {
     // One or two parts, the first of them damaged.
-    std::vector<chapters::PorkchopPart> parts = {{damaged(draw, examples), "first.csv"}};
+    std::vector<chapters::rbf_inverse::PorkchopPart> parts = {{damaged(draw, examples), "first.csv"}};
     if (draw.chance(0.7)) parts.push_back({draw.one_of(examples), "second.csv"});
     return read_or_refused(parts[0].text, [&](const std::string& /*text*/) {
       const scene::NumberColumns all =
-          scene::parse_numbers(chapters::merged(parts), "merged",
+          scene::parse_numbers(chapters::rbf_inverse::merged(parts), "merged",
                                {"departure", "arrival", "v_departure", "v_arrival", "revolutions"});
       for (std::size_t i = 0; i < all.rows(); ++i) {
         const double n = all.column[4][i];
@@ -108,7 +108,7 @@ TEST(AdversaryReaders, RowsThatAreNoTransfer) {
         "departure,arrival,v_departure,v_arrival,revolutions\n" +
         row + "\n";
     const Case c = read_or_refused(text, [](const std::string& t) {
-      static_cast<void>(chapters::merged({{t, "part.csv"}}));
+      static_cast<void>(chapters::rbf_inverse::merged({{t, "part.csv"}}));
       return true;
     });
     EXPECT_EQ(c.verdict, Case::Verdict::refused) << row;

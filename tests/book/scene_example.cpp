@@ -44,11 +44,11 @@ namespace {
 TEST(Example, Scene) {
   using namespace nlmech::scene;
   const Chapter chapter("basel", "The sum of the reciprocal squares", {basel()});
-  Workshop workshop(true);
-  const Performance performance = perform(chapter.scene("remainder"), workshop);
+  Results results(true);
+  const Performance performance = perform(chapter.scene("remainder"), results);
   ASSERT_EQ(performance.showing.quantities.size(), 1u);
   const Quantity& quantity = performance.showing.quantities[0];
-  EXPECT_TRUE(quantity.kept());
+  EXPECT_TRUE(quantity.passes());
   // The rest after n terms is 1/n - 1/(2 n^2) + ... (Euler-Maclaurin), here for n = 100, next term 1/(6 n^3).
   EXPECT_NEAR(quantity.value, 1 - 1 / 200.0, 1 / 6e4);
   ASSERT_TRUE(performance.showing.table.has_value());

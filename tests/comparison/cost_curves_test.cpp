@@ -1,5 +1,4 @@
-/// Curves of digits against cost: what is run, when a curve ends, what is said of runs that fail, and what is
-/// drawn.
+/// Curves of digits against cost: what is run, when a curve ends, and what is said of runs that fail.
 #include "nlmech/comparison/cost_curves.hpp"
 
 #include <gtest/gtest.h>
@@ -131,23 +130,6 @@ TEST(Condition, IsTheGrowthOfADifference) {
   EXPECT_THROW(static_cast<void>(condition_of(pole(), series)), Failure);
 }
 
-TEST(RepeatedTiming, RepeatsWhatIsShortAndNothingElse) {
-  int calls = 0;
-  const auto work = [&calls] { ++calls; };
-  EXPECT_EQ(repeated_timing(work, 1e-5, false).repeats, 9);
-  EXPECT_EQ(calls, 10);  // one to warm up
-  calls = 0;
-  EXPECT_EQ(repeated_timing(work, 0.004, false).repeats, 2);
-  EXPECT_EQ(calls, 3);
-  calls = 0;
-  for (const auto& [first, quick] : {std::pair{0.02, false}, {1e-5, true}}) {
-    const Timing timing = repeated_timing(work, first, quick);
-    EXPECT_EQ(timing.median, first);
-    EXPECT_EQ(timing.repeats, 1);
-  }
-  EXPECT_EQ(calls, 0);
-}
-
 std::vector<Curve> three_curves() {
   const Cost coarse{"step 1", "success", 1e-3, {}, {}}, fine{"step 0.1", "success", 1e-7, {}, {}};
   const Cost failed{"step 10", "non_finite", {}, {}, {}};
@@ -156,28 +138,18 @@ std::vector<Curve> three_curves() {
           {"two", Kind::own, {coarse}}};
 }
 
-TEST(CostFigure, DrawsEveryRunAndMarksTheBestOfACurve) {
-  const scene::Figure figure = cost_figure(three_curves(), "heading", 1e4);
-  ASSERT_EQ(figure.data.rows().size(), 4u);
-  std::vector<std::int64_t> numbers, best;
-  for (const auto& row : figure.data.rows()) {
-    numbers.push_back(std::get<std::int64_t>(row[1]));
-    best.push_back(std::get<std::int64_t>(row[7]));
-  }
-  EXPECT_EQ(numbers, (std::vector<std::int64_t>{1, 1, 1, 2}));
-  EXPECT_EQ(best, (std::vector<std::int64_t>{0, 0, 1, 1}));
-  EXPECT_EQ(figure.variables.at("legend"), "one|two");
-  EXPECT_EQ(figure.variables.at("kinds"), "1 8");
-  // Half an epsilon times the condition: -log10(2^-53 1e4) = 11.95.
-  EXPECT_EQ(figure.variables.at("floor_digits"), "11.95");
-  EXPECT_FALSE(cost_figure(three_curves(), "heading", 9).variables.contains("floor_digits"));
-}
-
-TEST(CostTable, HasARowARunAndOneForWhatIsAbsent) {
-  const scene::Table table = cost_table(three_curves());
-  ASSERT_EQ(table.rows().size(), 5u);
-  EXPECT_NE(table.markdown().find("| absent |  | not in this build |  |"), std::string::npos)
-      << table.markdown();
+TEST(MethodLines, AreThoseOfADiagram) {
+  const std::vector<scene::MethodLine> lines = method_lines(three_curves());
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0].method, "one");
+  EXPECT_EQ(lines[0].attempts.size(), 3U);
+  EXPECT_EQ(lines[0].attempts[1].error, 1e-3);
+  EXPECT_EQ(lines[0].attempts[0].work.size(), 3U) << "right-hand sides, steps, rejected";
+  EXPECT_TRUE(lines[1].attempts.empty()) << "not in this build";
+  const auto groups = method_groups("Hermitian operators");
+  EXPECT_EQ(groups.at(lines[0].group).name, "radial functions");
+  EXPECT_EQ(groups.at(lines[1].group).name, "Taylor series");
+  EXPECT_EQ(groups.at(lines[2].group).name, "Hermitian operators");
 }
 
 }  // namespace

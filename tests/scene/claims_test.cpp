@@ -72,7 +72,7 @@ class ClaimsOnDisk : public ::testing::Test {
         "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,"
         "erratum,reading\ntable-1,low,height,1,m,value,,,differs,digits,,,,,\n");
     put(folder_ / "results/moon/check.csv",
-        "name,nominal,inferred,verdict,kept\nroy/table-1/low/height,3,4,differs,1\n");
+        "name,nominal,inferred,verdict,passes\nroy/table-1/low/height,3,4,differs,1\n");
     put(folder_ / "results/moon/fig-1.json", R"({"quantities": [{"name": "radius", "value": 2.5}]})");
     put(folder_ / "tables/ratios.json",
         R"({"quantities": [{"name": "faster", "value": 10}, {"name": "word", "value": "holds"}]})");
@@ -100,24 +100,24 @@ TEST_F(ClaimsOnDisk, AreJudgedByTheirEvidence) {
     ASSERT_EQ(judged.size(), 1U);
     EXPECT_EQ(judged[0].value, c.value) << c.evidence;
     EXPECT_EQ(judged[0].verdict, c.verdict) << c.evidence;
-    EXPECT_TRUE(judged[0].kept) << c.evidence;
+    EXPECT_TRUE(judged[0].passes) << c.evidence;
   }
 }
 
 TEST_F(ClaimsOnDisk, AnotherVerdictOrNoEvidenceIsAMiss) {
-  EXPECT_FALSE(judge("roy,1,moon,round,fig-1,radius,at least 3,holds,")[0].kept);
+  EXPECT_FALSE(judge("roy,1,moon,round,fig-1,radius,at least 3,holds,")[0].passes);
   for (const char* evidence : {"fig-1,colour,at most 2,does not hold", "fig-2,radius,at most 2,does not hold",
                                "RATIOS,word,at most 2,does not hold", "fig-1,colour,,not stated"}) {
     const auto judged = judge(std::string("roy,1,moon,round,") + evidence + ",why");
     EXPECT_TRUE(std::isnan(judged[0].value)) << evidence;
-    EXPECT_FALSE(judged[0].kept) << evidence << ": a missing number is no evidence";
+    EXPECT_FALSE(judged[0].passes) << evidence << ": a missing number is no evidence";
   }
 }
 
 TEST_F(ClaimsOnDisk, OfAChapterThatIsNotBuiltAreLeftOpen) {
   const auto judged = judge("roy,1,sun,hot,fig-1,heat,at least 1,holds,");
   EXPECT_EQ(judged[0].verdict, Verdict::not_built);
-  EXPECT_TRUE(judged[0].kept);
+  EXPECT_TRUE(judged[0].passes);
 }
 
 TEST_F(ClaimsOnDisk, OfAChapterThatThereIsNotAreRefused) {

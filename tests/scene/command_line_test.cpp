@@ -192,7 +192,7 @@ TEST_F(CommandLine, ChecksEndWithZeroWhenAllPromisesAreKept) {
             "is not stated]\n"
             "       made-up/table-1/old machine/context: published 0.23: context [measured elsewhere]\n"
             "       made-up/table-1/load/input: published 9.81, nominal 9.81: input\n"
-            "5 quantities of 5 scenes: 5 kept, 0 missed\n");
+            "5 quantities of 5 scenes: 5 pass, 0 fail\n");
   EXPECT_EQ(written().size(), 1U);
   EXPECT_TRUE(written().contains("results/fixture/check.csv"));
 }
@@ -203,14 +203,14 @@ TEST_F(CommandLine, ChecksEndWithOneWhenValuesAreMissed) {
   const Finished check = fixture({"check"});
   EXPECT_EQ(check.exit_code, 1);
   for (const char* line :
-       {"MISSED made-up/table-1/nominal/reproduced: published 20, nominal 2: differs (MISSED: expected "
+       {"FAILS made-up/table-1/nominal/reproduced: published 20, nominal 2: differs (FAILS: expected "
         "reproduced)",
-        "MISSED made-up/table-1/inferred/reproduced (inferred): published 3, nominal 5, inferred 3.2: ",
-        "MISSED made-up/table-1/smaller/better: published 1e-9, nominal 1.2e-6: differs (MISSED: expected "
+        "FAILS made-up/table-1/inferred/reproduced (inferred): published 3, nominal 5, inferred 3.2: ",
+        "FAILS made-up/table-1/smaller/better: published 1e-9, nominal 1.2e-6: differs (FAILS: expected "
         "better)",
-        "MISSED made-up/table-1/other/differs: published 4, nominal 4: reproduced (MISSED: expected differs) "
+        "FAILS made-up/table-1/other/differs: published 4, nominal 4: reproduced (FAILS: expected differs) "
         "[a misprint]",
-        "MISSED made-up/table-1/load/input: published 9.8, nominal 9.81: reproduced (MISSED: expected input)",
+        "FAILS made-up/table-1/load/input: published 9.8, nominal 9.81: reproduced (FAILS: expected input)",
         "       made-up/table-1/old machine/context: published 0.23: context"}) {
     EXPECT_NE(check.output.find(line), std::string::npos) << line << "\n\n" << check.output;
   }
@@ -220,9 +220,9 @@ TEST_F(CommandLine, ChecksEndWithOneWhenValuesAreMissed) {
 TEST_F(CommandLine, ChecksEndWithOneWhenAQuantityIsMissed) {
   const Finished check = fixture({"check"}, {"FIXTURE_FAULT=quantity"});
   EXPECT_EQ(check.exit_code, 1);
-  EXPECT_NE(check.output.find("5 quantities of 5 scenes: 0 kept, 5 missed\n"), std::string::npos)
+  EXPECT_NE(check.output.find("5 quantities of 5 scenes: 0 pass, 5 fail\n"), std::string::npos)
       << check.output;
-  EXPECT_NE(check.errors.find("MISSED table-1: first value = 3 1, promised 2 to 2 (counted by hand)\n"),
+  EXPECT_NE(check.errors.find("FAILS table-1: first value = 3 1, allowed 2 to 2 (counted by hand)\n"),
             std::string::npos)
       << check.errors;
   EXPECT_TRUE(written().contains("results/fixture/check.csv"));

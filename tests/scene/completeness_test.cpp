@@ -12,7 +12,7 @@ using tests::put;
 using tests::TemporaryFolder;
 
 const std::string curve = "<svg><g id=\"nlmech_plot_1a\" ><path d='M0,0 L1,1'/></g></svg>";
-const std::string kept = R"({"quantities": [{"name": "a", "kept": true}]})";
+const std::string passing = R"({"quantities": [{"name": "a", "passes": true}]})";
 
 /// One figure and one table of a chapter that is built, one figure of a chapter that is not; all complete.
 class Completeness : public ::testing::Test {
@@ -29,10 +29,10 @@ class Completeness : public ::testing::Test {
         "erratum,reading\n"
         "table-1,r,q,1,1,value,,,context,,,,,,\n");
     put(folder_ / "results/moon/fig-1.csv", "x,y\n0,0\n1,1\n");
-    put(folder_ / "results/moon/fig-1.json", kept);
+    put(folder_ / "results/moon/fig-1.json", passing);
     put(folder_ / "figures/moon/fig-1.svg", curve);
     put(folder_ / "tables/moon/table-1.csv", "x\n1\n");
-    put(folder_ / "results/moon/table-1.json", kept);
+    put(folder_ / "results/moon/table-1.json", passing);
   }
   std::vector<Shown> shown() const { return collect_shown({"moon"}, folder_.path(), folder_.path()); }
 
@@ -44,7 +44,7 @@ TEST_F(Completeness, CountsWhatIsThere) {
   ASSERT_EQ(all.size(), 3U) << "a claim is neither figure nor table";
   EXPECT_EQ(all[0].numbers, 2U);
   EXPECT_EQ(all[0].checked, 1U);
-  EXPECT_EQ(all[0].kept, 1U);
+  EXPECT_EQ(all[0].passed, 1U);
   EXPECT_EQ(all[1].published, 1U);
   EXPECT_FALSE(all[2].built);
   for (const Shown& s : all) EXPECT_TRUE(s.complete()) << s.place.name;
@@ -66,7 +66,7 @@ TEST_F(Completeness, OfAFigureThatSeveralScenesShow) {
       "paper,fig-7,moon,figure,craters again,fig-1 fig-2\n");
   EXPECT_FALSE(shown()[2].complete());
   put(folder_ / "results/moon/fig-2.csv", "x,y\n0,0\n");
-  put(folder_ / "results/moon/fig-2.json", kept);
+  put(folder_ / "results/moon/fig-2.json", passing);
   put(folder_ / "figures/moon/fig-2.svg", curve);
   EXPECT_TRUE(shown()[2].complete());
   EXPECT_EQ(shown()[2].numbers, 3U);
@@ -86,11 +86,11 @@ TEST_F(Completeness, SeesWhatIsMissing) {
   EXPECT_TRUE(first_is_incomplete()) << "no plot at all";
   put(folder_ / "figures/moon/fig-1.svg", curve);
   EXPECT_FALSE(first_is_incomplete());
-  put(folder_ / "results/moon/fig-1.json", R"({"quantities": [{"kept": true}, {"kept": false}]})");
-  EXPECT_TRUE(first_is_incomplete()) << "a missed quantity";
+  put(folder_ / "results/moon/fig-1.json", R"({"quantities": [{"passes": true}, {"passes": false}]})");
+  EXPECT_TRUE(first_is_incomplete()) << "a check that fails";
   put(folder_ / "results/moon/fig-1.json", R"({"quantities": []})");
   EXPECT_TRUE(first_is_incomplete()) << "nothing checked";
-  put(folder_ / "results/moon/fig-1.json", kept);
+  put(folder_ / "results/moon/fig-1.json", passing);
   put(folder_ / "results/moon/fig-1.csv", "x,y\n");
   EXPECT_TRUE(first_is_incomplete()) << "no data";
   EXPECT_NE(completeness_page(shown()).find("| INCOMPLETE |"), std::string::npos);

@@ -26,12 +26,12 @@ PublishedValue printed(double value, Verdict expected, std::string nominal = "",
   return p;
 }
 
-bool kept(const PublishedValue& value, Number nominal, Number inferred = none) {
+bool passes(const PublishedValue& value, Number nominal, Number inferred = none) {
   const Judgement judgement = judge(value, {nominal, inferred});
-  if (judgement.kept) {
+  if (judgement.passes) {
     EXPECT_EQ(judgement.verdict, value.expected);
   }
-  return judgement.kept;
+  return judgement.passes;
 }
 
 TEST(Verdict, HasTheWordsOfTheFiles) {
@@ -50,71 +50,72 @@ TEST(Verdict, HasTheWordsOfTheFiles) {
 
 TEST(Judge, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
   const PublishedValue value = printed(2, Verdict::reproduced);
-  EXPECT_TRUE(kept(value, 2.19));
-  EXPECT_FALSE(kept(value, 2.21));
-  EXPECT_FALSE(kept(value, none, 2)) << "an inferred reading is not the nominal one";
-  EXPECT_FALSE(kept(value, nan));
-  EXPECT_FALSE(kept(value, inf));
-  EXPECT_FALSE(kept(value, none));
+  EXPECT_TRUE(passes(value, 2.19));
+  EXPECT_FALSE(passes(value, 2.21));
+  EXPECT_FALSE(passes(value, none, 2)) << "an inferred reading is not the nominal one";
+  EXPECT_FALSE(passes(value, nan));
+  EXPECT_FALSE(passes(value, inf));
+  EXPECT_FALSE(passes(value, none));
 }
 
 TEST(Judge, ReproducedMeasuresAgainstThePrintedNumberNotAgainstOurOldOne) {
   const PublishedValue value = printed(2, Verdict::reproduced, "2.15");
-  EXPECT_TRUE(kept(value, 1.9));
-  EXPECT_FALSE(kept(value, 2.3)) << "beside our own 2.15, but not beside the printed 2";
+  EXPECT_TRUE(passes(value, 1.9));
+  EXPECT_FALSE(passes(value, 2.3)) << "beside our own 2.15, but not beside the printed 2";
 }
 
 TEST(Judge, InferredNeedsTheInferredNumberBesideThePrintedOne) {
   const PublishedValue value =
       printed(1.15e-5, Verdict::reproduced_inferred, "", "1.3e-5..1.5e-5 with c = 2.5");
-  EXPECT_TRUE(kept(value, none, 1.2e-5));
-  EXPECT_FALSE(kept(value, none, 1.4e-5)) << "beside our own, but not beside the printed number";
-  EXPECT_FALSE(kept(value, 1.15e-5, none)) << "the nominal number is not the inferred one";
-  EXPECT_FALSE(kept(value, none, nan));
+  EXPECT_TRUE(passes(value, none, 1.2e-5));
+  EXPECT_FALSE(passes(value, none, 1.4e-5)) << "beside our own, but not beside the printed number";
+  EXPECT_FALSE(passes(value, 1.15e-5, none)) << "the nominal number is not the inferred one";
+  EXPECT_FALSE(passes(value, none, nan));
 }
 
 TEST(Judge, NoDigitsAreComparedOfNoiseBoundsAndClaims) {
   for (const char* kind : {"rounding", "bound", "claim"}) {
-    EXPECT_FALSE(kept(printed(2, Verdict::reproduced, "", "", "0.1", kind), 2)) << kind;
-    EXPECT_FALSE(kept(printed(2, Verdict::reproduced_inferred, "", "", "0.1", kind), none, 2)) << kind;
+    EXPECT_FALSE(passes(printed(2, Verdict::reproduced, "", "", "0.1", kind), 2)) << kind;
+    EXPECT_FALSE(passes(printed(2, Verdict::reproduced_inferred, "", "", "0.1", kind), none, 2)) << kind;
   }
-  EXPECT_FALSE(kept(printed(2, Verdict::reproduced, "", "", "below 3"), 2))
+  EXPECT_FALSE(passes(printed(2, Verdict::reproduced, "", "", "below 3"), 2))
       << "no distance from the printed number";
-  EXPECT_FALSE(kept(printed(2, Verdict::reproduced, "", "", "at least 1"), 2));
+  EXPECT_FALSE(passes(printed(2, Verdict::reproduced, "", "", "at least 1"), 2));
 }
 
 TEST(Judge, NoiseSharesALevel) {
   const auto noise = [](double value, const char* tolerance, const char* kind = "rounding") {
     return printed(value, Verdict::same_rounding, "", "", tolerance, kind);
   };
-  EXPECT_TRUE(kept(noise(2e-16, "below 1e-15"), 1e-24));
-  EXPECT_TRUE(kept(noise(2e-16, "below 1e-15"), 0));
-  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), 2e-15));
-  EXPECT_FALSE(kept(noise(2e-15, "below 1e-15"), 1e-16)) << "the printed one is no noise of that level";
-  EXPECT_TRUE(kept(noise(3.5e-6, "factor 5"), 1e-6));
-  EXPECT_FALSE(kept(noise(3.5e-6, "factor 5"), 1e-7));
-  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), none));
-  EXPECT_TRUE(kept(noise(2e-16, "below 1e-15"), none, 1e-24)) << "under a reading, and shown as such";
-  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), none, 2e-15));
-  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15"), 2e-15, 1e-24)) << "a nominal number is judged first";
-  EXPECT_FALSE(kept(noise(2e-16, "below 1e-15", "error"), 1e-24))
+  EXPECT_TRUE(passes(noise(2e-16, "below 1e-15"), 1e-24));
+  EXPECT_TRUE(passes(noise(2e-16, "below 1e-15"), 0));
+  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), 2e-15));
+  EXPECT_FALSE(passes(noise(2e-15, "below 1e-15"), 1e-16)) << "the printed one is no noise of that level";
+  EXPECT_TRUE(passes(noise(3.5e-6, "factor 5"), 1e-6));
+  EXPECT_FALSE(passes(noise(3.5e-6, "factor 5"), 1e-7));
+  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), none));
+  EXPECT_TRUE(passes(noise(2e-16, "below 1e-15"), none, 1e-24)) << "under a reading, and shown as such";
+  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), none, 2e-15));
+  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), 2e-15, 1e-24)) << "a nominal number is judged first";
+  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15", "error"), 1e-24))
       << "an error is no noise unless it is said to be";
 }
 
 TEST(Judge, BetterNeedsABoundOrNoiseAndLessOfIt) {
   for (const char* kind : {"bound", "rounding"}) {
     const PublishedValue value = printed(1e-3, Verdict::better, "7.9e-7", "", "0.1", kind);
-    EXPECT_TRUE(kept(value, 7.9e-7));
-    EXPECT_TRUE(kept(value, 8.5e-7));
-    EXPECT_TRUE(kept(printed(1e-3, Verdict::better, "", "", "0.1", kind), -8.5e-7)) << "the magnitude counts";
-    EXPECT_FALSE(kept(value, 9e-7)) << "no longer what was found";
-    EXPECT_FALSE(kept(value, 2e-3));
-    EXPECT_FALSE(kept(value, nan));
-    EXPECT_FALSE(kept(value, none));
-    EXPECT_FALSE(kept(printed(1e-3, Verdict::better, "two digits smaller", "", "0.1", kind), 1e-3));
+    EXPECT_TRUE(passes(value, 7.9e-7));
+    EXPECT_TRUE(passes(value, 8.5e-7));
+    EXPECT_TRUE(passes(printed(1e-3, Verdict::better, "", "", "0.1", kind), -8.5e-7))
+        << "the magnitude counts";
+    EXPECT_FALSE(passes(value, 9e-7)) << "no longer what was found";
+    EXPECT_FALSE(passes(value, 2e-3));
+    EXPECT_FALSE(passes(value, nan));
+    EXPECT_FALSE(passes(value, none));
+    EXPECT_FALSE(passes(printed(1e-3, Verdict::better, "two digits smaller", "", "0.1", kind), 1e-3));
   }
   for (const char* kind : {"error", "count", "value"})
-    EXPECT_FALSE(kept(printed(1e-3, Verdict::better, "", "", "0.1", kind), 1e-6))
+    EXPECT_FALSE(passes(printed(1e-3, Verdict::better, "", "", "0.1", kind), 1e-6))
         << "a method that misses: " << kind;
 }
 
@@ -122,68 +123,68 @@ TEST(Judge, ClaimsHoldOrDoNot) {
   const auto claim = [](Verdict verdict, const char* kind = "claim") {
     return printed(100, verdict, "", "", "at least 100", kind);
   };
-  EXPECT_TRUE(kept(claim(Verdict::holds), 236));
-  EXPECT_FALSE(kept(claim(Verdict::holds), 2.3));
-  EXPECT_TRUE(kept(claim(Verdict::does_not_hold), 2.3));
-  EXPECT_FALSE(kept(claim(Verdict::does_not_hold), 236));
-  EXPECT_FALSE(kept(claim(Verdict::does_not_hold), nan));
-  EXPECT_FALSE(kept(claim(Verdict::holds), none, 236)) << "as the text stands";
-  EXPECT_FALSE(kept(claim(Verdict::holds, "value"), 236));
+  EXPECT_TRUE(passes(claim(Verdict::holds), 236));
+  EXPECT_FALSE(passes(claim(Verdict::holds), 2.3));
+  EXPECT_TRUE(passes(claim(Verdict::does_not_hold), 2.3));
+  EXPECT_FALSE(passes(claim(Verdict::does_not_hold), 236));
+  EXPECT_FALSE(passes(claim(Verdict::does_not_hold), nan));
+  EXPECT_FALSE(passes(claim(Verdict::holds), none, 236)) << "as the text stands";
+  EXPECT_FALSE(passes(claim(Verdict::holds, "value"), 236));
 }
 
 TEST(Judge, DiffersNeedsAnotherNumberThanThePrintedOne) {
   const PublishedValue value = printed(0.5, Verdict::differs);
-  EXPECT_TRUE(kept(value, 0.6));
-  EXPECT_TRUE(kept(value, inf)) << "a divergence differs";
-  EXPECT_FALSE(kept(value, 0.54)) << "beside the printed number";
-  EXPECT_FALSE(kept(value, nan)) << "NaN is no finding";
-  EXPECT_FALSE(kept(value, none));
-  EXPECT_FALSE(kept(value, none, 0.6));
+  EXPECT_TRUE(passes(value, 0.6));
+  EXPECT_TRUE(passes(value, inf)) << "a divergence differs";
+  EXPECT_FALSE(passes(value, 0.54)) << "beside the printed number";
+  EXPECT_FALSE(passes(value, nan)) << "NaN is no finding";
+  EXPECT_FALSE(passes(value, none));
+  EXPECT_FALSE(passes(value, none, 0.6));
 }
 
 TEST(Judge, DiffersKeepsToTheNumberThatWasFound) {
   const PublishedValue value = printed(1000, Verdict::differs, "8 its");
-  EXPECT_TRUE(kept(value, 8));
-  EXPECT_FALSE(kept(value, 9));
-  EXPECT_TRUE(kept(printed(1e-6, Verdict::differs, "0.33", "", "1e-3"), 0.34)) << "or 5 %";
-  EXPECT_FALSE(kept(printed(1e-6, Verdict::differs, "0.33", "", "1e-3"), 0.35));
-  EXPECT_FALSE(kept(value, 1000));
+  EXPECT_TRUE(passes(value, 8));
+  EXPECT_FALSE(passes(value, 9));
+  EXPECT_TRUE(passes(printed(1e-6, Verdict::differs, "0.33", "", "1e-3"), 0.34)) << "or 5 %";
+  EXPECT_FALSE(passes(printed(1e-6, Verdict::differs, "0.33", "", "1e-3"), 0.35));
+  EXPECT_FALSE(passes(value, 1000));
   const PublishedValue range =
       printed(9.6e-3, Verdict::differs, "4.7..1800 m (condition 2e17); 0.07 m with exact D");
-  EXPECT_TRUE(kept(range, 4.3));
-  EXPECT_TRUE(kept(range, 300));
-  EXPECT_FALSE(kept(range, 0.07));
-  EXPECT_FALSE(kept(range, 2000));
+  EXPECT_TRUE(passes(range, 4.3));
+  EXPECT_TRUE(passes(range, 300));
+  EXPECT_FALSE(passes(range, 0.07));
+  EXPECT_FALSE(passes(range, 2000));
 }
 
 TEST(Judge, InputNeedsThePrintedNumberItself) {
   const PublishedValue value = printed(0.1, Verdict::input, "", "", "", "parameter");
-  EXPECT_TRUE(kept(value, 0.1));
-  EXPECT_FALSE(kept(value, 0.1 + 2e-17));
-  EXPECT_FALSE(kept(value, none, 0.1));
-  EXPECT_FALSE(kept(value, nan));
-  EXPECT_TRUE(kept(printed(0, Verdict::input), 0));
-  EXPECT_FALSE(kept(printed(0, Verdict::input), 1e-300));
+  EXPECT_TRUE(passes(value, 0.1));
+  EXPECT_FALSE(passes(value, 0.1 + 2e-17));
+  EXPECT_FALSE(passes(value, none, 0.1));
+  EXPECT_FALSE(passes(value, nan));
+  EXPECT_TRUE(passes(printed(0, Verdict::input), 0));
+  EXPECT_FALSE(passes(printed(0, Verdict::input), 1e-300));
 }
 
 TEST(Judge, ContextAndNotStatedPromiseNothing) {
   for (const Verdict verdict : {Verdict::context, Verdict::not_stated}) {
     const PublishedValue value = printed(0.23, verdict);
-    EXPECT_TRUE(kept(value, none));
-    EXPECT_TRUE(kept(value, 17));
-    EXPECT_TRUE(kept(value, nan));
+    EXPECT_TRUE(passes(value, none));
+    EXPECT_TRUE(passes(value, 17));
+    EXPECT_TRUE(passes(value, nan));
   }
 }
 
 TEST(Judge, NothingKeepsNotBuilt) {
-  EXPECT_FALSE(kept(printed(1, Verdict::not_built), 1, 1));
-  EXPECT_FALSE(kept(printed(1, Verdict::not_built), none));
+  EXPECT_FALSE(passes(printed(1, Verdict::not_built), 1, 1));
+  EXPECT_FALSE(passes(printed(1, Verdict::not_built), none));
 }
 
 TEST(Judge, SaysWhatTheNumbersSupportInstead) {
   const auto instead = [](const PublishedValue& value, Number nominal, Number inferred = none) {
     const Judgement judgement = judge(value, {nominal, inferred});
-    EXPECT_FALSE(judgement.kept);
+    EXPECT_FALSE(judgement.passes);
     return judgement.verdict;
   };
   EXPECT_EQ(instead(printed(1, Verdict::differs), 1.01), Verdict::reproduced);
@@ -211,9 +212,9 @@ class LeadingNumber : public ::testing::TestWithParam<Beginning> {};
 
 TEST_P(LeadingNumber, IsReadOffTheWords) {
   const PublishedValue value = printed(1e9, Verdict::differs, GetParam().words, "", "1e-9");
-  EXPECT_TRUE(kept(value, GetParam().inside));
+  EXPECT_TRUE(passes(value, GetParam().inside));
   if (GetParam().outside) {
-    EXPECT_FALSE(kept(value, GetParam().outside));
+    EXPECT_FALSE(passes(value, GetParam().outside));
   }
 }
 

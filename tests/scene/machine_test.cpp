@@ -106,10 +106,10 @@ TEST_F(TheMachine, IsTakenInTurn) {
   ::waitpid(child, nullptr, 0);
 }
 
-// Who waits has the first processor as soon as the workshop, which holds it, has few scenes left.
-TEST_F(TheMachine, IsKeptByAWorkshopWithManyScenesLeft) {
-  Workshop workshop(false);
-  workshop.take_turn(100);
+// Who waits has the first processor as soon as the program that holds it has few scenes left.
+TEST_F(TheMachine, IsKeptWithManyScenesLeft) {
+  Results results(false);
+  results.take_turn(100);
   const pid_t child = ::fork();
   if (child == 0) {
     Machine its(1);
@@ -117,9 +117,9 @@ TEST_F(TheMachine, IsKeptByAWorkshopWithManyScenesLeft) {
     ::_exit(0);
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  workshop.take_turn(100);
+  results.take_turn(100);
   EXPECT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "still waits";
-  workshop.take_turn(1);
+  results.take_turn(1);
   EXPECT_EQ(::waitpid(child, nullptr, 0), child);
 }
 

@@ -110,6 +110,12 @@ TEST(Plot, StacksPanelsByTheirShares) {
   expect_line(script, "set xlabel ''");
 }
 
+TEST(Plot, PlacesPanelsWhereTheyAreWanted) {
+  Plot plot("Four");
+  plot.panel("t", "x").place(0.1, 0.45, 0.6, 0.9).curve("", {1}, {2});
+  expect_line(plot.script(), "set margins screen 0.1, screen 0.45, screen 0.6, screen 0.9");
+}
+
 TEST(Plot, KeepsBlanksBesideMarkup) {
   EXPECT_EQ(with_kept_blanks("step {/:Italic h} (s)"), "step \u200b{/:Italic h}\u200b (s)");
   EXPECT_EQ(with_kept_blanks("t_0 s"), "t_0\u200b s");

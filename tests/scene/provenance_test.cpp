@@ -11,11 +11,11 @@
 namespace nlmech::scene {
 namespace {
 
-const Run<int> run("series-4", "as \"printed\"", {}, [](Workshop&) { return 1; });
+const Run<int> run("series-4", "as \"printed\"", {}, [](Results&) { return 1; });
 
 nlohmann::json written(bool quick, double value) {
-  const Chapter chapter("optics", "Light");
-  const Scene scene{.name = "fig-1", .title = "Rays", .place = "Figure 1", .needs = {&run}, .show = {}};
+  const Chapter chapter("optics", "Light", {});
+  const Scene scene{.name = "fig-1", .title = "Rays", .place = "Figure 1"};
   Performance performance;
   performance.runs = {&run};
   performance.showing.quantities = {{"angle", "deg", value, 1, 3, "law of refraction"}};
@@ -62,14 +62,14 @@ TEST(Provenance, ListsQuantitiesWithTheirRanges) {
   EXPECT_EQ(q.at("value").get<double>(), 0.1);
   EXPECT_EQ(q.at("low").get<double>(), 1);
   EXPECT_EQ(q.at("high").get<double>(), 3);
-  EXPECT_EQ(q.at("kept"), false);
+  EXPECT_EQ(q.at("passes"), false);
   EXPECT_EQ(q.at("reason"), "law of refraction");
 }
 
 TEST(Provenance, WritesWhatIsNoNumberAsNull) {
   const auto json = written(false, std::numeric_limits<double>::quiet_NaN());
   EXPECT_TRUE(json.at("quantities")[0].at("value").is_null());
-  EXPECT_EQ(json.at("quantities")[0].at("kept"), false);
+  EXPECT_EQ(json.at("quantities")[0].at("passes"), false);
 }
 
 TEST(Provenance, HoldsNoPathOfTheMachine) {

@@ -151,7 +151,7 @@ TEST_F(ScenesOnDisk, KeepWhatMissesItsPromise) {
   EXPECT_EQ(fixture({"run", "fig-1"}, {"FIXTURE_FAULT=quantity"}).exit_code, 0)
       << "a promise is for `check` to hold";
   const auto json = nlohmann::json::parse(written().at("results/fixture/fig-1.json"));
-  EXPECT_EQ(json.at("quantities")[0].at("kept"), false);
+  EXPECT_EQ(json.at("quantities")[0].at("passes"), false);
 }
 
 TEST_F(ScenesOnDisk, EndWithASentenceWhereTheyCannotBeWritten) {

@@ -40,8 +40,9 @@ TEST(Show, ChecksWithAndWithoutUnits) {
   EXPECT_EQ(showing.quantities[0].unit, "deg");
   EXPECT_EQ(showing.quantities[0].low, 1.98);
   EXPECT_EQ(showing.quantities[1].unit, "1");
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(showing.quantities[i].kept()) << showing.quantities[i].name;
-  EXPECT_FALSE(showing.quantities[4].kept());
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_TRUE(showing.quantities[i].passes()) << showing.quantities[i].name;
+  EXPECT_FALSE(showing.quantities[4].passes());
 }
 
 TEST(Show, HasOneFigureAndOneTable) {
@@ -85,10 +86,10 @@ TEST(Results, AreComputedOnceByName) {
   const Chapter chapter("numbers", "Numbers",
                         {{{.name = "a", .title = "A", .content = Content(put, first, twice)}},
                          {{.name = "b", .title = "B", .content = Content(put, first, twice)}}});
-  Workshop workshop(true);
+  Results results(true);
   for (const Scene& scene : chapter.scenes()) {
     EXPECT_EQ(scene.place, "our own");
-    const Performance performance = perform(scene, workshop);
+    const Performance performance = perform(scene, results);
     EXPECT_EQ(performance.runs.size(), 2U);
     EXPECT_EQ(performance.showing.table->csv(), "n\n1\n2\n");
   }
@@ -105,9 +106,9 @@ TEST(Results, OfOneNameHaveOneReading) {
   const Scene a{.name = "a", .title = "A", .content = Content(put, first)},
       b{.name = "b", .title = "B", .content = Content(put, other)};
   const Chapter chapter("numbers", "Numbers", {{a, b}});
-  Workshop workshop(true);
-  static_cast<void>(perform(chapter.scene("a"), workshop));
-  EXPECT_THROW(static_cast<void>(perform(chapter.scene("b"), workshop)), std::logic_error);
+  Results results(true);
+  static_cast<void>(perform(chapter.scene("a"), results));
+  EXPECT_THROW(static_cast<void>(perform(chapter.scene("b"), results)), std::logic_error);
 }
 
 TEST(Scenes, HaveNoEmptyTableOrFigure) {
@@ -117,8 +118,8 @@ TEST(Scenes, HaveNoEmptyTableOrFigure) {
     show.equals("one", 1, 1, "by hand");
   };
   const Chapter chapter("empty", "Empty", {{{.name = "a", .title = "A", .content = Content(put)}}});
-  Workshop workshop(true);
-  EXPECT_THROW(static_cast<void>(perform(chapter.scene("a"), workshop)), std::logic_error);
+  Results results(true);
+  EXPECT_THROW(static_cast<void>(perform(chapter.scene("a"), results)), std::logic_error);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "nlmech/support/stopwatch.hpp"
 
 #include <gtest/gtest.h>
+
 #include <rapidcheck/gtest.h>
+#include <utility>
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,6 +11,7 @@
 namespace {
 
 using nlmech::median;
+using nlmech::repeated_timing;
 using nlmech::Stopwatch;
 using nlmech::time_repeats;
 using nlmech::Timing;
@@ -68,6 +71,23 @@ TEST(TimeRepeats, NeedsARepeat) {
 TEST(TimeRepeats, PassesOnWhatTheWorkThrows) {
   EXPECT_THROW(static_cast<void>(time_repeats([] { throw std::runtime_error("stop"); }, 3)),
                std::runtime_error);
+}
+
+TEST(RepeatedTiming, RepeatsWhatIsShortAndNothingElse) {
+  int calls = 0;
+  const auto work = [&calls] { ++calls; };
+  EXPECT_EQ(repeated_timing(work, 1e-5, false).repeats, 9);
+  EXPECT_EQ(calls, 10);  // one to warm up
+  calls = 0;
+  EXPECT_EQ(repeated_timing(work, 0.004, false).repeats, 2);
+  EXPECT_EQ(calls, 3);
+  calls = 0;
+  for (const auto& [first, quick] : {std::pair{0.02, false}, {1e-5, true}}) {
+    const Timing timing = repeated_timing(work, first, quick);
+    EXPECT_EQ(timing.median, first);
+    EXPECT_EQ(timing.repeats, 1);
+  }
+  EXPECT_EQ(calls, 0);
 }
 
 }  // namespace

@@ -1,29 +1,18 @@
 #include "nlmech/comparison/cost_curves.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "nlmech/comparison/reference_end.hpp"
-
 namespace nlmech::comparison {
 namespace {
 
-std::optional<double> digits(const Cost& c) {
-  if (!c.error) return {};
-  return digits_of(*c.error);
-}
+constexpr std::array foremost_first = {Kind::own,        Kind::closed_form, Kind::series,    Kind::radial,
+                                       Kind::polynomial, Kind::classical,   Kind::explicit_, Kind::implicit};
 
 }  // namespace
-
-Timing repeated_timing(const std::function<void()>& work, double first, bool quick) {
-  constexpr double enough = 0.01;  // s, of all repeats: some hundred settings, a second or two in all
-  if (quick || first > enough) return {first, first, first, 1};
-  return time_repeats(work, std::clamp(static_cast<int>(enough / first), 1, 9));
-}
 
 const Cost* best_of(const Curve& curve) {
   const Cost* best = nullptr;
@@ -45,66 +34,29 @@ double least_error(const std::vector<Curve>& curves, const std::string& name) {
   return best != nullptr ? *best->error : std::numeric_limits<double>::quiet_NaN();
 }
 
-scene::Figure cost_figure(const std::vector<Curve>& curves, std::string heading, double condition) {
-  scene::Table data({{"kind"},
-                     {"number"},
-                     {"digits"},
-                     {"time_s"},
-                     {"time_low_s"},
-                     {"time_high_s"},
-                     {"rhs_evaluations"},
-                     {"best"},
-                     {"status"},
-                     {"method"},
-                     {"setting"}});
-  std::vector<std::string> legend, kinds;
-  std::int64_t number = 0;
+std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves) {
+  std::vector<scene::MethodLine> lines;
   for (const Curve& curve : curves) {
-    if (curve.costs.empty()) continue;
-    ++number;
-    const auto kind = static_cast<std::int64_t>(curve.kind);
-    legend.push_back(curve.name);
-    kinds.push_back(std::to_string(kind));
-    for (const Cost& c : curve.costs) {
-      data.add({kind, number, scene::to_cell(digits(c)), c.time.median, c.time.smallest, c.time.largest,
-                c.work.right_hand_sides, std::int64_t{&c == best_of(curve)}, c.status, curve.name,
-                c.setting});
-    }
+    const auto* group = std::ranges::find(foremost_first, curve.kind);
+    scene::MethodLine& line = lines.emplace_back();
+    line.method = curve.name;
+    line.group = static_cast<std::size_t>(group - foremost_first.begin());
+    for (const Cost& c : curve.costs)
+      line.attempts.push_back(
+          {c.setting, c.status, c.error, c.time, {c.work.right_hand_sides, c.work.steps, c.work.rejected}});
   }
-  scene::Figure figure{std::move(data),
-                       "error-vs-time",
-                       {{"width", "1000"},
-                        {"height", "640"},
-                        {"heading", std::move(heading)},
-                        {"legend", fmt::format("{}", fmt::join(legend, "|"))},
-                        {"kinds", fmt::format("{}", fmt::join(kinds, " "))}}};
-  if (condition >= 10) {
-    const double rounding = condition * std::numeric_limits<double>::epsilon() / 2;
-    figure.variables["floor_digits"] = fmt::format("{:.2f}", -std::log10(rounding));
-  }
-  return figure;
+  return lines;
 }
 
-scene::Table cost_table(const std::vector<Curve>& curves) {
-  scene::Table table({{"method"},
-                      {"setting"},
-                      {"status"},
-                      {"digits"},
-                      {"time (ms)"},
-                      {"from"},
-                      {"to"},
-                      {"right-hand sides"},
-                      {"steps"},
-                      {"rejected"}});
-  for (const Curve& curve : curves) {
-    if (curve.costs.empty()) table.add({curve.name, {}, "not in this build", {}, {}, {}, {}, {}, {}, {}});
-    for (const Cost& c : curve.costs) {
-      table.add({curve.name, c.setting, c.status, scene::to_cell(digits(c)), 1e3 * c.time.median,
-                 1e3 * c.time.smallest, 1e3 * c.time.largest, c.work.right_hand_sides, c.work.steps,
-                 c.work.rejected});
-    }
-  }
-  return table;
+std::vector<scene::MethodGroup> method_groups(const std::string& own) {
+  return {{own, "#000000", 15, 2.8},
+          {"closed form", "#000000", 15, 2.6},
+          {"Taylor series", "#D55E00", 13, 2.6},
+          {"radial functions", "#D55E00", 5, 2.6},
+          {"polynomials, Picard", "#0072B2", 7, 2},
+          {"fixed step, others", "#7F7F7F", 2, 1},
+          {"step control, explicit", "#009E73", 9, 1.4},
+          {"step control, implicit", "#CC79A7", 11, 1.4}};
 }
 
 }  // namespace nlmech::comparison

@@ -11,6 +11,7 @@
 #include "nlmech/comparison/accuracy.hpp"
 #include "nlmech/comparison/contenders.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -31,10 +32,6 @@ struct Curve {
   Kind kind;                ///< for its colour
   std::vector<Cost> costs;  ///< empty: not in this build
 };
-
-/// Up to nine repeats in a hundredth of a second; a run that takes @p first > 0.01 s counts by itself, and so
-/// does any if @p quick.
-[[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
 
 /// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
 /// twice.
@@ -110,13 +107,10 @@ template <int n>
 /// The curve of a method. @throws std::out_of_range naming the method, if there is none
 [[nodiscard]] const Curve& curve_of(const std::vector<Curve>& curves, const std::string& name);
 
-/// Digits against median seconds and against right-hand sides, drawn by the template `error-vs-time`.
-/// @param condition of the example; where half an epsilon times this lies, a line is drawn. None
-/// below 10, beyond the 15 digits of the picture.
-[[nodiscard]] scene::Figure cost_figure(const std::vector<Curve>& curves, std::string heading,
-                                        double condition);
+/// As work-precision diagrams show them, with right-hand sides, steps and rejected steps.
+[[nodiscard]] std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves);
 
-/// A row a setting.
-[[nodiscard]] scene::Table cost_table(const std::vector<Curve>& curves);
+/// What MethodLine::group numbers. @param own what the method of Kind::own is
+[[nodiscard]] std::vector<scene::MethodGroup> method_groups(const std::string& own);
 
 }  // namespace nlmech::comparison

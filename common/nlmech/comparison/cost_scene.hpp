@@ -1,9 +1,8 @@
 /// @file
-/// A scene of digits against cost: one run, a figure, a table, and the quantities that a chapter promises.
+/// A scene of digits against cost of integrators: one result, its work-precision diagram, its checks.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -38,16 +37,12 @@ struct CostScene {
   std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
   std::string heading;  ///< "Driven Duffing oscillator to t = 50: digits against cost"
   std::string reading;  ///< of the run: settings, and what else is particular
-  std::map<std::string, std::string> variables = {};  ///< further ones of the template
-  std::function<Costs(bool quick)> measure = {};      ///< called at most once a process
-  std::function<std::vector<scene::Quantity>(const Costs&, bool quick)> promises = {};  ///< of the scene
-  std::function<void(const Costs&, scene::Show&)> check = {};                           ///< of the scene
+  std::string own = "adaptive collocation";                    ///< what the method of Kind::own is
+  std::function<Costs(bool quick)> measure = {};               ///< called at most once a process
+  std::function<void(const Costs&, scene::Show&)> check = {};  ///< of the scene
 };
 
 /// The scene. All of them judge by the median error over LastEnds, on one thread.
 [[nodiscard]] scene::Scene cost_scene(CostScene what);
-
-/// Adds the run and the scene. All of them judge by the median error over LastEnds, on one thread.
-void add_cost_scene(scene::Chapter& chapter, const CostScene& what);
 
 }  // namespace nlmech::comparison

@@ -19,15 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Measurement* find(const Chapter& chapter, const std::string& name) {
-  for (const Measurement& m : chapter.measurements()) {
-    if (m.name == name) return &m;
-  }
-  return nullptr;
-}
-
-/// Times on unknown machines, and what the sources leave out, promise nothing and need no measurement.
-bool promises(const PublishedValue& value) {
+/// Times on unknown machines, and what the sources leave out, need no measurement.
+bool needs_measurement(const PublishedValue& value) {
   return value.expected != Verdict::context && value.expected != Verdict::not_stated;
 }
 
@@ -37,21 +30,13 @@ struct Measurements {
   std::string failure;  ///< of the first scene that failed; empty if none did
 };
 
-Checked check_value(const PublishedValue& value, const Chapter& chapter, Workshop& workshop,
-                    const Measurements& measured) {
+Checked check_value(const PublishedValue& value, const Chapter& chapter, const Measurements& measured) {
   Checked checked{value, chapter.name(), {}, {}, {}};
   if (const auto found = measured.by_name.find(value.name()); found != measured.by_name.end()) {
     checked.measured = found->second;
-  } else if (const Measurement* m = find(chapter, value.name())) {
-    workshop.open(m->name, m->needs);
-    try {
-      checked.measured = m->measure(workshop);
-    } catch (const Failure& failure) {
-      checked.failure = failure.what();
-    }
   } else if (!measured.failure.empty()) {
     checked.failure = measured.failure;
-  } else if (promises(value)) {
+  } else if (needs_measurement(value)) {
     throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
   }
   checked.judgement = judge(value, checked.measured);
@@ -62,14 +47,11 @@ void refuse_orphans(const Chapter& chapter, const Measurements& measured,
                     const std::vector<Checked>& values) {
   std::set<std::string> names;
   for (const Checked& c : values) names.insert(c.value.name());
-  const auto refuse = [&](const std::string& name) {
-    if (!names.contains(name)) {
+  for (const auto& [name, value] : measured.by_name) {
+    if (!names.contains(name))
       throw std::logic_error(
           fmt::format("chapter {} measures {}, which no source prints", chapter.name(), name));
-    }
-  };
-  for (const Measurement& m : chapter.measurements()) refuse(m.name);
-  for (const auto& [name, value] : measured.by_name) refuse(name);
+  }
 }
 
 /// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
@@ -94,8 +76,8 @@ std::map<std::string, std::vector<std::string>> read_check(const std::string& ch
 
 std::string verdict_text(const Checked& c) {
   std::string text(to_string(c.judgement.verdict));
-  if (c.judgement.verdict != Verdict::not_built && !c.judgement.kept) {
-    text += fmt::format(" (MISSED: expected {})", to_string(c.value.expected));
+  if (c.judgement.verdict != Verdict::not_built && !c.judgement.passes) {
+    text += fmt::format(" (FAILS: expected {})", to_string(c.value.expected));
   }
   return text;
 }
@@ -133,27 +115,27 @@ Table counts(const std::vector<Checked>& values) {
 
 }  // namespace
 
-bool ChapterCheck::kept() const {
-  return std::all_of(values.begin(), values.end(), [](const Checked& c) { return c.judgement.kept; }) &&
+bool ChapterCheck::passes() const {
+  return std::all_of(values.begin(), values.end(), [](const Checked& c) { return c.judgement.passes; }) &&
          std::all_of(quantities.begin(), quantities.end(),
-                     [](const CheckedQuantity& q) { return q.quantity.kept(); });
+                     [](const CheckedQuantity& q) { return q.quantity.passes(); });
 }
 
 namespace {
 
-/// A scene that fails, or cannot be drawn, leaves one quantity that no number keeps.
-std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Workshop& workshop,
+/// A scene that fails, or cannot be drawn, leaves one quantity that no number passes.
+std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Results& results,
                                          const std::optional<Publishing>& how, Measurements& measured) {
   std::vector<CheckedQuantity> quantities;
   const Doing doing("computing " + scene.name);
   try {
-    const Performance performance = perform(scene, workshop);
+    const Performance performance = perform(scene, results);
     for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});
     for (const auto& [name, value] : performance.showing.measured) {
       if (!measured.by_name.emplace(name, value).second)
         throw std::logic_error(fmt::format("two scenes measure {}", name));
     }
-    if (how) publish(chapter, scene, performance, workshop.quick(), *how);
+    if (how) publish(chapter, scene, performance, results.quick(), *how);
   } catch (const Failure& failure) {
     if (measured.failure.empty()) measured.failure = fmt::format("scene {}: {}", scene.name, failure.what());
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -170,26 +152,25 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
   std::vector<PublishedValue> values = read_published(data_folder);
   std::erase_if(values, [&](const PublishedValue& v) { return owner(v, places) != chapter.name(); });
 
-  Workshop workshop(quick);
+  Results results(quick);
   ChapterCheck result;
   Measurements measured;
   std::size_t left = chapter.scenes().size();
   for (const Scene& scene : chapter.scenes()) {
-    workshop.take_turn(left--);
-    for (CheckedQuantity& q : check_scene(chapter, scene, workshop, how, measured))
+    results.take_turn(left--);
+    for (CheckedQuantity& q : check_scene(chapter, scene, results, how, measured))
       result.quantities.push_back(std::move(q));
   }
-  for (const PublishedValue& value : values)
-    result.values.push_back(check_value(value, chapter, workshop, measured));
+  for (const PublishedValue& value : values) result.values.push_back(check_value(value, chapter, measured));
   refuse_orphans(chapter, measured, result.values);
   return result;
 }
 
 void write_check(const ChapterCheck& check, const std::string& chapter, const fs::path& out) {
-  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"kept"}});
+  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"passes"}});
   for (const Checked& c : check.values) {
-    table.add({c.value.name(), to_cell(c.measured.nominal), to_cell(c.measured.inferred),
-               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.kept}});
+    table.add({c.value.name(), c.measured.nominal, c.measured.inferred,
+               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.passes}});
   }
   write_whole(out / "results" / chapter / "check.csv", table.csv());
 }
@@ -256,8 +237,8 @@ std::string reproduction_page(const std::vector<Checked>& values) {
 std::string reproduction_text(const std::vector<Checked>& values) {
   std::string text;
   for (const Checked& c : values) {
-    const bool missed = c.judgement.verdict != Verdict::not_built && !c.judgement.kept;
-    text += fmt::format("{} {}: published {}", missed ? "MISSED" : "      ", c.value.name(), c.value.printed);
+    const bool fails = c.judgement.verdict != Verdict::not_built && !c.judgement.passes;
+    text += fmt::format("{} {}: published {}", fails ? "FAILS" : "      ", c.value.name(), c.value.printed);
     if (c.measured.nominal) text += ", nominal " + shown(c.measured.nominal);
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);

@@ -22,25 +22,25 @@ struct Checked {
   std::string failure;   ///< why nothing could be measured; empty otherwise
 };
 
-/// A promised quantity of a scene.
+/// A quantity of a scene.
 struct CheckedQuantity {
   std::string scene;  ///< its name
   Quantity quantity;  ///< with its range
 };
 
-/// Everything that a chapter promises.
+/// All that is checked of a chapter.
 struct ChapterCheck {
   std::vector<Checked> values;              ///< in the order of the files
   std::vector<CheckedQuantity> quantities;  ///< in the order of the scenes
-  /// Has every promise been kept?
-  [[nodiscard]] bool kept() const;
+  /// Do all of them pass?
+  [[nodiscard]] bool passes() const;
 };
 
 /// Measures every published value that belongs to the chapter and every quantity of its scenes. A run that
-/// ends in a Failure costs its own values and scenes and no others: they count as missed, with the sentence
+/// ends in a Failure costs its own values and scenes and no others: they fail, with the sentence
 /// of the failure.
 /// @param how where every scene is put on disk as well, computed once for both; nothing: nowhere
-/// @throws std::logic_error if a value that promises something has no measurement, or a measurement no value
+/// @throws std::logic_error if a judged value has no measurement, or a measurement no value
 [[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick,
                                  const std::optional<Publishing>& how = {});
 

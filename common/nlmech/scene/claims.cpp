@@ -178,7 +178,7 @@ std::vector<JudgedClaim> judge_claims(const std::vector<std::string>& built, con
       const bool there = value != values.end();
       if (there) j.value = value->second;
       j.verdict = verdict_of(j.claim, j.value);
-      j.kept = j.verdict == j.claim.expected && (there || j.claim.quantity.empty());
+      j.passes = j.verdict == j.claim.expected && (there || j.claim.quantity.empty());
     }
     judged.push_back(std::move(j));
   }

@@ -39,7 +39,7 @@ struct JudgedClaim {
   Claim claim;                           ///< as listed
   double value = 0;                      ///< of the quantity; NaN if it is not there
   Verdict verdict = Verdict::not_built;  ///< by the evidence
-  bool kept = false;                     ///< the expected verdict, or the chapter is not built
+  bool passes = false;                   ///< the expected verdict, or the chapter is not built
 };
 
 /// All claims of `<data>/tables/claims.csv`, with the quantities that checks left under @p out.

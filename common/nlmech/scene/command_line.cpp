@@ -31,7 +31,7 @@ void list(const Chapter& chapter, bool csv) {
   Table table({{"scene"}, {"place"}, {"title"}, {"runs"}});
   for (const Scene& s : chapter.scenes()) {
     std::vector<std::string_view> runs;
-    for (const AnyRun* run : s.needs) runs.push_back(run->name());
+    for (const auto& run : s.content.needs) runs.push_back(run->name());
     table.add({s.name, s.place, s.title, fmt::format("{}", fmt::join(runs, " "))});
   }
   const std::optional<std::size_t> width = csv ? std::nullopt : terminal_width(STDOUT_FILENO);
@@ -59,8 +59,8 @@ void tell_progress(std::size_t done, std::size_t all, const std::string& scene, 
   if (::isatty(STDERR_FILENO) == 1) tell(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
 }
 
-void report_missed(const std::string& scene, const Quantity& q) {
-  tell(fmt::format("MISSED {}: {} = {} {}, promised {} to {} ({})", scene, q.name, format_number(q.value, 6),
+void report_failing(const std::string& scene, const Quantity& q) {
+  tell(fmt::format("FAILS {}: {} = {} {}, allowed {} to {} ({})", scene, q.name, format_number(q.value, 6),
                    q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason));
 }
 
@@ -77,15 +77,15 @@ int run(const Chapter& chapter, const Options& options) {
     throw InputError("run: --png draws what --no-plots leaves out; give one of them");
   const std::vector<const Scene*> scenes = chosen(chapter, options);
   const Publishing how{options.out, !options.no_plots, options.png};
-  Workshop workshop(options.quick);
+  Results results(options.quick);
   int code = 0;
   std::size_t done = 0;
   for (const Scene* scene : scenes) {
-    workshop.take_turn(scenes.size() - done);
+    results.take_turn(scenes.size() - done);
     const Stopwatch watch;
     const Doing doing("computing " + scene->name);
     try {
-      const auto files = publish(chapter, *scene, perform(*scene, workshop), options.quick, how);
+      const auto files = publish(chapter, *scene, perform(*scene, results), options.quick, how);
       if (!options.quiet) print_result(lines_of(files));
     } catch (const Failure& failure) {
       tell(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
@@ -102,15 +102,15 @@ int check(const Chapter& chapter, const Options& options) {
   const ChapterCheck result = check(chapter, data_folder(), options.quick, how);
   write_check(result, chapter.name(), options.out);
   std::string text = reproduction_text(result.values);
-  std::size_t kept = 0;
+  std::size_t passed = 0;
   for (const CheckedQuantity& q : result.quantities) {
-    kept += q.quantity.kept() ? 1 : 0;
-    if (!q.quantity.kept()) report_missed(q.scene, q.quantity);
+    passed += q.quantity.passes() ? 1 : 0;
+    if (!q.quantity.passes()) report_failing(q.scene, q.quantity);
   }
-  text += fmt::format("{} quantities of {} scenes: {} kept, {} missed\n", result.quantities.size(),
-                      chapter.scenes().size(), kept, result.quantities.size() - kept);
+  text += fmt::format("{} quantities of {} scenes: {} pass, {} fail\n", result.quantities.size(),
+                      chapter.scenes().size(), passed, result.quantities.size() - passed);
   print_result(text);
-  return result.kept() ? 0 : failed;
+  return result.passes() ? 0 : failed;
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc, cons
   runner->callback([&] { code = run(chapter, options); });
 
   CLI::App* checker =
-      app.add_subcommand("check", "Published beside reproduced; exit code 1 if a promise is missed");
+      app.add_subcommand("check", "Published beside reproduced; exit code 1 if a check fails");
   checker->add_flag("--draw", options.draw, "also put every scene on disk, as run --all does");
   checker->callback([&] { code = check(chapter, options); });
 

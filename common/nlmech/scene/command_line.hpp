@@ -15,7 +15,7 @@ namespace nlmech::scene {
 using OwnWork = std::function<void(CLI::App&)>;
 
 /// Runs a chapter's program; see run_command(). Exit codes: 0 done, 1 the computation failed, took longer
-/// than its limit, or a promise was missed, 2 wrong usage or input.
+/// than its limit, or a check failed, 2 wrong usage or input.
 [[nodiscard]] int chapter_main(const Chapter& chapter, const OwnWork& own_work, int argc,
                                const char* const* argv);
 

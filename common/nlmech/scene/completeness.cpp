@@ -41,7 +41,7 @@ void count_quantities(const fs::path& file, Shown& shown) {
   if (json.is_discarded()) throw InputError(fmt::format("{}: no JSON", file.string()));
   for (const auto& quantity : json.value("quantities", nlohmann::json::array())) {
     ++shown.checked;
-    if (quantity.value("kept", false)) ++shown.kept;
+    if (quantity.value("passes", false)) ++shown.passed;
   }
 }
 
@@ -117,7 +117,7 @@ std::string completeness_page(const std::vector<Shown>& shown) {
       "Every figure and table of the sources is a scene: drawn anew, with quantities that are checked "
       "against "
       "independent values each time. *Complete* means that there are curves or rows, at least one such "
-      "quantity, and that all are kept. Written by `make check`.\n\n" +
+      "quantity, and that all pass. Written by `make check`.\n\n" +
       totals(shown).markdown();
   std::map<std::string, std::vector<const Shown*>> by_source;
   for (const Shown& s : shown) by_source[s.place.source].push_back(&s);
@@ -126,11 +126,11 @@ std::string completeness_page(const std::vector<Shown>& shown) {
                  {"chapter"},
                  {"subject"},
                  {"rows of data"},
-                 {"quantities kept"},
+                 {"checks that pass"},
                  {"numbers printed"},
                  {"state"}});
     for (const Shown* s : entries) {
-      table.add({links(*s), s->place.chapter, s->place.subject, count(s->numbers), count(s->kept),
+      table.add({links(*s), s->place.chapter, s->place.subject, count(s->numbers), count(s->passed),
                  count(s->published), state(*s)});
     }
     page += fmt::format("\n## Figures and tables of {}\n\n{}", source, table.markdown());

@@ -16,12 +16,12 @@ struct Shown {
   bool built = false;         ///< is its chapter part of this build?
   bool drawn = false;         ///< a figure with curves, or a table with rows
   std::size_t numbers = 0;    ///< rows of data behind the figure, or rows of the table
-  std::size_t checked = 0;    ///< quantities with a promise
-  std::size_t kept = 0;       ///< of these, kept
+  std::size_t checked = 0;    ///< quantities
+  std::size_t passed = 0;     ///< of these, those that pass
   std::size_t published = 0;  ///< printed numbers of this place that have a verdict
 
-  /// Drawn, with at least one quantity checked and all of them kept; or its chapter is not built.
-  [[nodiscard]] bool complete() const { return !built || (drawn && checked > 0 && kept == checked); }
+  /// Drawn, with at least one quantity checked and all of them passing; or its chapter is not built.
+  [[nodiscard]] bool complete() const { return !built || (drawn && checked > 0 && passed == checked); }
 };
 
 /// All figures and tables of `places.csv`, with what `figures`, `tables` and `results` under @p out hold for

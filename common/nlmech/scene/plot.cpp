@@ -17,6 +17,9 @@ std::string range(const char* axis, double low, double high) {
   return fmt::format("set {}range [{:.12g}:{:.12g}]\n", axis, low, high);
 }
 
+/// Of labels and arrows that can be named; those set without a name get lower numbers.
+constexpr int first_tag = 1000;
+
 /// Tics at 1, 2 and 5 times powers of ten where the axis is short; else at every power, or every second, ...,
 /// as there is room for.
 std::string decades(const char* axis, double low, double high) {
@@ -63,6 +66,11 @@ std::string by_name(const std::string& columns) {
   }
   end();
   return out;
+}
+
+std::string margins_at(double left, double right, double bottom, double top) {
+  return fmt::format("margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}", left, right,
+                     bottom, top);
 }
 
 }  // namespace
@@ -136,19 +144,19 @@ Panel& Panel::set(const std::string& setting) {
 }
 
 Panel& Panel::note(const std::string& text, double x, double y, const std::string& side) {
-  settings_ += fmt::format("set label {} {} at {:.12g},{:.12g} {} front textcolor rgb ink\n", 10 + ++notes_,
-                           gnuplot_quoted(with_kept_blanks(text)), x, y, side);
+  settings_ += fmt::format("set label {} {} at {:.12g},{:.12g} {} front textcolor rgb ink\n",
+                           first_tag + ++notes_, gnuplot_quoted(with_kept_blanks(text)), x, y, side);
   return *this;
 }
 
 Panel& Panel::level(double y, const std::string& text) {
   settings_ +=
       fmt::format("set arrow {} from graph 0, first {:.12g} to graph 1, first {:.12g} nohead linestyle 11\n",
-                  10 + ++notes_, y, y);
+                  first_tag + ++notes_, y, y);
   if (!text.empty()) {
     settings_ +=
         fmt::format("set label {} {} at graph 0.01, first {:.12g} left offset 0,0.6 textcolor rgb soft_ink\n",
-                    10 + notes_, gnuplot_quoted(with_kept_blanks(text)), y);
+                    first_tag + notes_, gnuplot_quoted(with_kept_blanks(text)), y);
   }
   return *this;
 }
@@ -156,11 +164,11 @@ Panel& Panel::level(double y, const std::string& text) {
 Panel& Panel::mark(double x, const std::string& text) {
   settings_ +=
       fmt::format("set arrow {} from first {:.12g}, graph 0 to first {:.12g}, graph 1 nohead linestyle 13\n",
-                  10 + ++notes_, x, x);
+                  first_tag + ++notes_, x, x);
   if (!text.empty()) {
     settings_ += fmt::format(
         "set label {} {} at first {:.12g}, graph 0.03 right offset -0.5,0 textcolor rgb soft_ink\n",
-        10 + notes_, gnuplot_quoted(with_kept_blanks(text)), x);
+        first_tag + notes_, gnuplot_quoted(with_kept_blanks(text)), x);
   }
   return *this;
 }
@@ -195,6 +203,10 @@ Panel& Panel::columns(const std::string& name, const std::string& columns, const
 Panel& Panel::also(const std::string& element) {
   elements_.push_back(element);
   return *this;
+}
+
+Panel& Panel::place(double left, double right, double bottom, double top) {
+  return set(margins_at(left, right, bottom, top));
 }
 
 Plot::Plot(const std::string& heading)
@@ -282,8 +294,7 @@ std::string Plot::margins(const Panel& panel) const {
     top = panel.caption_.empty() ? 0.92 : 0.87;
     bottom = 0.16;
   }
-  return fmt::format("set margins screen {:.4g}, screen {:.4g}, screen {:.4g}, screen {:.4g}\n", left, right,
-                     bottom, top);
+  return "set " + margins_at(left, right, bottom, top) + '\n';
 }
 
 std::string Plot::script() const {

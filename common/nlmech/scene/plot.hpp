@@ -3,8 +3,10 @@
 /// draws it.
 #pragma once
 
+#include <concepts>
 #include <deque>
 #include <functional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,15 +54,18 @@ class Panel {
   Panel& level(double y,
                const std::string& text = "");  ///< a dashed horizontal line, and words above its left end
   Panel& mark(double x, const std::string& text = "");  ///< a thin vertical line, and words beside its foot
+  /// Where the axes stand, in shares of the picture: for panels that are neither in a row nor stacked.
+  Panel& place(double left, double right, double bottom, double top);
   /// Any other setting of gnuplot: what follows `set`.
   Panel& set(const std::string& setting);
 
   /// A curve through points; NaN breaks the line. @param name in the key, empty for none
   Panel& curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
                const Look& look = lines());
-  /// A curve of the rows of a range. @param x, y accessors of a row: members, functions
-  template <class Rows, class X, class Y>
-  Panel& curve(const std::string& name, const Rows& rows, X x, Y y, const Look& look = lines()) {
+  /// A curve of the rows of a range, which may be a view of some of them. @param x, y accessors of a row:
+  /// members, functions
+  template <std::ranges::range Rows, std::invocable<std::ranges::range_reference_t<Rows>> X, class Y>
+  Panel& curve(const std::string& name, Rows&& rows, X x, Y y, const Look& look = lines()) {
     std::vector<double> xs, ys;
     for (const auto& row : rows) {
       xs.push_back(static_cast<double>(std::invoke(x, row)));

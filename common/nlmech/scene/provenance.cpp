@@ -47,7 +47,7 @@ std::string provenance(const Chapter& chapter, const Scene& scene, const Perform
                                   {"unit", q.unit},
                                   {"low", q.low},
                                   {"high", q.high},
-                                  {"kept", q.kept()},
+                                  {"passes", q.passes()},
                                   {"reason", q.reason}});
   }
   return json.dump(2) + "\n";

@@ -115,7 +115,7 @@ struct Measured {
 /// A verdict, and whether it is the expected one.
 struct Judgement {
   Verdict verdict = Verdict::not_built;  ///< by the evidence
-  bool kept = false;                     ///< is it the expected one?
+  bool passes = false;                   ///< is it the expected one?
 };
 
 /// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does
@@ -134,7 +134,7 @@ struct Judgement {
 ///  - `holds` and `does not hold` need a claim by name, and the nominal number within its tolerance or
 ///  outside;
 ///  - `input` needs the printed number itself.
-/// `context` and `not stated` promise nothing.
+/// `context` and `not stated` judge nothing.
 [[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
 
 }  // namespace nlmech::scene

@@ -1,7 +1,8 @@
 /// @file
 /// `reproduction`: published beside reproduced over all chapters of the build.
 ///
-/// `report --chapters FILE [--out DIR] [--page FILE]`: all values; exit code 1 if one is missed.
+/// `report --chapters FILE [--out DIR] [--page FILE]`: all values; exit code 1 if one has another verdict
+/// than expected.
 ///
 /// `verdict NAME --chapters FILE [--out DIR]`: one value; exit code 77 if its chapter is not built.
 ///
@@ -37,7 +38,7 @@ namespace {
 
 using namespace nlmech::scene;
 
-constexpr int kept = 0, missed = 1, skipped = 77;
+constexpr int passed = 0, failed = 1, skipped = 77;
 
 struct Options {
   std::string chapters, out = ".", page, name;
@@ -64,15 +65,15 @@ std::vector<std::string> built_owner(const Options& options) {
   throw nlmech::InputError(fmt::format("no source prints '{}'", nlmech::echoed(options.name)));
 }
 
-bool is_miss(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.kept; }
+bool fails(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.passes; }
 
 int report(const Options& options) {
   const std::vector<Checked> values = collect_checks(read_built(options), data_folder(), options.out);
   if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
-  const auto misses = std::count_if(values.begin(), values.end(), is_miss);
+  const auto misses = std::count_if(values.begin(), values.end(), fails);
   print_result(reproduction_text(values) +
-               fmt::format("{} published values, {} missed\n", values.size(), misses));
-  return misses == 0 ? kept : missed;
+               fmt::format("{} published values, {} fail\n", values.size(), misses));
+  return misses == 0 ? passed : failed;
 }
 
 /// Looks at the chapter that owns the value and at no other: they may not have been checked.
@@ -82,7 +83,7 @@ int verdict(const Options& options) {
                               [&](const Checked& other) { return other.value.name() == options.name; });
   print_result(reproduction_text({*c}));
   if (c->judgement.verdict == Verdict::not_built) return skipped;
-  return is_miss(*c) ? missed : kept;
+  return fails(*c) ? failed : passed;
 }
 
 int completeness(const Options& options) {
@@ -95,10 +96,10 @@ int completeness(const Options& options) {
     tell(fmt::format("INCOMPLETE {} {}: {}", s.place.source, s.place.name,
                      !s.drawn         ? "nothing is drawn"
                      : s.checked == 0 ? "nothing is checked"
-                                      : "a quantity is missed"));
+                                      : "a check fails"));
   }
   print_result(fmt::format("{} figures and tables, {} incomplete\n", shown.size(), incomplete));
-  return incomplete == 0 ? kept : missed;
+  return incomplete == 0 ? passed : failed;
 }
 
 int claims(const Options& options) {
@@ -106,15 +107,15 @@ int claims(const Options& options) {
   if (!options.page.empty()) write_whole(options.page, claims_page(all));
   std::size_t misses = 0;
   for (const JudgedClaim& c : all) {
-    if (c.kept) continue;
+    if (c.passes) continue;
     ++misses;
-    tell(fmt::format("MISSED {} {}, {}: {} = {:.6g}, {}; expected: {}", c.claim.source, c.claim.place,
+    tell(fmt::format("FAILS {} {}, {}: {} = {:.6g}, {}; expected: {}", c.claim.source, c.claim.place,
                      c.claim.scene, c.claim.quantity, c.value,
                      std::isnan(c.value) ? "no such quantity" : to_string(c.verdict),
                      to_string(c.claim.expected)));
   }
-  print_result(fmt::format("{} claims in prose, {} missed\n", all.size(), misses));
-  return misses == 0 ? kept : missed;
+  print_result(fmt::format("{} claims in prose, {} fail\n", all.size(), misses));
+  return misses == 0 ? passed : failed;
 }
 
 /// A table for each chapter's page, and all of them on one.
@@ -151,8 +152,8 @@ int main(int argc, char** argv) {
   CLI::App app("Published beside reproduced, over all chapters", "reproduction");
   app.require_subcommand(1);
   Options options;
-  int code = kept;
-  CLI::App* reporter = app.add_subcommand("report", "all values; exit code 1 if one missed its verdict");
+  int code = passed;
+  CLI::App* reporter = app.add_subcommand("report", "all values; exit code 1 if one has another verdict");
   reporter->add_option("--page", options.page, "write the Markdown page to this file too");
   reporter->callback([&] { code = report(options); });
   CLI::App* overview =

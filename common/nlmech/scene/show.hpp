@@ -28,17 +28,17 @@ struct Figure {
   std::string script = {};                            ///< of a plot: what comes after it
 };
 
-/// A number that a scene promises to lie in a range, with the reason for the range.
+/// A number that must lie in a range, with the reason for the range.
 struct Quantity {
   std::string name;    ///< "max latitude error"
   std::string unit;    ///< "deg"; "1" if it has none
   double value = 0;    ///< what came out
-  double low = 0;      ///< least value that keeps the promise
-  double high = 0;     ///< greatest value that keeps the promise
+  double low = 0;      ///< least value that passes
+  double high = 0;     ///< greatest value that passes
   std::string reason;  ///< where the range comes from: an independent value and its accuracy
 
   /// Does the value lie in its range? Never, if it is NaN.
-  [[nodiscard]] bool kept() const { return value >= low && value <= high; }
+  [[nodiscard]] bool passes() const { return value >= low && value <= high; }
 };
 
 /// What a scene gives back: a figure, a table, or both, and its checks.

@@ -37,11 +37,6 @@ Cell::Cell(const std::optional<double>& value) {
   if (value) *this = Cell(*value);
 }
 
-Cell to_cell(const std::optional<double>& value) {
-  if (value) return *value;
-  return {};
-}
-
 Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
   if (columns_.empty()) throw std::invalid_argument("Table: needs at least one column");
 }

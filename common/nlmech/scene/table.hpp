@@ -28,9 +28,6 @@ struct Cell : std::variant<std::monostate, std::string, double, std::int64_t> {
   Cell(std::string_view text) : variant(std::string(text)) {}  ///< a text
 };
 
-/// A cell that is empty where there is no number.
-[[nodiscard]] Cell to_cell(const std::optional<double>& value);
-
 /// How a column is named and shown.
 struct Column {
   std::string name;  ///< heading; in CSV files with its unit, "height_km"

@@ -28,4 +28,10 @@ Timing time_repeats(const std::function<void()>& work, int repeats) {
   return {median(seconds), *low, *high, repeats};
 }
 
+Timing repeated_timing(const std::function<void()>& work, double first, bool quick) {
+  constexpr double enough = 0.01;  // s, of all repeats: some hundred settings, a second or two in all
+  if (quick || first > enough) return {first, first, first, 1};
+  return time_repeats(work, std::clamp(static_cast<int>(enough / first), 1, 9));
+}
+
 }  // namespace nlmech

@@ -36,4 +36,8 @@ struct Timing {
 /// @throws std::invalid_argument if @p repeats is below 1
 [[nodiscard]] Timing time_repeats(const std::function<void()>& work, int repeats);
 
+/// Up to nine repeats in a hundredth of a second; work that takes @p first > 0.01 s counts by itself, and so
+/// does any if @p quick.
+[[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
+
 }  // namespace nlmech

@@ -134,11 +134,6 @@ TEST(Iterations, RowsAreThoseOfTheTables) {
   }
 }
 
-TEST(Curves, BlanksBesideMarkupStay) {
-  EXPECT_EQ(with_kept_blanks("load {/:Italic W} (lb)"), "load \u200b{/:Italic W}\u200b (lb)");
-  EXPECT_EQ(with_kept_blanks("plain text"), "plain text");
-}
-
 // Four operations on a variable; none on constants.
 TEST(Counted, CountsWhatAVariableTakesPartIn) {
   std::int64_t operations = 0;

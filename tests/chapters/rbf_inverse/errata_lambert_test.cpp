@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "chapters/rbf_inverse/transfer_runs.hpp"
+#include "chapters/rbf_inverse/printed_transfer.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using orbit::TransferBasis;
@@ -135,4 +135,4 @@ TEST(ErrataLambert, TransferIsAPieceOfAThinEllipse) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

@@ -45,7 +45,7 @@ std::vector<double> duffing(const std::string& words) {
 // values to ten digits, the flown end to 1e-9. Independent Taylor method in 40 digits.
 class Known : public testing::TestWithParam<double> {};
 TEST_P(Known, ExtremalsAreFound) {
-  for (const chapters::KnownExtremal& k : chapters::known_extremals()) {
+  for (const chapters::rbf_inverse::KnownExtremal& k : chapters::rbf_inverse::known_extremals()) {
     // The seventh is not solved in the text.
     if (k.final_time != GetParam() || k.which == bvp::DuffingCase::x2x2) continue;
     const std::string words = fmt::format("--case {} --final-time {:g} --beta {:g}", to_string(k.which),
@@ -61,7 +61,7 @@ TEST_P(Known, ExtremalsAreFound) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Duffing, Known, testing::ValuesIn(chapters::final_times));
+INSTANTIATE_TEST_SUITE_P(Duffing, Known, testing::ValuesIn(chapters::rbf_inverse::final_times));
 
 // No target in the cost, no force; and a linear oscillator has its answer in closed form: with beta = 0 and
 // x(0) = 0 fixed, J = c^T W^-1 c/2, W the controllability Gramian of cos and sin.

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <set>
 
-#include "chapters/rbf_inverse/chapter.hpp"
-#include "chapters/rbf_inverse/curves.hpp"
 #include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/multiple_shooting.hpp"
-#include "chapters/rbf_inverse/random_guess.hpp"
-#include "chapters/rbf_inverse/single_shooting.hpp"
+#include "chapters/rbf_inverse/shooting_methods.hpp"
 #include "nlmech/bvp/solve.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_inverse {
+
+scene::Chapter chapter();
+
 namespace {
 
 using bvp::DuffingCase;
@@ -82,7 +81,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
   if (!multiple_shooting_available()) GTEST_SKIP() << "no CVODE in this build";
   const KnownExtremal& known = known_extremal(DuffingCase::fixed);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
-  const ShotSolution shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
+  const Shot shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // Each of some hundred steps may err by the tolerance, and the problem is unstable by a factor of 100.
   EXPECT_NEAR(shot.first[2], known.first[2], 1e-6);
@@ -91,7 +90,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
 }
 
 /// The fixed case from zeros.
-SingleShot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
+Shot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
   bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed, final_time);
   settings.beta = beta;
   return shoot_once(duffing_problem(settings), Eigen::VectorXd::Zero(4), method);
@@ -103,7 +102,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
   Eigen::Matrix2d m;  // of (a, b) to (x1, x2) at T
   m << -T * s / 2, -(s - T * c) / 2, -(s + T * c) / 2, -T * s / 2;
   const Eigen::Vector2d ab = m.inverse() * Eigen::Vector2d(5, 2);
-  const SingleShot shot = shoot_from_zeros(0, T);
+  const Shot shot = shoot_from_zeros(0, T);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // ode45 at 1e-8 in some hundred steps; co-states of order 10.
   EXPECT_NEAR(shot.first[2], -ab[1], 1e-6);
@@ -111,7 +110,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
 }
 
 TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
-  const SingleShot shot = shoot_from_zeros(0.9, 1);
+  const Shot shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
   const Eigen::MatrixXd flown = fly(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
@@ -121,7 +120,7 @@ TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
 }
 
 TEST(SingleShooting, CutOffIsNoRoot) {
-  const SingleShot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
+  const Shot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
   EXPECT_FALSE(shot.status.ok());
   EXPECT_FALSE(shot.status.text().empty());
 }
@@ -139,31 +138,10 @@ TEST(RandomGuess, ConstantOrIndependent) {
   EXPECT_LE(b.cwiseAbs().maxCoeff(), 1);
 }
 
-TEST(ControlCurves, CountsCurvesByPanel) {
-  ControlCurves curves("heading", "time_s");
-  curves.panel("x", "y");
-  curves.begin("a {/:Italic b} c", "l1");
-  curves.add(1, 2);
-  curves.begin("", "p2");
-  curves.add(3, 4);
-  curves.panel("z", "", "caption");
-  curves.begin("d", "l3");
-  curves.add(5, 6);
-  const scene::Figure figure = curves.take();
-  EXPECT_EQ(figure.variables.at("panels"), "2");
-  EXPECT_EQ(figure.variables.at("first1"), "0");
-  EXPECT_EQ(figure.variables.at("first2"), "2");
-  EXPECT_EQ(figure.variables.at("looks1"), "l1|p2");
-  EXPECT_EQ(figure.variables.at("legend1"), "a \u200b{/:Italic b}\u200b c|");
-  EXPECT_EQ(figure.variables.at("caption2"), "caption");
-  EXPECT_EQ(figure.data.columns()[2].name, "time_s");
-  EXPECT_EQ(figure.data.rows().size(), 3U);
-}
-
 TEST(Chapter, ShowsAllFiguresOfPartOne) {
-  const scene::Chapter chapter = rbf_inverse_chapter();
+  const scene::Chapter all = chapter();
   std::set<std::string> names;
-  for (const scene::Scene& s : chapter.scenes()) names.insert(s.name);
+  for (const scene::Scene& s : all.scenes()) names.insert(s.name);
   for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
   for (const char* name : {"table-5.1", "table-5.2", "table-5.3", "extremals", "basin", "shape-study",
                            "bounded-control", "interior-point", "continuation", "shooting", "from-guesses",
@@ -172,4 +150,4 @@ TEST(Chapter, ShowsAllFiguresOfPartOne) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_inverse

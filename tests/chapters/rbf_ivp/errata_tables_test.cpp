@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/rbf_ivp/explicit_variants.hpp"
-#include "chapters/rbf_ivp/readings.hpp"
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
+#include "chapters/rbf_ivp/readings/explicit_variants.hpp"
+#include "chapters/rbf_ivp/readings/readings.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using ivp::RbfCollocation;
@@ -303,4 +303,4 @@ TEST(ErrataOfTables, ExplicitRowsOfTable4_6AreOfX3) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

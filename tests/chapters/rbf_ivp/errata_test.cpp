@@ -11,14 +11,14 @@
 #include <limits>
 #include <vector>
 
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using tests::expect_erratum;
@@ -226,4 +226,4 @@ TEST(Errata, LowestToleranceOfOde45) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/rbf_ivp/cases.hpp"
-#include "chapters/rbf_ivp/histories.hpp"
-#include "chapters/rbf_ivp/runs.hpp"
+#include "chapters/rbf_ivp/examples/cases.hpp"
+#include "chapters/rbf_ivp/examples/histories.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 constexpr double stated = 2e-16;  // accuracy that Case promises for its reference
@@ -134,4 +134,4 @@ TEST(Growth, IsThePowerOfTime) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "chapters/rbf_ivp/extended.hpp"
-#include "chapters/rbf_ivp/node_variants.hpp"
+#include "chapters/rbf_ivp/nodes/node_variants.hpp"
+#include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/collocation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -126,7 +126,7 @@ TEST(Collocate, PolynomialsAtRadauNodesAreTheIntegratorsStep) {
 
 /// The weighted sum of squares that least squares makes least.
 double objective(const Arc<2>& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
-  const Eigen::MatrixXd r = detail::residual_columns(arc, space, states);
+  const Eigen::MatrixXd r = residual_columns(arc, space, states);
   return r.colwise().squaredNorm().dot(gauss_weights(r.cols()).transpose());
 }
 
@@ -172,4 +172,4 @@ TEST(LeastSquares, IsThereWhereTheStudySaysItHelps) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "chapters/rbf_ivp/explicit_variants.hpp"
-#include "chapters/rbf_ivp/readings.hpp"
-#include "chapters/rbf_ivp/traces.hpp"
+#include "chapters/rbf_ivp/readings/explicit_variants.hpp"
+#include "chapters/rbf_ivp/readings/readings.hpp"
+#include "chapters/rbf_ivp/readings/traces.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 TEST(LastDigit, OfNumbersAsPrinted) {
@@ -94,4 +94,4 @@ TEST(Traces, AnswerLikeRecords) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,10 +1,10 @@
 /// The arcs on which shapes are judged.
 #include <gtest/gtest.h>
 
-#include "chapters/rbf_ivp/arcs.hpp"
+#include "chapters/rbf_ivp/shapes/arcs.hpp"
 #include "nlmech/problems/duffing.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 // After a period the motion is where it was; after half of one it is mirrored.
@@ -33,4 +33,4 @@ TEST(DuffingArc, MirroredAsksForTheSameShape) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

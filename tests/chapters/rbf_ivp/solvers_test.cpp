@@ -1,4 +1,4 @@
-#include "chapters/rbf_ivp/solvers.hpp"
+#include "chapters/rbf_ivp/solvers/solvers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "nlmech/ivp/collocation.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::Basis;
@@ -154,4 +154,4 @@ TEST(Solvers, RowsGoOnFromEndToEndAndStopAtAFailure) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/extended.hpp"
-#include "chapters/rbf_ivp/stiff_problems.hpp"
+#include "chapters/rbf_ivp/stability/extended.hpp"
+#include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "tests/ivp/test_set.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using collocation::NodeFamily;
@@ -129,4 +129,4 @@ TEST(StiffProblems, EndWhereTheTestSetSays) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

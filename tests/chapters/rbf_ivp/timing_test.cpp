@@ -3,15 +3,17 @@
 
 #include <string>
 
-#include "chapters/rbf_ivp/chapter.hpp"
-#include "chapters/rbf_ivp/histories.hpp"
-#include "chapters/rbf_ivp/rows.hpp"
+#include "chapters/rbf_ivp/examples/histories.hpp"
+#include "chapters/rbf_ivp/examples/rows.hpp"
 
-namespace nlmech::chapters {
+namespace nlmech::chapters::rbf_ivp {
+
+scene::Chapter chapter();  // made from its list of scenes
+
 namespace {
 
 /// The free oscillator with one row, whose integrations are counted.
-Example<2> counted(scene::Chapter& chapter, int& integrations) {
+Example<2> counted(int& integrations) {
   Example<2> example{.made = free_duffing_case,
                      .name = "counted",
                      .title = "Counted",
@@ -20,7 +22,6 @@ Example<2> counted(scene::Chapter& chapter, int& integrations) {
                      .keeping = {.window_begin = 495, .window_end = 500}};
   const auto procedure = throughout<2>(ivp::Rk4{.step = 0.5});
   example.add(
-      chapter,
       {.row = "", .method = "RK4", .setting = "0.5", .nominal = Expected{0, 10, "any"}, .inferred = {}},
       "rk4", "counted",
       [procedure, &integrations](const Case<2>& c, double end, const ivp::Observer<2>& observer) {
@@ -32,34 +33,33 @@ Example<2> counted(scene::Chapter& chapter, int& integrations) {
 
 TEST(Timing, FiguresIntegrateOnce) {
   int integrations = 0;
-  scene::Chapter chapter("a", "figures");
-  const Example<2> example = counted(chapter, integrations);
-  add_histories(chapter, example, {{1, "RK4", Shown::state}, {2, "RK4", Shown::positions}});
-  add_comparison(chapter, example, {3, 0, "x(t)", {"RK4"}});
-  scene::Workshop workshop(false);
+  const Example<2> example = counted(integrations);
+  const scene::Chapter figures(
+      "a", "figures",
+      {{history(example, {1, "RK4", Shown::state}), history(example, {2, "RK4", Shown::positions}),
+        comparison(example, {3, 0, "x(t)", {"RK4"}})}});
+  scene::Results results(false);
   for (const char* figure : {"fig-4.1", "fig-4.2", "fig-4.3"})
-    static_cast<void>(perform(chapter.scene(figure), workshop));
+    static_cast<void>(perform(figures.scene(figure), results));
   EXPECT_EQ(integrations, 1);
 }
 
 // One for the errors, and one to warm up before nine that count.
 TEST(Timing, TheTableTimes) {
   int integrations = 0;
-  scene::Chapter chapter("b", "a table");
-  add_result_table(chapter, counted(chapter, integrations));
-  scene::Workshop workshop(false);
-  static_cast<void>(perform(chapter.scene("table-4.2"), workshop));
+  const scene::Chapter table("b", "a table", {{result_table(counted(integrations))}});
+  scene::Results results(false);
+  static_cast<void>(perform(table.scene("table-4.2"), results));
   EXPECT_EQ(integrations, 11);
 }
 
-// The workshop lets through only what a scene declares.
 TEST(Timing, OnlyTablesNeedTimes) {
-  const scene::Chapter chapter = rbf_ivp_chapter();
+  const scene::Chapter whole = chapter();
   int tables = 0;
-  for (const scene::Scene& s : chapter.scenes()) {
+  for (const scene::Scene& s : whole.scenes()) {
     const bool shown = s.name == "table-4.2" || s.name == "table-4.4" || s.name == "table-4.6";
     bool needed = false;
-    for (const scene::AnyRun* run : s.needs) needed = needed || run->name().ends_with("-time");
+    for (const auto& run : s.content.needs) needed = needed || run->name().ends_with("-time");
     EXPECT_EQ(needed, shown) << s.name;
     tables += shown ? 1 : 0;
   }
@@ -67,4 +67,4 @@ TEST(Timing, OnlyTablesNeedTimes) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters
+}  // namespace nlmech::chapters::rbf_ivp

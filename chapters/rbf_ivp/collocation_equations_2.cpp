@@ -1,7 +1,0 @@
-#include "chapters/rbf_ivp/collocation_equations_of.hpp"
-
-namespace nlmech::chapters {
-
-template class CollocationEquations<2>;
-
-}  // namespace nlmech::chapters

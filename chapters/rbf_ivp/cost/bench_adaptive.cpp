@@ -1,0 +1,280 @@
+/// @file
+/// `rbf_ivp_adaptive_bench`: adaptive-collocation against the other libraries, each as its manual runs it, at
+/// equal achieved error, and what our walk costs them; by Google Benchmark. Writes
+/// results/bench/rbf_ivp_adaptive.json and tables/BENCH.md under the current folder; exit code 1 if a claim
+/// is not held.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "chapters/plain_equations.hpp"
+#include "chapters/rbf_ivp/cost/native_peers.hpp"
+#include "chapters/rbf_ivp/cost/sweeps.hpp"
+#include "chapters/rbf_ivp/examples/cases.hpp"
+#include "chapters/rbf_ivp/stability/stiff_problems.hpp"
+#include "chapters/speed.hpp"
+#include "nlmech/comparison/accuracy.hpp"
+#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/problems/hires.hpp"
+#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+
+namespace {
+
+using namespace nlmech;
+using chapters::rbf_ivp::Case;
+using chapters::rbf_ivp::Stiff;
+
+/// A piece of work that is measured.
+struct Work {
+  std::string name;
+  std::function<void()> run;
+  double seconds;  ///< of the search, to choose by
+};
+
+struct Claim {
+  std::string fast, slow;
+  double least;
+};
+
+/// Everything that is measured, and what is said of it.
+struct Contest {
+  std::vector<Work> work;
+  std::vector<Claim> claims;
+};
+
+/// The fastest setting that reaches the wanted error.
+template <int n>
+std::optional<Work> fastest(const Case<n>& c, const comparison::Contender& contender, double wanted,
+                            const std::string& name) {
+  std::optional<Work> best;
+  for (const comparison::Setting& setting : contender.settings) {
+    const auto run = comparison::integrator<n>(contender, setting);
+    const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
+    if (!accuracy.error || *accuracy.error > wanted) continue;
+    const auto once = [&c, run] {
+      auto end = run(c.system, c.x0, c.t0, c.t1, {}, {});
+      benchmark::DoNotOptimize(end);
+    };
+    const double seconds = time_repeats(once, 5).smallest;
+    if (!best || seconds < best->seconds) best = Work{name, once, seconds};
+  }
+  return best;
+}
+
+/// The library that is fastest by its own loop (ARKODE, and Rosenbrock's method of Odeint: in our walk), and
+/// the same formula in our walk.
+struct BestLibrary {
+  std::string name;
+  std::optional<Work> alone, walked;
+};
+
+template <int n>
+BestLibrary best_library(const Case<n>& c, const std::vector<chapters::rbf_ivp::NativePeer>& native,
+                         double wanted, const std::string& at) {
+  BestLibrary best;
+  for (const auto& contender : chapters::rbf_ivp::with_step_control(false)) {
+    if (contender.name == "ode45" || contender.name == "adaptive-collocation") continue;
+    auto walked = fastest(c, contender, wanted, at + ", best library in our walk");
+    std::optional<Work> alone = walked;
+    for (const chapters::rbf_ivp::NativePeer& peer : native) {
+      if (peer.name != contender.name) continue;
+      alone.reset();
+      if (const auto own = chapters::rbf_ivp::fastest_alone(c, peer.run, contender, wanted))
+        alone = Work{"", own->run, own->seconds};
+    }
+    if (!alone || (best.alone && alone->seconds >= best.alone->seconds)) continue;
+    alone->name = at + ", best library";
+    best = {contender.name, std::move(alone), std::move(walked)};
+  }
+  return best;
+}
+
+/// Ours, compiled with the problem.
+template <int n, class Problem>
+std::optional<Work> fastest_of_ours(const Case<n>& c, const Problem& problem, double wanted,
+                                    const std::string& name) {
+  std::optional<Work> best;
+  for (int digits = 4; digits <= 13; ++digits) {
+    const double tolerance = std::pow(10, -digits);
+    const ivp::AdaptiveCollocation method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    const ivp::NamedIntegrator<n> run = [direct = ivp::Direct(problem), method](
+                                            const auto& /*system*/, const auto& x0, double t0, double t1,
+                                            const auto& observer, const auto& limits) {
+      return ivp::integrate(direct, x0, t0, t1, method, observer, limits);
+    };
+    const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
+    if (!accuracy.error || !(*accuracy.error <= wanted)) continue;
+    const auto once = [&c, run] {
+      auto end = run(c.system, c.x0, c.t0, c.t1, {}, {});
+      benchmark::DoNotOptimize(end);
+    };
+    const double seconds = time_repeats(once, 5).smallest;
+    if (!best || seconds < best->seconds) best = Work{name, once, seconds};
+  }
+  return best;
+}
+
+/// Ours against the fastest of all peers, both compiled with the problem where the library allows it.
+template <int n, class Problem>
+void against_peers(Contest& contest, const Case<n>& c, const Problem& problem,
+                   const std::vector<chapters::rbf_ivp::NativePeer>& native, double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}", c.name, wanted);
+  const auto ours = fastest_of_ours(c, problem, wanted, at + ", adaptive-collocation inlined");
+  const BestLibrary best = best_library(c, native, wanted, at);
+  fmt::print("{}: best library {}\n", at, best.alone ? best.name : "none: no other library gets there");
+  if (!ours) fmt::print("{}: adaptive-collocation does not get there\n", at);
+  if (ours && best.alone) contest.claims.push_back({ours->name, best.alone->name, least});
+  // A library pays for our walk: at most twice as much again.
+  if (best.alone && best.walked) contest.claims.push_back({best.walked->name, best.alone->name, 1 / 3.0});
+  for (const auto& one : {ours, best.alone, best.walked}) {
+    if (one) contest.work.push_back(*one);
+  }
+}
+
+/// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
+/// functions, which reach nine digits.
+template <int n>
+void against_collocation(Contest& contest, const Case<n>& c, const chapters::rbf_ivp::StepScales& scales,
+                         const std::string& method, double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
+  for (const auto& contender : chapters::rbf_ivp::contenders(scales, false)) {
+    if (contender.label() != method && contender.name != "adaptive-collocation") continue;
+    const std::string name = at + contender.label();
+    const bool is_there =
+        std::any_of(contest.work.begin(), contest.work.end(), [&](const Work& w) { return w.name == name; });
+    if (is_there) continue;
+    if (auto work = fastest(c, contender, wanted, name)) contest.work.push_back(*work);
+  }
+  contest.claims.push_back({at + "adaptive-collocation", at + method, least});
+}
+
+/// @param run with a tolerance and an absolute one, to the end in place @return did it get there?
+template <int n>
+std::optional<Work> fastest_stiff(const Stiff<n>& p,
+                                  const std::function<bool(double, double, ivp::State<n>&)>& run,
+                                  double wanted, const std::string& name) {
+  std::optional<Work> best;
+  for (int half = 8; half <= 26; ++half) {
+    const double tolerance = std::pow(10, -0.5 * half), absolute = tolerance * p.absolute;
+    ivp::State<n> x = p.x0;
+    if (!run(tolerance, absolute, x) || !(p.error(x) <= wanted)) continue;
+    const auto once = [run, x0 = p.x0, tolerance, absolute] {
+      ivp::State<n> end = x0;
+      static_cast<void>(run(tolerance, absolute, end));
+      benchmark::DoNotOptimize(end);
+    };
+    const double seconds = time_repeats(once, 5).smallest;
+    if (!best || seconds < best->seconds) best = Work{name, once, seconds};
+  }
+  return best;
+}
+
+template <int n>
+bool by_collocation(const Stiff<n>& p, double relative, double absolute, ivp::State<n>& x) {
+  const ivp::AdaptiveCollocation method{.relative_tolerance = relative, .absolute_tolerance = absolute};
+  const auto s = ivp::integrate(p.system, x, 0, p.end, method, {}, {.steps = 2'000'000});
+  x = s.x;
+  return s.status.ok();
+}
+
+template <int n, class Problem, class Plain>
+void against_cvode(Contest& contest, const Stiff<n>& p, const Problem& problem, const Plain& plain,
+                   double wanted, double least) {
+  const std::string at = fmt::format("{} to {:.0e}", p.name, wanted);
+  const auto ours = fastest_stiff<n>(
+      p, [p](double r, double a, ivp::State<n>& x) { return by_collocation(p, r, a, x); }, wanted,
+      at + ", adaptive-collocation");
+  std::optional<Work> theirs;
+  for (const chapters::rbf_ivp::NativePeer& peer : chapters::rbf_ivp::native_c_peers(problem, plain)) {
+    if (peer.name != "cvode-bdf") continue;
+    theirs = fastest_stiff<n>(
+        p,
+        [run = peer.run, end = p.end](double r, double a, ivp::State<n>& x) {
+          return run(r, a, 0, end, x.data());
+        },
+        wanted, at + ", cvode-bdf");
+  }
+  for (const auto& one : {ours, theirs}) {
+    if (one) contest.work.push_back(*one);
+  }
+  if (!ours) fmt::print("{}: adaptive-collocation does not get there\n", at);
+  if (!theirs) fmt::print("{}: CVODE does not get there\n", at);
+  if (ours && theirs) contest.claims.push_back({ours->name, theirs->name, least});
+}
+
+/// The non-stiff problems, to nine and twelve digits. On two of them the best library is ahead at nine, by
+/// less than half as much again.
+void add_peers(Contest& all) {
+  constexpr double behind = 1 / 1.5;
+  const problems::Duffing free, held_back{.hardening = 10};
+  const problems::ImpactDuffing impact;
+  const problems::ThreeMassChain chain;
+  auto impact_peers = chapters::rbf_ivp::native_peers(impact, chapters::PlainImpact{impact});
+  for (auto& peer : impact_peers)
+    peer.run = chapters::rbf_ivp::between(peer.run, {impact.duration / 2, impact.duration});
+  for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, behind}, std::tuple{1e-12, 1.5, 1.5}}) {
+    const auto plain = [](const problems::Duffing& p) {
+      return chapters::rbf_ivp::native_peers(p, chapters::PlainDuffing{p});
+    };
+    against_peers(all, chapters::rbf_ivp::free_duffing_case(), free, plain(free), wanted, ahead);
+    against_peers(all, chapters::rbf_ivp::impact_case(), impact, impact_peers, wanted, level);
+    against_peers(all, chapters::rbf_ivp::three_mass_case(), chain,
+                  chapters::rbf_ivp::native_peers(chain, chapters::PlainChain{chain}), wanted, level);
+    against_peers(all, chapters::rbf_ivp::held_back_case(), held_back, plain(held_back), wanted, ahead);
+  }
+}
+
+void add_stiff(Contest& all) {
+  const auto both = [&](const auto& p, const auto& problem, const auto& plain) {
+    against_cvode(all, p, problem, plain, 1e-6, 1 / 1.5);
+    against_cvode(all, p, problem, plain, 1e-9, 1);
+  };
+  const problems::VanDerPol relaxation{.mu = 1000};
+  const problems::Duffing spring{.hardening = 1e6};
+  problems::ThreeMassChain chain;
+  chain.k1 = 1e8;
+  both(chapters::rbf_ivp::van_der_pol_of_the_test_set(), relaxation,
+       chapters::rbf_ivp::OnArrays<problems::VanDerPol>{relaxation});
+  both(chapters::rbf_ivp::robertson(), problems::Robertson{},
+       chapters::rbf_ivp::OnArrays<problems::Robertson>{});
+  both(chapters::rbf_ivp::hires(), problems::Hires{}, chapters::rbf_ivp::OnArrays<problems::Hires>{});
+  both(chapters::rbf_ivp::stiff_duffing(), spring, chapters::PlainDuffing{spring});
+  both(chapters::rbf_ivp::stiff_masses(), chain, chapters::PlainChain{chain});
+}
+
+Contest contest() {
+  Contest all;
+  add_peers(all);
+  const auto scales = chapters::rbf_ivp::free_duffing_steps();
+  const auto chain_scales = chapters::rbf_ivp::three_mass_steps();
+  against_collocation(all, chapters::rbf_ivp::free_duffing_case(), scales, "rbf-coll, N = 35", 1e-5, 40);
+  against_collocation(all, chapters::rbf_ivp::three_mass_case(), chain_scales, "rbf-coll, N = 35", 1e-7, 40);
+  against_collocation(all, chapters::rbf_ivp::free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
+  against_collocation(all, chapters::rbf_ivp::three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
+  add_stiff(all);
+  return all;
+}
+
+int bench(int argc, char** argv) {
+  chapters::begin_speed(argc, argv);
+  const Contest all = contest();
+  std::vector<scene::SpeedClaim> claims;
+  for (const Claim& claim : all.claims)
+    claims.push_back(
+        {fmt::format("{} against {}", claim.fast, claim.slow), claim.fast, claim.slow, claim.least});
+  return chapters::judge_speed("rbf_ivp_adaptive", claims, chapters::measure_speed(all.work));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return nlmech::chapters::speed_main("rbf_ivp_adaptive_bench", &bench, argc, argv);
+}

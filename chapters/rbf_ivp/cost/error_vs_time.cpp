@@ -1,0 +1,61 @@
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_ivp/cost/sweeps.hpp"
+#include "chapters/rbf_ivp/examples/cases.hpp"
+#include "nlmech/comparison/cost_scene.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+using comparison::Costs;
+
+/// What a scene is about.
+struct Subject {
+  std::string problem, heading;
+  double radial_low, radial_high;  ///< least error of RBF-Coll with N = 35, recorded
+  const char* reason;
+};
+
+template <int n>
+scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), const StepScales& scales) {
+  const auto measure = [problem, scales](bool quick) -> Costs {
+    const auto accurate =
+        ivp::named_integrator<n>("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
+    return {comparison::cost_curves(problem(), contenders(scales, quick), quick),
+            comparison::condition_of(problem(), accurate)};
+  };
+  const auto check = [subject](const Costs& costs, scene::Show& show) {
+    show.between("least error of rbf-coll, N = 35", comparison::least_error(costs.curves, "rbf-coll, N = 35"),
+                 subject.radial_low, subject.radial_high, subject.reason);
+    check_at_rounding(costs, "radau-coll, N = 17", show);
+    if (show.quick()) return check_at_quick_tolerance(costs, show);
+    show.at_most("least error of adaptive-collocation",
+                 comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
+                 "end errors of hundred periods are the tolerance, 1e-13, times their number");
+  };
+  return comparison::cost_scene({.name = subject.problem,
+                                 .heading = subject.heading,
+                                 .reading = "default settings over one sweep of tolerances; steps of "
+                                            "fixed-step methods by hand, beginning with the dissertation's",
+                                 .measure = measure,
+                                 .check = check});
+}
+
+}  // namespace
+
+std::vector<scene::Scene> error_vs_time() {
+  return {against_all<2>({"duffing", "Free Duffing oscillator to t = 500: digits against cost", 2e-7, 2e-5,
+                          "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
+                         free_duffing_case, free_duffing_steps()),
+          against_all<2>(
+              {"impact", "Impact on the Duffing oscillator to t = 500: digits against cost", 1e-8, 2e-5,
+               "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
+               "amplitude"},
+              impact_case, impact_steps()),
+          against_all<6>({"three-dof", "Three masses to t = 200: digits against cost", 8e-10, 8e-8,
+                          "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
+                         three_mass_case, three_mass_steps())};
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,86 @@
+#include "chapters/rbf_ivp/cost/sweeps.hpp"
+
+#include <limits>
+
+#include "chapters/rbf_ivp/examples/cases.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+using comparison::by_steps;
+using comparison::Contender;
+using comparison::Kind;
+
+constexpr double ladder[] = {2, 1, 0.5, 0.25};
+constexpr double long_ladder[] = {1, 0.5, 0.25, 0.125};
+constexpr double picard_ladder[] = {4, 2, 1, 0.5};
+constexpr double runge_kutta_ladder[] = {1, 0.2, 0.04, 0.008};
+constexpr double second_order_ladder[] = {0.2, 0.02, 0.004};
+constexpr double first_order_ladder[] = {0.01, 0.001};
+
+/// Checks that a method errs by no more than so much, of one sign, in each step of its best run.
+void check_least(const comparison::Costs& costs, const std::string& method, double each_step,
+                 const char* reason, scene::Show& show) {
+  const comparison::Cost* best = comparison::best_of(comparison::curve_of(costs.curves, method));
+  const double steps = best != nullptr ? static_cast<double>(best->work.steps) : 0;
+  show.at_most("least error of " + method, comparison::least_error(costs.curves, method),
+               each_step * steps * costs.condition, reason);
+}
+
+}  // namespace
+
+StepScales free_duffing_steps() {
+  const double period = duffing_period();
+  return {.few_nodes = period / 10,
+          .many_nodes = period,
+          .few_shape = 0.77 * period / 10,
+          .many_shape = 34 / 4.0};
+}
+
+StepScales impact_steps() {
+  return {.few_nodes = 0.5, .many_nodes = 6, .few_shape = 0.66 * 0.5, .many_shape = 34 / 4.0};
+}
+
+StepScales three_mass_steps() {
+  return {.few_nodes = 0.625, .many_nodes = 20, .few_shape = 0.35 * 0.625, .many_shape = 0.39 * 20};
+}
+
+std::vector<Contender> contenders(const StepScales& s, bool quick) {
+  const double few = s.few_nodes, many = s.many_nodes;
+  std::vector<Contender> all = {
+      by_steps("rbf-coll", 7, Kind::radial, few, ladder, quick, s.few_shape),
+      by_steps("rbf-coll", 35, Kind::radial, many, long_ladder, quick, s.many_shape),
+      by_steps("lgl-coll", 7, Kind::polynomial, few, ladder, quick),
+      by_steps("lgl-coll", 35, Kind::polynomial, many, long_ladder, quick),
+      by_steps("radau-coll", 7, Kind::polynomial, few, ladder, quick),
+      by_steps("radau-coll", 17, Kind::polynomial, many / 2, long_ladder, quick),
+      by_steps("mcpi", 9, Kind::polynomial, few, picard_ladder, quick),
+      by_steps("mcpi", 17, Kind::polynomial, few, picard_ladder, quick)};
+  for (const char* name : {"euler", "backward-euler"})
+    all.push_back(by_steps(name, {}, Kind::classical, few, first_order_ladder, quick));
+  for (const char* name : {"explicit", "newmark", "hht", "generalized-alpha"})
+    all.push_back(by_steps(name, {}, Kind::classical, few, second_order_ladder, quick));
+  for (const char* name : {"rk4", "rk6"})
+    all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_ladder, quick));
+  for (const Contender& one : with_step_control(quick)) all.push_back(one);
+  return all;
+}
+
+std::vector<Contender> with_step_control(bool quick) {
+  std::vector<Contender> all = {comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
+                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
+  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
+  return all;
+}
+
+void check_at_rounding(const comparison::Costs& costs, const std::string& method, scene::Show& show) {
+  check_least(costs, method, 4 * std::numeric_limits<double>::epsilon() / 2,
+              "condition times half an epsilon, four times in each step and always of one sign", show);
+}
+
+void check_at_quick_tolerance(const comparison::Costs& costs, scene::Show& show) {
+  check_least(costs, "adaptive-collocation", comparison::tightest_tolerance(true),
+              "the tightest tolerance in each step, all of one sign, times the condition", show);
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

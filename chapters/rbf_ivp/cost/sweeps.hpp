@@ -1,0 +1,43 @@
+/// @file
+/// What the error-vs-time scenes and the benchmark set side by side: ours and the peers, each with a sweep of
+/// steps or tolerances.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/contenders.hpp"
+#include "nlmech/comparison/cost_scene.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+
+/// Lengths of steps to begin with, as the dissertation takes them for a problem (Tables 4.2, 4.4, 4.6).
+struct StepScales {
+  double few_nodes;   ///< step of RBF-Coll with N = 7
+  double many_nodes;  ///< step of RBF-Coll with N = 35
+  double few_shape;   ///< c times the step for N = 7
+  double many_shape;  ///< c times the step for N = 35
+};
+
+/// Scales of the free Duffing oscillator: P/10 and P.
+[[nodiscard]] StepScales free_duffing_steps();
+/// Scales of the impact after its end: 0.5 and 6, and the shape 0.66 that Table 4.4 leaves out.
+[[nodiscard]] StepScales impact_steps();
+/// Scales of the three masses: 0.625 and 20.
+[[nodiscard]] StepScales three_mass_steps();
+
+/// All methods and peers: those of fixed step with steps that begin at the scales, those with step control
+/// with one sweep of tolerances for all.
+/// @param quick fewer settings of each
+[[nodiscard]] std::vector<comparison::Contender> contenders(const StepScales& scales, bool quick);
+
+/// Those with step control alone: adaptive-collocation, ode45 and the peers.
+[[nodiscard]] std::vector<comparison::Contender> with_step_control(bool quick);
+
+/// Checks that a method errs by no more than four roundings of one sign in each step of its best run.
+void check_at_rounding(const comparison::Costs& costs, const std::string& method, scene::Show& show);
+/// The same of `adaptive-collocation` with --quick, whose tolerances end at 1e-8: that tolerance in each
+/// step.
+void check_at_quick_tolerance(const comparison::Costs& costs, scene::Show& show);
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/rbf_ivp/examples/histories.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+constexpr double visible = 0.05;  // of the amplitude: a curve that far from the reference is seen to be off
+
+/// Which points of the data are what.
+constexpr int line = 0, step_end = 1;
+
+template <int n>
+void add_reference(scene::Table& data, const Record<n>& record, const Case<n>& c, int component) {
+  for (const auto& drawn : record.window)
+    data.add({0, line, drawn.t, static_cast<double>(c.reference(drawn.t)[component])});
+}
+
+template <int n>
+void add_method(scene::Table& data, int number, const Record<n>& record, const Keeping& window,
+                int component) {
+  for (const auto& drawn : record.window) data.add({number, line, drawn.t, drawn.x[component]});
+  for (const auto& value : record.values) {
+    if (!value.end || value.t < window.window_begin) continue;
+    data.add({number, step_end, value.t, value.x[component]});
+  }
+}
+
+/// Greatest distance from the reference over the window, in amplitudes.
+template <int n>
+double distance(const Record<n>& record, const Case<n>& c, int component) {
+  double greatest = 0;
+  for (const auto& drawn : record.window) {
+    const auto truth = static_cast<double>(c.reference(drawn.t)[component]);
+    greatest = std::max(greatest, std::abs(drawn.x[component] - truth) / c.amplitude[component]);
+  }
+  return greatest;
+}
+
+template <int n>
+using Records = std::vector<const Record<n>*>;
+
+/// The reference is the first block of the data, methods are the others.
+void draw(const Comparison& figure, const Keeping& window, scene::Panel& panel) {
+  panel.place(0.12, 0.97, 0.13, 0.79)
+      .set("title offset 0,2.4")
+      .x_range(window.window_begin, window.window_end);
+  panel.key("at screen 0.535, screen 0.91 center top horizontal maxrows 2 samplen 2.5");
+  const auto of = [](int kind) {
+    return fmt::format("(column('kind') == {} ? column('t_s') : NaN):x", kind);
+  };
+  panel.columns("reference", of(line), {"lines linecolor rgb '#c9c9c9' linewidth 9 dashtype solid", 1}, 0);
+  const int count = static_cast<int>(figure.methods.size());
+  for (int i = 1; i <= count; ++i) panel.columns("", of(line), {"lines linewidth 1.4", i}, i);
+  for (int i = 1; i <= count; ++i) panel.columns("", of(step_end), {"points pointsize 0.9", i}, i);
+  for (int i = 1; const std::string& method : figure.methods)
+    panel.also(fmt::format("keyentry with linespoints linestyle {} linewidth 1.4 pointsize 0.9 title '{}'",
+                           i++, method));
+}
+
+template <int n>
+void put(const Example<n>& example, const Comparison& figure, const Records<n>& records, scene::Show& show) {
+  const Case<n>& c = example.made();
+  scene::Table data({{"curve", 3, true}, {"kind"}, {"t_s"}, {"x"}});
+  add_reference(data, *records.front(), c, figure.component);
+  int off = 0;
+  for (int number = 0; const Record<n>* record : records) {
+    add_method(data, ++number, *record, example.keeping, figure.component);
+    off += distance(*record, c, figure.component) > visible ? 1 : 0;
+  }
+  scene::Panel& panel = show.plot(
+      fmt::format("{}: {} of {} methods have left {}", example.title, off, records.size(), figure.symbol),
+      "{/:Italic t} (s)", figure.symbol);
+  draw(figure, example.keeping, panel);
+  show.figure().data(std::move(data));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Row<n>& row = example.row(figure.methods[i]);
+    if (row.reading.nominal)
+      row.reading.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
+  }
+}
+
+}  // namespace
+
+template <int n>
+scene::Scene comparison(const Example<n>& example, const Comparison& figure) {
+  std::vector<scene::Result<Record<n>>> results;
+  for (const std::string& method : figure.methods) results.push_back(example.row(method).nominal);
+  const auto show = [example, figure](const Records<n>& records, scene::Show& to) {
+    put(example, figure, records, to);
+  };
+  return {.name = fmt::format("fig-4.{}", figure.figure),
+          .title = fmt::format("{}: {} by all methods over the last {:.3g} s", example.title, figure.symbol,
+                               example.keeping.window_end - example.keeping.window_begin),
+          .place = fmt::format("Figure 4.{}", figure.figure),
+          .content = scene::Content(show, results)};
+}
+
+template scene::Scene comparison(const Example<2>&, const Comparison&);
+template scene::Scene comparison(const Example<6>&, const Comparison&);
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,228 @@
+#include "chapters/rbf_ivp/examples/histories.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+/// How a record is thinned out for drawing.
+struct Thinning {
+  bool by_step;      ///< the greatest error within each step
+  int bins;          ///< else the greatest of each of so many equal parts; 0: all errors
+  std::string text;  ///< the same in words
+};
+
+/// Nothing is left out of a few steps; steps longer than half a period count one by one.
+template <int n>
+Thinning thinning_of(const Record<n>& record, const Case<n>& c) {
+  constexpr std::int64_t few = 20;
+  const int bins = static_cast<int>(std::round((c.t1 - c.t0) / c.half_period));
+  if (record.statistics.steps <= few) return {false, 0, "all nodes"};
+  if (record.statistics.steps <= bins) return {true, 0, "greatest within each step"};
+  return {false, bins, fmt::format("greatest of each {:.1f} s", (c.t1 - c.t0) / bins)};
+}
+
+/// One line or row of dots.
+struct Curve {
+  std::string label;
+  std::vector<TimeError> points;
+};
+
+/// What is drawn of a run: its lines, and dots at the ends of steps.
+struct Curves {
+  std::vector<Curve> lines, dots;
+};
+
+/// Errors of a record by a measure, thinned out.
+template <int n, class Measure>
+std::vector<TimeError> errors_of(const Record<n>& record, const Case<n>& c, Points points, Measure measure) {
+  const Thinning thinning = thinning_of(record, c);
+  std::vector<TimeError> all;
+  bool step_begins = true;
+  for (const auto& value : record.values) {
+    if (points == Points::ends && !value.end) continue;
+    const TimeError here{value.t, std::max(measure(value.error), 1e-18)};  // zero has no logarithm
+    if (!thinning.by_step || step_begins || points == Points::ends) {
+      all.push_back(here);
+    } else if (here.error > all.back().error) {
+      all.back() = here;
+    }
+    step_begins = value.end;
+  }
+  const bool sparse = all.size() <= 2 * static_cast<std::size_t>(thinning.bins);
+  return sparse || thinning.bins == 0 ? all : greatest_by_bin(all, c.t0, c.t1, thinning.bins);
+}
+
+double greatest(const std::vector<TimeError>& errors) {
+  double largest = 0;
+  for (const TimeError& p : errors) largest = std::max(largest, p.error);
+  return largest;
+}
+
+/// Dots are left out where they stand on the lines.
+void drop_needless_dots(Curves& curves) {
+  for (std::size_t i = 0; i < curves.lines.size(); ++i) {
+    if (greatest(curves.lines[i].points) > 1.5 * greatest(curves.dots[i].points)) return;
+  }
+  curves.dots.clear();
+}
+
+/// One curve a component, or one for the state.
+template <int n>
+Curves curves_of(const Record<n>& record, const Case<n>& c, Shown shown, const std::string& label) {
+  Curves all;
+  const auto add = [&](const std::string& name, auto measure) {
+    all.lines.push_back({name, errors_of(record, c, Points::all, measure)});
+    all.dots.push_back({"step ends", errors_of(record, c, Points::ends, measure)});
+  };
+  if (shown == Shown::state) {
+    add(label, [&c](const ivp::State<n>& e) { return normalised_state_error(c, e); });
+    return all;
+  }
+  const int first = shown == Shown::positions ? 0 : n / 2;
+  for (int i = first; i < first + n / 2; ++i) {
+    const std::string component =
+        n == 2 ? label : fmt::format("{}_{}", shown == Shown::positions ? "x" : "v", i - first + 1);
+    add(component, [&c, i](const ivp::State<n>& e) { return std::abs(e[i]) / c.amplitude[i]; });
+  }
+  return all;
+}
+
+/// Decades that hold all errors; twelve at most, for a first step may be exact to rounding.
+void set_decades(const Curves& curves, scene::Panel& panel) {
+  double least = HUGE_VAL, largest = 0;
+  for (const std::vector<Curve>* group : {&curves.lines, &curves.dots}) {
+    for (const Curve& curve : *group) {
+      largest = std::max(largest, greatest(curve.points));
+      least = std::min(least, std::ranges::min(curve.points, {}, &TimeError::error).error);
+    }
+  }
+  const double high = std::ceil(std::log10(largest));
+  const double low = std::clamp(std::floor(std::log10(least)), high - 12, high - 1);
+  panel.log_y(std::pow(10, low), std::pow(10, high)).set("format y power_of_ten");
+  panel.set(high - low > 8 ? "ytics 100" : "ytics 10");
+}
+
+/// @param size of dots
+void draw(const Curves& curves, double end, const char* size, scene::Panel& panel) {
+  const bool alone = curves.lines.size() + curves.dots.size() == 1;
+  panel.place(0.12, 0.97, 0.13, alone ? 0.89 : 0.83).set(alone ? "title offset 0,0.2" : "title offset 0,1.4");
+  panel.x_range(0, end).key(
+      "at screen 0.545, screen 0.905 center top horizontal maxrows 1 samplen 2.5 width -1");
+  set_decades(curves, panel);
+  for (const Curve& curve : curves.lines)
+    panel.curve(alone ? "" : curve.label, curve.points, &TimeError::t, &TimeError::error,
+                {"lines linewidth 1.6"});
+  for (int style = 1; const Curve& curve : curves.dots) {
+    panel.curve(style == 1 ? curve.label : "", curve.points, &TimeError::t, &TimeError::error,
+                {fmt::format("points pointtype 7 pointsize {}", size), style});
+    ++style;
+  }
+}
+
+const char* word_for(Shown shown) {
+  return shown == Shown::state       ? "state error"
+         : shown == Shown::positions ? "position error"
+                                     : "velocity error";
+}
+
+/// "5.6e-4", "0.12"
+std::string size_text(double size) {
+  if (size >= 0.01) return scene::format_number(size, 2);
+  std::string text = fmt::format("{:.1e}", size);
+  const auto e = text.find('e');
+  return text.substr(0, e + 2) + text.substr(text.find_first_not_of('0', e + 2));
+}
+
+/// What there is to see: the time at which the phase is lost, or how large the error gets and how it grows.
+std::string finding(const std::vector<Curve>& lines, Shown shown) {
+  const Curve& worst =
+      *std::ranges::max_element(lines, {}, [](const Curve& c) { return greatest(c.points); });
+  const double largest = greatest(worst.points);
+  const auto lost = std::ranges::find_if(worst.points, [](const TimeError& p) { return p.error > 1; });
+  if (lost != worst.points.end()) return fmt::format("{} above 1 from {:.0f} s on", word_for(shown), lost->t);
+  const std::string size = size_text(largest);
+  const double exponent = growth_exponent(worst.points);
+  // Less is not told from a level by the eye.
+  if (exponent < 0.75) return fmt::format("{} at most {}", word_for(shown), size);
+  return fmt::format("{} grows to {} as t^{{{:.1f}}}", word_for(shown), size, exponent);
+}
+
+template <int n>
+void put(const Case<n>& c, const Row<n>& row, const History& figure, const Record<n>& nominal,
+         const Record<n>& inferred, scene::Show& show) {
+  const bool two = &nominal != &inferred;
+  Curves curves = curves_of(nominal, c, figure.shown, two ? row.reading.as_printed : "all nodes");
+  const std::string seen = finding(curves.lines, figure.shown);
+  if (two) {
+    Curves others = curves_of(inferred, c, figure.shown, row.reading.as_inferred);
+    std::ranges::move(others.lines, std::back_inserter(curves.lines));
+    std::ranges::move(others.dots, std::back_inserter(curves.dots));
+  }
+  drop_needless_dots(curves);
+  scene::Panel& panel =
+      show.plot(fmt::format("{} ({}): {}", row.reading.method, row.reading.setting, seen), "{/:Italic t} (s)",
+                fmt::format("normalised {}, {}", word_for(figure.shown), thinning_of(nominal, c).text));
+  show.figure().columns({"curve", "t_s", "error"});
+  const auto steps = nominal.statistics.steps;
+  draw(curves, c.t1, steps <= 20 ? "0.9" : steps <= 60 ? "0.5" : "0.35", panel);
+  if (row.reading.nominal) row.reading.nominal->check("RMS position error", row.nominal_error(nominal), show);
+  if (two && row.reading.inferred) {
+    row.reading.inferred->check("RMS position error, inferred reading",
+                                row.inferred_error(inferred, c.inferred_end), show);
+  }
+  if (figure.velocity.high > 0)
+    figure.velocity.check("RMS velocity error", rms_error(nominal, n / 2, row.reading.points), show);
+}
+
+}  // namespace
+
+template <int n>
+scene::Scene history(const Example<n>& example, const History& figure) {
+  const Row<n>& row = example.row(figure.method);
+  const auto show = [made = example.made, row, figure](const Record<n>& nominal, const Record<n>& inferred,
+                                                       scene::Show& to) {
+    put(made(), row, figure, nominal, inferred, to);
+  };
+  return {.name = fmt::format("fig-4.{}", figure.figure),
+          .title = fmt::format("{}: {} in time, {}, {}", example.title, word_for(figure.shown),
+                               row.reading.method, row.reading.setting),
+          .place = fmt::format("Figure 4.{}", figure.figure),
+          .content = scene::Content(show, row.nominal, row.inferred)};
+}
+
+template scene::Scene history(const Example<2>&, const History&);
+template scene::Scene history(const Example<6>&, const History&);
+
+std::vector<TimeError> greatest_by_bin(const std::vector<TimeError>& errors, double begin, double end,
+                                       int bins) {
+  std::vector<TimeError> greatest;
+  int last = -1;
+  for (const TimeError& p : errors) {
+    const int bin = std::clamp(static_cast<int>((p.t - begin) / (end - begin) * bins), 0, bins - 1);
+    if (bin != last) greatest.push_back(p);
+    if (p.error > greatest.back().error) greatest.back() = p;
+    last = bin;
+  }
+  return greatest;
+}
+
+double growth_exponent(const std::vector<TimeError>& errors) {
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const TimeError& p : errors) {
+    if (p.t < errors.back().t / 10 || p.error <= 0) continue;
+    const double lt = std::log(p.t), le = std::log(p.error);
+    count += 1;
+    x += lt;
+    y += le;
+    xx += lt * lt;
+    xy += lt * le;
+  }
+  return (count * xy - x * y) / (count * xx - x * x);
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/printed_values.hpp"
+#include "chapters/rbf_ivp/examples/rows.hpp"
+#include "nlmech/scene/published.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+/// What a row of the table says, in its own columns and in the figure's.
+struct Line {
+  std::string method, setting, published = "N/A", verdict = "context", reading;
+  std::optional<double> published_value = {};
+  std::string name = {};  ///< as PublishedValue::name(); empty if no error is printed
+  double nominal = 0, inferred = 0;
+  double milliseconds = 0;
+  Statistics statistics = {};
+
+  [[nodiscard]] std::int64_t steps() const { return statistics.steps; }
+  [[nodiscard]] std::int64_t right_hand_sides() const { return statistics.right_hand_sides; }
+  /// Only where it can be told from the nominal one.
+  [[nodiscard]] std::optional<double> inferred_if_apart() const {
+    return std::abs(std::log10(inferred / nominal)) > 0.05 ? std::optional(inferred) : std::nullopt;
+  }
+};
+
+template <int n>
+using Records = std::vector<const Record<n>*>;
+
+template <int n>
+std::vector<Line> lines(const Example<n>& example, const Records<n>& nominal, const Records<n>& inferred,
+                        const std::vector<const double*>& times) {
+  const auto printed = printed_values(example.table);
+  std::vector<Line> all;
+  for (std::size_t i = 0; i < example.rows.size(); ++i) {
+    const Row<n>& row = example.rows[i];
+    Line line{.method = row.reading.method,
+              .setting = row.reading.setting,
+              .reading = row.nominal.run()->reading(),
+              .nominal = row.nominal_error(*nominal[i]),
+              .inferred = row.inferred_error(*inferred[i], example.made().inferred_end),
+              .milliseconds = *times[i],
+              .statistics = nominal[i]->statistics};
+    if (!row.reading.row.empty()) {
+      line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.reading.row, example.quantity);
+      const scene::PublishedValue& value = printed.at(line.name);
+      line.published = value.printed;
+      line.published_value = value.value;
+      line.verdict = to_string(scene::judge(value, {line.nominal, line.inferred}).verdict);
+      if (!value.reading.empty()) line.reading = value.reading;
+    }
+    all.push_back(std::move(line));
+  }
+  return all;
+}
+
+/// Rows from the top of the picture.
+void draw(const std::vector<Line>& lines, const std::string& example, scene::Show& show) {
+  scene::Table data({{"row"}, {"method"}, {"published"}, {"nominal"}, {"inferred"}, {"time_ms"}});
+  std::string names;
+  int within_ten_percent = 0, printed = 0;
+  for (int row = 0; const Line& l : lines) {
+    data.add({++row, l.method, l.published_value, l.nominal, l.inferred_if_apart(), l.milliseconds});
+    names += fmt::format("{}{} {}", row > 1 ? ", " : "", scene::gnuplot_quoted(l.method), row);
+    if (!l.published_value) continue;
+    ++printed;
+    within_ten_percent += std::abs(l.inferred / *l.published_value - 1) < 0.1 ? 1 : 0;
+  }
+  scene::Plot& plot = show.plots(
+      fmt::format("{}: {} of {} printed errors come out within 10 %", example, within_ten_percent, printed));
+  const double bottom = static_cast<double>(lines.size()) + 0.7;
+  plot.panel("RMS error", "")
+      .place(0.16, 0.67, 0.13, 0.85)
+      .y_range(bottom, 0.3)
+      .log_x()
+      .set("xtics 100")
+      .set("ytics scale 0 (" + names + ")")
+      .key("at screen 0.5, screen 0.925 center top maxrows 1 samplen 1")
+      .columns("ours, nominal", "nominal:row", {"points pointtype 7 pointsize 1.1", 1})
+      .columns("ours, inferred", "inferred:row", {"points pointtype 5 pointsize 1", 4})
+      .columns("printed", "published:row",
+               {"points pointtype 6 pointsize 2 linewidth 1.6 linecolor rgb ink", 3});
+  plot.panel("our time (ms)", "")
+      .place(0.72, 0.97, 0.13, 0.85)
+      .y_range(bottom, 0.3)
+      .log_x()
+      .set("xtics 10")
+      .set("ytics 1")
+      .set("format y ''")
+      .columns("", "time_ms:row", {"points pointtype 13 pointsize 1.3", 5});
+  plot.data(std::move(data));
+}
+
+template <int n>
+void put(const Example<n>& example, const std::vector<Line>& lines, scene::Show& show) {
+  draw(lines, example.title, show);
+  show.table(lines, {{"method", &Line::method},
+                     {"setting", &Line::setting},
+                     {"RMS error, nominal", &Line::nominal, 4},
+                     {"RMS error, inferred", &Line::inferred, 4},
+                     {"published", &Line::published},
+                     {"verdict", &Line::verdict},
+                     {"time (ms)", &Line::milliseconds, 2},
+                     {"steps", &Line::steps},
+                     {"right-hand sides", &Line::right_hand_sides},
+                     {"reading", &Line::reading}});
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Line& line = lines[i];
+    const Reading& reading = example.rows[i].reading;
+    if (reading.nominal) reading.nominal->check("RMS error of " + line.method, line.nominal, show);
+    if (reading.inferred)
+      reading.inferred->check("RMS error of " + line.method + ", inferred reading", line.inferred, show);
+    if (!line.name.empty()) show.measured(line.name, line.nominal, line.inferred);
+  }
+}
+
+}  // namespace
+
+template <int n>
+scene::Scene result_table(const Example<n>& example) {
+  std::vector<scene::Result<Record<n>>> nominal, inferred;
+  std::vector<scene::Result<double>> times;
+  for (const Row<n>& row : example.rows) {
+    nominal.push_back(row.nominal);
+    inferred.push_back(row.inferred);
+    times.push_back(row.time);
+  }
+  const auto show = [example](const Records<n>& as_printed, const Records<n>& as_inferred,
+                              const std::vector<const double*>& milliseconds, scene::Show& to) {
+    put(example, lines(example, as_printed, as_inferred, milliseconds), to);
+  };
+  return {.name = example.table,
+          .title = example.title + ": step, error and time of each run, published beside ours",
+          .place = "Table " + example.table.substr(6),
+          .content = scene::Content(show, nominal, inferred, times)};
+}
+
+template scene::Scene result_table(const Example<2>&);
+template scene::Scene result_table(const Example<6>&);
+
+}  // namespace nlmech::chapters::rbf_ivp

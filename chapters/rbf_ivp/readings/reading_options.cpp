@@ -1,0 +1,336 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "chapters/rbf_ivp/readings/explicit_variants.hpp"
+#include "chapters/rbf_ivp/readings/readings.hpp"
+#include "chapters/rbf_ivp/readings/traces.hpp"
+#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/published.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+using ivp::CentralDifference;
+using ivp::Hht;
+using ivp::Mcpi;
+using ivp::Newmark;
+using ivp::Ode45;
+using ivp::RbfCollocation;
+using ivp::Rk4;
+using ivp::VelocityTime;
+
+/// Errors as printed, by "table-4.2/RK4-1 (P/10)".
+using Printed = std::map<std::string, std::string>;
+
+Printed read_printed() {
+  Printed printed;
+  for (const scene::PublishedValue& v : scene::read_published(scene::data_folder())) {
+    if (v.source == "elgohary" && (v.kind == "error" || v.kind == "rounding"))
+      printed[v.place + "/" + v.row] = v.printed;
+  }
+  return printed;
+}
+
+/// A printed row and the run that answers to it.
+struct Answer {
+  std::string table, row;
+  Trace trace;
+  [[nodiscard]] const std::string& printed(const Printed& all) const { return all.at(table + "/" + row); }
+};
+
+template <class Method>
+Answer answer(const Setting& s, const std::string& row, const Method& method) {
+  return {s.table, row + " " + s.steps, trace(s, method)};
+}
+
+/// "Newmark-1", or with "-2" for the short steps.
+std::string numbered(const std::string& method, const Setting& s) {
+  return method + (s.first >= 0.1 ? "-1" : "-2");
+}
+
+/// RK4, Newmark and HHT in all three tables, without the rows that nothing explains.
+std::vector<Answer> step_methods(double P, bool free_only = false) {
+  std::vector<Answer> all;
+  for (const Setting& s : implicit_settings(P)) {
+    if (free_only && s.table != "table-4.2") continue;
+    Setting shorter = s;
+    if (s.steps == "(P/500)") shorter = {s.table, "(P/250)", P / 250};
+    all.push_back(answer(shorter, numbered("RK4", s), Rk4{}));
+    all.push_back(answer(s, numbered("Newmark", s), Newmark{}));
+    all.push_back(answer(s, numbered("HHT", s), Hht{}));
+  }
+  return all;
+}
+
+/// The two MCPI rows of each table, of a degree and a number of intervals that differ from the printed order
+/// n by @p degree and @p intervals.
+std::vector<Answer> picard(double P, int degree, int intervals, double tolerance) {
+  const auto method = [&](int n) {
+    return Mcpi{.order = n + degree, .intervals = n + intervals, .tolerance = tolerance};
+  };
+  return {answer({"table-4.2", "(P/10)", P / 10}, "MCPI-1", method(8)),
+          answer({"table-4.2", "(P/2)", P / 2}, "MCPI-2", method(16)),
+          answer({"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, "MCPI-1", method(6)),
+          answer({"table-4.4", "(0.5; 2)", 0.5, 2}, "MCPI-2", method(10)),
+          answer({"table-4.6", "(0.625)", 0.625}, "MCPI-1", method(6)),
+          answer({"table-4.6", "(4)", 4}, "MCPI-2", method(12))};
+}
+
+/// The score of answers, each by a number of its own.
+template <class Number>
+Score score(const std::vector<Answer>& answers, const Printed& printed, Number number) {
+  Score s;
+  for (const Answer& a : answers) s.count(a.printed(printed), number(a));
+  return s;
+}
+
+double at_step_ends(const Answer& a) { return a.trace.rms(inferred_end(a.table)); }
+
+Question end_and_period(const Printed& printed) {
+  Question q{"end time and period", "4.2", "P = 4.77, to 500 s", "P exact, to 100 P", {}};
+  for (const auto& [name, P] : {std::pair("exact", duffing_period()), {"= 4.768", 4.768}, {"= 4.77", 4.77}}) {
+    std::vector<Answer> answers = step_methods(P, true);
+    answers.push_back(answer({"table-4.2", "(P/500)", P / 500}, "Explicit-2", CentralDifference{}));
+    answers.push_back({"table-4.2", "ODE45-1", trace_of_duffing(throughout<2>(Ode45{1e-6, 1e-6}))});
+    answers.push_back({"table-4.2", "ODE45-2", trace_of_duffing(throughout<2>(Ode45{1e-9, 1e-9}))});
+    const auto to = [&](double end) {
+      return score(answers, printed, [end](const Answer& a) {
+        return a.trace.rms(end, a.row.starts_with("ODE45") ? Points::all : Points::ends);
+      });
+    };
+    q.options.push_back({fmt::format("P {}, to 100 P", name), to(100 * P)});
+    q.options.push_back({fmt::format("P {}, to 101 P", name), to(101 * P)});
+    q.options.push_back({fmt::format("P {}, to 500 s", name), to(500)});
+  }
+  return q;
+}
+
+Question hht_alpha(const Printed& printed, bool quick) {
+  Question q{"alpha of HHT and its form", "4.2 4.4 4.6", "", "alpha = -0.1, form of 1977", {}};
+  const std::vector<double> few = {0.0, -0.1, -1. / 3},
+                            all = {0.0, -0.01, -0.02, -0.05, -0.08, -0.1, -0.15, -0.2, -0.3, -1. / 3};
+  for (const double alpha : quick ? few : all) {
+    for (const Hht::Form form : {Hht::Form::corrected, Hht::Form::as_printed}) {
+      std::vector<Answer> answers;
+      for (const Setting& s : implicit_settings(duffing_period()))
+        answers.push_back(answer(s, numbered("HHT", s), Hht{.alpha = alpha, .form = form}));
+      q.options.push_back({fmt::format("alpha = {:.3g}, {}", alpha,
+                                       form == Hht::Form::corrected ? "form of 1977" : "Eq. 4.7 as printed"),
+                           score(answers, printed, at_step_ends)});
+    }
+  }
+  return q;
+}
+
+Question newton_tolerance(const Printed& printed, bool quick) {
+  Question q{"tolerance of Newton's iteration", "4.2 4.4 4.6", "", "1e-12", {}};
+  const std::vector<double> few = {1e-12, 1e-2}, all = {1e-12, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2};
+  for (const double tolerance : quick ? few : all) {
+    std::vector<Answer> answers;
+    for (const Setting& s : implicit_settings(duffing_period())) {
+      answers.push_back(answer(s, numbered("Newmark", s), Newmark{.newton = {.tolerance = tolerance}}));
+      answers.push_back(answer(s, numbered("HHT", s), Hht{.newton = {.tolerance = tolerance}}));
+    }
+    q.options.push_back({scene::format_number(tolerance, 1), score(answers, printed, at_step_ends)});
+  }
+  return q;
+}
+
+Question end_of_impact_runs(const Printed& printed, const std::vector<Answer>& steps) {
+  Question q{"end time", "4.4", "500 s", "499 s", {}};
+  std::vector<Answer> answers;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(answers),
+               [](const Answer& a) { return a.table == "table-4.4"; });
+  for (const double end : {496.0, 497.0, 498.0, 498.5, 499.0, 499.5, 500.0}) {
+    q.options.push_back({fmt::format("{:g} s", end),
+                         score(answers, printed, [end](const Answer& a) { return a.trace.rms(end); })});
+  }
+  return q;
+}
+
+Question explicit_restart(const Printed& printed) {
+  Question q{"restart of the explicit rows",
+             "4.4",
+             "v(t_1), read as v(t_1), to 500 s",
+             "v(t_1 - h/2), read as v(t_1 - h/2), to 499 s",
+             {}};
+  const auto name = [](VelocityTime v) { return v == VelocityTime::of_state ? "v(t_1)" : "v(t_1 - h/2)"; };
+  for (const VelocityTime given : {VelocityTime::of_state, VelocityTime::half_step_before}) {
+    for (const VelocityTime read : {VelocityTime::of_state, VelocityTime::half_step_before}) {
+      const auto run = [&](double during, double after, const std::string& row) {
+        return Answer{"table-4.4", row,
+                      trace_of_impact(in_two_phases(CentralDifference{.step = during, .reported = given},
+                                                    CentralDifference{.step = after, .initial = read}))};
+      };
+      const std::vector<Answer> answers = {run(0.1, 0.5, "Explicit-1 (0.1; 0.5)"),
+                                           run(0.005, 0.006, "Explicit-2 (0.005; 0.006)")};
+      for (const double end : {496.0, 497.0, 498.0, 498.5, 499.0, 499.5, 500.0}) {
+        q.options.push_back({fmt::format("{}, read as {}, to {:g} s", name(given), name(read), end),
+                             score(answers, printed, [end](const Answer& a) { return a.trace.rms(end); })});
+      }
+    }
+  }
+  return q;
+}
+
+Question explicit_column(const Printed& printed) {
+  Question q{"component in the explicit rows",
+             "4.6",
+             "x1, v0 - h/2 a0, v0 first",
+             "x3, v0 - h/2 a0, v(-h/2) first",
+             {}};
+  for (const ExplicitStart start : explicit_starts) {
+    for (const ExplicitDamping damping : explicit_dampings) {
+      const Answer coarse{"table-4.6", "Explicit-1 (0.625)", explicit_chain(0.625, start, damping)};
+      const Answer fine{"table-4.6", "Explicit-2 (0.00625)", explicit_chain(0.00625, start, damping)};
+      for (std::size_t i = 0; i < 3; ++i) {
+        Score s;
+        for (const Answer* a : {&coarse, &fine})
+          s.count(a->printed(printed), a->trace.rms(200, Points::ends, i));
+        q.options.push_back({fmt::format("x{}, {}, {}", i + 1, to_string(start), to_string(damping)), s});
+      }
+    }
+  }
+  return q;
+}
+
+Question normalisation(const Printed& printed, const std::vector<Answer>& steps) {
+  std::vector<Answer> answers;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(answers),
+               [](const Answer& a) { return a.table != "table-4.2"; });
+  Question q{"what is averaged", "4.4 4.6", "error of x", "error of x", {}};
+  q.options.push_back({"error of x", score(answers, printed, at_step_ends)});
+  q.options.push_back({"error of x over its amplitude", score(answers, printed, [](const Answer& a) {
+                         return at_step_ends(a) / a.trace.amplitude;
+                       })});
+  q.options.push_back({"norm of the state's error", score(answers, printed, [](const Answer& a) {
+                         return a.trace.rms_of_norm(inferred_end(a.table));
+                       })});
+  return q;
+}
+
+Question begin_counted(const Printed& printed, const std::vector<Answer>& steps) {
+  Question q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
+  q.options.push_back({"yes", score(steps, printed, at_step_ends)});
+  q.options.push_back({"no", score(steps, printed, [](const Answer& a) {
+                         return a.trace.rms(inferred_end(a.table), Points::ends, 0, false);
+                       })});
+  return q;
+}
+
+/// The errors of MCPI belong to 500 s in Table 4.2, whose other rows belong to 100 P.
+Question picard_points(const Printed& printed) {
+  const std::vector<Answer> answers = picard(duffing_period(), 0, 0, 1e-13);
+  Question q{"points and end time of MCPI", "4.2 4.4 4.6", "step ends, to 500 s", "all nodes, to 500 s", {}};
+  for (const Points points : {Points::ends, Points::all}) {
+    for (const bool whole : {true, false}) {
+      q.options.push_back({fmt::format("{}, to {}", points == Points::ends ? "step ends" : "all nodes",
+                                       whole ? "500 s" : "100 P"),
+                           score(answers, printed, [&](const Answer& a) {
+                             const bool to_500 = whole && a.table == "table-4.2";
+                             return a.trace.rms(to_500 ? 500 : inferred_end(a.table), points);
+                           })});
+    }
+  }
+  return q;
+}
+
+Question picard_scheme(const Printed& printed, bool quick) {
+  Question q{"degree and nodes of MCPI", "4.2 4.4 4.6", "", "degree n, n + 1 nodes, 1e-13", {}};
+  for (const auto& [degree, intervals] : {std::pair(0, 0), {-1, -1}, {-1, 0}, {0, 1}}) {
+    for (const double tolerance : {1e-13, 1e-10, 1e-8, 1e-6}) {
+      if (quick && tolerance != 1e-13) continue;
+      const auto answers = picard(duffing_period(), degree, intervals, tolerance);
+      q.options.push_back({fmt::format("degree {}, {} nodes, {}", degree == 0 ? "n" : "n - 1",
+                                       intervals == -1  ? "n"
+                                       : intervals == 0 ? "n + 1"
+                                                        : "n + 2",
+                                       scene::format_number(tolerance, 1)),
+                           score(answers, printed, [](const Answer& a) {
+                             return a.trace.rms(a.table == "table-4.2" ? 500 : inferred_end(a.table),
+                                                Points::all);
+                           })});
+    }
+  }
+  return q;
+}
+
+Question derivative_matrix(const Printed& printed) {
+  const double P = duffing_period();
+  Question q{"derivative matrix of RBF-Coll", "4.2 4.4 4.6", "", "linear systems", {}};
+  for (const auto inversion : {collocation::Inversion::solve, collocation::Inversion::inverse}) {
+    Score s;
+    const auto count = [&](const Setting& setting, const std::string& row, Points points,
+                           RbfCollocation method, double later_shape = 0) {
+      method.inversion = inversion;
+      const double noise = std::stod(printed.at(setting.table + "/" + row + " " + setting.steps));
+      try {
+        RbfCollocation during = method, after = method;
+        during.step = setting.first;
+        after.step = setting.second;
+        if (later_shape > 0) after.shape = later_shape;
+        const Trace kept =
+            setting.second > 0 ? trace_of_impact(in_two_phases(during, after)) : trace(setting, method);
+        s.count_noise(noise, kept.rms(inferred_end(setting.table), points));
+      } catch (const Failure&) {
+        s.count_noise(noise, HUGE_VAL);
+      }
+    };
+    count({"table-4.2", "(P/10)", P / 10}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.77});
+    count({"table-4.2", "(P)", P}, "RBF-Coll-2", Points::all, {.nodes = 35});
+    count({"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 2.5},
+          0.66);
+    count({"table-4.4", "(0.5; 6)", 0.5, 6}, "RBF-Coll-2", Points::ends, {.nodes = 35});
+    count({"table-4.6", "(0.625)", 0.625}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.35});
+    count({"table-4.6", "(20)", 20}, "RBF-Coll-2", Points::ends, {.nodes = 35, .shape = 0.39});
+    q.options.push_back(
+        {inversion == collocation::Inversion::solve ? q.chosen : "product with the inverse", s});
+  }
+  return q;
+}
+
+}  // namespace
+
+double last_digit(const std::string& printed) {
+  const auto e = printed.find('e'), point = printed.find('.');
+  const int exponent = e == std::string::npos ? 0 : std::stoi(printed.substr(e + 1));
+  const auto mantissa_end = std::min(e, printed.size());
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(mantissa_end - point) - 1;
+  return std::pow(10.0, exponent - decimals);
+}
+
+void Score::count(const std::string& printed, double ours) {
+  const double distance = std::abs(ours - std::stod(printed)) / last_digit(printed);
+  ++rows;
+  exact += distance <= 0.5 + 1e-9 ? 1 : 0;  // the edge itself may be rounded either way
+  close += distance <= 1 + 1e-9 ? 1 : 0;
+}
+
+void Score::count_noise(double printed, double ours) {
+  const bool explained = ours <= 5 * printed && ours >= printed / 5;
+  ++rows;
+  exact += explained ? 1 : 0;
+  close += explained ? 1 : 0;
+}
+
+const Option& Question::option(const std::string& wanted) const {
+  for (const Option& o : options) {
+    if (o.text == wanted) return o;
+  }
+  throw std::logic_error(fmt::format("{}: no option '{}'", text, wanted));
+}
+
+std::vector<Question> try_readings(bool quick) {
+  const Printed printed = read_printed();
+  const std::vector<Answer> steps = step_methods(duffing_period());
+  return {end_and_period(printed),       end_of_impact_runs(printed, steps), normalisation(printed, steps),
+          begin_counted(printed, steps), hht_alpha(printed, quick),          newton_tolerance(printed, quick),
+          explicit_restart(printed),     explicit_column(printed),           picard_points(printed),
+          picard_scheme(printed, quick), derivative_matrix(printed)};
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,329 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_ivp/examples/cases.hpp"
+#include "nlmech/collocation/integration.hpp"
+#include "nlmech/ivp/picard.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+constexpr std::array orders = {8, 16, 32, 100, 500};
+constexpr double standstill = 1e-12, overflow = 1e30;  // of a change: done; will not come back
+
+/// The largest change of a state component, sweep by sweep.
+using Changes = std::vector<double>;
+
+/// Picard's iteration on the unit interval: nodes, and the matrix from right-hand sides to increments at the
+/// nodes but the first.
+struct Tables {
+  Eigen::VectorXd nodes;
+  Eigen::MatrixXd integral;
+};
+
+/// In closed form: Chebyshev coefficients are sums of cosines, and the integral of T_k is
+/// T_{k+1} / (2 (k + 1)) - T_{k-1} / (2 (k - 1)).
+Tables tables_of_cosines(int order) {
+  const double pi = std::numbers::pi, N = order;
+  Eigen::MatrixXd coefficients(order, order + 1), integrals(order + 1, order);
+  for (int j = 0; j <= order; ++j) {
+    const double angle = pi - j * pi / N, half = j % order == 0 ? 0.5 : 1;
+    for (int k = 0; k < order; ++k) {
+      const auto integral = [k](double a) {
+        if (k < 2) return std::pow(std::cos(a), k + 1) / (k + 1);
+        return std::cos((k + 1) * a) / (2 * (k + 1)) - std::cos((k - 1) * a) / (2 * (k - 1));
+      };
+      coefficients(k, j) = (k == 0 ? 1 : 2) / N * half * std::cos(k * angle);
+      integrals(j, k) = integral(angle) - integral(pi);
+    }
+  }
+  const Eigen::VectorXd turns = Eigen::VectorXd::LinSpaced(order + 1, 0, pi);
+  return {(1 - turns.array().cos()) / 2, (integrals * coefficients).bottomRows(order) / 2};
+}
+
+/// The library's, as far as it has them.
+Tables chebyshev_tables(int order) {
+  if (order >= collocation::max_nodes) return tables_of_cosines(order);
+  const ivp::PicardTables tables = ivp::picard_tables({.order = order});
+  return {tables.nodes, tables.integral};
+}
+
+/// The same iteration with other nodes and another quadrature, to judge the first by.
+Tables legendre_tables(int count) {
+  const Eigen::VectorXd nodes = collocation::legendre_gauss_lobatto(count);
+  return {(nodes.array() + 1) / 2, collocation::integration_matrix(nodes).bottomRows(count - 1) / 2};
+}
+
+/// Where the iteration starts.
+enum class Start {
+  constant,  ///< from the state at the begin of the step, as the method does
+  solution   ///< from the solution, displaced by 1e-6
+};
+
+/// Iterates over a step of the free Duffing oscillator that begins at the time @p t0.
+Changes sweep(const Tables& tables, double t0, double step, Start start) {
+  const Case<2>& c = free_duffing_case();
+  const Eigen::Index count = tables.nodes.size();
+  const ivp::State<2> x0 = c.reference(t0).cast<double>();
+  std::vector<double> times;
+  ivp::Nodes<2> x(2, count), next(2, count), g(2, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    times.push_back(t0 + step * tables.nodes[k]);
+    x.col(k) = x0;
+    if (start == Start::solution && k > 0) x.col(k) = c.reference(times.back()).cast<double>().array() + 1e-6;
+  }
+  next.col(0) = x0;
+  Changes changes;
+  while (changes.size() < 1000) {
+    c.system.rhs(times, x, g);
+    next.rightCols(count - 1).noalias() = (step * g) * tables.integral.transpose();
+    next.rightCols(count - 1).colwise() += x0;
+    changes.push_back((next - x).cwiseAbs().maxCoeff());
+    x.swap(next);
+    if (!(changes.back() > standstill && changes.back() < overflow)) break;
+  }
+  return changes;
+}
+
+bool converged(const Changes& changes) { return changes.back() <= standstill; }
+
+/// The mean ratio of successive changes on the way from the largest of them to the end.
+std::optional<double> contraction(const Changes& changes) {
+  if (!converged(changes)) return std::nullopt;
+  const auto largest = std::max_element(changes.begin(), changes.end());
+  const auto sweeps = static_cast<double>(changes.end() - largest - 1);
+  return std::pow(changes.back() / *largest, 1 / sweeps);
+}
+
+/// The largest multiple of @p unit up to which every one from @p first times it on converges.
+template <class Converges>
+double largest_step(double unit, std::int64_t first, Converges&& converges) {
+  std::int64_t k = first;
+  while (converges(static_cast<double>(k) * unit)) ++k;
+  return static_cast<double>(k - 1) * unit;
+}
+
+/// Largest converging steps by the phase at which they begin, in periods. The equation is odd, so that half
+/// a period of phases tells all.
+struct PhaseLimits {
+  std::vector<double> phase, limit;
+
+  [[nodiscard]] double least() const { return *std::min_element(limit.begin(), limit.end()); }
+  [[nodiscard]] double greatest() const { return *std::max_element(limit.begin(), limit.end()); }
+};
+
+/// @param first hundredths of a period, from which every step fails that is longer than one that fails
+PhaseLimits limits_by_phase(const Tables& tables, int phases, std::int64_t first = 30) {
+  const double P = duffing_period();
+  PhaseLimits limits;
+  for (int i = 0; i <= phases; ++i) {
+    limits.phase.push_back(0.5 * i / phases);
+    limits.limit.push_back(largest_step(0.01, first, [&](double periods) {
+      return converged(sweep(tables, limits.phase.back() * P, periods * P, Start::constant));
+    }));
+  }
+  return limits;
+}
+
+/// Largest steps, in seconds, with which the method comes to the end of an interval.
+/// @param first half seconds of the shortest step tried
+template <int n>
+double limit_over_time(const Case<n>& c, int order, std::int64_t first) {
+  return largest_step(0.5, first, [&](double step) {
+    const ivp::Mcpi method = {.step = step, .order = order};
+    return ivp::integrate(c.system, c.x0, c.t0, c.t1, method).status.ok();
+  });
+}
+
+/// Steps of the free oscillator from rest, each from the exact state, before one diverges; all to the end if
+/// none does.
+double converging_steps(double periods, int order) {
+  const Tables tables = chebyshev_tables(order);
+  const double step = periods * duffing_period(), all = std::floor(free_duffing_case().t1 / step);
+  double k = 0;
+  while (k < all && converged(sweep(tables, k * step, step, Start::constant))) ++k;
+  return k;
+}
+
+/// The same by the method itself, each step from the end of the last; nothing if none diverges.
+std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
+  const Case<2>& c = free_duffing_case();
+  const ivp::Mcpi method = {.step = periods * duffing_period(), .order = order};
+  const auto solution = ivp::integrate(c.system, c.x0, c.t0, c.t1, method);
+  if (solution.status.ok()) return std::nullopt;
+  return solution.statistics.steps;
+}
+
+struct Limits {
+  std::vector<PhaseLimits> duffing;                         ///< by order
+  PhaseLimits by_legendre;                                  ///< with 120 Legendre nodes
+  std::vector<std::optional<double>> impact, three_masses;  ///< by order, where the method has it
+
+  [[nodiscard]] const PhaseLimits& of(int order) const {
+    return duffing.at(
+        static_cast<std::size_t>(std::find(orders.begin(), orders.end(), order) - orders.begin()));
+  }
+};
+
+Limits find_limits(bool quick) {
+  const int phases = quick ? 3 : 25;
+  const std::int64_t first = quick ? 4 : 1;
+  Limits limits{{}, limits_by_phase(legendre_tables(120), phases), {}, {}};
+  for (const int order : orders) {
+    const bool in_method = order < collocation::max_nodes;
+    // A sweep of 500 nodes is dear, and those of 100 show that all shorter steps converge.
+    limits.duffing.push_back(limits_by_phase(chebyshev_tables(order), phases, in_method ? 30 : 40));
+    limits.impact.emplace_back();
+    limits.three_masses.emplace_back();
+    if (!in_method) continue;
+    limits.impact.back() = limit_over_time(impact_case(), order, first);
+    limits.three_masses.back() = limit_over_time(three_mass_case(), order, first);
+  }
+  return limits;
+}
+
+/// A row of the table.
+struct Row {
+  int order;
+  double worst, best;  ///< phase, free Duffing, P
+  double on_the_way;   ///< the largest change at P/2 from the constant state
+  std::optional<double> contraction, impact, three_masses;
+};
+
+std::vector<Row> rows_of(const Limits& limits) {
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const Tables tables = chebyshev_tables(orders[i]);
+    const Changes constant = sweep(tables, 0, duffing_period() / 2, Start::constant),
+                  close = sweep(tables, 0, duffing_period() / 2, Start::solution);
+    rows.push_back({orders[i], limits.duffing[i].least(), limits.duffing[i].greatest(),
+                    *std::ranges::max_element(constant), contraction(close), limits.impact[i],
+                    limits.three_masses[i]});
+  }
+  return rows;
+}
+
+/// Data of panels: panel, series, abscissa, ordinate.
+void draw_sweeps(scene::Plot& plot, scene::Table& data) {
+  scene::Panel& panel = plot.panel("sweep", "largest change").place(0.11, 0.47, 0.57, 0.87);
+  panel.caption("from the constant state, N = 100").x_range(0, 36);
+  panel.log_y(1e-13, 1e20).set("ytics (1e-8, 1, 1e8, 1e16)").key("top right samplen 2 spacing 1.05");
+  for (int block = 0; const double periods : {0.3, 0.5, 0.55, 0.57, 0.6}) {
+    const Changes changes = sweep(chebyshev_tables(100), 0, periods * duffing_period(), Start::constant);
+    for (std::size_t k = 0; k < changes.size(); ++k) data.add({"sweeps", periods, k + 1, changes[k]});
+    panel.columns(fmt::format("{} P", periods), "abscissa:ordinate", scene::lines(), block++);
+  }
+}
+
+void draw(const Limits& limits, scene::Show& show) {
+  scene::Plot& plot = show.plots("Past P/2 the constant start diverges; Picard would contract");
+  scene::Table data({{"panel"}, {"series", 3, true}, {"abscissa"}, {"ordinate"}});
+  draw_sweeps(plot, data);
+  scene::Panel& factor = plot.panel("step (periods)", "mean ratio of changes").place(0.60, 0.97, 0.57, 0.87);
+  factor.caption("near the solution").x_range(0, 2).y_range(0, 1.6).set("xtics 0.5").set("ytics 0.25");
+  factor.set("arrow 1 from 0.5, 0 to 0.5, 1.6 nohead linestyle 11");
+  factor.set("label 3 'P/2' at 0.5, 1.1 left offset 0.4,0 textcolor rgb soft_ink");
+  factor.key("top right maxrows 2 samplen 2 spacing 1.05");
+  scene::Panel& phase = plot.panel("phase at which the step begins (periods; 0: at rest)", "step (periods)");
+  phase.place(0.11, 0.97, 0.11, 0.38).caption("largest step that converges from the constant state");
+  phase.x_range(0, 0.5).y_range(0.4, 0.6).set("xtics 0.1").set("ytics 0.05");
+  phase.set("arrow 2 from 0, 0.5 to 0.5, 0.5 nohead linestyle 11");
+  phase.key("bottom left horizontal samplen 2 spacing 1.05");
+  constexpr std::array styles = {5, 4, 2, 1, 3};
+  const int count = show.quick() ? 20 : 80;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const Tables tables = chebyshev_tables(orders[i]);
+    const auto curve = [&, i](scene::Panel& panel, const char* name, const char* with) {
+      panel.columns(fmt::format("N = {}", orders[i]),
+                    fmt::format("(strcol('panel') eq '{}' && column('series') == {} ? column('abscissa') : "
+                                "NaN):ordinate",
+                                name, orders[i]),
+                    {with, styles[i]});
+    };
+    if (orders[i] < collocation::max_nodes) {
+      for (int k = 1; k <= count; ++k) {
+        const double periods = k * (show.quick() ? 0.1 : 0.025);
+        data.add({"factor", orders[i], periods,
+                  contraction(sweep(tables, 0, periods * duffing_period(), Start::solution))});
+      }
+      curve(factor, "factor", "lines");
+    }
+    const PhaseLimits& by_phase = limits.duffing[i];
+    for (std::size_t k = 0; k < by_phase.phase.size(); ++k)
+      data.add({"phase", orders[i], by_phase.phase[k], by_phase.limit[k]});
+    curve(phase, "phase", "steps");
+  }
+  plot.size(760, 640).data(std::move(data));
+}
+
+void check_order_100(const Limits& limits, scene::Show& show) {
+  const char* by_legendre = "the same iteration by 120 Legendre nodes and Gauss quadrature";
+  const auto at_half_a_period = [](const Tables& tables) {
+    return contraction(sweep(tables, 0, duffing_period() / 2, Start::solution)).value_or(NAN);
+  };
+  const auto first = steps_until_divergence(0.53, 100);
+  show.near("largest step that converges from every phase, order 100", {limits.of(100).least(), "P"},
+            limits.by_legendre.least(), 0.03, std::string(by_legendre) + "; the grid is 0.01 P");
+  show.near("contraction factor at P/2 from the solution, order 100", at_half_a_period(chebyshev_tables(100)),
+            at_half_a_period(legendre_tables(120)), 0.01, by_legendre);
+  show.at_most("steps of 0.53 P from the maximum before one diverges, order 100",
+               first ? static_cast<double>(*first) : HUGE_VAL, 5, "recorded: 0.53 P diverges at once");
+}
+
+void check_order_500(const Limits& limits, scene::Show& show) {
+  const char* passes_all =
+      "by Legendre nodes the worst phase has 0.47 P; phases repeat after P/2, and steps from rest meet all "
+      "of them by then";
+  show.near("largest step that converges from every phase, order 500", {limits.of(500).least(), "P"},
+            limits.by_legendre.least(), 0.03,
+            "the same iteration by 120 Legendre nodes and Gauss quadrature; the grid is 0.01 P");
+  show.equals("steps of P/2 from the maximum that converge, order 500", converging_steps(0.5, 500),
+              std::floor(1000 / duffing_period()), "all to t = 500: each begins at rest, as the first does");
+  for (const auto& [periods, most] : {std::pair(0.51, 50), {0.53, 17}, {0.48, 25}})
+    show.at_most(fmt::format("steps of {} P from the maximum before one diverges, order 500", periods),
+                 converging_steps(periods, 500), most, passes_all);
+}
+
+void put(const Limits& limits, scene::Show& show) {
+  draw(limits, show);
+  show.table(rows_of(limits), {{"order N", &Row::order},
+                               {"free Duffing, worst phase (P)", &Row::worst},
+                               {"best phase (P)", &Row::best},
+                               {"largest change on the way at P/2", &Row::on_the_way},
+                               {"contraction factor at P/2", &Row::contraction},
+                               {"impact (s)", &Row::impact},
+                               {"three masses (s)", &Row::three_masses}});
+  check_order_100(limits, show);
+  check_order_500(limits, show);
+  show.at_most("difference of the tables in closed form from the method's, order 100",
+               (tables_of_cosines(100).integral - chebyshev_tables(100).integral).cwiseAbs().maxCoeff(),
+               1e-14, "both are right to 1e-15 times a few roundings");
+  show.near("largest step, impact, order 100", {limits.impact[3].value_or(NAN), "s"}, 3, 0.01,
+            "recorded: 3 s converges, 4 s does not");
+  show.near("largest step, three masses, order 100", {limits.three_masses[3].value_or(NAN), "s"}, 5.25, 0.05,
+            "recorded: 5 s converges, 6 s does not");
+  show.measured("elgohary/claim-4.4.1/MCPI/largest step before divergence", limits.of(100).least());
+}
+
+}  // namespace
+
+std::vector<scene::Scene> mcpi_limit() {
+  const scene::Result limits(
+      "mcpi-largest-steps",
+      "free Duffing: one step from each of many phases of the orbit, by 0.01 P; the others: all steps of the "
+      "interval, by 0.5 s; from the constant state, at most 1000 sweeps",
+      find_limits);
+  return {{.name = "mcpi-limit",
+           .title = "Picard's contraction factor, and the largest step that converges",
+           .content = scene::Content(put, limits)}};
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

@@ -1,0 +1,104 @@
+#include "chapters/rbf_ivp/stability/extended.hpp"
+
+#include <Eigen/LU>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+
+#include "nlmech/collocation/barycentric.hpp"
+#include "nlmech/collocation/radial_basis.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+
+using collocation::Matrix;
+using collocation::NodeFamily;
+using collocation::Vector;
+
+Vector<Digits50> unit_nodes(NodeFamily family, int n) {
+  return (collocation::nodes<Digits50>(family, n).array() + 1) / 2;
+}
+
+Matrix<Digits50> polynomial_derivative(NodeFamily family, int n) {
+  return collocation::polynomial_differentiation_matrix(unit_nodes(family, n));
+}
+
+Matrix<Digits50> radial_derivative(NodeFamily family, int n, double relative_shape) {
+  const collocation::RadialBasis<Digits50> basis(unit_nodes(family, n), collocation::Kernel::gaussian,
+                                                 Digits50(relative_shape));
+  return basis.differentiation_matrix();
+}
+
+Digits50 stability_function(const Matrix<Digits50>& derivative, const Digits50& z) {
+  const Eigen::Index s = derivative.rows() - 1;
+  Matrix<Digits50> equations = derivative.bottomRightCorner(s, s);
+  equations.diagonal().array() -= z;
+  const Vector<Digits50> x = equations.partialPivLu().solve(Vector<Digits50>(-derivative.col(0).tail(s)));
+  return x[s - 1];
+}
+
+double linear_order(const Matrix<Digits50>& derivative, const Digits50& z) {
+  const auto error = [&](const Digits50& at) { return abs(stability_function(derivative, at) - exp(at)); };
+  return static_cast<double>(log(error(z) / error(z / 2)) / log(Digits50(2))) - 1;
+}
+
+double polynomial_amplification(const Vector<Digits50>& nodes, double y) {
+  const Eigen::Index s = nodes.size() - 1;
+  Vector<Digits50> at_zero =
+      Vector<Digits50>::Zero(s + 1);  // coefficients of M, then of its Taylor series at 1
+  at_zero[0] = 1;
+  for (Eigen::Index i = 1; i <= s; ++i) {
+    for (Eigen::Index k = i; k > 0; --k) at_zero[k] = at_zero[k - 1] - nodes[i] * at_zero[k];
+    at_zero[0] *= -nodes[i];
+  }
+  Vector<Digits50> at_one = at_zero;
+  for (Eigen::Index i = 0; i < s; ++i) {
+    for (Eigen::Index k = s - 1; k >= i; --k) at_one[k] += at_one[k + 1];
+  }
+  const auto size = [&](const Vector<Digits50>& taylor) {
+    Digits50 part[2] = {0, 0},
+             term = 1;  // of the sum of M^(s-k) (iy)^k; terms are (s - k)! taylor[s - k] y^k
+    for (Eigen::Index k = 1; k <= s; ++k) term *= k;
+    for (Eigen::Index k = 0; k <= s; ++k) {
+      part[k % 2] += (k % 4 < 2 ? 1 : -1) * term * taylor[s - k];
+      if (k < s) term *= Digits50(y) / (s - k);
+    }
+    return sqrt(Digits50(part[0] * part[0] + part[1] * part[1]));
+  };
+  return static_cast<double>(Digits50(size(at_one) / size(at_zero)));
+}
+
+std::complex<double> stability_function(const Eigen::MatrixXd& derivative, std::complex<double> z) {
+  const Eigen::Index s = derivative.rows() - 1;
+  Eigen::MatrixXcd equations = derivative.bottomRightCorner(s, s).cast<std::complex<double>>();
+  equations.diagonal().array() -= z;
+  const Eigen::VectorXcd x = equations.partialPivLu().solve(
+      Eigen::VectorXcd(-derivative.col(0).tail(s).cast<std::complex<double>>()));
+  return x[s - 1];
+}
+
+std::vector<Window> instability_windows(const Eigen::MatrixXd& derivative, double last, double threshold,
+                                        int per_unit) {
+  const auto growth = [&](double y) { return std::abs(stability_function(derivative, {0, y})); };
+  std::vector<Window> windows;
+  bool inside = false;
+  for (int i = 1; i <= last * per_unit; ++i) {
+    const double y = static_cast<double>(i) / per_unit, size = growth(y);
+    if (size > threshold) {
+      if (!inside) windows.push_back({y, y, size, y});
+      windows.back().end = y;
+      if (size > windows.back().largest) {
+        windows.back().largest = size;
+        windows.back().place = y;
+      }
+    }
+    inside = size > threshold;
+  }
+  for (Window& w : windows) {
+    const auto [place, least] = boost::math::tools::brent_find_minima(
+        [&](double y) { return -growth(y); }, w.place - 1.0 / per_unit, w.place + 1.0 / per_unit, 26);
+    w.largest = -least;
+    w.place = place;
+  }
+  return windows;
+}
+
+}  // namespace nlmech::chapters::rbf_ivp

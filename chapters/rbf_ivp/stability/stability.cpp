@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_ivp/stability/contestants.hpp"
+#include "chapters/rbf_ivp/stability/stiff_problems.hpp"
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/peers/ivp/registry.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters::rbf_ivp {
+namespace {
+
+constexpr double tolerance = 1e-6;        // of methods that choose their steps
+constexpr double usable_digits = 1;       // of a run that counts
+constexpr double gaussian_shape = 0.367;  // c h of the dissertation's 7 nodes
+
+/// What became of a method on a problem: for methods of fixed step, with the largest step that is of use.
+struct Ending {
+  std::string method, problem;
+  bool fixed_step = false;
+  Outcome outcome = Outcome::success;  ///< of the run shown; of the last one tried if none is of use
+  bool usable = false;                 ///< success, and at least one digit
+  double digits = 0;
+  double step = 0;       ///< mean length
+  double stiffness = 0;  ///< step times the rate of the fastest motion
+  std::int64_t steps = 0;
+};
+
+template <int n>
+Ending run(const comparison::AnyMethod& method, const Stiff<n>& problem, const ivp::Settings& settings,
+           std::int64_t most) {
+  const ivp::Limits limits{.steps = most};
+  const auto integrate = comparison::any_integrator<n>(method, settings);
+  const ivp::Solution<n> s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
+  Ending ending{method.name, problem.name,      method.fixed_step, s.status.outcome(), false, 0, 0,
+                0,           s.statistics.steps};
+  if (!s.status.ok()) return ending;
+  ending.digits = problem.digits(s.x);
+  ending.usable = ending.digits >= usable_digits;
+  ending.step = problem.end / static_cast<double>(std::max<std::int64_t>(1, s.statistics.steps));
+  ending.stiffness = ending.step * problem.rate;
+  return ending;
+}
+
+/// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, collocations dear.
+int most_halvings(const comparison::AnyMethod& method, bool quick) {
+  const bool is_explicit =
+      method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
+  const int halvings = method.has_nodes ? 17 : is_explicit ? 23 : 20;
+  return quick ? halvings - 6 : halvings;
+}
+
+/// Halves the step from the whole interval on until two in a row are of use, then lengthens the first of them
+/// by quarters of an octave.
+template <int n>
+Ending with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& problem, int halvings) {
+  const auto with_steps = [&](std::int64_t count) {
+    const double step = problem.end / static_cast<double>(count);
+    ivp::Settings settings{.step = step};
+    if (method.has_shape) settings.shape = gaussian_shape / step;
+    return run(method, problem, settings, count + 1);
+  };
+  Ending coarse = with_steps(1);
+  for (int k = 1; k <= std::min(halvings, problem.halvings); ++k) {
+    Ending fine = with_steps(std::int64_t{1} << k);
+    if (coarse.usable && fine.usable) {
+      for (int quarter = 3; quarter >= 1; --quarter) {
+        const auto count = std::llround(std::exp2(k - 1 - quarter / 4.0));
+        if (Ending longer = with_steps(count); longer.usable) return longer;
+      }
+      return coarse;
+    }
+    coarse = std::move(fine);
+  }
+  coarse.usable = false;
+  return coarse;
+}
+
+template <int n>
+Ending ending_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
+  Ending refused{.method = method.name,
+                 .problem = problem.name,
+                 .fixed_step = method.fixed_step,
+                 .outcome = Outcome::outside_validity};
+  if (!method.peer && ivp::method_info(method.name).second_order_only && !problem.system.second_order())
+    return refused;
+  if (method.fixed_step) return with_largest_step(method, problem, most_halvings(method, quick));
+  // RKN12(10) refuses accelerations that depend on velocities, before it begins.
+  try {
+    return run(method, problem, {.tolerance = tolerance, .absolute_tolerance = tolerance * problem.absolute},
+               std::int64_t{1} << (quick ? 14 : 18));
+  } catch (const std::invalid_argument&) {
+    return refused;
+  }
+}
+
+/// Every method and peer of this build on every problem, method by method.
+std::vector<Ending> all_endings(bool quick) {
+  const std::vector<AnyStiff> problems = stiff_problems(quick);
+  std::vector<Ending> endings;
+  for (const std::string& name : contestants()) {
+    const comparison::AnyMethod method = comparison::any_method(name);
+    if (method.peer && !peers::peer_available(name)) continue;
+    for (const AnyStiff& problem : problems)
+      endings.push_back(std::visit([&](const auto& p) { return ending_of(method, p, quick); }, problem));
+  }
+  return endings;
+}
+
+std::vector<std::string> different(const std::vector<Ending>& endings, std::string Ending::*member) {
+  std::vector<std::string> names;
+  for (const Ending& f : endings) {
+    if (std::find(names.begin(), names.end(), f.*member) == names.end()) names.push_back(f.*member);
+  }
+  return names;
+}
+
+const Ending& find(const std::vector<Ending>& endings, const std::string& method,
+                   const std::string& problem) {
+  for (const Ending& f : endings) {
+    if (f.method == method && f.problem == problem) return f;
+  }
+  throw std::logic_error(fmt::format("no run of {} on {}", method, problem));
+}
+
+/// For the table.
+std::string words(const Ending& f) {
+  if (f.usable && f.fixed_step) return fmt::format("{:.2g} s ({:.1f})", f.step, f.digits);
+  if (f.outcome != Outcome::success) return std::string(to_string(f.outcome));
+  if (f.fixed_step) return "no digit";
+  return fmt::format("{:.1f} digits, {} steps", f.digits, f.steps);
+}
+
+/// A few characters for a cell of the figure.
+std::string mark(const Ending& f) {
+  if (f.usable && f.fixed_step) return scene::format_number(f.stiffness, 2);
+  if (f.usable) return fmt::format("{:.1f}", f.digits);
+  switch (f.outcome) {
+    case Outcome::success: return "0";
+    case Outcome::step_limit: return "…";
+    case Outcome::newton_diverged:
+    case Outcome::not_converged: return "×";
+    case Outcome::non_finite: return "∞";
+    case Outcome::step_underflow: return "↓";
+    case Outcome::outside_validity: return "—";
+    default: return "fails";
+  }
+}
+
+scene::Table table_of(const std::vector<Ending>& endings) {
+  std::vector<scene::Column> columns = {{"method"}};
+  const auto problems = different(endings, &Ending::problem);
+  for (const std::string& problem : problems) columns.push_back({problem});
+  scene::Table table(columns);
+  for (const std::string& method : different(endings, &Ending::method)) {
+    std::vector<scene::Cell> row = {method};
+    for (const std::string& problem : problems) row.push_back(words(find(endings, method, problem)));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+void draw(const std::vector<Ending>& endings, scene::Show& show) {
+  scene::Table data({{"panel"}, {"row"}, {"column"}, {"colour"}, {"mark"}, {"method"}, {"problem"}});
+  const auto methods = different(endings, &Ending::method), problems = different(endings, &Ending::problem);
+  int fixed_rows = 0, adaptive_rows = 0;
+  for (const std::string& method : methods) {
+    const bool fixed = find(endings, method, problems.front()).fixed_step;
+    const int row = ++(fixed ? fixed_rows : adaptive_rows);
+    for (int column = 0; const std::string& problem : problems) {
+      const Ending& e = find(endings, method, problem);
+      const double colour = fixed ? std::log10(e.stiffness) : e.digits;
+      data.add({fixed ? "fixed" : "adaptive", row, ++column, e.usable ? scene::Cell(colour) : scene::Cell(),
+                mark(e), method, problem});
+    }
+  }
+  show.draw(std::move(data), "rbf_ivp-stability",
+            {{"heading", "Leaps defeat fixed steps; only implicit control passes all"},
+             {"rows_fixed", std::to_string(fixed_rows)},
+             {"rows_adaptive", std::to_string(adaptive_rows)},
+             {"height", "620"}});
+}
+
+void check(const std::vector<Ending>& endings, scene::Show& show) {
+  const std::string stiff_chain = "three masses 1e8";
+  const auto largest = [&](const std::string& method, double low, double high, const char* why) {
+    show.between(fmt::format("largest step times frequency, {}, {}", method, stiff_chain),
+                 find(endings, method, stiff_chain).stiffness, low, high, why);
+  };
+  constexpr double grid = 1.1892;  // a quarter of an octave
+  largest("explicit", 2 / grid, 2, "stable for h omega <= 2; the grid of steps");
+  largest("rk4", 2.8285 / grid, 2.8285, "stable for h omega <= sqrt(8); the grid of steps");
+  for (const char* method : {"newmark", "hht", "generalized-alpha", "radau-coll"})
+    largest(method, 100, 1e6, "unconditionally stable");
+  double radau = 0, smooth = 0, least = 1e9;
+  for (const std::string& problem : different(endings, &Ending::problem)) {
+    least = std::min(least, find(endings, "adaptive-collocation", problem).digits);
+    // No fixed step of the search resolves the leap of the one, the first second of the other.
+    if (problem == "van der Pol 1000" || problem == "Robertson") continue;
+    ++smooth;
+    radau += find(endings, "radau-coll", problem).usable ? 1 : 0;
+  }
+  show.between("problems but van der Pol 1000 and Robertson of which radau-coll finds a digit or more", radau,
+               show.quick() ? smooth - 1 : smooth, smooth,
+               "L-stable, order 11: all of them with a step short enough for the leaps; but for one with "
+               "--quick, whose search ends before");
+  show.between("fewest digits of adaptive-collocation on a problem", least, 4, 16,
+               "two digits less than the tolerance, as the codes of the test set's tables lose at most");
+}
+
+void put(const std::vector<Ending>& endings, scene::Show& show) {
+  draw(endings, show);
+  show.table(table_of(endings));
+  check(endings, show);
+}
+
+}  // namespace
+
+std::vector<scene::Scene> stability() {
+  const scene::Result endings(
+      "stiff-fates",
+      "fixed steps: the largest of end/2^(k/4) that ends well with a digit or more, as does its half (for "
+      "rbf-coll c h = 0.367); others: tolerance 1e-6; 10 % error of the largest component (Robertson, HIRES: "
+      "of any) is a digit",
+      all_endings);
+  return {{.name = "stability",
+           .title = "Every method on stiff problems: largest step of use, digits, or how it fails",
+           .content = scene::Content(put, endings)}};
+}
+
+}  // namespace nlmech::chapters::rbf_ivp
