@@ -87,7 +87,7 @@ void put(const std::vector<Euler>& all, scene::Show& show) {
 
 std::vector<scene::Scene> divergence() {
   const scene::Result result(
-      "euler-fates", "departure: 10 % of the amplitude, 0.05; forward Euler from t = pi to 80 s later",
+      "euler-ends", "departure: 10 % of the amplitude, 0.05; forward Euler from t = pi to 80 s later",
       compute);
   return {{.name = "divergence",
            .title = "When forward Euler departs, against its step",

@@ -151,7 +151,7 @@ std::vector<scene::Scene> basin() {
       "random-guesses",
       "the same guesses for all methods, half of them independent at 40 nodes, in +-1, half constant, in "
       "+-5; "
-      "60 iterations at most; a root whose flown trajectory is more than 10 % off is spurious",
+      "60 iterations at most; a root whose integrated trajectory is more than 10 % off is spurious",
       compute);
   return {{.name = "basin",
            .title = "What random guesses lead to: extremals, spurious roots, failures",

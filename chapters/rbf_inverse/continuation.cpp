@@ -38,7 +38,7 @@ Line follow(DuffingCase which, const bvp::Multistart& from, bool in_beta, bool q
   options.folds = quick ? 1 : 4;
   options.points = quick ? 60 : 200;
   options.solve.tolerance = 1e-8;
-  options.solve.reflight = bvp::Reflight::none;
+  options.solve.verification = bvp::Verification::none;
   const bvp::Branch branch = continue_branch(problem, start, options);
   const auto spots = [&](const std::vector<bvp::BranchPoint>& points) {
     std::vector<Spot> all;

@@ -49,8 +49,8 @@ bvp::GlobalMethod printed_method(const bvp::ExtremalProblem& problem, bvp::Deriv
 NodeErrors node_errors(const bvp::GlobalResult& result) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto& intervals = result.extremal.solution.unknowns.intervals;
-  if (intervals.empty() || intervals.front().values.cols() != result.flown.cols()) return {none, none};
-  const Eigen::MatrixXd error = (intervals.front().values - result.flown).cwiseAbs();
+  if (intervals.empty() || intervals.front().values.cols() != result.integrated.cols()) return {none, none};
+  const Eigen::MatrixXd error = (intervals.front().values - result.integrated).cwiseAbs();
   return {error.topRows(2).maxCoeff(), error.bottomRows(2).maxCoeff()};
 }
 
@@ -198,7 +198,7 @@ scene::Result<FromGuesses> printed_results(const DuffingSubject& subject, double
   return {fmt::format("printed-{}-T{:g}", to_string(subject.which), final_time),
           fmt::format("T = {:g}, S = I; 40 LGL nodes, Newton's iteration from zeros and ten random guesses "
                       "(independent at the nodes in +-1, or constant in +-5), 60 iterations at most; errors "
-                      "against the trajectory flown from the own initial values at 1e-13",
+                      "against the trajectory integrated from the own initial values at 1e-13",
                       final_time),
           [&subject, final_time] { return solve_from_guesses(subject, final_time); }};
 }

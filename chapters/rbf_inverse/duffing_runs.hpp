@@ -64,12 +64,12 @@ struct GlobalVariant {
 [[nodiscard]] bvp::GlobalMethod printed_method(
     const bvp::ExtremalProblem& problem, bvp::DerivativeMatrix derivative = bvp::DerivativeMatrix::gaussian);
 
-/// Largest errors at the nodes against the trajectory flown from the solution's own initial values.
+/// Largest errors at the nodes against the trajectory integrated from the solution's own initial values.
 struct NodeErrors {
   double states = 0;    ///< of x
   double costates = 0;  ///< of lambda
 };
-/// NaN if nothing was flown.
+/// NaN if nothing was integrated.
 [[nodiscard]] NodeErrors node_errors(const bvp::GlobalResult& result);
 /// The larger of both; infinite if it is no extremal.
 [[nodiscard]] double largest_error(const bvp::GlobalResult& result);

@@ -43,7 +43,7 @@ void tabulate(const Rows& rows, scene::Show& show) {
                     {"x2(0)", [](const Row& r) { return r.first(1); }, 8},
                     {"lambda1(0)", [](const Row& r) { return r.first(2); }, 10},
                     {"lambda2(0)", [](const Row& r) { return r.first(3); }, 10},
-                    {"miss of the flown end", [](const Row& r) { return r.extremal().miss; }, 2}});
+                    {"miss of the integrated end", [](const Row& r) { return r.extremal().miss; }, 2}});
 }
 
 void draw(const Rows& rows, scene::Show& show) {
@@ -110,7 +110,7 @@ void check_known(const Rows& rows, scene::Show& show) {
   show.at_most("cost of the fixed case, T = 5", best(DuffingCase::fixed, 5).cost(), 46.608623 * (1 + 1e-7),
                "the best known, tools/oracles/rbf_inverse_extremals.py");
   show.at_most("cost of a free start, T = 2", best(DuffingCase::final_only, 2).cost(), 1e-12,
-               "flown backward from the target without force: J = 0");
+               "integrated backward from the target without force: J = 0");
 }
 
 void put(const std::vector<const bvp::Multistart*>& all, scene::Show& show) {

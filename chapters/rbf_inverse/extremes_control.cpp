@@ -131,7 +131,7 @@ void put(const Extremes& all, scene::Show& show) {
                         {"least known", &Row::known, 8},
                         {"1.5 E/T", &Row::estimate, 4},
                         {"intervals", &Row::intervals},
-                        {"miss of the flown end", &Row::miss, 2},
+                        {"miss of the integrated end", &Row::miss, 2},
                         {"starts: extremals, spurious, failed", &Row::starts}});
   for (const Row& r : all.rows | std::views::take(all.rows.size() - 3)) {
     const double cost = r.cost.value_or(HUGE_VAL);

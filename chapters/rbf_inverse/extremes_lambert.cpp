@@ -105,7 +105,7 @@ std::vector<Extreme> extremes() {
 struct Trial {
   Extreme extreme;
   LambertSolution solution;
-  double miss = 0;    ///< of the flight in 50 digits, over |r_2|
+  double miss = 0;    ///< of the orbit in 50 digits, over |r_2|
   double scaled = 0;  ///< over kappa eps, the velocity's too if that is larger
 
   /// Nothing if it is not solved.
@@ -171,7 +171,7 @@ void put(scene::Show& show) {
               "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
               "too short ones for their revolutions are refused, all others solved");
   show.at_most("largest miss over kappa eps, positions and velocities", worst, 8,
-               "what the method states; flown in 50 digits, kappa the condition of the flight");
+               "what the method states; integrated in 50 digits, kappa the condition of the orbit");
   show.at_most("1/a on the parabola", parabola, 64 * eps,
                "0; Euler's time to a rounding, and 1/a changes by less than ten times its share");
   show.at_most("largest difference of velocities in other units, relative", worst_unit(), 4 * eps,

@@ -129,7 +129,7 @@ void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Sho
   check_guesses(all, best, show);
   const char* const oracle = "tools/oracles/rbf_inverse_extremals.py";
   show.at_most("cost of the cheapest", best.cost, known.cost * (1 + 1e-9), oracle);
-  show.at_most("distance of its flown end from prescribed values", best.miss, 1e-9,
+  show.at_most("distance of its integrated end from prescribed values", best.miss, 1e-9,
                "the tolerance of the collocation");
   show.at_most("error of its initial states and co-states", known.error_of(best), 1e-10, oracle);
 }
@@ -139,12 +139,12 @@ void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalR
                 Eigen::Index count, int style) {
   if (!is_extremal(r)) return;
   const Eigen::MatrixXd error =
-      (r.extremal.solution.node_values() - r.flown).cwiseAbs().middleRows(first, count);
+      (r.extremal.solution.node_values() - r.integrated).cwiseAbs().middleRows(first, count);
   const std::vector<double> times = r.extremal.solution.node_times();
   std::vector<double> t, worst;
   for (std::size_t j = 0; j < times.size(); ++j) {
     const double e = error.col(static_cast<Eigen::Index>(j)).maxCoeff();
-    if (!(e > 0)) continue;  // the first node is where the flight begins
+    if (!(e > 0)) continue;  // the first node is where the integration begins
     t.push_back(times[j]);
     worst.push_back(e);
   }
@@ -158,7 +158,7 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
   scene::Panel& panel =
       show.plot(fmt::format("{} errors reach {}, where the text has 1e-7", costates ? "Co-state" : "State",
                             scene::format_number(worst, 1)),
-                "time (s)", fmt::format("|{{/:Italic {0}}} - {{/:Italic {0}}}_{{flown}}|", letter));
+                "time (s)", fmt::format("|{{/:Italic {0}}} - {{/:Italic {0}}}_{{integrated}}|", letter));
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   const int first = costates ? 2 : 0;
   for (int k = 0; k < 2; ++k)

@@ -20,7 +20,7 @@ namespace nlmech::chapters::rbf_inverse {
   return (v1 - orbit::Vector3<double>(2774.8469906025419, 7217.0230343355381, 1625.9338905977957)).norm();
 }
 
-/// r(t) - r_F of a flight with @p v1, m; infinite if it does not arrive.
+/// r(t) - r_F of an orbit with @p v1, m; infinite if it does not arrive.
 [[nodiscard]] inline orbit::Vector3<double> miss_vector(const orbit::Vector3<double>& v1) {
   const orbit::TransferProblem p = printed_transfer();
   const auto end = orbit::propagate_kepler({p.from, v1}, p.time, p.gravity.mu);

@@ -219,8 +219,8 @@ std::vector<scene::Scene> shooting() {
   const scene::Result rows(
       "single-shooting",
       "fixed final state, S = I; T from 0.5 to 3.5, beta from 0 to 1.2; Newton's iteration on x(0) and "
-      "lambda(0), flown by ode45 at 1e-8, 60 iterations at most; the printed collocation from the same "
-      "guess, its root flown; a reading is a final time, a guess and what divergence means",
+      "lambda(0), integrated by ode45 at 1e-8, 60 iterations at most; the printed collocation from the same "
+      "guess, its root integrated; a reading is a final time, a guess and what divergence means",
       compute);
   return {{.name = "shooting",
            .title = "Where single shooting converges, and the printed method from the same guess",

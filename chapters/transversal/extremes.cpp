@@ -19,7 +19,7 @@ namespace {
 using ivp::Mtl;
 using ivp::MtlLinear;
 /// One case.
-struct Fate {
+struct RunEnd {
   std::string what, how, status;
   std::optional<double> error;  ///< of the position at the end
   std::int64_t evaluations = 0;
@@ -39,17 +39,17 @@ Mtl blind(Mtl m) {
 }
 
 template <class Problem>
-Fate fate(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end, double truth,
+RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end, double truth,
           const Mtl& method) {
   const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, end, method);
-  Fate f{what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
+  RunEnd f{what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
   if (s.status.ok()) f.error = std::abs(s.x[0] - truth);
   return f;
 }
 
-void add_van_der_pol(std::vector<Fate>& all, bool quick) {
+void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
   const auto add = [&](double mu, double end, double truth, const Mtl& method) {
-    all.push_back(fate(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
+    all.push_back(run_to_end(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
                        problems::VanDerPol{.mu = mu}, {2, 0}, end, truth, method));
   };
   constexpr double ten = 1.872808279858089700, hundred = 1.718587208019240655,
@@ -79,7 +79,7 @@ void add_van_der_pol(std::vector<Fate>& all, bool quick) {
   add(1000, 2000, thousand, {.step = 0.125, .linear = MtlLinear::jacobian, .error_tolerance = 1e-3});
 }
 
-void add_fast(std::vector<Fate>& all) {
+void add_fast(std::vector<RunEnd>& all) {
   for (const double m : {1., 1e3}) {
     const problems::DrivenDuffing problem{.stiffness = 1e6, .hardening = m};
     for (const bool smooth : {true, false}) {
@@ -88,37 +88,37 @@ void add_fast(std::vector<Fate>& all) {
       for (const double h : {1. / 3, 0.01, 5e-4}) {
         const std::string what = fmt::format("Duffing, w = 1000, m = {:g}, {} start, to t = 1", m,
                                              smooth ? "smooth" : "oscillatory");
-        all.push_back(fate(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), blind({.step = h})));
+        all.push_back(run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), blind({.step = h})));
         if (smooth && all.back().error) *all.back().error /= x0;  // relative
       }
     }
   }
 }
 
-void add_linear(std::vector<Fate>& all) {
+void add_linear(std::vector<RunEnd>& all) {
   for (const double z : {10., 1e3, 1e6}) {
     const problems::LinearOscillator problem{.natural_frequency = 1e3};
     const double h = z / 1e3, end = 3 * h;
-    all.push_back(fate(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
+    all.push_back(run_to_end(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
                        std::cos(1e3 * end), blind({.step = h})));
   }
   // K = C = 0: the force alone, x = 1 + (1 - cos 2 t)/4.
   const problems::DrivenDuffing bare{.stiffness = 0, .hardening = 0, .frequency = 2};
   all.push_back(
-      fate("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4, blind({.step = 1})));
+      run_to_end("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4, blind({.step = 1})));
 }
 
 // Points at equal distances and a high degree: a root far away from the solution.
-void add_far_root(std::vector<Fate>& all) {
+void add_far_root(std::vector<RunEnd>& all) {
   for (const double allowed : {0., 1e-2}) {
     const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
-    all.push_back(fate("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0}, 50,
+    all.push_back(run_to_end("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0}, 50,
                        1.203734404401093362708, method));
   }
 }
 
-std::vector<Fate> fates(bool quick) {
-  std::vector<Fate> all;
+std::vector<RunEnd> run_ends(bool quick) {
+  std::vector<RunEnd> all;
   add_van_der_pol(all, quick);
   add_far_root(all);
   add_fast(all);
@@ -126,23 +126,23 @@ std::vector<Fate> fates(bool quick) {
   return all;
 }
 
-void put(const std::vector<Fate>& all, scene::Show& show) {
-  show.table(all, {{"case", &Fate::what},
-                   {"how", &Fate::how},
-                   {"status", &Fate::status},
-                   {"error of x at the end", &Fate::error, 2},
-                   {"right-hand sides", &Fate::evaluations}});
+void put(const std::vector<RunEnd>& all, scene::Show& show) {
+  show.table(all, {{"case", &RunEnd::what},
+                   {"how", &RunEnd::how},
+                   {"status", &RunEnd::status},
+                   {"error of x at the end", &RunEnd::error, 2},
+                   {"right-hand sides", &RunEnd::evaluations}});
   const auto error = [&](const std::string& what, const Mtl& method) {
     const auto found =
-        std::ranges::find_if(all, [&](const Fate& f) { return f.what == what && f.how == words(method); });
+        std::ranges::find_if(all, [&](const RunEnd& f) { return f.what == what && f.how == words(method); });
     return found == all.end() ? NAN : found->error.value_or(NAN);
   };
   // A success far from the solution although an estimate was asked for.
-  const auto silent = std::ranges::count_if(all, [](const Fate& f) {
+  const auto silent = std::ranges::count_if(all, [](const RunEnd& f) {
     return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
   });
   show.equals("runs with an estimate that end far off and say success", silent, 0, "the estimate stops them");
-  show.between("runs that end with wrong_branch", std::ranges::count(all, "wrong_branch", &Fate::status), 2,
+  show.between("runs that end with wrong_branch", std::ranges::count(all, "wrong_branch", &RunEnd::status), 2,
                10, "at least both of mu = 1000 with steps that cannot resolve the leap");
   show.between("error of p = 8, h = 0.4, without an estimate",
                error("Duffing, x'' + x + x^3 = cos t, to t = 50", blind({.step = 0.4, .points = 8})), 10, 1e9,
@@ -174,7 +174,7 @@ void put(const std::vector<Fate>& all, scene::Show& show) {
 
 std::vector<scene::Scene> extremes() {
   const scene::Result result("extremes", "van der Pol from (2, 0); Duffing x'' + 1e6 x + m x^3 = cos t",
-                             fates);
+                             run_ends);
   return {{.name = "extremes",
            .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
            .content = scene::Content(put, result)}};

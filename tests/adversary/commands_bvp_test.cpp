@@ -1,4 +1,4 @@
-/// Random boundary value problems by whole programs: what `rbf_inverse` prints with exit code 0 is flown from
+/// Random boundary value problems by whole programs: what `rbf_inverse` prints with exit code 0 is integrated from
 /// its own begin by other integrators in extended precision.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ namespace odeint = boost::numeric::odeint;
 
 /// From 0 to the time with a stepper that controls its error; nothing if it comes to a standstill.
 template <class Controlled, std::size_t n, class Rhs, class See>
-std::optional<std::array<Wide, n>> flown(Controlled stepper, const Rhs& rhs, std::array<Wide, n> x, Wide time,
+std::optional<std::array<Wide, n>> integrated(Controlled stepper, const Rhs& rhs, std::array<Wide, n> x, Wide time,
                                          const See& see) {
   Wide t = 0, h = time / 100;
   for (int steps = 0; t < time; ++steps) {
@@ -107,7 +107,7 @@ std::optional<Flight> fly(const Task& task, const Printed& p) {
   const Wide bound = task.bound, beta = task.beta;
   // Dormand and Prince's pair: Fehlberg's estimate of order eight does not see the corner of a clipped force
   // between the ends of a step.
-  const auto end = flown(
+  const auto end = integrated(
       odeint::make_controlled(1e-22L, 1e-14L, odeint::runge_kutta_dopri5<std::array<Wide, 5>, Wide>()),
       [bound, beta](const std::array<Wide, 5>& x, std::array<Wide, 5>& d, Wide) {
         const Wide u = std::clamp(-x[3], -bound, bound);
@@ -160,7 +160,7 @@ Case control(Draw& draw) {
   if (r.rows.size() != 1 || r.rows[0].size() != p.size()) return Case::wrong(r.words + ": rows");
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = number(r.rows[0][i]);
   const auto flight = fly(t, p);
-  if (!flight) return Case::wrong(r.words + ": cannot be flown");
+  if (!flight) return Case::wrong(r.words + ": cannot be integrated");
   const auto [left, what] = left_of(t, p, *flight);
   return Case::judged(left, 1, fmt::format("{}: {}; printed {}", r.words, what, fmt::join(r.rows[0], ",")));
 }
@@ -221,7 +221,7 @@ std::optional<std::array<Wide, 6>> fly(const Arc& a, const Vector3<double>& v) {
   std::array<Wide, 6> s{};
   for (std::size_t i = 0; i < 3; ++i)
     s[i] = a.p.from[static_cast<Eigen::Index>(i)] / unit, s[i + 3] = v[static_cast<Eigen::Index>(i)] / speed;
-  auto end = flown(
+  auto end = integrated(
       odeint::make_controlled(1e-17L, 1e-17L, odeint::runge_kutta_fehlberg78<std::array<Wide, 6>, Wide>()),
       [j, R](const std::array<Wide, 6>& x, std::array<Wide, 6>& d, Wide) {
         const Wide r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], q = 1 / (r2 * std::sqrt(r2));

@@ -136,7 +136,7 @@ TEST(Duffing, ComplementaryConditionsAreThoseOfTable51) {
       EXPECT_NEAR(to[1], 2, 1e-12);
     } else {
       EXPECT_NEAR(from[3], 0, 1e-12);
-      EXPECT_NEAR(m.found[0].extremal.cost, 0, 1e-12);  // the unforced flight that ends there
+      EXPECT_NEAR(m.found[0].extremal.cost, 0, 1e-12);  // the unforced motion that ends there
     }
   }
 }

@@ -20,7 +20,7 @@ DuffingSettings settings_of(DuffingCase which) {
   return settings;
 }
 
-/// Errors of states and co-states at the nodes against the flown solution, from the best extremal.
+/// Errors of states and co-states at the nodes against the integrated solution, from the best extremal.
 std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
   const DuffingSettings settings = settings_of(which);
   const ExtremalProblem problem = duffing_problem(settings);
@@ -30,7 +30,7 @@ std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
   const GlobalResult r = solve_global(problem, method, start_from(m.found.at(0).extremal.solution));
   EXPECT_TRUE(r.extremal.solution.status.ok()) << r.extremal.solution.status.text();
   EXPECT_LE(r.conditions.cwiseAbs().maxCoeff(), 1e-14);  // Table 5.3: the linear solve, not the accuracy
-  const MatrixXd e = r.extremal.solution.unknowns.intervals[0].values - r.flown;
+  const MatrixXd e = r.extremal.solution.unknowns.intervals[0].values - r.integrated;
   return {e.topRows(2).cwiseAbs().maxCoeff(), e.bottomRows(2).cwiseAbs().maxCoeff()};
 }
 
@@ -80,13 +80,13 @@ TEST(Printed, SpuriousRootsAreRefused) {
     random.states(seed / 10.0, z);
     const GlobalResult r = solve_global(problem, method, constant_start(z));
     if (r.extremal.solution.status.ok()) {
-      EXPECT_LE(r.extremal.solution.flight_error, 0.1);
+      EXPECT_LE(r.extremal.solution.integration_error, 0.1);
     }
     if (r.extremal.solution.status.outcome() != Outcome::spurious_root) continue;
     ++spurious;
     EXPECT_LE(r.conditions.cwiseAbs().maxCoeff(),
               1e-8 * r.extremal.solution.first().cwiseAbs().maxCoeff() + 1e-8);
-    EXPECT_FALSE(r.extremal.solution.flight_error <= 0.1);
+    EXPECT_FALSE(r.extremal.solution.integration_error <= 0.1);
   }
   EXPECT_EQ(spurious, 1);
 }

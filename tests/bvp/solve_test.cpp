@@ -32,7 +32,7 @@ TEST(Solve, FindsBratusLowerAndUpperSolution) {
   // The residual is bounded by 1e-9; the solution operator of this problem amplifies it by less than 10.
   EXPECT_LE(error_of(lower, tests::bratu_theta(mu, false)), 1e-8);
   EXPECT_LE(lower.residual, 1e-9);
-  EXPECT_LE(lower.flight_error, 1e-12);  // ends of intervals are superconvergent, the flight has 1e-13
+  EXPECT_LE(lower.integration_error, 1e-12);  // ends of intervals are superconvergent, the integration has 1e-13
   const Start high{[](double t, VectorXd& x) { x << 12 * t * (1 - t), 12 - 24 * t; }};
   const Solution upper = solve(problem, high);
   ASSERT_TRUE(upper.status.ok()) << upper.status.text();
@@ -76,7 +76,7 @@ double observed_order(Family family, int nodes, int intervals) {
                           .intervals = intervals << k,
                           .refine = false,
                           .newton_tolerance = 1e-13,
-                          .reflight = Reflight::none};
+                          .verification = Verification::none};
     const Solution s = solve(problem, zeros(2), options);
     for (const double t : s.mesh()) {
       errors[k] = std::max(errors[k], std::abs(s.at(t)[0] - tests::bratu_exact(t, theta)));
@@ -194,7 +194,7 @@ TEST(Solve, RefusesASpuriousRoot) {
   const Start high{[](double t, VectorXd& x) { x << 40 * t * (1 - t), 40 - 80 * t; }};
   const Solution s = solve(problem, high, {.nodes = 4, .intervals = 1, .refine = false});
   EXPECT_EQ(s.status.outcome(), Outcome::spurious_root) << s.status.text();
-  EXPECT_GT(s.flight_error, 1e-2);
+  EXPECT_GT(s.integration_error, 1e-2);
 }
 
 TEST(Solve, RefusesWhatCannotBeMeant) {

@@ -1,4 +1,4 @@
-/// Every arc of ten thousand random Lambert problems with up to twenty revolutions, counted and flown.
+/// Every arc of ten thousand random Lambert problems with up to twenty revolutions, counted and integrated.
 #include <gtest/gtest.h>
 
 #include <string>

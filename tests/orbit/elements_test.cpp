@@ -131,7 +131,7 @@ TEST(Errata, Equation374) {
 }
 
 // Equation 5.38: the arc of section 5.4, the short way in 4320 s, found by Newton's iteration on the starting
-// velocity. Its periapsis lies 6126 km below the surface, but not on the arc that is flown.
+// velocity. Its periapsis lies 6126 km below the surface, but not on the arc that is integrated.
 TEST(Errata, Equation538PeriapsisIsInsideTheEarth) {
   const Vector3<double> from(2.87e6, 5.19e6, 2.85e6), to(2.09e6, 7.82e6, 0);
   const double mu = 3.986e14, time = 4320;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace oracle;
 
-// In the limit the arc is the straight line, flown at chord over time.
+// In the limit the arc is the straight line, integrated at chord over time.
 TEST(Lambert, TimeOfFlightToZero) {
   LambertProblem p{{1, 0, 0}, {0.5, 1.5, 0.2}, 1, 1};
   for (const double time : {1e-3, 1e-8, 1e-50, 1e-140}) {

@@ -25,7 +25,7 @@ TransferProblem printed_transfer(int degree = 0) {
 }
 
 /// Miss of a flight in 19 digits, with series that leave out less.
-double flown(const TransferProblem& p, const Vector3<double>& v1) {
+double integrated(const TransferProblem& p, const Vector3<double>& v1) {
   using Wide = long double;
   BasicState<Wide> start;
   for (int i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
       ASSERT_TRUE(t.status.ok()) << t.status.text();
       EXPECT_LT(t.miss, 1e-4);
       EXPECT_LE((t.v1 - exact).norm() / exact.norm(), 1e-11);
-      EXPECT_LT(flown(p, t.v1), 1e-4);
+      EXPECT_LT(integrated(p, t.v1), 1e-4);
       EXPECT_LE(t.statistics.newton_iterations, 12);
     }
     method.guess = TransferGuess::line;
@@ -139,8 +139,8 @@ TEST(Transfer, AMissIsNoSuccess) {
   const TransferProblem through{{7e6, 0, 0}, {-6.9999e6, 1e3, 0}, 3, {.mu = 3.986e14}};
   TransferCollocation method{.nodes = 81};
   const CollocatedTransfer t = collocate(through, method);
-  EXPECT_GT(flown(through, t.v1), 1e4);
-  EXPECT_NEAR(t.miss, flown(through, t.v1), 1e-3 * t.miss);
+  EXPECT_GT(integrated(through, t.v1), 1e4);
+  EXPECT_NEAR(t.miss, integrated(through, t.v1), 1e-3 * t.miss);
   EXPECT_EQ(t.status.outcome(), Outcome::spurious_root) << t.status.text();
   method.largest_miss = 0.01;
   EXPECT_TRUE(collocate(through, method).status.ok());
@@ -159,7 +159,7 @@ TEST(Transfer, ArcsThatDoublesCannotHoldAreTold) {
   EXPECT_EQ(corrected_transfer(near, round).status.outcome(), Outcome::outside_validity);
   const Transfer t = corrected_transfer(near);
   ASSERT_TRUE(t.status.ok()) << t.status.text();
-  EXPECT_LE(flown(near, t.v1), 1e-9 * near.to.norm());
+  EXPECT_LE(integrated(near, t.v1), 1e-9 * near.to.norm());
   EXPECT_EQ(lambert_arcs(lambert, 0).size(), 1U);
 }
 
@@ -174,7 +174,7 @@ TEST(Transfer, AccelerationIsTheGradientOfTheEnergy) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[static_cast<int>(i)], -e.partial[i], 64 * eps * a.norm());
 }
 
-// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, flown in 19 digits, and
+// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, integrated in 19 digits, and
 // collocation.
 TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
   for (const int degree : {2, 6}) {
@@ -182,21 +182,21 @@ TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
     for (const bool long_way : {false, true}) {
       const Transfer t = corrected_transfer(p, {long_way, 0, LambertBranch::low});
       ASSERT_TRUE(t.status.ok()) << t.status.text();
-      EXPECT_LE(flown(p, t.v1), 1e-11 * p.to.norm()) << long_way;
+      EXPECT_LE(integrated(p, t.v1), 1e-11 * p.to.norm()) << long_way;
       const Transfer conic = corrected_transfer(printed_transfer(), {long_way, 0, LambertBranch::low});
-      EXPECT_GT(flown(p, conic.v1), 1e3);  // J2 moves the end by kilometres
+      EXPECT_GT(integrated(p, conic.v1), 1e3);  // J2 moves the end by kilometres
     }
     const CollocatedTransfer c = collocate(p, {.nodes = 61});
     ASSERT_TRUE(c.status.ok()) << c.status.text();
     EXPECT_LE((c.v1 - corrected_transfer(p).v1).norm(), 1e-7);
-    EXPECT_LT(flown(p, c.v1), 1e-3);
+    EXPECT_LT(integrated(p, c.v1), 1e-3);
   }
   // Twenty revolutions, each of which J2 shifts.
   TransferProblem many{{7.5e6, 0, 1e6}, {-2e6, 7e6, 3e6}, 140'000, earth(2)};
   for (const LambertBranch branch : {LambertBranch::low, LambertBranch::high}) {
     const Transfer t = corrected_transfer(many, {false, 15, branch});
     ASSERT_TRUE(t.status.ok()) << t.status.text();
-    EXPECT_LE(flown(many, t.v1), 1e-9 * many.to.norm());
+    EXPECT_LE(integrated(many, t.v1), 1e-9 * many.to.norm());
   }
 }
 

@@ -223,7 +223,7 @@ void put(const std::vector<Ending>& endings, scene::Show& show) {
 
 std::vector<scene::Scene> stability() {
   const scene::Result endings(
-      "stiff-fates",
+      "stiff-ends",
       "fixed steps: the largest of end/2^(k/4) that ends well with a digit or more, as does its half (for "
       "rbf-coll c h = 0.367); others: tolerance 1e-6; 10 % error of the largest component (Robertson, HIRES: "
       "of any) is a digit",

@@ -257,9 +257,9 @@ ExtremalProblem with_constraints(const ExtremalProblem& problem, const Constrain
 Extremal tighten(const ExtremalProblem& problem, const Start& start, const ConstraintPath& path,
                  const Options& given) {
   Options options = given;
-  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be flown
+  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be integrated
   // through.
-  if (path(1).penalty_weight > 0 && options.reflight == Reflight::whole) options.reflight = Reflight::pieces;
+  if (path(1).penalty_weight > 0 && options.verification == Verification::whole) options.verification = Verification::pieces;
   Extremal last = solve_extremal(with_constraints(problem, path(0)), start, options);
   double s = 0, step = 0.1;
   while (last.solution.status.ok() && s < 1) {

@@ -68,7 +68,7 @@ class Descent {
       guess.control(time(k) + h_ / 2, u);
       now_.u.col(k) = u;
     }
-    if (!fly(now_)) {
+    if (!integrate(now_)) {
       result.status = Status::failure(Outcome::non_finite,
                                       "direct_start: the trajectory of the guessed control is not finite; "
                                       "begin with a weaker control");
@@ -143,7 +143,7 @@ class Descent {
   }
 
   /// Follows x from its first column under u; false if it is not finite.
-  bool fly(Trajectory& trajectory) const {
+  bool integrate(Trajectory& trajectory) const {
     double running = 0;
     for (Index k = 0; k < steps_; ++k) {
       const VectorXd x = trajectory.x.col(k), u = trajectory.u.col(k);
@@ -246,7 +246,7 @@ class Descent {
   /// Descends until nothing is gained any more at this weight.
   void descend() {
     damping_ = 1e-3;
-    (void)fly(now_);
+    (void)integrate(now_);
     Trajectory trial;
     for (int k = 0; k < options_.iterations; ++k) {
       bool accepted = false;
@@ -268,7 +268,7 @@ class Descent {
 
   void finish(DirectResult& result) {
     damping_ = 1e-9;
-    (void)fly(now_);
+    (void)integrate(now_);
     (void)sweep_back();
     result.cost = model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time).value;
     VectorXd g(n_);

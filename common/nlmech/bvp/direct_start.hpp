@@ -28,7 +28,7 @@ struct DirectResult {
   Start start;      ///< states and co-states on its grid, for solve_extremal
   double cost = 0;  ///< J without penalties, on piecewise constant controls
   double miss = 0;  ///< largest distance from the prescribed end values and waypoints
-  Status status;    ///< non_finite if even the guess could not be flown; else success
+  Status status;    ///< non_finite if even the guess could not be integrated; else success
 };
 
 /// Minimises the cost over piecewise constant controls and the free initial values, by differential dynamic

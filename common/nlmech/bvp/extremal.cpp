@@ -240,11 +240,11 @@ Extremal solve_extremal(const ExtremalProblem& problem, const Start& start, cons
   extremal.final_time = problem.final_time(s.parameters());
   extremal.mu = problem.mu(s.parameters());
   extremal.cost = cost_of(problem, s);
-  if (options.reflight == Reflight::none || s.flown_end.size() == 0) return extremal;
+  if (options.verification == Verification::none || s.integrated_end.size() == 0) return extremal;
   extremal.miss = 0;
   for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
     const auto& value = problem.task().end[i];
-    if (value) extremal.miss = std::max(extremal.miss, std::abs(s.flown_end[static_cast<Index>(i)] - *value));
+    if (value) extremal.miss = std::max(extremal.miss, std::abs(s.integrated_end[static_cast<Index>(i)] - *value));
   }
   return extremal;
 }

@@ -121,12 +121,12 @@ struct Extremal {
   double cost = 0;        ///< J without penalties (Eq. 5.2)
   double final_time = 0;  ///< t_F
   double mu = 0;          ///< mu
-  /// Largest distance of the flown end from the prescribed x(t_F), absolute; NaN if it was not flown.
+  /// Largest distance of the integrated end from the prescribed x(t_F), absolute; NaN if it was not integrated.
   double miss = 0;
   SecondOrder second_order;  ///< untested unless second_order() was asked
 };
 
-/// Solves the boundary value problem, flies it and evaluates the cost.
+/// Solves the boundary value problem, verifies it by integration and evaluates the cost.
 ///
 /// Tests hold the cost and control of a mass to the known parabola (1e-14, 1e-13), six cases of Duffing's
 /// oscillator to the costs (1e-10 of themselves) and co-states (1e-11) of a computation in 36 digits, and H

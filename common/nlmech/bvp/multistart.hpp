@@ -33,7 +33,7 @@ struct Found {
 struct Multistart {
   std::vector<Found> found;  ///< distinct, cheapest first
   int good = 0;              ///< starts that led to a solution
-  int spurious = 0;          ///< starts that led to a root that cannot be flown
+  int spurious = 0;          ///< starts that led to a root that cannot be integrated
   int failed = 0;            ///< all other starts begun
   Statistics statistics;     ///< of all of them
 };

@@ -202,30 +202,30 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
   const VectorXd& t = equations.times();
   const MatrixXd& values = s.unknowns.intervals.front().values;
   const VectorXd weight = (values.cwiseAbs().rowwise().maxCoeff().array() + 1).cwiseInverse();
-  MatrixXd& flown = result.flown;
-  flown = values.col(0);
+  MatrixXd& integrated = result.integrated;
+  integrated = values.col(0);
   double worst = 0;
-  // In pieces: what is no solution mostly swings fast, and need not be flown to the end.
+  // In pieces: what is no solution mostly swings fast, and need not be integrated to the end.
   constexpr Index piece = 6;
-  while (flown.cols() < t.size() && worst <= tolerance) {
-    const Index done = flown.cols(), next = std::min(done + piece, static_cast<Index>(t.size()));
+  while (integrated.cols() < t.size() && worst <= tolerance) {
+    const Index done = integrated.cols(), next = std::min(done + piece, static_cast<Index>(t.size()));
     const std::span<const double> times(t.data() + done - 1, static_cast<std::size_t>(next - done + 1));
-    const Flight flight = fly(problem, flown.rightCols(1), VectorXd(), times);
-    if (!flight.status.ok()) {
+    const Integration next_piece = integrate_at(problem, integrated.rightCols(1), VectorXd(), times);
+    if (!next_piece.status.ok()) {
       worst = std::numeric_limits<double>::infinity();
       break;
     }
-    flown.conservativeResize(Eigen::NoChange, next);
-    flown.rightCols(next - done) = flight.states.rightCols(next - done);
-    const MatrixXd off = values.leftCols(next) - flown;
+    integrated.conservativeResize(Eigen::NoChange, next);
+    integrated.rightCols(next - done) = next_piece.states.rightCols(next - done);
+    const MatrixXd off = values.leftCols(next) - integrated;
     worst = (weight.asDiagonal() * off).cwiseAbs().maxCoeff();
   }
-  if (flown.cols() == t.size()) s.flown_end = flown.rightCols(1);
-  s.flight_error = worst;
+  if (integrated.cols() == t.size()) s.integrated_end = integrated.rightCols(1);
+  s.integration_error = worst;
   if (worst <= tolerance) return;
   s.status = Status::failure(
       Outcome::spurious_root,
-      fmt::format("global collocation: the root of the equations is no solution: flown from its own initial "
+      fmt::format("global collocation: the root of the equations is no solution: integrated from its own initial "
                   "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
                   "with refinement, or start elsewhere",
                   worst, tolerance));
@@ -249,7 +249,7 @@ algebraic::Report iterate(algebraic::Equations& equations, VectorXd& x, bool dam
 }  // namespace
 
 GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method, const Start& start,
-                          double flight_tolerance, bool damped, int iterations) {
+                          double verification_tolerance, bool damped, int iterations) {
   GlobalResult result;
   GlobalCollocation equations(problem, method);
   Solution& s = result.extremal.solution;
@@ -280,13 +280,13 @@ GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& me
   result.extremal.cost = cost_of(problem, s);
   result.extremal.miss = std::numeric_limits<double>::quiet_NaN();
   if (!s.status.ok()) return result;
-  judge(problem, equations, flight_tolerance, result);
-  if (s.flown_end.size() == 0) return result;
+  judge(problem, equations, verification_tolerance, result);
+  if (s.integrated_end.size() == 0) return result;
   result.extremal.miss = 0;
   for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
     const auto& value = problem.task().end[i];
     const auto row = static_cast<Index>(i);
-    if (value) result.extremal.miss = std::max(result.extremal.miss, std::abs(s.flown_end[row] - *value));
+    if (value) result.extremal.miss = std::max(result.extremal.miss, std::abs(s.integrated_end[row] - *value));
   }
   return result;
 }

@@ -25,9 +25,9 @@ struct Solution {
   std::shared_ptr<const Scheme> scheme;  ///< of every interval; null as long as unknowns is empty
   /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes.
   double residual = 0;
-  /// max over the mesh of |x - flown x| / (1 + max |x|), by component; see Flight. 0 if it was not flown.
-  double flight_error = 0;
-  Eigen::VectorXd flown_end;  ///< x at the end of the flight; empty if it was not flown so far
+  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Integration. 0 if it was not integrated.
+  double integration_error = 0;
+  Eigen::VectorXd integrated_end;  ///< x at the end of the integration; empty if it was not integrated so far
   /// Reciprocal condition of the end system of Newton's last matrix, roughly: digits of it are lost.
   double pivot_ratio = 0;
 

@@ -29,7 +29,7 @@ void check_options(const Options& o) {
   require(o.newton_tolerance > 0, "newton_tolerance", o.newton_tolerance);
   require(o.newton_iterations >= 1, "newton_iterations", o.newton_iterations);
   require(o.least_damping > 0 && o.least_damping <= 1, "least_damping", o.least_damping);
-  require(o.flight_tolerance > 0, "flight_tolerance", o.flight_tolerance);
+  require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
 /// The times of the start's mesh, mapped to the problem's ends, with its points among them; or equal ones.
@@ -180,15 +180,15 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
 Status spurious(double t, double error, const Options& options) {
   return Status::failure(
       Outcome::spurious_root,
-      fmt::format("bvp: the root of the collocation equations is no solution: flown from its own initial "
+      fmt::format("bvp: the root of the collocation equations is no solution: integrated from its own initial "
                   "values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); refine the "
                   "mesh, or start elsewhere",
-                  error, t, options.flight_tolerance));
+                  error, t, options.verification_tolerance));
 }
 
 }  // namespace
 
-void judge_by_flight(const Problem& problem, const Options& options, Solution& solution) {
+void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
   VectorXd scale = VectorXd::Ones(problem.states());
   for (const Interval& i : all) {
@@ -197,19 +197,19 @@ void judge_by_flight(const Problem& problem, const Options& options, Solution& s
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (options.reflight == Reflight::pieces) {
+    if (options.verification == Verification::pieces) {
       x = all[k].values.col(0);
     } else if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
     const double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
     const std::vector<double> times{all[k].t0, end};
-    const Flight arc = fly(problem, x, solution.parameters(), times);
+    const Integration arc = integrate_at(problem, x, solution.parameters(), times);
     if (!arc.status.ok()) {
-      solution.flight_error = std::numeric_limits<double>::infinity();
+      solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = Status::failure(
           Outcome::spurious_root,
-          fmt::format("bvp: the root cannot be flown from its own initial values ({}); refine the mesh, or "
+          fmt::format("bvp: the root cannot be integrated from its own initial values ({}); refine the mesh, or "
                       "start elsewhere",
                       arc.status.sentence()));
       return;
@@ -222,9 +222,9 @@ void judge_by_flight(const Problem& problem, const Options& options, Solution& s
       where = end;
     }
   }
-  solution.flight_error = worst;
-  solution.flown_end = x;
-  if (!(worst <= options.flight_tolerance)) solution.status = spurious(where, worst, options);
+  solution.integration_error = worst;
+  solution.integrated_end = x;
+  if (!(worst <= options.verification_tolerance)) solution.status = spurious(where, worst, options);
 }
 
 Solution solve(const Problem& problem, const Start& start, const Options& options) {
@@ -250,7 +250,7 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   fill(start, mapped ? start.mesh.front() : points.front(),
        mapped ? (start.mesh.back() - start.mesh.front()) / length : 1, *solution.scheme, solution.unknowns);
   solution.status = refine(problem, options, solution);
-  if (solution.status.ok() && options.reflight != Reflight::none) judge_by_flight(problem, options, solution);
+  if (solution.status.ok() && options.verification != Verification::none) verify_by_integration(problem, options, solution);
   solution.statistics.seconds = watch.seconds();
   return solution;
 }

@@ -1,18 +1,18 @@
 /// @file
-/// Solves boundary value problems: damped Newton, a mesh that follows the residual, and a flight that judges.
+/// Solves boundary value problems: damped Newton, a mesh that follows the residual, and verification by integration.
 #pragma once
 
-#include "nlmech/bvp/flight.hpp"
+#include "nlmech/bvp/verification.hpp"
 #include "nlmech/bvp/solution.hpp"
 
 namespace nlmech::bvp {
 
 /// How a solution is verified by an integrator.
-enum class Reflight : std::uint8_t {
+enum class Verification : std::uint8_t {
   none,   ///< not at all
   whole,  ///< from its initial values to the end; at a point between phases its own jump is added
   pieces  ///< each interval from the solution's value at its begin: for problems whose solutions grow so fast
-          ///< that nothing can be flown through
+          ///< that nothing can be integrated through
 };
 
 /// Options of solve(); the defaults give the states to 10 digits and more.
@@ -29,8 +29,8 @@ struct Options {
   double newton_tolerance = 1e-10;      ///< of the last update, root mean square of |dx_i| / (1 + max |x_i|)
   int newton_iterations = 100;          ///< on each mesh
   double least_damping = 1e-6;          ///< a shorter fraction of Newton's step ends with newton_diverged
-  Reflight reflight = Reflight::whole;  ///< how the solution is judged
-  double flight_tolerance = 1e-6;       ///< of Solution::flight_error; a root beyond it is spurious
+  Verification verification = Verification::whole;  ///< how the solution is judged
+  double verification_tolerance = 1e-6;       ///< of Solution::integration_error; a root beyond it is spurious
 };
 
 /// Solves a boundary value problem.
@@ -46,7 +46,7 @@ struct Options {
 ///  - `newton_diverged`, `not_converged`: no root from this start;
 ///  - `non_finite`: f or a condition is not finite at the start;
 ///  - `step_limit`: meshes or intervals are used up with the residual above the tolerance;
-///  - `spurious_root`: the flight does not follow the solution;
+///  - `spurious_root`: integration from its initial values does not follow the solution;
 ///  - that of the Gaussians' matrix.
 /// Unless the sentence says that nothing could be evaluated, the last iterate is in the solution.
 ///
@@ -55,7 +55,7 @@ struct Options {
 /// @throws std::invalid_argument for sizes that do not fit and options out of range
 [[nodiscard]] Solution solve(const Problem& problem, const Start& start, const Options& options = {});
 
-/// The flight of a solution: sets flight_error, and status if it fails. solve() calls it.
-void judge_by_flight(const Problem& problem, const Options& options, Solution& solution);
+/// Integrates from the initial values of a solution: sets integration_error, and status if it fails. solve() calls it.
+void verify_by_integration(const Problem& problem, const Options& options, Solution& solution);
 
 }  // namespace nlmech::bvp

@@ -127,8 +127,8 @@ struct Flyby {
 }  // namespace detail
 
 /// The state that Kepler's motion leads to, in any type of number: by Lagrange's coefficients, or, where
-/// their terms would cancel (a hyperbola flown towards its periapsis) or hold exponentials of large numbers
-/// (one flown a million distances away), by anomalies. Arguments as of lagrange_coefficients().
+/// their terms would cancel (a hyperbola integrated towards its periapsis) or hold exponentials of large numbers
+/// (one integrated a million distances away), by anomalies. Arguments as of lagrange_coefficients().
 template <class T>
 [[nodiscard]] BasicState<T> kepler_state(const BasicState<T>& s, const T& time, const T& mu,
                                          int* evaluations = nullptr) {
@@ -155,7 +155,7 @@ struct KeplerSolution {
   /// passage so near the centre that its side is not known), or if the state at that time is beyond the range
   /// of doubles
   Status status;
-  int iterations = 0;  ///< evaluations of Kepler's equation; 0 on hyperbolas flown inwards
+  int iterations = 0;  ///< evaluations of Kepler's equation; 0 on hyperbolas integrated inwards
 };
 
 /// Moves @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and |v|,

@@ -102,9 +102,9 @@ class Correction {
     TransferProblem p = problem;
     for (double& j : p.gravity.zonal) j *= part + step;
     Transfer next = reached;
-    const bool flown = Correction(p, reached.v1).run(next);
+    const bool integrated = Correction(p, reached.v1).run(next);
     reached.statistics = next.statistics;
-    if (flown && next.miss <= enough) {
+    if (integrated && next.miss <= enough) {
       reached = next;
       part += step;
       step = std::min(2 * step, 1 - part);

@@ -121,7 +121,7 @@ TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
 }
 
 // Eq. 5.38's transfer: 0.05 days are 4320 s, and the ellipse has its periapsis 252 km from the centre, deep
-// inside the Earth; what is flown of it is above.
+// inside the Earth; what is integrated of it is above.
 TEST(ErrataLambert, TransferIsAPieceOfAThinEllipse) {
   EXPECT_DOUBLE_EQ(0.05 * 86400, printed_transfer().time);
   const orbit::TransferProblem p = printed_transfer();

@@ -42,7 +42,7 @@ std::vector<double> duffing(const std::string& words) {
 }
 
 // All cases at all three times from the program's own starts: a cost no higher than the best known, initial
-// values to ten digits, the flown end to 1e-9. Independent Taylor method in 40 digits.
+// values to ten digits, the integrated end to 1e-9. Independent Taylor method in 40 digits.
 class Known : public testing::TestWithParam<double> {};
 TEST_P(Known, ExtremalsAreFound) {
   for (const chapters::rbf_inverse::KnownExtremal& k : chapters::rbf_inverse::known_extremals()) {

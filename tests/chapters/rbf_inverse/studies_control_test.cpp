@@ -24,7 +24,7 @@ bvp::Start start_near(const KnownExtremal& known) {
   const Eigen::VectorXd z = Eigen::Map<const Eigen::Vector4d>(known.first.data());
   std::vector<double> times;
   for (int k = 0; k <= 400; ++k) times.push_back(T * k / 400.);
-  const Eigen::MatrixXd states = fly(problem, z, Eigen::VectorXd(), times).states;
+  const Eigen::MatrixXd states = integrate_at(problem, z, Eigen::VectorXd(), times).states;
   return {.states = [states, T](double t, Eigen::VectorXd& x) {
     x = states.col(std::lround(t / T * 400));  // the node nearest in time is near enough
   }};
@@ -113,9 +113,9 @@ TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
   const Shot shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
-  const Eigen::MatrixXd flown = fly(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
-  EXPECT_NEAR(flown(0, 1), 5, 1e-5);  // the end moves by some tens of the co-states' 1e-7
-  EXPECT_NEAR(flown(1, 1), 2, 1e-5);
+  const Eigen::MatrixXd integrated = integrate_at(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
+  EXPECT_NEAR(integrated(0, 1), 5, 1e-5);  // the end moves by some tens of the co-states' 1e-7
+  EXPECT_NEAR(integrated(1, 1), 2, 1e-5);
   EXPECT_GE(shot.reach, shot.first.norm());
 }
 

@@ -29,7 +29,7 @@ class Program final : public Ipopt::TNLP {
         plain_(task_.constraints),
         zero_(VectorXd::Zero(n_)) {
     plain_.penalty_weight = 0;
-    fly(guess);
+    integrate(guess);
   }
 
   MatrixXd z;                                         ///< result: states and controls, one node a column
@@ -224,7 +224,7 @@ class Program final : public Ipopt::TNLP {
     return hessian;
   }
 
-  void fly(const bvp::ControlGuess& guess) {
+  void integrate(const bvp::ControlGuess& guess) {
     start_.resize(block(), m_ + 1);
     VectorXd x = guess.begin, u(q_), g(n_), half(n_);
     for (int i = 0; i < n_; ++i) {

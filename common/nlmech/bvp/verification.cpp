@@ -1,4 +1,4 @@
-#include "nlmech/bvp/flight.hpp"
+#include "nlmech/bvp/verification.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace nlmech::bvp {
 namespace {
 
 /// The right-hand side as integrators take it.
-struct Flown {
+struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
   Eigen::VectorXd parameters;
@@ -27,33 +27,33 @@ struct Flown {
 
 }  // namespace
 
-Flight fly(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
            std::span<const double> times) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
-    throw std::invalid_argument(fmt::format("fly: {} states and {} parameters for a problem of {} and {}",
+    throw std::invalid_argument(fmt::format("integrate_at: {} states and {} parameters for a problem of {} and {}",
                                             x0.size(), p.size(), problem.states(), problem.parameters()));
   }
-  const ivp::System<Eigen::Dynamic> system(Flown{&problem, p});
+  const ivp::System<Eigen::Dynamic> system(WithParameters{&problem, p});
   const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
   // A trajectory that needs more steps between two times is not one that a mesh of collocation resolved.
   const ivp::Limits limits{.steps = 20'000};
-  Flight flight;
-  flight.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
+  Integration result;
+  result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
   Eigen::VectorXd x = x0;
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
       const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
-      flight.statistics += arc.statistics;
+      result.statistics += arc.statistics;
       if (!arc.status.ok()) {
-        flight.status = arc.status;
-        flight.states.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(k));
-        return flight;
+        result.status = arc.status;
+        result.states.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(k));
+        return result;
       }
       x = arc.x;
     }
-    flight.states.col(static_cast<Eigen::Index>(k)) = x;
+    result.states.col(static_cast<Eigen::Index>(k)) = x;
   }
-  return flight;
+  return result;
 }
 
 }  // namespace nlmech::bvp
