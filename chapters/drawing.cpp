@@ -23,8 +23,8 @@ void Drawing::arrow(Spot from, Spot to, const std::string& kind) {
 }
 
 void Drawing::text(const std::string& words, Spot at, const std::string& shade) {
-  labels_ += fmt::format("{}{}@{:.9g}@{:.9g}@{}", labels_.empty() ? "" : "|", scene::with_kept_blanks(words), at.x,
-                         at.y, shade);
+  labels_ += fmt::format("{}{}@{:.9g}@{:.9g}@{}", labels_.empty() ? "" : "|", scene::with_kept_blanks(words),
+                         at.x, at.y, shade);
 }
 
 void Drawing::joint(Spot at) { table_.add({"joint", ++paths_, at.x, at.y, 0.0, 0.0}); }

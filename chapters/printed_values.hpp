@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/scene/program/files.hpp"
 
 namespace nlmech::chapters {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/bench.hpp"
-#include "nlmech/scene/ratios.hpp"
+#include "nlmech/scene/evidence/bench.hpp"
+#include "nlmech/scene/evidence/ratios.hpp"
 
 namespace nlmech::chapters {
 

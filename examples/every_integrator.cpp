@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 struct Pendulum {  // q'' = -sin(q), once: the library calls it with numbers, dual numbers and series
   static constexpr int dimension = 2;

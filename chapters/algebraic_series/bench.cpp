@@ -16,7 +16,7 @@
 
 #include "chapters/plain_equations.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/series/series.hpp"
 #include "nlmech/peers/ivp/odeint_direct.hpp"
 #include "nlmech/peers/ivp/odeint_native.hpp"
 #include "nlmech/problems/duffing.hpp"

@@ -7,7 +7,7 @@
 
 #include "chapters/algebraic_series/examples.hpp"
 #include "chapters/algebraic_series/samples.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series {

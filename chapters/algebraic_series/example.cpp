@@ -1,7 +1,7 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/series/series.hpp"
 
 // A mass between two walls that repel it: x'' = -x/(1 - x^2).
 struct HardWall {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nlmech/ivp/integrate.hpp"
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/series/series.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::algebraic_series {

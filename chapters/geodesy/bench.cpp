@@ -10,7 +10,7 @@
 
 #include "chapters/geodesy/contenders.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/scene/command_line.hpp"
+#include "nlmech/scene/program/command_line.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 /// The spacecraft of Table 3.1 with and without tips, and the gains of the text.
 #pragma once
 
-#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/control/closed_loop.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
 namespace nlmech::chapters::gss_control {

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/spacecraft/optimal_gains.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
 int main() {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/problems/problem.hpp"
 
 // A pendulum with friction, driven: q'' = -sin q - 0.1 q' + 0.6 cos(0.8 t).

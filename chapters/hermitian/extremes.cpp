@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"

@@ -2,7 +2,7 @@
 /// The first peak of the response, which is what the paper's tables 4 and 5 print.
 #pragma once
 
-#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/hermitian_operators.hpp"
+#include "nlmech/ivp/hermitian/hermitian_operators.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::hermitian {

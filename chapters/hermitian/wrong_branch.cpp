@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"
 

@@ -1,8 +1,8 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/algebraic/energy_trust_region.hpp"
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 
 struct Pendulum {  // written once, for numbers and for the dual numbers that give the Jacobian
   static constexpr int dimension = 2;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 

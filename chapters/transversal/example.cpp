@@ -1,7 +1,7 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 
 // A pendulum with friction, shaken: x'' + 0.1 x' + sin x = 0.5 cos 2t.
 struct Pendulum {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
@@ -39,10 +39,11 @@ Mtl blind(Mtl m) {
 }
 
 template <class Problem>
-RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end, double truth,
-          const Mtl& method) {
+RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end,
+                  double truth, const Mtl& method) {
   const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, end, method);
-  RunEnd f{what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
+  RunEnd f{
+      what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
   if (s.status.ok()) f.error = std::abs(s.x[0] - truth);
   return f;
 }
@@ -50,7 +51,7 @@ RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::St
 void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
   const auto add = [&](double mu, double end, double truth, const Mtl& method) {
     all.push_back(run_to_end(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
-                       problems::VanDerPol{.mu = mu}, {2, 0}, end, truth, method));
+                             problems::VanDerPol{.mu = mu}, {2, 0}, end, truth, method));
   };
   constexpr double ten = 1.872808279858089700, hundred = 1.718587208019240655,
                    thousand = 1.706167732170465008;
@@ -88,7 +89,8 @@ void add_fast(std::vector<RunEnd>& all) {
       for (const double h : {1. / 3, 0.01, 5e-4}) {
         const std::string what = fmt::format("Duffing, w = 1000, m = {:g}, {} start, to t = 1", m,
                                              smooth ? "smooth" : "oscillatory");
-        all.push_back(run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), blind({.step = h})));
+        all.push_back(
+            run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), blind({.step = h})));
         if (smooth && all.back().error) *all.back().error /= x0;  // relative
       }
     }
@@ -100,20 +102,20 @@ void add_linear(std::vector<RunEnd>& all) {
     const problems::LinearOscillator problem{.natural_frequency = 1e3};
     const double h = z / 1e3, end = 3 * h;
     all.push_back(run_to_end(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
-                       std::cos(1e3 * end), blind({.step = h})));
+                             std::cos(1e3 * end), blind({.step = h})));
   }
   // K = C = 0: the force alone, x = 1 + (1 - cos 2 t)/4.
   const problems::DrivenDuffing bare{.stiffness = 0, .hardening = 0, .frequency = 2};
-  all.push_back(
-      run_to_end("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4, blind({.step = 1})));
+  all.push_back(run_to_end("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4,
+                           blind({.step = 1})));
 }
 
 // Points at equal distances and a high degree: a root far away from the solution.
 void add_far_root(std::vector<RunEnd>& all) {
   for (const double allowed : {0., 1e-2}) {
     const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
-    all.push_back(run_to_end("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0}, 50,
-                       1.203734404401093362708, method));
+    all.push_back(run_to_end("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0},
+                             50, 1.203734404401093362708, method));
   }
 }
 

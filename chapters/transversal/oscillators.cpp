@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 
 namespace nlmech::chapters::transversal {
 

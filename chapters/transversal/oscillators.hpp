@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 

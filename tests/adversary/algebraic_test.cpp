@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/potential.hpp"
+#include "nlmech/algebraic/newton/potential.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/series/dual.hpp"
 #include "tests/adversary/adversary.hpp"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "chapters/gss_control/spacecraft_file.hpp"
-#include "chapters/rbf_inverse/porkchop_file.hpp"
-#include "nlmech/scene/csv.hpp"
+#include "chapters/gss_control/commands/spacecraft_file.hpp"
+#include "chapters/rbf_inverse/commands/porkchop_file.hpp"
+#include "nlmech/scene/program/csv.hpp"
 #include "tests/adversary/mutation.hpp"
 
 namespace nlmech::adversary {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <limits>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
-#include "nlmech/scene/typed.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::adversary {

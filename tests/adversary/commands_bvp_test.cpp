@@ -1,5 +1,5 @@
-/// Random boundary value problems by whole programs: what `rbf_inverse` prints with exit code 0 is integrated from
-/// its own begin by other integrators in extended precision.
+/// Random boundary value problems by whole programs: what `rbf_inverse` prints with exit code 0 is integrated
+/// from its own begin by other integrators in extended precision.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ namespace odeint = boost::numeric::odeint;
 
 /// From 0 to the time with a stepper that controls its error; nothing if it comes to a standstill.
 template <class Controlled, std::size_t n, class Rhs, class See>
-std::optional<std::array<Wide, n>> integrated(Controlled stepper, const Rhs& rhs, std::array<Wide, n> x, Wide time,
-                                         const See& see) {
+std::optional<std::array<Wide, n>> integrated(Controlled stepper, const Rhs& rhs, std::array<Wide, n> x,
+                                              Wide time, const See& see) {
   Wide t = 0, h = time / 100;
   for (int steps = 0; t < time; ++steps) {
     if (steps > 400'000) return {};

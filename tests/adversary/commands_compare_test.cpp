@@ -12,7 +12,7 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/reference.hpp"
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 #include "tests/adversary/ivp_oracle.hpp"
 
 namespace nlmech::adversary {

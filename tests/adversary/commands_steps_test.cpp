@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 #include "tests/adversary/ivp_oracle.hpp"
 
 namespace nlmech::adversary {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "nlmech/scene/process.hpp"
-#include "nlmech/scene/typed.hpp"
+#include "nlmech/scene/program/process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "tests/adversary/mutation.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

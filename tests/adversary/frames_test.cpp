@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle_path.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"

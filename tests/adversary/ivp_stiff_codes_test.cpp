@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"

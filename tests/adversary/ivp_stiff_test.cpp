@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "tests/adversary/adversary.hpp"
 
 namespace nlmech::ivp {

@@ -9,13 +9,13 @@
 #include <array>
 #include <cmath>
 
-#include "nlmech/scene/command.hpp"
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/errata.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/errata.hpp"
+#include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/scene/program/command.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/scene/table.hpp"
-#include "nlmech/scene/this_process.hpp"
-#include "nlmech/scene/typed.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/adversary/mutation.hpp"
 

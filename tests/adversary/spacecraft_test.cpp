@@ -8,11 +8,11 @@
 #include <cmath>
 #include <vector>
 
-#include "nlmech/spacecraft/inverse_laplace.hpp"
-#include "nlmech/spacecraft/margins.hpp"
-#include "nlmech/spacecraft/optimal_gains.hpp"
-#include "nlmech/spacecraft/parseval.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
+#include "nlmech/spacecraft/control/margins.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
+#include "nlmech/spacecraft/control/parseval.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/adversary/adversary.hpp"
 #include "tests/spacecraft/oracle.hpp"

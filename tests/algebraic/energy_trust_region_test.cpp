@@ -1,5 +1,5 @@
 /// Minimising potentials by trust regions.
-#include "nlmech/algebraic/energy_trust_region.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
 
 #include <gtest/gtest.h>
 

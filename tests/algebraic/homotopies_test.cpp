@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "nlmech/algebraic/first_scalar_homotopy.hpp"
-#include "nlmech/algebraic/scalar_homotopy.hpp"
-#include "nlmech/algebraic/vector_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/first_scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
 #include "tests/algebraic/classics.hpp"
 
 namespace nlmech::algebraic {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <numeric>
 
-#include "nlmech/algebraic/broyden.hpp"
-#include "nlmech/algebraic/continuous_newton.hpp"
-#include "nlmech/algebraic/descent.hpp"
-#include "nlmech/algebraic/dogleg.hpp"
-#include "nlmech/algebraic/least_squares.hpp"
+#include "nlmech/algebraic/homotopies/continuous_newton.hpp"
+#include "nlmech/algebraic/newton/broyden.hpp"
+#include "nlmech/algebraic/newton/descent.hpp"
+#include "nlmech/algebraic/newton/dogleg.hpp"
+#include "nlmech/algebraic/newton/least_squares.hpp"
 #include "tests/algebraic/classics.hpp"
 
 namespace nlmech::algebraic {

@@ -1,4 +1,4 @@
-#include "nlmech/algebraic/newton.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

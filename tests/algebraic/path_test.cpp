@@ -1,5 +1,5 @@
 /// Path following: limit points, branch points, and solvers made of it.
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/algebraic/fold.hpp"
-#include "nlmech/algebraic/path_solvers.hpp"
+#include "nlmech/algebraic/paths/fold.hpp"
+#include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "tests/algebraic/paths.hpp"
 
 namespace nlmech::algebraic {

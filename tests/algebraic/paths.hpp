@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 
 namespace nlmech::algebraic::paths {
 

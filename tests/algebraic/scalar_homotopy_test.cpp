@@ -1,4 +1,4 @@
-#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

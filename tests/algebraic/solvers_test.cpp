@@ -8,7 +8,7 @@
 #include <set>
 
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/potential.hpp"
+#include "nlmech/algebraic/newton/potential.hpp"
 #include "tests/algebraic/classics.hpp"
 
 namespace nlmech::algebraic {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "nlmech/algebraic/trust_region_step.hpp"
+#include "nlmech/algebraic/newton/trust_region_step.hpp"
 
 namespace nlmech::algebraic {
 namespace {

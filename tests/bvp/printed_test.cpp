@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 #include "nlmech/bvp/condensed.hpp"
 #include "nlmech/bvp/duffing.hpp"
 #include "tests/errata/erratum.hpp"

@@ -32,7 +32,8 @@ TEST(Solve, FindsBratusLowerAndUpperSolution) {
   // The residual is bounded by 1e-9; the solution operator of this problem amplifies it by less than 10.
   EXPECT_LE(error_of(lower, tests::bratu_theta(mu, false)), 1e-8);
   EXPECT_LE(lower.residual, 1e-9);
-  EXPECT_LE(lower.integration_error, 1e-12);  // ends of intervals are superconvergent, the integration has 1e-13
+  EXPECT_LE(lower.integration_error,
+            1e-12);  // ends of intervals are superconvergent, the integration has 1e-13
   const Start high{[](double t, VectorXd& x) { x << 12 * t * (1 - t), 12 - 24 * t; }};
   const Solution upper = solve(problem, high);
   ASSERT_TRUE(upper.status.ok()) << upper.status.text();

@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/errata.hpp"
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/process.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/errata.hpp"
+#include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::tests {

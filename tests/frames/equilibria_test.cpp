@@ -2,7 +2,7 @@
 /// snapped starts, with very many elements.
 #include <gtest/gtest.h>
 
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "tests/frames/random_equilibria.hpp"
 

@@ -13,8 +13,8 @@
 #include <limits>
 #include <random>
 
-#include "nlmech/algebraic/energy_trust_region.hpp"
-#include "nlmech/algebraic/path_solvers.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
+#include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
 

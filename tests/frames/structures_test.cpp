@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/elastica.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"

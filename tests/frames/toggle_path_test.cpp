@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/algebraic/energy_trust_region.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "tests/frames/control.hpp"
 

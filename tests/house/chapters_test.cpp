@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

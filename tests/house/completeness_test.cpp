@@ -5,9 +5,9 @@
 #include <iostream>
 #include <utility>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 

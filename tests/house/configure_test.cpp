@@ -1,7 +1,7 @@
 /// The build asks for what was selected, and says what is missing.
 #include <gtest/gtest.h>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 /// holds them to it, sees what differs.
 #include <gtest/gtest.h>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 /// What CI relies on beside the build: which folders a change touches, and that figures keep their texts.
 #include <gtest/gtest.h>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

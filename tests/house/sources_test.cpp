@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 

@@ -1,4 +1,4 @@
-#include "nlmech/ivp/backward_euler.hpp"
+#include "nlmech/ivp/implicit/backward_euler.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include <numbers>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/series/series.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp {

@@ -1,4 +1,4 @@
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "nlmech/ivp/fixed_steps.hpp"
+#include "nlmech/ivp/named/fixed_steps.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <limits>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/impact_duffing.hpp"

@@ -1,15 +1,15 @@
 // A right-hand side that jumps in value: every method must see one smooth function on each side of the jump.
 #include <gtest/gtest.h>
 
-#include "nlmech/ivp/backward_euler.hpp"
-#include "nlmech/ivp/central_difference.hpp"
-#include "nlmech/ivp/collocation.hpp"
-#include "nlmech/ivp/dormand_prince.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/generalized_alpha.hpp"
-#include "nlmech/ivp/hht.hpp"
-#include "nlmech/ivp/newmark.hpp"
-#include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
+#include "nlmech/ivp/implicit/backward_euler.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/central_difference.hpp"
+#include "nlmech/ivp/structural/generalized_alpha.hpp"
+#include "nlmech/ivp/structural/hht.hpp"
+#include "nlmech/ivp/structural/newmark.hpp"
 
 namespace nlmech::ivp {
 namespace {

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/backward_euler.hpp"
-#include "nlmech/ivp/central_difference.hpp"
-#include "nlmech/ivp/dormand_prince.hpp"
-#include "nlmech/ivp/generalized_alpha.hpp"
-#include "nlmech/ivp/hht.hpp"
-#include "nlmech/ivp/newmark.hpp"
+#include "nlmech/ivp/implicit/backward_euler.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/structural/central_difference.hpp"
+#include "nlmech/ivp/structural/generalized_alpha.hpp"
+#include "nlmech/ivp/structural/hht.hpp"
+#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/series/value_of.hpp"
 

@@ -1,5 +1,5 @@
 /// Methods by name: that each name is its method, what settings are refused, and the search for a step.
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,13 +7,13 @@
 #include <set>
 #include <string>
 
-#include "nlmech/ivp/collocation.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/hermitian.hpp"
-#include "nlmech/ivp/mtl.hpp"
-#include "nlmech/ivp/newmark.hpp"
-#include "nlmech/ivp/picard.hpp"
-#include "nlmech/ivp/step_search.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/named/step_search.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/newmark.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/impact_duffing.hpp"

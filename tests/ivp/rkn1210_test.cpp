@@ -1,6 +1,6 @@
 /// RKN12(10): its coefficients fulfil the order conditions in extended precision, converge with the orders 12
 /// and 10, and the method does what its header says.
-#include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/series/series.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/ivp/adaptive_collocation.hpp"
-#include "nlmech/ivp/dormand_prince.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/series.hpp"
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/series/series.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"

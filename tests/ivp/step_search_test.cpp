@@ -1,5 +1,5 @@
 /// The search of a step by a tolerance: runs that agree and are wrong are not accepted.
-#include "nlmech/ivp/step_search.hpp"
+#include "nlmech/ivp/named/step_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/named_evidence.hpp"
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_evidence.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "nlmech/ivp/collocation.hpp"
-#include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"

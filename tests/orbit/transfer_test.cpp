@@ -174,8 +174,8 @@ TEST(Transfer, AccelerationIsTheGradientOfTheEnergy) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[static_cast<int>(i)], -e.partial[i], 64 * eps * a.norm());
 }
 
-// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, integrated in 19 digits, and
-// collocation.
+// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, integrated in 19
+// digits, and collocation.
 TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
   for (const int degree : {2, 6}) {
     const TransferProblem p = printed_transfer(degree);

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "nlmech/ivp/named_methods.hpp"
-#include "nlmech/ivp/rkn1210.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/problems/two_body.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 

@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <regex>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 

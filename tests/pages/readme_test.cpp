@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 

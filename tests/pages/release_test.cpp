@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 

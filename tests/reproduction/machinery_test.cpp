@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

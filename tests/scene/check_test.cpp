@@ -1,4 +1,4 @@
-#include "nlmech/scene/check.hpp"
+#include "nlmech/scene/evidence/check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "nlmech/scene/claims.hpp"
+#include "nlmech/scene/evidence/claims.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/program/csv.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 

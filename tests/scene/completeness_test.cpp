@@ -1,4 +1,4 @@
-#include "nlmech/scene/completeness.hpp"
+#include "nlmech/scene/evidence/completeness.hpp"
 
 #include <gtest/gtest.h>
 

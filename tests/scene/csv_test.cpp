@@ -1,4 +1,4 @@
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/program/csv.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "nlmech/scene/errata.hpp"
+#include "nlmech/scene/evidence/errata.hpp"
 
 #include <gtest/gtest.h>
 

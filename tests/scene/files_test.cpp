@@ -1,4 +1,4 @@
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

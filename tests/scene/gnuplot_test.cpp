@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <ostream>
 
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 
 namespace nlmech::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "nlmech/scene/machine.hpp"
+#include "nlmech/scene/program/machine.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

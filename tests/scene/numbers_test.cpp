@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 

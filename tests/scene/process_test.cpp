@@ -1,4 +1,4 @@
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/process.hpp"
 
 #include <gtest/gtest.h>
 

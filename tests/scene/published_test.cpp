@@ -1,4 +1,4 @@
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/program/csv.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/ratios.hpp"
+#include "nlmech/scene/evidence/ratios.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::scene {

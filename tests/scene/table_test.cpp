@@ -10,7 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "nlmech/scene/csv.hpp"
+#include "nlmech/scene/program/csv.hpp"
 
 namespace nlmech::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "nlmech/scene/terminal.hpp"
+#include "nlmech/scene/program/terminal.hpp"
 
 #include <gtest/gtest.h>
 

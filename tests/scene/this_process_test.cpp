@@ -1,4 +1,4 @@
-#include "nlmech/scene/this_process.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 
 #include <gtest/gtest.h>
 #include <pty.h>
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "nlmech/scene/time_limit.hpp"
+#include "nlmech/scene/program/time_limit.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::scene {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {

@@ -1,4 +1,4 @@
-#include "nlmech/scene/typed.hpp"
+#include "nlmech/scene/program/typed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/ivp/unrolled_taylor.hpp"
+#include "nlmech/ivp/series/unrolled_taylor.hpp"
 #include "nlmech/series/growing_series.hpp"
 #include "nlmech/series/tape_expansion.hpp"
 #include "tests/series/numbers.hpp"

@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 
-#include "nlmech/spacecraft/assumed_modes.hpp"
-#include "nlmech/spacecraft/closed_form.hpp"
-#include "nlmech/spacecraft/closed_loop.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/control/closed_loop.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"

@@ -1,6 +1,6 @@
 /// The controlled spacecraft: poles to 12 digits and none missed, transfer functions against 110 digits,
 /// stability, extremes.
-#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/control/closed_loop.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 

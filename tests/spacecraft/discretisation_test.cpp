@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/spacecraft/assumed_modes.hpp"
-#include "nlmech/spacecraft/finite_elements.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
 namespace nlmech::spacecraft {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "nlmech/spacecraft/assumed_modes.hpp"
-#include "nlmech/spacecraft/closed_form.hpp"
-#include "nlmech/spacecraft/plant.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/plant.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"
 

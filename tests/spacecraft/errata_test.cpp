@@ -11,9 +11,9 @@
 #include <numbers>
 #include <tuple>
 
-#include "nlmech/spacecraft/appendage.hpp"
-#include "nlmech/spacecraft/closed_form.hpp"
-#include "nlmech/spacecraft/plant.hpp"
+#include "nlmech/spacecraft/plant/appendage.hpp"
+#include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/plant.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"

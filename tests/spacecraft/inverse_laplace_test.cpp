@@ -1,5 +1,5 @@
 /// Numerical inverse Laplace transforms against pairs of the tables.
-#include "nlmech/spacecraft/inverse_laplace.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
 
 #include <gtest/gtest.h>
 

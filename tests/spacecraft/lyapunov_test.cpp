@@ -1,5 +1,5 @@
 /// Lyapunov functions along a discretised motion; the discretised motion against the exact one.
-#include "nlmech/spacecraft/lyapunov.hpp"
+#include "nlmech/spacecraft/control/lyapunov.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/assumed_modes.hpp"
-#include "nlmech/spacecraft/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/finite_elements.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
 namespace nlmech::spacecraft {

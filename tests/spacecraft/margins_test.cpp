@@ -1,6 +1,6 @@
 /// Margins of the torque loop: known sensitivity peaks and delays, the argument principle
 /// under a delay, crossovers.
-#include "nlmech/spacecraft/margins.hpp"
+#include "nlmech/spacecraft/control/margins.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/optimal_gains.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "nlmech/spacecraft/inverse_laplace.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/spacecraft/time_oracle.hpp"
 

@@ -1,5 +1,5 @@
 /// Optimal gains: values, quadrature of the exact transfer functions, and that no other gains cost less.
-#include "nlmech/spacecraft/optimal_gains.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/spacecraft/parseval.hpp"
+#include "nlmech/spacecraft/control/parseval.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
 namespace nlmech::spacecraft {

@@ -1,5 +1,5 @@
 /// Costs of the step response: closed forms against quadrature over frequency and against sums of residues.
-#include "nlmech/spacecraft/parseval.hpp"
+#include "nlmech/spacecraft/control/parseval.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/optimal_gains.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
 namespace nlmech::spacecraft {

@@ -1,5 +1,5 @@
 /// Exact transfer functions: published and independent values, 110 digits, properties, extremes.
-#include "nlmech/spacecraft/plant.hpp"
+#include "nlmech/spacecraft/plant/plant.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 /// Zeros of analytic functions; poles and zeros of the plant.
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/spacecraft/roots.hpp"
+#include "nlmech/spacecraft/plant/roots.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
 namespace nlmech::spacecraft {

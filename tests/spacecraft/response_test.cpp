@@ -9,8 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/inverse_laplace.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "nlmech/spacecraft/closed_loop.hpp"
-#include "nlmech/spacecraft/finite_elements.hpp"
+#include "nlmech/spacecraft/control/closed_loop.hpp"
+#include "nlmech/spacecraft/plant/finite_elements.hpp"
 
 namespace nlmech::spacecraft::oracle {
 

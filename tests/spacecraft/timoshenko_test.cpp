@@ -1,5 +1,5 @@
 /// Timoshenko's beam: its limit, an independent transition matrix, the size of the shift.
-#include "nlmech/spacecraft/timoshenko.hpp"
+#include "nlmech/spacecraft/plant/timoshenko.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
 namespace nlmech::spacecraft {

@@ -1,6 +1,6 @@
 /// Following a smooth turn: against the numerical inverse of the exact transfer functions, limits of slow and
 /// fast turns, derivatives, late times.
-#include "nlmech/spacecraft/tracking.hpp"
+#include "nlmech/spacecraft/control/tracking.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/inverse_laplace.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

@@ -1,13 +1,13 @@
 /// Zeros by their power sums, and exponentials that stand for coincident poles, against closed forms.
-#include "nlmech/spacecraft/zero_cluster.hpp"
+#include "nlmech/spacecraft/plant/zero_cluster.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/missed_residues.hpp"
-#include "nlmech/spacecraft/roots.hpp"
+#include "nlmech/spacecraft/control/missed_residues.hpp"
+#include "nlmech/spacecraft/plant/roots.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

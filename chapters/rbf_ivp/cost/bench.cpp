@@ -16,7 +16,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/comparison/accuracy.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
 
 namespace {

@@ -21,7 +21,7 @@
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/comparison/accuracy.hpp"
-#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"
 #include "nlmech/problems/van_der_pol.hpp"

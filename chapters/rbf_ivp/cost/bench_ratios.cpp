@@ -9,7 +9,7 @@
 
 #include "chapters/rbf_ivp/examples/rows.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/ivp/collocation.hpp"
-#include "nlmech/ivp/dormand_prince.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/scene/scene.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chapters/drawing.hpp"
-#include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

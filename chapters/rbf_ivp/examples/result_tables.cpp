@@ -6,7 +6,7 @@
 
 #include "chapters/printed_values.hpp"
 #include "chapters/rbf_ivp/examples/rows.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/ivp/central_difference.hpp"
-#include "nlmech/ivp/collocation.hpp"
-#include "nlmech/ivp/dormand_prince.hpp"
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/hht.hpp"
-#include "nlmech/ivp/newmark.hpp"
-#include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/central_difference.hpp"
+#include "nlmech/ivp/structural/hht.hpp"
+#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

@@ -4,7 +4,7 @@
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
 #include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
-#include "nlmech/algebraic/newton.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

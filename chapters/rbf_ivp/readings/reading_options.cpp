@@ -8,8 +8,8 @@
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
 #include "chapters/rbf_ivp/readings/readings.hpp"
 #include "chapters/rbf_ivp/readings/traces.hpp"
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/scene/program/files.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/collocation/integration.hpp"
-#include "nlmech/ivp/picard.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "nlmech/algebraic/newton.hpp"
-#include "nlmech/algebraic/scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/stability/extended.hpp"
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"

@@ -21,7 +21,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "nlmech/algebraic/newton.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 

@@ -8,18 +8,18 @@
 #include <limits>
 #include <utility>
 
-#include "nlmech/algebraic/broyden.hpp"
-#include "nlmech/algebraic/continuous_newton.hpp"
-#include "nlmech/algebraic/descent.hpp"
-#include "nlmech/algebraic/dogleg.hpp"
-#include "nlmech/algebraic/energy_trust_region.hpp"
-#include "nlmech/algebraic/first_scalar_homotopy.hpp"
-#include "nlmech/algebraic/least_squares.hpp"
-#include "nlmech/algebraic/path_solvers.hpp"
+#include "nlmech/algebraic/homotopies/continuous_newton.hpp"
+#include "nlmech/algebraic/homotopies/first_scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
+#include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
+#include "nlmech/algebraic/newton/broyden.hpp"
+#include "nlmech/algebraic/newton/descent.hpp"
+#include "nlmech/algebraic/newton/dogleg.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
+#include "nlmech/algebraic/newton/least_squares.hpp"
+#include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/algebraic/rounding.hpp"
-#include "nlmech/algebraic/scalar_homotopy.hpp"
 #include "nlmech/algebraic/solver_run.hpp"
-#include "nlmech/algebraic/vector_homotopy.hpp"
 
 namespace nlmech::algebraic {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "nlmech/algebraic/potential.hpp"
+#include "nlmech/algebraic/newton/potential.hpp"
 
 namespace nlmech::algebraic {
 

@@ -259,7 +259,8 @@ Extremal tighten(const ExtremalProblem& problem, const Start& start, const Const
   Options options = given;
   // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be integrated
   // through.
-  if (path(1).penalty_weight > 0 && options.verification == Verification::whole) options.verification = Verification::pieces;
+  if (path(1).penalty_weight > 0 && options.verification == Verification::whole)
+    options.verification = Verification::pieces;
   Extremal last = solve_extremal(with_constraints(problem, path(0)), start, options);
   double s = 0, step = 0.1;
   while (last.solution.status.ok() && s < 1) {

@@ -57,8 +57,8 @@ using ConstraintPath = std::function<Constraints(double s)>;
 /// Tests hold the cost of a bounded control to 1e-7 of a recorded one by shooting.
 /// @param problem gives model and task; its own constraints are not used
 /// @param start for s = 0
-/// @param options of each solve; with a penalty on states `whole` verifications become `pieces`, because solutions
-/// grow like exp(sqrt(weight) t) along a bounded arc
+/// @param options of each solve; with a penalty on states `whole` verifications become `pieces`, because
+/// solutions grow like exp(sqrt(weight) t) along a bounded arc
 /// @return the extremal at s = 1 (evaluate it with a problem of constraints path(1)); or the last one with
 /// the status `infeasible` if the path cannot be followed further: the bounds admit no extremal near, or none
 [[nodiscard]] Extremal tighten(const ExtremalProblem& problem, const Start& start, const ConstraintPath& path,

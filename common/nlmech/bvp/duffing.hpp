@@ -88,8 +88,9 @@ struct DuffingSettings {
 
 /// Trajectory under the cheapest force that raises the energy E over many swings: f = g x2/sqrt(m(E)), m the
 /// mean of x2^2 over a swing, so that the integral of dE/sqrt(m) grows linearly in time. (The mean of E' is
-/// p m for f = p x2, at a cost of p^2 m/2; least for E'/sqrt(m) constant.) Integrated backward from the target,
-/// with lambda2 = -f and lambda1 = -dlambda2/dt. It costs (integral of dE/sqrt(m))^2/(2 T), about 3 E/(2 T).
+/// p m for f = p x2, at a cost of p^2 m/2; least for E'/sqrt(m) constant.) Integrated backward from the
+/// target, with lambda2 = -f and lambda1 = -dlambda2/dt. It costs (integral of dE/sqrt(m))^2/(2 T), about 3
+/// E/(2 T).
 /// @param strength g over the one that reaches the begin's energy by that mean; 1.02 is best, 0.9 to 1.2 lead
 /// to neighbouring extremals
 [[nodiscard]] Start pump_start(const DuffingSettings& settings, double strength);

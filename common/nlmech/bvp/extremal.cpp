@@ -244,7 +244,8 @@ Extremal solve_extremal(const ExtremalProblem& problem, const Start& start, cons
   extremal.miss = 0;
   for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
     const auto& value = problem.task().end[i];
-    if (value) extremal.miss = std::max(extremal.miss, std::abs(s.integrated_end[static_cast<Index>(i)] - *value));
+    if (value)
+      extremal.miss = std::max(extremal.miss, std::abs(s.integrated_end[static_cast<Index>(i)] - *value));
   }
   return extremal;
 }

@@ -121,7 +121,8 @@ struct Extremal {
   double cost = 0;        ///< J without penalties (Eq. 5.2)
   double final_time = 0;  ///< t_F
   double mu = 0;          ///< mu
-  /// Largest distance of the integrated end from the prescribed x(t_F), absolute; NaN if it was not integrated.
+  /// Largest distance of the integrated end from the prescribed x(t_F), absolute; NaN if it was not
+  /// integrated.
   double miss = 0;
   SecondOrder second_order;  ///< untested unless second_order() was asked
 };

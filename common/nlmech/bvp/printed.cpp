@@ -225,10 +225,11 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
   if (worst <= tolerance) return;
   s.status = Status::failure(
       Outcome::spurious_root,
-      fmt::format("global collocation: the root of the equations is no solution: integrated from its own initial "
-                  "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
-                  "with refinement, or start elsewhere",
-                  worst, tolerance));
+      fmt::format(
+          "global collocation: the root of the equations is no solution: integrated from its own initial "
+          "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
+          "with refinement, or start elsewhere",
+          worst, tolerance));
 }
 
 }  // namespace
@@ -286,7 +287,8 @@ GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& me
   for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
     const auto& value = problem.task().end[i];
     const auto row = static_cast<Index>(i);
-    if (value) result.extremal.miss = std::max(result.extremal.miss, std::abs(s.integrated_end[row] - *value));
+    if (value)
+      result.extremal.miss = std::max(result.extremal.miss, std::abs(s.integrated_end[row] - *value));
   }
   return result;
 }

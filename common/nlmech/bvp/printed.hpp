@@ -99,8 +99,8 @@ struct GlobalResult {
   Extremal extremal;           ///< solution on one interval through the nodes; its status tells all
   algebraic::Report report;    ///< of the solver
   Eigen::VectorXd conditions;  ///< residuals of the end conditions
-  /// States integrated from the own initial values, at the nodes (Eq. "Delta x"); fewer columns if the integration was
-  /// off before the end.
+  /// States integrated from the own initial values, at the nodes (Eq. "Delta x"); fewer columns if the
+  /// integration was off before the end.
   Eigen::MatrixXd integrated;
 };
 
@@ -112,8 +112,9 @@ struct GlobalResult {
 /// @throws std::invalid_argument unless the model has two states
 [[nodiscard]] std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem);
 
-/// Newton's iteration as in the dissertation, plain or damped, then verification by integration. A root whose integrated trajectory
-/// is more than @p verification_tolerance off (relative, at the nodes) is spurious_root.
+/// Newton's iteration as in the dissertation, plain or damped, then verification by integration. A root whose
+/// integrated trajectory is more than @p verification_tolerance off (relative, at the nodes) is
+/// spurious_root.
 ///
 /// Tests hold its errors to recorded ones for the printed shapes (20 %), spurious
 /// roots to a refusal, and the polynomial limit to 5e-12.

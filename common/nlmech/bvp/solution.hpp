@@ -25,7 +25,8 @@ struct Solution {
   std::shared_ptr<const Scheme> scheme;  ///< of every interval; null as long as unknowns is empty
   /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes.
   double residual = 0;
-  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Integration. 0 if it was not integrated.
+  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Integration. 0 if it was not
+  /// integrated.
   double integration_error = 0;
   Eigen::VectorXd integrated_end;  ///< x at the end of the integration; empty if it was not integrated so far
   /// Reciprocal condition of the end system of Newton's last matrix, roughly: digits of it are lost.

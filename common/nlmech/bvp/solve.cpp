@@ -180,10 +180,11 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
 Status spurious(double t, double error, const Options& options) {
   return Status::failure(
       Outcome::spurious_root,
-      fmt::format("bvp: the root of the collocation equations is no solution: integrated from its own initial "
-                  "values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); refine the "
-                  "mesh, or start elsewhere",
-                  error, t, options.verification_tolerance));
+      fmt::format(
+          "bvp: the root of the collocation equations is no solution: integrated from its own initial "
+          "values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); refine the "
+          "mesh, or start elsewhere",
+          error, t, options.verification_tolerance));
 }
 
 }  // namespace
@@ -209,9 +210,10 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = Status::failure(
           Outcome::spurious_root,
-          fmt::format("bvp: the root cannot be integrated from its own initial values ({}); refine the mesh, or "
-                      "start elsewhere",
-                      arc.status.sentence()));
+          fmt::format(
+              "bvp: the root cannot be integrated from its own initial values ({}); refine the mesh, or "
+              "start elsewhere",
+              arc.status.sentence()));
       return;
     }
     x = arc.states.col(1);
@@ -250,7 +252,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   fill(start, mapped ? start.mesh.front() : points.front(),
        mapped ? (start.mesh.back() - start.mesh.front()) / length : 1, *solution.scheme, solution.unknowns);
   solution.status = refine(problem, options, solution);
-  if (solution.status.ok() && options.verification != Verification::none) verify_by_integration(problem, options, solution);
+  if (solution.status.ok() && options.verification != Verification::none)
+    verify_by_integration(problem, options, solution);
   solution.statistics.seconds = watch.seconds();
   return solution;
 }

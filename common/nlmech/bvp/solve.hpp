@@ -1,9 +1,10 @@
 /// @file
-/// Solves boundary value problems: damped Newton, a mesh that follows the residual, and verification by integration.
+/// Solves boundary value problems: damped Newton, a mesh that follows the residual, and verification by
+/// integration.
 #pragma once
 
-#include "nlmech/bvp/verification.hpp"
 #include "nlmech/bvp/solution.hpp"
+#include "nlmech/bvp/verification.hpp"
 
 namespace nlmech::bvp {
 
@@ -17,20 +18,20 @@ enum class Verification : std::uint8_t {
 
 /// Options of solve(); the defaults give the states to 10 digits and more.
 struct Options {
-  Family family = Family::lobatto;      ///< trial functions and nodes
-  int nodes = 8;                        ///< N on an interval, both ends included
-  double relative_shape = 4;            ///< c h of Gaussians; see make_scheme
-  bool keep_ill_conditioned = false;    ///< see make_scheme
-  int intervals = 10;                   ///< of each phase at the begin, if the start brings no mesh; >= 1
-  bool refine = true;                   ///< follow the residual; else the first mesh is the last
-  double tolerance = 1e-9;              ///< of Solution::residual, > 0
-  int meshes = 20;                      ///< at most so many
-  int most_intervals = 2000;            ///< in all
-  double newton_tolerance = 1e-10;      ///< of the last update, root mean square of |dx_i| / (1 + max |x_i|)
-  int newton_iterations = 100;          ///< on each mesh
-  double least_damping = 1e-6;          ///< a shorter fraction of Newton's step ends with newton_diverged
+  Family family = Family::lobatto;    ///< trial functions and nodes
+  int nodes = 8;                      ///< N on an interval, both ends included
+  double relative_shape = 4;          ///< c h of Gaussians; see make_scheme
+  bool keep_ill_conditioned = false;  ///< see make_scheme
+  int intervals = 10;                 ///< of each phase at the begin, if the start brings no mesh; >= 1
+  bool refine = true;                 ///< follow the residual; else the first mesh is the last
+  double tolerance = 1e-9;            ///< of Solution::residual, > 0
+  int meshes = 20;                    ///< at most so many
+  int most_intervals = 2000;          ///< in all
+  double newton_tolerance = 1e-10;    ///< of the last update, root mean square of |dx_i| / (1 + max |x_i|)
+  int newton_iterations = 100;        ///< on each mesh
+  double least_damping = 1e-6;        ///< a shorter fraction of Newton's step ends with newton_diverged
   Verification verification = Verification::whole;  ///< how the solution is judged
-  double verification_tolerance = 1e-6;       ///< of Solution::integration_error; a root beyond it is spurious
+  double verification_tolerance = 1e-6;  ///< of Solution::integration_error; a root beyond it is spurious
 };
 
 /// Solves a boundary value problem.
@@ -55,7 +56,8 @@ struct Options {
 /// @throws std::invalid_argument for sizes that do not fit and options out of range
 [[nodiscard]] Solution solve(const Problem& problem, const Start& start, const Options& options = {});
 
-/// Integrates from the initial values of a solution: sets integration_error, and status if it fails. solve() calls it.
+/// Integrates from the initial values of a solution: sets integration_error, and status if it fails. solve()
+/// calls it.
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution);
 
 }  // namespace nlmech::bvp

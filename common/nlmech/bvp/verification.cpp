@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "nlmech/ivp/adaptive_collocation.hpp"
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -28,10 +28,11 @@ struct WithParameters {
 }  // namespace
 
 Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-           std::span<const double> times) {
+                         std::span<const double> times) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
-    throw std::invalid_argument(fmt::format("integrate_at: {} states and {} parameters for a problem of {} and {}",
-                                            x0.size(), p.size(), problem.states(), problem.parameters()));
+    throw std::invalid_argument(
+        fmt::format("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
+                    p.size(), problem.states(), problem.parameters()));
   }
   const ivp::System<Eigen::Dynamic> system(WithParameters{&problem, p});
   const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};

@@ -23,7 +23,7 @@ struct Integration {
 /// @param p its parameters
 /// @param times in the order of travel, forwards or backwards; the first is where x0 holds
 /// @throws std::invalid_argument for wrong sizes
-[[nodiscard]] Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                         std::span<const double> times);
+[[nodiscard]] Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0,
+                                       const Eigen::VectorXd& p, std::span<const double> times);
 
 }  // namespace nlmech::bvp

@@ -9,7 +9,7 @@
 
 #include "nlmech/comparison/example.hpp"
 #include "nlmech/comparison/reference_end.hpp"
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
 

@@ -7,7 +7,7 @@
 
 #include "nlmech/comparison/judgement.hpp"
 #include "nlmech/comparison/reference_end.hpp"
-#include "nlmech/scene/this_process.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {

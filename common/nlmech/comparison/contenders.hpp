@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
 

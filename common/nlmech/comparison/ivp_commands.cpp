@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/scene/command.hpp"
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/this_process.hpp"
-#include "nlmech/scene/typed.hpp"
+#include "nlmech/scene/program/command.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {

@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/typed.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 

@@ -17,7 +17,7 @@
 #include "nlmech/comparison/own_problem.hpp"
 #include "nlmech/comparison/reference_of.hpp"
 #include "nlmech/comparison/rows.hpp"
-#include "nlmech/scene/this_process.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "nlmech/comparison/reference.hpp"
-#include "nlmech/ivp/named_methods.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "nlmech/algebraic/potential.hpp"
+#include "nlmech/algebraic/newton/potential.hpp"
 #include "nlmech/frames/frame.hpp"
 #include "nlmech/frames/williams.hpp"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "nlmech/algebraic/loaded.hpp"
+#include "nlmech/algebraic/paths/loaded.hpp"
 #include "nlmech/frames/frame.hpp"
 #include "nlmech/frames/williams.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "nlmech/algebraic/path.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/frames/williams.hpp"
 #include "nlmech/support/status.hpp"

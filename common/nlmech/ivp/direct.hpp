@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/taylor.hpp"
+#include "nlmech/ivp/series/taylor.hpp"
 #include "nlmech/series/dual.hpp"
 #include "nlmech/series/harmonic.hpp"
 #include "nlmech/series/tape.hpp"

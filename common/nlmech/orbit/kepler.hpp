@@ -127,8 +127,8 @@ struct Flyby {
 }  // namespace detail
 
 /// The state that Kepler's motion leads to, in any type of number: by Lagrange's coefficients, or, where
-/// their terms would cancel (a hyperbola integrated towards its periapsis) or hold exponentials of large numbers
-/// (one integrated a million distances away), by anomalies. Arguments as of lagrange_coefficients().
+/// their terms would cancel (a hyperbola integrated towards its periapsis) or hold exponentials of large
+/// numbers (one integrated a million distances away), by anomalies. Arguments as of lagrange_coefficients().
 template <class T>
 [[nodiscard]] BasicState<T> kepler_state(const BasicState<T>& s, const T& time, const T& mu,
                                          int* evaluations = nullptr) {

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "nlmech/algebraic/newton.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nlmech/scene/files.hpp"
 #include "nlmech/scene/gnuplot.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/provenance.hpp"
 #include "nlmech/support/errors.hpp"
 

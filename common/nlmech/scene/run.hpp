@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/machine.hpp"
+#include "nlmech/scene/program/machine.hpp"
 
 namespace nlmech::scene {
 

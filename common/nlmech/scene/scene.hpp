@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/run.hpp"
 #include "nlmech/scene/show.hpp"
 #include "nlmech/scene/table.hpp"

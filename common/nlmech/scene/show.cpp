@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 
 namespace nlmech::scene {
 

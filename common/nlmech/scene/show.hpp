@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/plot.hpp"
-#include "nlmech/scene/published.hpp"
 #include "nlmech/scene/table.hpp"
 
 namespace nlmech::scene {

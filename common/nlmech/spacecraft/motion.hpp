@@ -3,7 +3,7 @@
 /// -b j w' and w''' = b mu w at 1. Solved by series in b and by decaying waves.
 #pragma once
 
-#include "nlmech/spacecraft/jet.hpp"
+#include "nlmech/spacecraft/plant/jet.hpp"
 
 namespace nlmech::spacecraft {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "nlmech/spacecraft/jet.hpp"
+#include "nlmech/spacecraft/plant/jet.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::spacecraft {

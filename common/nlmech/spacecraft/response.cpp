@@ -9,8 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/loop_residues.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/control/loop_residues.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

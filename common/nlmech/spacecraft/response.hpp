@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "nlmech/spacecraft/closed_loop.hpp"
+#include "nlmech/spacecraft/control/closed_loop.hpp"
 #include "nlmech/spacecraft/residues.hpp"
 
 namespace nlmech::spacecraft {

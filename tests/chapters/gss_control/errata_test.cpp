@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "chapters/gss_control/craft.hpp"
-#include "nlmech/spacecraft/finite_elements.hpp"
-#include "nlmech/spacecraft/margins.hpp"
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/control/margins.hpp"
+#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters::gss_control {

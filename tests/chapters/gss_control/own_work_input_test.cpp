@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "tests/chapters/gss_control/program.hpp"
 
 namespace nlmech {

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "nlmech/scene/files.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "tests/chapters/gss_control/program.hpp"
 
 namespace nlmech {

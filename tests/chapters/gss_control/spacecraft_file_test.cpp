@@ -1,12 +1,12 @@
 /// Spacecraft from TOML, and the words of the command line.
-#include "chapters/gss_control/spacecraft_file.hpp"
+#include "chapters/gss_control/commands/spacecraft_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "chapters/gss_control/own_work_words.hpp"
+#include "chapters/gss_control/commands/words.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::gss_control {

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "chapters/gss_control/control/modal_loop.hpp"
 #include "chapters/gss_control/craft.hpp"
-#include "chapters/gss_control/extended.hpp"
 #include "chapters/gss_control/grids.hpp"
-#include "chapters/gss_control/modal_loop.hpp"
-#include "chapters/gss_control/response_forms.hpp"
-#include "nlmech/spacecraft/assumed_modes.hpp"
-#include "nlmech/spacecraft/lyapunov.hpp"
+#include "chapters/gss_control/plant/extended.hpp"
+#include "chapters/gss_control/plant/response_forms.hpp"
+#include "nlmech/spacecraft/control/lyapunov.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
 
 namespace nlmech::chapters::gss_control {
 namespace {

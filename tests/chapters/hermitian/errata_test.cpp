@@ -1,6 +1,6 @@
 /// The paper's equations (1), (3) to (5), (8) to (10) as printed and corrected, against accelerations and
 /// jerks that dual numbers give. Equations (6) and (7): errata_residual_test.cpp; Table 1 and the signs of
-/// (1): tests/ivp/hermitian_operators_test.cpp.
+/// (1): tests/ivp/hermitian/hermitian_operators_test.cpp.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "nlmech/ivp/hermitian_operators.hpp"
+#include "nlmech/ivp/hermitian/hermitian_operators.hpp"
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::laier_test {

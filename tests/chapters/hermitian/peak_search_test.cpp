@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::chapters::hermitian {

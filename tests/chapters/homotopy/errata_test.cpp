@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "chapters/homotopy/iterations.hpp"
+#include "chapters/homotopy/solvers/iterations.hpp"
 #include "tests/chapters/homotopy/toggle_oracle.hpp"
 #include "tests/errata/erratum.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "chapters/homotopy/known_limits.hpp"
-#include "chapters/homotopy/load_stepping.hpp"
+#include "chapters/homotopy/element/known_limits.hpp"
+#include "chapters/homotopy/solvers/load_stepping.hpp"
 #include "tests/chapters/homotopy/toggle_oracle.hpp"
 
 namespace nlmech::chapters::homotopy {

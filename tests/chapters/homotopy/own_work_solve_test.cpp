@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "chapters/drawing.hpp"
-#include "chapters/homotopy/counted.hpp"
-#include "chapters/homotopy/iterations.hpp"
+#include "chapters/homotopy/solvers/counted.hpp"
+#include "chapters/homotopy/solvers/iterations.hpp"
 #include "nlmech/frames/toggle.hpp"
 
 namespace nlmech::chapters::homotopy {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "chapters/rbf_inverse/duffing_runs.hpp"
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "nlmech/bvp/solve.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/nodes.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "chapters/rbf_inverse/duffing_runs.hpp"
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "nlmech/bvp/dual_control.hpp"
 #include "nlmech/bvp/solve.hpp"
 #include "tests/errata/erratum.hpp"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "chapters/rbf_inverse/printed_transfer.hpp"
+#include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/orbit/kepler.hpp"

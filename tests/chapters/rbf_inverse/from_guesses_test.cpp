@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/duffing_runs.hpp"
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse {

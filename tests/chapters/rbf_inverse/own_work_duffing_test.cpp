@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

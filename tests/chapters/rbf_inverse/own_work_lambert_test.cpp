@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

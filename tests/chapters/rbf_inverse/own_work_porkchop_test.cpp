@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/files.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "chapters/rbf_inverse/duffing_runs.hpp"
-#include "chapters/rbf_inverse/shooting_methods.hpp"
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
+#include "chapters/rbf_inverse/control/shooting_methods.hpp"
 #include "nlmech/bvp/solve.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -113,7 +113,8 @@ TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
   const Shot shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
-  const Eigen::MatrixXd integrated = integrate_at(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
+  const Eigen::MatrixXd integrated =
+      integrate_at(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
   EXPECT_NEAR(integrated(0, 1), 5, 1e-5);  // the end moves by some tens of the co-states' 1e-7
   EXPECT_NEAR(integrated(1, 1), 2, 1e-5);
   EXPECT_GE(shot.reach, shot.first.norm());

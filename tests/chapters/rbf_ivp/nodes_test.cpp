@@ -5,7 +5,7 @@
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
 #include "chapters/rbf_ivp/stability/extended.hpp"
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

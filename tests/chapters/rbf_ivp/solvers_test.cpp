@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nlmech/ivp/collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

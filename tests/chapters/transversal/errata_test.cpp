@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "chapters/transversal/oscillators.hpp"
-#include "nlmech/ivp/mtl.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/problems/two_dof.hpp"
 #include "tests/errata/erratum.hpp"
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "chapters/two_body_series/published_runs.hpp"
-#include "chapters/two_body_series/raw_recursion.hpp"
+#include "chapters/two_body_series/orbits/published_runs.hpp"
+#include "chapters/two_body_series/series/raw_recursion.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/scene/published.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/places.hpp"
 

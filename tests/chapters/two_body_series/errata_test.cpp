@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "chapters/two_body_series/published_runs.hpp"
-#include "chapters/two_body_series/raw_recursion.hpp"
+#include "chapters/two_body_series/orbits/published_runs.hpp"
+#include "chapters/two_body_series/series/raw_recursion.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"

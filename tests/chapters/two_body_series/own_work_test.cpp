@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/scene/csv.hpp"
-#include "nlmech/scene/process.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech {

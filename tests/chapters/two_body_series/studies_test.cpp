@@ -6,11 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "chapters/two_body_series/drift.hpp"
-#include "chapters/two_body_series/ellipses.hpp"
-#include "chapters/two_body_series/extremes.hpp"
-#include "chapters/two_body_series/propagators.hpp"
-#include "chapters/two_body_series/zonal.hpp"
+#include "chapters/two_body_series/orbits/ellipses.hpp"
+#include "chapters/two_body_series/orbits/extremes.hpp"
+#include "chapters/two_body_series/orbits/propagators.hpp"
+#include "chapters/two_body_series/zonal/drift.hpp"
+#include "chapters/two_body_series/zonal/zonal.hpp"
 #include "nlmech/orbit/convergence.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"

@@ -1,7 +1,7 @@
 // x' = -x from 1 to e^-1.
 #include <cmath>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 
 struct Decay {
   static constexpr int dimension = 1;

@@ -1,5 +1,5 @@
 // A free body with appendages: its poles are positive and rise.
-#include "nlmech/spacecraft/poles.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 
 int main() {
   using namespace nlmech::spacecraft;

@@ -1,7 +1,7 @@
 // A stranger's equation, integrated by a compiled method and by one inlined into this program.
 #include <cmath>
 
-#include "nlmech/ivp/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 
 struct Pendulum {
   static constexpr int dimension = 2;

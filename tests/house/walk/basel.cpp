@@ -25,7 +25,8 @@ void put(const std::vector<Sum>& all, scene::Show& show) {
       .log_x(1, 1000)
       .log_y(1e-3, 2)
       .curve("", all, &Sum::terms, &Sum::rest);
-  show.at_most("rest times terms", all.back().rest() * all.back().terms, 1, "the integral of 1/x^2 bounds it");
+  show.at_most("rest times terms", all.back().rest() * all.back().terms, 1,
+               "the integral of 1/x^2 bounds it");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/ivp/chosen_steps.hpp"
+#include "nlmech/ivp/collocation/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/limits.hpp"
 

@@ -1,0 +1,52 @@
+/// @file
+/// The four histories of a motion that the source has a figure each of, and their check by another method.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
+#include "nlmech/spacecraft/response.hpp"
+
+namespace nlmech::chapters::gss_control {
+
+/// Where deflections are looked at, ft from the hub's rim.
+inline constexpr std::array places = {2.0};
+
+/// Angle of the hub or deflection, or its rate.
+struct History {
+  const char *name, *label, *unit;  ///< label of the axis, with gnuplot's markup
+  bool hub, rate;
+
+  /// The same of a motion.
+  [[nodiscard]] const spacecraft::ExponentialSum& of(const spacecraft::TimeResponse& r) const;
+};
+inline constexpr History hub_angle{"hub angle", "{/:Italic θ} (rad)", "rad", true, false};
+inline constexpr History hub_rate{"hub rate", "d{/:Italic θ}/d{/:Italic t} (rad/s)", "rad/s", true, true};
+inline constexpr History deflection{"deflection at 2 ft", "{/:Italic y}(2 ft) (ft)", "ft", false, false};
+inline constexpr History deflection_rate{"deflection rate at 2 ft",
+                                         "d{/:Italic y}/d{/:Italic t} at 2 ft (ft/s)", "ft/s", false, true};
+
+/// The largest distance of a residue sum from the Bromwich integral at some times and at its extremes.
+/// @param system whose response to a unit step it is: a plant, a closed loop
+template <class System>
+[[nodiscard]] double distance_from_inversion(const spacecraft::ExponentialSum& sum, const History& h,
+                                             const System& system) {
+  const spacecraft::Extremes e = extremes(sum, 0.3, 10);
+  const std::array times = {1.0, 5.0, 10.0, e.least.time, e.largest.time};
+  const auto inverted = spacecraft::bromwich(
+      [&](const spacecraft::Complex& s) {
+        const auto r = system.response(s, places.front());
+        const spacecraft::Complex value = h.hub ? r.theta : r.deflection;
+        return h.rate ? value : value / s;
+      },
+      times);
+  double worst = 0;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    worst = std::max(worst, std::abs(inverted.at(i).value - sum.value(times.at(i))));
+  return worst;
+}
+
+}  // namespace nlmech::chapters::gss_control

@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "chapters/gss_control/control/modal_loop.hpp"
+#include "chapters/gss_control/craft.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/scene/scene.hpp"
+#include "nlmech/scene/work_precision.hpp"
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
+#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/response.hpp"
+
+namespace nlmech::chapters::gss_control {
+namespace {
+
+using spacecraft::Complex;
+
+constexpr std::array places = {2.0};
+/// By what errors of the deflection are divided: its peak in the manoeuvre, ft.
+constexpr double deflection_scale = 0.0817;
+
+/// theta and y(2 ft) at the asked times.
+struct History {
+  std::vector<double> theta, deflection;
+};
+using Compute = std::function<History()>;
+
+enum Group : std::size_t { residue_sums, inversion, truncation };
+
+std::vector<double> end_times() { return equidistant(3, 6, 16); }
+
+double error(const History& ours, const History& truth, std::size_t i) {
+  return std::max(std::abs(ours.theta[i] - truth.theta[i]),
+                  std::abs(ours.deflection[i] - truth.deflection[i]) / deflection_scale);
+}
+
+/// One family after the other.
+class Field {
+ public:
+  explicit Field(bool quick) : quick_(quick), loop_(craft(true), designed_gains), times_(end_times()) {
+    const auto r = step_response(loop_, 1, places, {.pairs = 400});
+    truth_ = sample(r);
+  }
+
+  scene::ProblemLines measure() {
+    residues();
+    inversions();
+    bromwich_lines();
+    discretised();
+    return std::move(all_);
+  }
+
+ private:
+  [[nodiscard]] History sample(const spacecraft::TimeResponse& r) const {
+    History h;
+    for (const double t : times_) {
+      h.theta.push_back(r.theta.value(t));
+      h.deflection.push_back(r.deflection.front().value(t));
+    }
+    return h;
+  }
+
+  /// Begins a line of the next attempts.
+  void begin(const std::string& method, Group group) { all_.lines.push_back({method, group, {}}); }
+
+  void add(const std::string& setting, const Compute& compute) {
+    double largest = 0;
+    const auto judge = [&](const History& h) -> scene::Ending {
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < times_.size(); ++i) {
+        const double e = i < h.theta.size() ? error(h, truth_, i) : HUGE_VAL;
+        errors.push_back(std::isfinite(e) ? e : 1);
+      }
+      largest = *std::max_element(errors.begin(), errors.end());
+      return {Status(), std::clamp(median(errors), 1e-17, 1.)};
+    };
+    scene::Attempt attempt = scene::attempt(setting, compute, judge, quick_);
+    attempt.work = {largest};
+    all_.lines.back().attempts.push_back(std::move(attempt));
+  }
+
+  void residues() {
+    const std::vector<int> all_pairs =
+        quick_ ? std::vector{1, 2, 4, 8, 16} : std::vector{1, 2, 4, 8, 16, 32, 64};
+    const auto setting = [](int pairs) { return fmt::format("{} pairs", pairs); };
+    begin("residues and their poles", residue_sums);
+    for (const int pairs : all_pairs)
+      add(setting(pairs), [&] { return sample(step_response(loop_, 1, places, {.pairs = pairs})); });
+    begin("residues, poles known", residue_sums);
+    for (const int pairs : all_pairs) {
+      const auto known = step_response(loop_, 1, places, {.pairs = pairs});
+      add(setting(pairs), [&] { return sample(known); });
+    }
+  }
+
+  [[nodiscard]] Complex transform(const Complex& s, bool hub) const {
+    const auto r = loop_.response(s, places.front());
+    return (hub ? r.theta : r.deflection) / s;
+  }
+
+  template <class Invert>
+  [[nodiscard]] History inverted(const Invert& invert) const {
+    History h;
+    for (const double t : times_) {
+      h.theta.push_back(invert([this](Complex s) { return transform(s, true); }, t));
+      h.deflection.push_back(invert([this](Complex s) { return transform(s, false); }, t));
+    }
+    return h;
+  }
+
+  void inversions() {
+    begin("Talbot", inversion);
+    for (const int nodes : {8, 12, 16, 24, 32, 48}) {
+      add(fmt::format("{} nodes", nodes), [&] {
+        return inverted([nodes](const spacecraft::Transform& f, double t) {
+          return spacecraft::talbot_sum(f, t, nodes);
+        });
+      });
+    }
+    begin("de Hoog", inversion);
+    for (const int degree : {10, 20, 40, 80, 160, 320}) {
+      if (quick_ && degree > 80) continue;
+      add(fmt::format("degree {}", degree), [&] {
+        return inverted([degree](const spacecraft::Transform& f, double t) {
+          return spacecraft::de_hoog_sum(f, t, {.degree = degree});
+        });
+      });
+    }
+  }
+
+  void bromwich_lines() {
+    begin("Bromwich", inversion);
+    for (const double highest : {1e2, 3e2, 1e3, 3e3, 1e4}) {
+      if (quick_ && highest > 3e3) continue;
+      add(fmt::format("to {} rad/s", highest), [&] {
+        const spacecraft::BromwichOptions options{.frequency = highest};
+        History h;
+        for (const bool hub : {true, false}) {
+          auto& values = hub ? h.theta : h.deflection;
+          for (const auto& v : bromwich([&](const Complex& s) { return transform(s, hub); }, times_, options))
+            values.push_back(v.value);
+        }
+        return h;
+      });
+    }
+  }
+
+  [[nodiscard]] History integrated(const ivp::System<Eigen::Dynamic>& system, const ModalLoop& loop,
+                                   const Eigen::VectorXd& shapes, double tolerance) const {
+    History h;
+    const auto watch = [&](const ivp::Step<Eigen::Dynamic>& step) {
+      Eigen::VectorXd x;
+      while (h.theta.size() < times_.size() && times_[h.theta.size()] <= step.t1) {
+        x.resize(step.x1.size());
+        step.dense.at(times_[h.theta.size()], x);
+        h.theta.push_back(loop.angle(x));
+        h.deflection.push_back(shapes.dot(x.segment(1, shapes.size())));
+      }
+      return true;
+    };
+    const peers::Cvode method{peers::Cvode::Formula::adams, tolerance, 1e-3 * tolerance};
+    const auto solution = ivp::integrate(system, Eigen::VectorXd::Zero(loop.size()), 0, times_.back(), method,
+                                         ivp::Observer<Eigen::Dynamic>(watch), {.steps = 400'000});
+    if (!solution.status.ok()) return {};
+    return h;
+  }
+
+  void discretised() {
+    for (const int modes : {5, 10, 20}) {
+      begin(fmt::format("{} assumed modes by CVODE", modes), truncation);
+      if ((quick_ && modes > 5) || !peers::cvode_available()) continue;
+      const auto model = diagonalise(spacecraft::assumed_modes(loop_.parameters(), modes));
+      const ModalLoop problem(model, designed_gains, 1);
+      const ivp::System<Eigen::Dynamic> system(problem);
+      const Eigen::VectorXd shapes = model.mode_shapes(places.front());
+      for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+        if (modes > 10 && tolerance != 1e-5) continue;
+        add(fmt::format("tolerance {:.0e}", tolerance),
+            [&] { return integrated(system, problem, shapes, tolerance); });
+      }
+    }
+  }
+
+  bool quick_;
+  spacecraft::ClosedLoop loop_;
+  std::vector<double> times_;
+  History truth_;
+  scene::ProblemLines all_;
+};
+
+scene::ProblemLines measure_all(bool quick) { return Field(quick).measure(); }
+
+void put(const scene::ProblemLines& all, scene::Show& show) {
+  scene::show_work_precision({.heading = "Residues gain digits; ten assumed modes stop at three",
+                              .digits = "digits of {/:Italic θ} and {/:Italic y}, median",
+                              .most_digits = 17,
+                              .error = "median error",
+                              .time = "time for 16 instants (s)",
+                              .work = {"largest error"},
+                              .groups = {{"residues", "#0072B2", 7, 2},
+                                         {"numerical inversion", "#009E73", 9},
+                                         {"truncated models", "#D55E00", 5}}},
+                             {all}, show);
+  const auto best = [&](const char* method) { return all.of(method).least_error(); };
+  show.at_most("least error of residues", best("residues, poles known"), 1e-7,
+               "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");
+  show.at_most("least error of the Bromwich integral", best("Bromwich"), 1e-6,
+               "what lies beyond 1.2e4 rad/s, below 1e-8 ft in y");
+  if (peers::cvode_available())
+    show.between("least error of five assumed modes by CVODE", best("5 assumed modes by CVODE"), 1e-6, 0.2,
+                 "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft "
+                 "(tests/spacecraft/lyapunov_test.cpp)");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> error_vs_time_step() {
+  const scene::Result times(
+      "step-times",
+      "designed gains, from rest to 1 rad; theta and y(2 ft) at 16 instants from 3 to 6 s; error against 400 "
+      "residues, the deflection's over its peak; one thread, median of repeats; models are made beforehand",
+      measure_all);
+  return {{.name = "error-vs-time-step",
+           .title = "Digits of a manoeuvre against time: residues, numerical inversion, assumed modes",
+           .content = scene::Content(put, times)}};
+}
+
+}  // namespace nlmech::chapters::gss_control

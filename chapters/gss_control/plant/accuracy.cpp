@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/gss_control/craft.hpp"
+#include "chapters/gss_control/grids.hpp"
+#include "chapters/gss_control/plant/extended.hpp"
+#include "chapters/gss_control/plant/response_forms.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters::gss_control {
+namespace {
+
+/// Errors of all forms at one frequency, relative: theta/u, y(L/2)/u, y(L)/u.
+struct Sample {
+  double omega = 0;
+  std::array<double, 3> condition{};
+  std::array<std::array<double, 3>, form_count> error{};
+};
+
+Sample measure(const ResponseForms& forms, double omega) {
+  const Extended exact = extended_response(forms.parameters(), omega);
+  Sample s{omega, exact.condition, {}};
+  for (std::size_t k = 0; k < form_count; ++k) {
+    const auto form = static_cast<Form>(k);
+    const double length = forms.parameters().length;
+    const std::array<FormValue, 2> value = {forms.evaluate(form, omega, length / 2),
+                                            forms.evaluate(form, omega, length)};
+    const std::array<double, 3> ours = {value[0].theta, value[0].deflection, value[1].deflection};
+    for (std::size_t i = 0; i < ours.size(); ++i)
+      s.error.at(k).at(i) = std::abs(ours.at(i) / exact.value.at(i) - 1);
+  }
+  return s;
+}
+
+/// Samples with tips and without.
+using Samples = std::array<std::vector<Sample>, 2>;
+
+Samples measure_all(bool quick) {
+  Samples all;
+  for (const bool tip : {false, true}) {
+    const ResponseForms forms(craft(tip));
+    for (const double omega : logarithmic(1e-8, 1e8, quick ? 81 : 321))
+      all.at(tip ? 1 : 0).push_back(measure(forms, omega));
+  }
+  return all;
+}
+
+/// Largest over the range; NaN and infinity count as 1 and are no digits at all.
+double worst(const std::vector<Sample>& samples, Form form, std::size_t what, double from, double to,
+             bool conditioned = false) {
+  double error = 0;
+  for (const Sample& s : samples) {
+    if (s.omega < from || s.omega > to) continue;
+    double e = s.error.at(static_cast<std::size_t>(form)).at(what);
+    if (!std::isfinite(e)) e = 1;
+    error = std::max(error, conditioned ? e / std::max(1., s.condition.at(what)) : e);
+  }
+  return error;
+}
+
+void draw(const std::vector<Sample>& samples, scene::Show& show) {
+  scene::Plot& plot = show.plots("Only scaled exponentials hold from 1e-8 to 1e8 rad/s");
+  plot.stacked().size(760, 600).columns({"curve", "panel", "x", "y"});
+  for (const std::size_t what : {0, 1}) {
+    scene::Panel& panel =
+        plot.panel("{/:Italic ω} (rad/s)", what == 0 ? "relative error of {/:Italic θ}/{/:Italic u}"
+                                                     : "relative error of {/:Italic y}(2 ft)/{/:Italic u}");
+    panel.log_x(1e-8, 1e8).log_y(1e-18, 1).key("top left");
+    for (const auto& [form, style] : {std::pair{Form::closed, 2}, {Form::krylov, 4}, {Form::scaled, 1}}) {
+      const auto error = [what, k = static_cast<std::size_t>(form)](const Sample& s) {
+        const double e = s.error.at(k).at(what);
+        return std::isfinite(e) ? std::clamp(e, 1e-18, 1.) : NAN;
+      };
+      panel.curve(what == 0 ? form_name(form) : "", samples, &Sample::omega, error, scene::lines(style));
+    }
+  }
+}
+
+constexpr std::array models = {"no tips", "with tips"};
+constexpr std::array quantities = {"theta/u", "y(2 ft)/u", "y(4 ft)/u"};
+
+/// Of the table: a sample and one of the quantities.
+struct Row {
+  const char* model;
+  const Sample* sample;
+  std::size_t quantity;
+
+  [[nodiscard]] double omega() const { return sample->omega; }
+  [[nodiscard]] const char* name() const { return quantities.at(quantity); }
+  [[nodiscard]] double condition() const { return sample->condition.at(quantity); }
+};
+
+/// Column of the errors of a form.
+scene::ColumnOf<Row> errors_of(const std::string& heading, Form form) {
+  return {heading,
+          [k = static_cast<std::size_t>(form)](const Row& row) {
+            const double e = row.sample->error.at(k).at(row.quantity);
+            return std::isfinite(e) ? scene::Cell(e) : scene::Cell("no number");
+          },
+          1};
+}
+
+void put_table(const Samples& all, scene::Show& show) {
+  std::vector<Row> rows;
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    for (std::size_t n = 0; n < all.at(m).size(); n += all.at(m).size() / 8) {
+      for (std::size_t i = 0; i < quantities.size(); ++i) rows.push_back({models.at(m), &all.at(m)[n], i});
+    }
+  }
+  show.table(rows, {{"model", &Row::model},
+                    {"omega (rad/s)", &Row::omega},
+                    {"quantity", &Row::name},
+                    errors_of("closed form", Form::closed),
+                    errors_of("Krylov series", Form::krylov),
+                    errors_of("scaled", Form::scaled),
+                    {"|omega G'/G|", &Row::condition, 2}});
+}
+
+void put(const Samples& all, scene::Show& show) {
+  draw(all[1], show);
+  put_table(all, show);
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const std::vector<Sample>& samples = all.at(m);
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+      show.at_most(
+          fmt::format("largest error of {}, scaled, {}", quantities.at(i), models.at(m)),
+          worst(samples, Form::scaled, i, 0, HUGE_VAL, true), 1e-12,
+          "promised: 1e-12 max(1, |omega G'/G|), against 100 digits, here divided by that condition");
+    show.between(fmt::format("error of y(2 ft)/u, closed form, at 1e-8 rad/s, {}", models.at(m)),
+                 worst(samples, Form::closed, 1, 0, 1.1e-8), 1e-2, HUGE_VAL,
+                 "differences of 1 and beta x^4: eps/|beta x^4|, 1 % at 1e-6 rad/s, all at 1e-8");
+    show.between(fmt::format("error of theta/u, closed form, above 1e4 rad/s, {}", models.at(m)),
+                 worst(samples, Form::closed, 0, 1e4, HUGE_VAL), 0.1, HUGE_VAL,
+                 "eps e^(2 q L), of order one above 1000 rad/s");
+  }
+}
+
+}  // namespace
+
+std::vector<scene::Scene> accuracy() {
+  const scene::Result errors(
+      "errors-of-evaluations",
+      "theta/u and y/u at s = j omega in double precision against decaying waves and an elimination in 100 "
+      "digits",
+      measure_all);
+  return {{.name = "accuracy",
+           .title = "Digits of three evaluations of the exact transfer functions",
+           .content = scene::Content(put, errors)}};
+}
+
+}  // namespace nlmech::chapters::gss_control

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "chapters/homotopy/commands/commands.hpp"
+#include "nlmech/frames/toggle_path.hpp"
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::homotopy {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string height, model = "element";
+  std::string elements;  ///< empty: elements_of()
+};
+
+frames::TogglePath path_of(const Words& words, double height) {
+  const frames::Toggle toggle{.height = height, .elements = elements_of(words.elements, words.model)};
+  if (words.model == "element") return critical_points(toggle);
+  static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
+  return critical_points(frames::Williams{.height = height});
+}
+
+//! [rows of the toggle]
+void limit_points(const Words& words) {
+  const double height = scene::typed_number("--height", words.height);
+  frames::TogglePath path;
+  try {
+    path = path_of(words, height);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("--height {}: {}", words.height, error.what()));
+  }
+  if (!path.status.ok())
+    throw Failure(Status::failure(
+        path.status.outcome(),
+        fmt::format("limit-points: the path is followed to a drop of {:.6g} in and {} critical points, no "
+                    "farther; take another number of elements a member, 4 or more: {}",
+                    path.drop, path.events.size(), path.status.sentence())));
+  std::string text = "kind,load,deflection,motion\n";
+  for (const frames::ToggleEvent& e : path.events)
+    text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
+                        e.is_symmetric ? "symmetric" : "antisymmetric");
+  scene::print_result(text);
+  if (path.drop < 2.2 * height)
+    std::cerr << fmt::format(
+        "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "
+        "falls without bound; --model element goes on\n",
+        path.drop);
+}
+//! [rows of the toggle]
+
+}  // namespace
+
+void add_limit_points_command(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // lives as long as the callback
+  CLI::App* const command = app.add_subcommand(
+      "limit-points",
+      "Limit points and bifurcations of a toggle on its symmetric path from rest, as CSV: "
+      "kind,load,deflection,motion; only the head if there are none. kind: maximum, minimum, bifurcation; "
+      "motion: of the whole toggle that costs no work there, symmetric or antisymmetric. Members, inch and "
+      "pound as in Table 2.1");
+  command->add_option("--height", words->height, "of the apex over the bases, inch")->required();
+  command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
+  command->add_option(
+      "--elements", words->elements,
+      "beam-columns a member, 4 if not given; one does not bow, and ends with 1 above a height of "
+      "0.75 in");
+  command->callback([words] { limit_points(*words); });
+}
+
+}  // namespace nlmech::chapters::homotopy

@@ -1,0 +1,47 @@
+#include <vector>
+
+#include "chapters/homotopy/solvers/results.hpp"
+
+namespace nlmech::chapters::homotopy {
+namespace {
+
+const char* const recorded = "recorded";
+
+void check_low_load(const Results& all, scene::Show& show) {
+  show.between("iterations of Newton", all.count(0), 6, 7, recorded);
+  show.equals("iterations of Newton, d_5 held constant", all.other_count(0), 12, recorded);
+  show.equals("iterations of the homotopy", all.count(1), 30, "recorded: 30 for steps from 0.883 to 0.906");
+}
+
+void check_near_load(const Results& all, scene::Show& show) {
+  show.between("iterations of Newton", all.count(0), 20, 399,
+               "recorded: 79 to 125 by how the formula is written, 399 at most of 20 001 starts");
+  show.equals("iterations of Newton, d_5 held constant", all.other_count(0), 1000,
+              "no start of 1001 converges: tools/oracles/homotopy_williams.py");
+  show.between("iterations of the homotopy", all.count(1), 31, 927,
+               "recorded: from 31 to 927 for steps that reproduce Table 2.2");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> williams_results() {
+  // oracle: homotopy_williams Williams 0.32 drop under 27.11, Williams 0.44 drop under 43.79
+  constexpr double low = 0.266690787315, near_root = 0.635331561089;
+  using enum Scheme;
+  return {
+      result_table("table-2.2", "Williams' equation without a limit point, 27.11 lb", check_low_load),
+      result_table("table-2.3", "Williams' equation near the limit point, 43.79 lb", check_near_load),
+      history({"fig-2.8", "Newton's iterates, l sin(beta) = 0.32 in, W = 27.11 lb",
+               "Without a limit point Newton's iteration is done at once", "table-2.2", newton, false, 10,
+               low, 6}),
+      history({"fig-2.9", "Scalar fixed-point homotopy, l sin(beta) = 0.32 in, W = 27.11 lb",
+               "The homotopy approaches the same root slowly", "table-2.2", fixed_point, false, 32, low, 6}),
+      history({"fig-2.10", "Newton's iterates, l sin(beta) = 0.44 in, W = 43.79 lb",
+               "Newton wanders, and arrives: with a wrong Jacobian never", "table-2.3", newton, true, 150,
+               near_root, 40}),
+      history({"fig-2.11", "Scalar fixed-point homotopy, l sin(beta) = 0.44 in, W = 43.79 lb",
+               "The homotopy wanders too, and is thrown past the maximum", "table-2.3", fixed_point, false,
+               150, near_root, 40})};
+}
+
+}  // namespace nlmech::chapters::homotopy

@@ -1,0 +1,328 @@
+#include "chapters/rbf_inverse/commands/porkchop_file.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "nlmech/orbit/elements.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/toml_text.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::rbf_inverse {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+const std::vector<std::string> header = {"departure", "arrival", "v_departure", "v_arrival", "revolutions"};
+
+/// A table of the file, with its path for complaints: "from" or "" for the whole.
+class Reader {
+ public:
+  Reader(const toml::table& table, std::string name, std::string path)
+      : table_(table), name_(std::move(name)), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const toml::node* node, const std::string& text) const {
+    const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
+    throw InputError(fmt::format("{}, line {}: {}", name_, line, text));
+  }
+  [[nodiscard]] std::string full(std::string_view key) const {
+    return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  }
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  [[nodiscard]] std::optional<double> number(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return std::nullopt;
+    return number_of(node, key);
+  }
+  [[nodiscard]] double required(std::string_view key) const {
+    const auto value = number(key);
+    if (!value) refuse(nullptr, fmt::format("{} is missing", full(key)));
+    return *value;
+  }
+  [[nodiscard]] orbit::Vector3<double> vector(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) refuse(nullptr, fmt::format("{} is missing", full(key)));
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->size() != 3)
+      refuse(node, fmt::format("{} must be three numbers", full(key)));
+    return {number_of(list->get(0), key), number_of(list->get(1), key), number_of(list->get(2), key)};
+  }
+  [[nodiscard]] Reader table(std::string_view key) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) refuse(nullptr, fmt::format("the table [{}] is missing", full(key)));
+    if (node->as_table() == nullptr) refuse(node, fmt::format("{} must be a table", full(key)));
+    return {*node->as_table(), name_, full(key)};
+  }
+  /// Keys that mean nothing are mistakes of spelling.
+  void only(std::initializer_list<std::string_view> known) const {
+    for (const auto& [key, node] : table_) {
+      if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        refuse(&node, fmt::format("{} means nothing here; there are {}", full(echoed(key.str())),
+                                  fmt::join(known, ", ")));
+    }
+  }
+  [[nodiscard]] const toml::node* at(std::string_view key) const { return table_.get(key); }
+
+ private:
+  [[nodiscard]] double number_of(const toml::node* node, std::string_view key) const {
+    const auto value = node->value<double>();
+    if (!value || !node->is_number() || !std::isfinite(*value)) {
+      std::ostringstream shown;
+      shown << toml::node_view<const toml::node>(node);
+      refuse(node, fmt::format("{} = {} is not a finite number", full(key), echoed(shown.str())));
+    }
+    return *value;
+  }
+
+  const toml::table& table_;
+  std::string name_, path_;
+};
+
+orbit::Elements shape_of(const Reader& r) {
+  const double e = r.required("e");
+  if (r.has("a") == r.has("p"))
+    r.refuse(r.at("p"), fmt::format("give one of {} and {}", r.full("a"), r.full("p")));
+  if (e < 0) r.refuse(r.at("e"), fmt::format("{} = {} must be 0 or more", r.full("e"), e));
+  if (r.has("a")) {
+    try {
+      return orbit::from_axis(r.required("a"), e);
+    } catch (const std::invalid_argument& error) {
+      r.refuse(r.at("a"), fmt::format("{} = {}: {}", r.full("a"), r.required("a"), error.what()));
+    }
+  }
+  const double p = r.required("p");
+  if (!(p > 0)) r.refuse(r.at("p"), fmt::format("{} = {} must be positive", r.full("p"), p));
+  return {.semi_latus_rectum = p, .eccentricity = e};
+}
+
+/// An angle in degrees, in radians; 0 without it.
+double angle_of(const Reader& r, std::string_view key, double least, double most) {
+  const double value = r.number(key).value_or(0);
+  if (!(value >= least && value <= most))
+    r.refuse(r.at(key),
+             fmt::format("{} = {} must be from {} to {} degrees", r.full(key), value, least, most));
+  return value * degree;
+}
+
+/// Lengths and mu in which all that a grid computes stays within doubles.
+constexpr double least_size = 1e-100, largest_size = 1e100;
+
+void check_size(const Reader& r, std::string_view key, double size) {
+  if (!(size >= least_size && size <= largest_size))
+    r.refuse(r.at(key),
+             fmt::format("{} makes a size of {:.6g}; it must be from {:g} to {:g}, so choose other units",
+                         r.full(key), size, least_size, largest_size));
+}
+
+orbit::Ephemeris orbit_of(const Reader& r, double mu) {
+  orbit::Ephemeris body;
+  body.epoch = r.number("epoch").value_or(0);
+  if (r.has("position") || r.has("velocity")) {
+    r.only({"position", "velocity", "epoch"});
+    body.state = {r.vector("position"), r.vector("velocity")};
+    if (body.state.position.isZero(0)) r.refuse(r.at("position"), r.full("position") + " is the centre");
+    check_size(r, "position", body.state.position.stableNorm());
+    return body;
+  }
+  r.only({"a", "p", "e", "i", "raan", "argp", "nu", "epoch"});
+  orbit::Elements conic = shape_of(r);
+  conic.inclination = angle_of(r, "i", 0, 180);
+  conic.ascending_node = angle_of(r, "raan", -360, 360);
+  conic.periapsis_argument = angle_of(r, "argp", -360, 360);
+  conic.true_anomaly = angle_of(r, "nu", -360, 360);
+  try {
+    body.state = orbit::state_of(conic, mu);
+  } catch (const std::invalid_argument& error) {
+    r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
+  }
+  check_size(r, r.has("a") ? "a" : "p", body.state.position.stableNorm());
+  return body;
+}
+
+orbit::Window window_of(const Reader& r) {
+  r.only({"first", "last"});
+  orbit::Window window{.first = r.required("first"), .last = r.required("last")};
+  if (window.last < window.first)
+    r.refuse(r.at("last"),
+             fmt::format("{} = {} is before the first, {}", r.full("last"), window.last, window.first));
+  return window;
+}
+
+void add_row(std::string& text, double departure, double arrival, double v1, double v2, double revolutions) {
+  fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.0f}\n", departure, arrival, v1,
+                 v2, revolutions);
+}
+
+/// A number for everything that the cells depend on: FNV-1a of all values in hexadecimal digits.
+std::uint64_t digest(const orbit::PorkchopProblem& p) {
+  std::string text =
+      fmt::format("{:a} {} {:a} {:a} {} {:a} {:a} {}", p.mu, p.departures.count, p.departures.first,
+                  p.departures.last, p.arrivals.count, p.arrivals.first, p.arrivals.last, p.most_revolutions);
+  for (const orbit::Ephemeris* body : {&p.from, &p.to}) {
+    text += fmt::format(" {:a}", body->epoch);
+    for (int k = 0; k < 3; ++k)
+      text += fmt::format(" {:a} {:a}", body->state.position[k], body->state.velocity[k]);
+  }
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+/// What the first line of a part says.
+struct Label {
+  int shard = 0, shards = 0;
+  std::string grid;  ///< "200 x 300 problem 9f86d081884c7d65"
+  std::int64_t rows = 0;
+};
+
+Label label_of(const PorkchopPart& part) {
+  const std::string line = part.text.substr(0, std::min<std::size_t>(part.text.find('\n'), 200));
+  std::istringstream in(line);
+  std::string mark, shard, slash, grid, down, times, across, rows, problem, number, rest;
+  Label label;
+  in >> mark >> shard >> label.shard >> slash >> label.shards >> grid >> down >> times >> across >> rows >>
+      label.rows >> problem >> number;
+  const std::string words = mark + shard + slash + grid + times + rows + problem;
+  if (!in || (in >> rest) || std::string_view(words) != std::string_view("#shard/gridxrowsproblem") ||
+      label.shard < 1 || label.shard > label.shards || label.shards > 1'000'000 || label.rows < 0)
+    throw InputError(
+        fmt::format("{}, line 1: '{}' does not say which part of which grid this is; merge joins what "
+                    "porkchop --shard i/n writes",
+                    part.name, echoed(line)));
+  label.grid = echoed(fmt::format("{} x {} problem {}", down, across, number), 200);
+  return label;
+}
+
+/// The parts by number, each there once.
+std::vector<const PorkchopPart*> in_order(const std::vector<PorkchopPart>& parts) {
+  const Label first = label_of(parts.at(0));
+  std::vector<const PorkchopPart*> ordered(static_cast<std::size_t>(first.shards), nullptr);
+  for (const PorkchopPart& part : parts) {
+    const Label label = label_of(part);
+    if (label.grid != first.grid || label.shards != first.shards)
+      throw InputError(fmt::format(
+          "{}, line 1: shard {} / {} of grid {} is no part of that of {}: {} shards of grid {}", part.name,
+          label.shard, label.shards, label.grid, parts[0].name, first.shards, first.grid));
+    const PorkchopPart*& place = ordered[static_cast<std::size_t>(label.shard - 1)];
+    if (place != nullptr)
+      throw InputError(fmt::format("{}: shard {} / {} is in {} already", part.name, label.shard, label.shards,
+                                   place->name));
+    place = &part;
+  }
+  std::string missing;
+  for (std::size_t k = 0; k < ordered.size(); ++k) {
+    if (ordered[k] == nullptr && missing.size() < 60)
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", k + 1);
+  }
+  if (!missing.empty())
+    throw InputError(fmt::format("{}: shards {} of {} are missing", parts[0].name, missing, first.shards));
+  return ordered;
+}
+
+}  // namespace
+
+orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name) {
+  scene::require_shallow_toml(text, name);
+  toml::table table;
+  try {
+    table = toml::parse(std::string_view(text), name);
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}, line {}: {}", name, error.source().begin.line, echoed(error.description(), 400)));
+  }
+  const Reader whole(table, name, "");
+  whole.only({"mu", "from", "to", "departures", "arrivals", "revolutions"});
+  orbit::PorkchopProblem p;
+  p.mu = whole.required("mu");
+  if (!(p.mu > 0)) whole.refuse(whole.at("mu"), fmt::format("mu = {} must be positive", p.mu));
+  check_size(whole, "mu", p.mu);
+  p.from = orbit_of(whole.table("from"), p.mu);
+  p.to = orbit_of(whole.table("to"), p.mu);
+  p.departures = window_of(whole.table("departures"));
+  p.arrivals = window_of(whole.table("arrivals"));
+  const double revolutions = whole.number("revolutions").value_or(0);
+  if (!(revolutions >= 0 && revolutions <= 1000 && revolutions == std::floor(revolutions)))
+    whole.refuse(whole.at("revolutions"),
+                 fmt::format("revolutions = {} must be a whole number from 0 to 1000", revolutions));
+  p.most_revolutions = static_cast<int>(revolutions);
+  return p;
+}
+
+std::string porkchop_keys() {
+  return R"(Keys of the TOML file, in any consistent units:
+  mu                    gravitational parameter of the centre, positive; required
+  revolutions           whole ones that may be made, 0 to 1000; 0 without it
+  [from], [to]          the orbit that is left, and the one that is reached
+    a or p              semi-major axis (negative for hyperbolas) or semi-latus rectum
+    e                   eccentricity, 0 or more
+    i                   inclination, 0 to 180 degrees; 0 without it
+    raan, argp, nu      node, argument of periapsis, true anomaly at the epoch, -360 to 360 degrees; 0 without
+    position, velocity  [x, y, z] in place of the elements
+    epoch               time of the anomaly or of the state; 0 without it
+  [departures]          first, last: times between which the orbit is left
+  [arrivals]            first, last: times between which the other is reached
+chapters/rbf_inverse/earth-mars.toml is one.)";
+}
+
+std::string porkchop_csv(const orbit::Porkchop& grid) {
+  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  for (std::size_t i = 0; i < grid.departures.size(); ++i) {
+    for (std::size_t j = 0; j < grid.arrivals.size(); ++j) {
+      const orbit::PorkchopCell& cell = grid.at(i, j);
+      if (cell.exists())
+        add_row(text, grid.departures[i], grid.arrivals[j], cell.v_departure, cell.v_arrival,
+                cell.revolutions);
+    }
+  }
+  return text;
+}
+
+std::string porkchop_part_csv(const orbit::PorkchopProblem& problem, const orbit::PorkchopWork& work,
+                              const orbit::Porkchop& grid) {
+  const auto rows = std::count_if(grid.cells.begin(), grid.cells.end(),
+                                  [](const orbit::PorkchopCell& cell) { return cell.exists(); });
+  return fmt::format("# shard {} / {} grid {} x {} rows {} problem {:016x}\n", work.shard, work.shards,
+                     problem.departures.count, problem.arrivals.count, rows, digest(problem)) +
+         porkchop_csv(grid);
+}
+
+std::string merged(const std::vector<PorkchopPart>& parts) {
+  const std::vector<const PorkchopPart*> ordered = in_order(parts);
+  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  std::pair<double, double> before(-HUGE_VAL, -HUGE_VAL);
+  for (const PorkchopPart* part : ordered) {
+    const scene::NumberColumns n = scene::parse_numbers(part->text, part->name, header);
+    const std::int64_t announced = label_of(*part).rows;
+    if (static_cast<std::int64_t>(n.rows()) != announced)
+      throw InputError(fmt::format("{}: {} rows where its first line announces {}: the file is not whole",
+                                   part->name, n.rows(), announced));
+    for (std::size_t i = 0; i < n.rows(); ++i) {
+      const std::pair<double, double> times(n.column[0][i], n.column[1][i]);
+      if (!(before < times))
+        throw InputError(
+            fmt::format("{}, line {}: departure {:.17g} and arrival {:.17g} do not come after {:.17g} "
+                        "and {:.17g}",
+                        part->name, n.line[i], times.first, times.second, before.first, before.second));
+      before = times;
+      const double v1 = n.column[2][i], v2 = n.column[3][i], revolutions = n.column[4][i];
+      if (v1 < 0 || v2 < 0 || revolutions < 0 || revolutions != std::floor(revolutions))
+        throw InputError(
+            fmt::format("{}, line {}: speeds {:.17g} and {:.17g} and {:.17g} revolutions are no transfer",
+                        part->name, n.line[i], v1, v2, revolutions));
+      add_row(text, times.first, times.second, v1, v2, revolutions);
+    }
+  }
+  return text;
+}
+
+}  // namespace nlmech::chapters::rbf_inverse

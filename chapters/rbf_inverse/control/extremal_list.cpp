@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::rbf_inverse {
+namespace {
+
+using bvp::DuffingCase;
+
+/// An extremal of a case at a final time.
+struct Row {
+  double final_time;
+  DuffingCase which;
+  const bvp::Found* found;
+
+  [[nodiscard]] std::string_view name() const { return to_string(which); }
+  [[nodiscard]] const bvp::Extremal& extremal() const { return found->extremal; }
+  [[nodiscard]] double cost() const { return extremal().cost; }
+  [[nodiscard]] bvp::Kind kind() const { return extremal().second_order.kind; }
+  /// An initial value; what is prescribed or vanishes comes out with the rounding of the solve.
+  [[nodiscard]] double first(Eigen::Index i) const {
+    const double value = extremal().solution.first()[i];
+    return std::abs(value) < 1e-12 ? 0.0 : value;
+  }
+};
+/// By final time, then by case, cheapest first.
+using Rows = std::vector<Row>;
+
+void tabulate(const Rows& rows, scene::Show& show) {
+  show.table(rows, {{"T", &Row::final_time},
+                    {"case", &Row::name},
+                    {"cost", [](const Row& r) { return r.cost() < 1e-20 ? 0.0 : r.cost(); }, 10},
+                    {"kind", [](const Row& r) { return to_string(r.kind()); }},
+                    {"least eigenvalue", [](const Row& r) { return r.extremal().second_order.least; }, 3},
+                    {"starts that led to it", [](const Row& r) { return r.found->hits; }},
+                    {"x1(0)", [](const Row& r) { return r.first(0); }, 8},
+                    {"x2(0)", [](const Row& r) { return r.first(1); }, 8},
+                    {"lambda1(0)", [](const Row& r) { return r.first(2); }, 10},
+                    {"lambda2(0)", [](const Row& r) { return r.first(3); }, 10},
+                    {"miss of the integrated end", [](const Row& r) { return r.extremal().miss; }, 2}});
+}
+
+void draw(const Rows& rows, scene::Show& show) {
+  scene::Plot& plot = show.plots("Many extremals a case; costs differ by orders of magnitude");
+  plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
+  for (const double time : final_times) {
+    scene::Panel& panel = plot.panel("", time == final_times.front() ? "cost {/:Italic J}" : "");
+    panel.caption(time_label(time)).log_y(1e-2, 1e6).x_range(0.4, 8.6).set("bmargin at screen 0.2");
+    panel.set(case_tics(bvp::duffing_cases())).key(time == final_times.back() ? "top right" : "off");
+    for (const bool minimum : {true, false}) {
+      std::vector<double> x, cost;
+      for (const Row& r : rows) {
+        if (r.final_time != time || (r.kind() == bvp::Kind::minimum) != minimum || r.cost() <= 1e-4) continue;
+        x.push_back(static_cast<double>(r.which) + 1);
+        cost.push_back(r.cost());
+      }
+      if (!minimum) {  // below the axis: a curve has a point at least
+        x.push_back(1);
+        cost.push_back(1e-9);
+      }
+      panel.curve(minimum ? "minimum" : "saddle", x, cost, {"points pointsize 1.2", minimum ? 1 : 5});
+    }
+  }
+}
+
+/// The lowest extremals against those that are known.
+void check_known(const Rows& rows, scene::Show& show) {
+  const auto best = [&](DuffingCase which, double time) {
+    return *std::ranges::find_if(rows, [&](const Row& r) {
+      return r.which == which && r.final_time == time;
+    });  // the cheapest is first
+  };
+  double worst_first = 0, worst_miss = 0;
+  for (const KnownExtremal& k : known_extremals()) {
+    const Row r = best(k.which, k.final_time);
+    show.at_most(fmt::format("lowest cost, {}, {}", r.name(), time_label(k.final_time)), r.cost(),
+                 k.cost * (1 + 1e-9), "the lowest of 270 starts, tools/oracles/rbf_inverse_extremals.py");
+    worst_first = std::max(worst_first, k.error_of(r.extremal()));
+  }
+  show.at_most("largest error of their initial states and co-states", worst_first, 1e-10,
+               "the same; relative where above 1");
+  for (const Row& r : rows)
+    worst_miss = std::max(worst_miss, r.extremal().miss / (1 + r.extremal().solution.first().norm()));
+  show.at_most("largest miss of all extremals over their initial values", worst_miss, 1e-9,
+               "the tolerance of the collocation");
+  // The kind must agree wherever the same extremal was found.
+  using enum bvp::Kind;
+  static const std::multimap<DuffingCase, std::pair<double, bvp::Kind>> kinds = {
+      {DuffingCase::free, {8.94191, minimum}},    {DuffingCase::fixed, {122.0838, minimum}},
+      {DuffingCase::fixed, {327.489, minimum}},   {DuffingCase::x1x1, {7.99567, minimum}},
+      {DuffingCase::x1x1, {178.0, saddle}},       {DuffingCase::x1x1, {357.51, saddle}},
+      {DuffingCase::x1x2, {0.103246, minimum}},   {DuffingCase::x1x2, {10.2497, saddle}},
+      {DuffingCase::x2x1, {9.50766, minimum}},    {DuffingCase::harmonic, {61.52487, minimum}},
+      {DuffingCase::harmonic, {200.555, saddle}}, {DuffingCase::free, {294.38, saddle}},
+      {DuffingCase::fixed, {375.11, saddle}}};
+  int disagree = 0;
+  for (const auto& [which, known] : kinds)
+    for (const Row& r : rows)
+      if (r.which == which && r.final_time == inferred && std::abs(r.cost() / known.first - 1) < 1e-4 &&
+          r.kind() != known.second)
+        ++disagree;
+  show.at_most("extremals whose kind disagrees", disagree, 0, "recorded");
+  // oracle: rbf_inverse_extremals fixed T = 5 cost
+  show.at_most("cost of the fixed case, T = 5", best(DuffingCase::fixed, 5).cost(), 46.608623 * (1 + 1e-7),
+               "the best known, tools/oracles/rbf_inverse_extremals.py");
+  show.at_most("cost of a free start, T = 2", best(DuffingCase::final_only, 2).cost(), 1e-12,
+               "integrated backward from the target without force: J = 0");
+}
+
+void put(const std::vector<const bvp::Multistart*>& all, scene::Show& show) {
+  Rows rows;
+  std::size_t i = 0;
+  for (const double time : final_times)
+    for (const DuffingCase which : bvp::duffing_cases()) {
+      if (all[i]->found.empty())
+        throw Failure(fmt::format("case {}, {}: no extremal is found", to_string(which), time_label(time)));
+      for (const bvp::Found& f : all[i]->found) rows.push_back({time, which, &f});
+      ++i;
+    }
+  draw(rows, show);
+  tabulate(rows, show);
+  check_known(rows, show);
+}
+
+}  // namespace
+
+std::vector<scene::Scene> extremal_list() {
+  std::vector<scene::Result<bvp::Multistart>> all;
+  for (const double time : final_times)
+    for (const DuffingCase which : bvp::duffing_cases()) all.push_back(extremals(which, time));
+  return {{.name = "extremals",
+           .title = "All extremals that the program's own starts find, with cost and kind",
+           .content = scene::Content(put, all)}};
+}
+
+}  // namespace nlmech::chapters::rbf_inverse

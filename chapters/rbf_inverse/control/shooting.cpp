@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_inverse/control/duffing_runs.hpp"
+#include "chapters/rbf_inverse/control/shooting_methods.hpp"
+
+namespace nlmech::chapters::rbf_inverse {
+namespace {
+
+/// Final times that are tried, 0.5 to 3.5.
+constexpr int times_tried = 13;
+double time_of(int k) { return 0.5 + 0.25 * k; }
+/// beta = 0, 0.1, ..., 1.2, and of them those of the text's "0.9 and more".
+constexpr std::size_t betas = 13, first_of_text = 9;
+/// Guesses for all unknowns: zeros, ones, ten random ones.
+constexpr int guesses_drawn = 2, guesses_tried = 12;
+std::string name_of(int guess) { return guess == 0 ? "zeros" : "ones"; }
+
+bvp::Start guess_of(int guess, double final_time) {
+  return guess < guesses_drawn ? bvp::constant_start(Eigen::VectorXd::Constant(4, guess))
+                               : random_guess(guess - guesses_drawn, final_time);
+}
+
+/// What "diverges" may mean: no root, or none without an iterate beyond 1000, ten times any extremal's here.
+constexpr std::array<double, 2> reaches = {HUGE_VAL, 1e3};
+
+bvp::ExtremalProblem problem_of(double final_time, std::size_t beta) {
+  bvp::DuffingSettings settings = printed_settings(bvp::DuffingCase::fixed, final_time);
+  settings.beta = static_cast<double>(beta) / 10;
+  return duffing_problem(settings);
+}
+
+/// The largest iterate on the way to a root; not a number without one.
+double shooting_reach(double final_time, std::size_t beta, int guess) {
+  const bvp::ExtremalProblem problem = problem_of(final_time, beta);
+  Eigen::VectorXd first(4);
+  guess_of(guess, final_time).states(0, first);
+  for (Eigen::Index i = 0; i < 2; ++i) first[i] = *problem.task().begin[static_cast<std::size_t>(i)];
+  const Shot shot = shoot_once(problem, first);
+  return shot.status.ok() ? shot.reach : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool collocation_converges(double final_time, std::size_t beta, int guess) {
+  const bvp::ExtremalProblem problem = problem_of(final_time, beta);
+  return is_extremal(solve_global(problem, printed_method(problem), guess_of(guess, final_time)));
+}
+
+/// How many readings of the text there are at one final time, and what they say.
+struct Readings {
+  int all = 0;    ///< guesses times meanings of divergence
+  int fit = 0;    ///< fails for 0.9 and more where collocation finds an extremal at 0.9
+  int sharp = 0;  ///< of them, those that converge at 0.8
+};
+
+/// Which methods converge at one final time from one guess, by beta.
+struct Row {
+  double final_time;
+  int guess;
+  std::array<bool, betas> shot{}, collocated{};
+  std::optional<Readings> readings = {};  ///< of the final time; with the first guess alone
+
+  [[nodiscard]] std::string guess_name() const { return name_of(guess); }
+  /// On how many values of beta both end so.
+  template <bool by_shooting, bool by_collocation>
+  [[nodiscard]] int count() const {
+    int n = 0;
+    for (std::size_t b = 0; b < betas; ++b)
+      n += shot[b] == by_shooting && collocated[b] == by_collocation ? 1 : 0;
+    return n;
+  }
+  /// The least beta at which shooting fails.
+  [[nodiscard]] std::optional<double> first_failure() const {
+    const auto failure = std::ranges::find(shot, false);
+    if (failure == shot.end()) return {};
+    return static_cast<double>(failure - shot.begin()) / 10;
+  }
+};
+
+/// The least iterate on the way to a root over all beta of 0.9 and more; infinite if shooting fails for all.
+double least_reach(double final_time, int guess) {
+  double least = HUGE_VAL;
+  for (std::size_t beta = first_of_text; beta < betas && least > reaches.back(); ++beta)
+    least = std::fmin(least, shooting_reach(final_time, beta, guess));  // which passes over NaN
+  return least;
+}
+
+/// Does shooting fail for 0.9 and more where collocation finds an extremal at 0.9, and does it not at 0.8?
+void add_readings(Readings& readings, double final_time, int guess) {
+  readings.all += static_cast<int>(reaches.size());
+  const double least = least_reach(final_time, guess);
+  if (least <= reaches.back() || !collocation_converges(final_time, first_of_text, guess)) return;
+  const double below = shooting_reach(final_time, first_of_text - 1, guess);
+  for (const double reach : reaches) {
+    if (least < reach) continue;
+    ++readings.fit;
+    if (below <= reach) ++readings.sharp;
+  }
+}
+
+std::vector<Row> compute(bool quick) {
+  std::vector<Row> rows;
+  for (int k = 0; k < times_tried; k += quick ? 6 : 1) {
+    const double time = time_of(k);
+    Readings readings;
+    for (int guess = 0; guess < (quick ? guesses_drawn : guesses_tried); ++guess)
+      add_readings(readings, time, guess);
+    for (int guess = 0; guess < guesses_drawn; ++guess) {
+      Row& row = rows.emplace_back(Row{.final_time = time, .guess = guess});
+      if (guess == 0) row.readings = readings;
+      for (std::size_t b = 0; b < betas; ++b) {
+        row.shot[b] = shooting_reach(time, b, guess) > 0;
+        row.collocated[b] = collocation_converges(time, b, guess);
+      }
+    }
+  }
+  return rows;
+}
+
+/// The longest time up to which single shooting converges at all beta, from zeros and from ones; 0 if none.
+double always_converges(const std::vector<Row>& rows) {
+  const auto failing = std::ranges::find_if(rows, [](const Row& r) { return r.first_failure().has_value(); });
+  const double end = failing == rows.end() ? HUGE_VAL : failing->final_time;
+  double longest = 0;
+  for (const Row& r : rows)
+    if (r.final_time < end) longest = r.final_time;
+  return longest;
+}
+
+void draw(const std::vector<Row>& rows, scene::Show& show) {
+  struct Symbol {
+    const char* name;
+    scene::Look look;
+    bool shot, collocated;
+  };
+  const Symbol symbols[] = {{"both converge", {"points pointsize 1.2", 1}, true, true},
+                            {"shooting alone", {"points pointsize 1.2", 4}, true, false},
+                            {"collocation alone", {"points pointsize 1.2", 2}, false, true},
+                            {"neither", scene::points(8), false, false}};
+  scene::Plot& plot = show.plots(
+      fmt::format("Beyond {{/:Italic T}} = {:g} s, chance decides who converges", always_converges(rows)));
+  plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
+  for (int guess = 0; guess < guesses_drawn; ++guess) {
+    scene::Panel& panel =
+        plot.panel("final time {/:Italic T} (s)", guess == 0 ? "{/:Italic β} (1/s^{2})" : "");
+    panel.caption("from " + name_of(guess)).x_range(0.3, 3.7).y_range(-0.08, 1.28);
+    panel.set("bmargin at screen 0.25");
+    panel.key(guess == 0 ? "off" : "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 2");
+    for (const Symbol& symbol : symbols) {
+      std::vector<double> x = {-1}, y = {-1};  // outside: a curve has a point at least
+      for (const Row& r : rows)
+        for (std::size_t b = 0; b < betas; ++b) {
+          if (r.guess != guess || r.shot[b] != symbol.shot || r.collocated[b] != symbol.collocated) continue;
+          x.push_back(r.final_time);
+          y.push_back(static_cast<double>(b) / 10);
+        }
+      panel.curve(symbol.name, x, y, symbol.look);
+    }
+  }
+}
+
+void check(const std::vector<Row>& rows, scene::Show& show) {
+  const char* const program = "an independent program, with another integrator";
+  show.between("longest T up to which shooting converges at every beta, from zeros and ones",
+               {always_converges(rows), "s"}, show.quick() ? 0.5 : 0.75, 1.5, program);
+  if (show.quick()) return;  // three final times say nothing of the others
+  double latest_solved = 0;
+  Readings sum;
+  int most = 0, at_2 = 0;
+  for (const Row& r : rows) {
+    if (r.collocated[first_of_text]) latest_solved = std::max(latest_solved, r.final_time);
+    if (!r.readings) continue;
+    sum.all += r.readings->all;
+    sum.fit += r.readings->fit;
+    most = std::max(most, r.readings->fit);
+    if (r.final_time == inferred) at_2 = r.readings->fit;
+  }
+  show.between("longest T at which the printed method solves beta = 0.9, from zeros or ones",
+               {latest_solved, "s"}, 2, 3, program);
+  show.equals("readings tried", sum.all, 312, "13 times, 12 guesses, 2 meanings");
+  show.between("readings that fit the text", sum.fit, 0, 31,
+               "chance: nine times with four failures in a row, one in twenty, and a root, one in three");
+  show.between("readings that fit at one final time, at most", most, 0, 8,
+               "a claim that determines T is fitted by most of the 24 readings at one T, and this is not");
+  show.between("readings that fit at T = 2", at_2, 0, 8, "the same");
+}
+
+void put(const std::vector<Row>& rows, scene::Show& show) {
+  draw(rows, show);
+  const auto reading = [](int Readings::*what) {
+    return [what](const Row& r) { return r.readings ? scene::Cell(*r.readings.*what) : scene::Cell(); };
+  };
+  show.table(rows, {{"T", &Row::final_time},
+                    {"guess", &Row::guess_name},
+                    {"both converge, of 13 beta", &Row::count<true, true>},
+                    {"shooting alone", &Row::count<true, false>},
+                    {"collocation alone", &Row::count<false, true>},
+                    {"neither", &Row::count<false, false>},
+                    {"least beta at which shooting fails", &Row::first_failure},
+                    {"readings", reading(&Readings::all)},
+                    {"that fit the text", reading(&Readings::fit)},
+                    {"and converge at 0.8", reading(&Readings::sharp)}});
+  check(rows, show);
+  // Neither T nor the guess is stated: T = 2 from zeros is one reading of many.
+  const auto at_2 = std::ranges::find(rows, inferred, &Row::final_time);
+  show.measured("elgohary/claim-5.3.5/fixed final state/shooting diverges from beta", {},
+                at_2->first_failure());
+}
+
+}  // namespace
+
+std::vector<scene::Scene> shooting() {
+  const scene::Result rows(
+      "single-shooting",
+      "fixed final state, S = I; T from 0.5 to 3.5, beta from 0 to 1.2; Newton's iteration on x(0) and "
+      "lambda(0), integrated by ode45 at 1e-8, 60 iterations at most; the printed collocation from the same "
+      "guess, its root integrated; a reading is a final time, a guess and what divergence means",
+      compute);
+  return {{.name = "shooting",
+           .title = "Where single shooting converges, and the printed method from the same guess",
+           .content = scene::Content(put, rows)}};
+}
+
+}  // namespace nlmech::chapters::rbf_inverse

@@ -1,0 +1,129 @@
+/// @file
+/// `rbf_inverse_lambert_bench`: a solve of Lambert's problem by Izzo's method against its promise of half a
+/// microsecond and against collocation, and grids of transfers by one and two threads, by Google Benchmark.
+/// Writes results/bench/rbf_inverse_lambert.json and tables/BENCH.md under the current folder; exit code 1 if
+/// a claim is not held.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
+#include "chapters/speed.hpp"
+#include "nlmech/orbit/elements.hpp"
+#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace {
+
+using namespace nlmech;
+
+/// A piece of work that is measured.
+struct Work {
+  std::string name;
+  std::function<void()> run;
+};
+
+constexpr int solves = 1000;
+
+/// Problems of all kinds: ellipses, hyperbolas, short and long ways, times from a tenth to ten.
+std::vector<orbit::LambertProblem> problems() {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  std::vector<orbit::LambertProblem> made(solves);
+  for (orbit::LambertProblem& p : made) {
+    p.from = {normal(engine), normal(engine), normal(engine)};
+    p.to = {normal(engine), normal(engine), normal(engine)};
+    p.time = std::pow(10, 2 * uniform(engine) - 1);
+  }
+  return made;
+}
+
+Work izzo() {
+  return {fmt::format("{} solves by Izzo's method", solves), [all = problems()] {
+            bool long_way = false;
+            for (const orbit::LambertProblem& p : all) {
+              long_way = !long_way;
+              benchmark::DoNotOptimize(orbit::solve_lambert(p, {long_way, 0, orbit::LambertBranch::low}).v1);
+            }
+          }};
+}
+
+Work one() {
+  const orbit::TransferProblem p = chapters::rbf_inverse::printed_transfer();
+  return {"the printed transfer by Izzo's method",
+          [l = orbit::LambertProblem{p.from, p.to, p.time, p.gravity.mu}] {
+            benchmark::DoNotOptimize(orbit::solve_lambert(l).v1);
+          }};
+}
+
+Work collocation(const std::string& name, orbit::TransferEquations equations) {
+  return {name, [equations] {
+            benchmark::DoNotOptimize(
+                orbit::collocate(chapters::rbf_inverse::printed_transfer(), {.equations = equations}).v1);
+          }};
+}
+
+/// Cells between orbits like those of Earth and Mars.
+orbit::PorkchopProblem grid(int count) {
+  constexpr double mu = 1.32712440018e20, au = 1.495978707e11, day = 86400;
+  orbit::PorkchopProblem p;
+  p.mu = mu;
+  p.from.state = orbit::state_of(orbit::from_axis(au, 0.0167, 0, 0, 1.8, 0), mu);
+  p.to.state = orbit::state_of(orbit::from_axis(1.523679 * au, 0.0934, 0.0323, 0.865, 5.0, 0.3), mu);
+  p.departures = {0, 780 * day, count};
+  p.arrivals = {100 * day, 1500 * day, count};
+  return p;
+}
+
+/// Seconds on the wall of a whole grid, in microseconds, several times: two threads share what CPU time adds.
+scene::BenchSeries wall(const std::string& name, int threads, int times) {
+  const orbit::PorkchopProblem p = grid(2000);
+  scene::BenchSeries series{name, "us a run", {}};
+  for (int k = 0; k < times; ++k) {
+    const Stopwatch watch;
+    benchmark::DoNotOptimize(orbit::porkchop(p, {.threads = threads}).cells.data());
+    series.repetition.push_back(1e6 * watch.seconds());
+  }
+  return series;
+}
+
+int bench(int argc, char** argv) {
+  chapters::begin_speed(argc, argv);
+  using orbit::TransferEquations;
+  const std::vector<Work> all = {
+      izzo(), one(),
+      collocation("the printed transfer by collocation of positions", TransferEquations::positions),
+      collocation("the printed transfer by collocation, 6N equations",
+                  TransferEquations::positions_and_velocities)};
+  std::vector<scene::BenchSeries> series = chapters::measure_speed(all);
+  // Times to compare with, so that a promised time is a ratio as the others.
+  const std::string budget = fmt::format("half a microsecond for each of {} solves", solves),
+                    five = "five seconds";
+  series.push_back({budget, "us a run", std::vector<double>(11, 0.5 * solves)});
+  series.push_back({five, "us a run", std::vector<double>(5, 5e6)});
+  const std::string one_thread = "grid of 2000 x 2000 cells, one thread, time on the wall",
+                    two_threads = "grid of 2000 x 2000 cells, two threads, time on the wall";
+  series.push_back(wall(one_thread, 1, 5));
+  series.push_back(wall(two_threads, 2, 5));
+  const std::vector<scene::SpeedClaim> claims = {
+      {"Lambert's problem in half a microsecond", all[0].name, budget, 1},
+      {"Izzo's method against collocation of positions, one transfer", all[1].name, all[2].name, 500},
+      {"Izzo's method against the printed 6N equations, one transfer", all[1].name, all[3].name, 2000},
+      {"a grid of 2000 x 2000 cells in five seconds on two processors", two_threads, five, 1},
+      {"two threads against one on a grid", two_threads, one_thread, 1.5}};
+  return chapters::judge_speed("rbf_inverse_lambert", claims, series);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return nlmech::chapters::speed_main("rbf_inverse_lambert_bench", &bench, argc, argv);
+}

@@ -1,0 +1,110 @@
+#include "chapters/two_body_series/orbits/propagators.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::chapters::two_body_series {
+namespace {
+
+/// The series of a step, for an observer of integrators in general.
+class ArcOutput : public ivp::DenseOutput<6> {
+ public:
+  explicit ArcOutput(const orbit::Arc& arc) : arc_(arc) {}
+  void at(double t, ivp::State<6>& x) const override { x = joined(arc_.at(t)); }
+
+ private:
+  const orbit::Arc& arc_;
+};
+
+/// Kepler's solution from the begin.
+class KeplerOutput : public ivp::DenseOutput<6> {
+ public:
+  KeplerOutput(const orbit::State& start, double t0, double mu) : start_(start), t0_(t0), mu_(mu) {}
+  void at(double t, ivp::State<6>& x) const override {
+    x = joined(orbit::propagate_kepler(start_, t - t0_, mu_).state);
+  }
+
+ private:
+  orbit::State start_;
+  double t0_, mu_;
+};
+
+template <class Method>
+ivp::Solution<6> run(const Method& method, double mu, const ivp::State<6>& x0, double t0, double t1,
+                     const ivp::Observer<6>& observer, const ivp::Limits& limits) {
+  orbit::ContinuationObserver observe;
+  ivp::Nodes<6> states(6, 1);
+  if (observer) {
+    observe = [&](const orbit::ContinuationStep& step) {
+      const ivp::State<6> begin = joined(step.state0), end = joined(step.state1);
+      states.col(0) = end;
+      const ArcOutput dense(step.arc);
+      return observer({step.index, step.t0, step.t1, begin, end, std::span(&step.t1, 1), states, dense});
+    };
+  }
+  orbit::Continued end = orbit::propagate(parted(x0), t0, t1, orbit::Gravity{.mu = mu}, method, observe,
+                                          {.steps = limits.steps, .seconds = limits.seconds});
+  end.statistics.right_hand_sides = std::llround(end.mean_order * static_cast<double>(end.statistics.steps));
+  return {end.t, joined(end.state), end.status, end.statistics};
+}
+
+ivp::Solution<6> run_kepler(double mu, const ivp::State<6>& x0, double t0, double t1,
+                            const ivp::Observer<6>& observer) {
+  const Stopwatch watch;
+  const orbit::KeplerSolution end = orbit::propagate_kepler(parted(x0), t1 - t0, mu);
+  ivp::Solution<6> solution{
+      t1, joined(end.state), end.status, {.steps = 1, .right_hand_sides = end.iterations}};
+  solution.statistics.seconds = watch.seconds();
+  if (!observer || !end.status.ok()) return solution;
+  const KeplerOutput dense(parted(x0), t0, mu);
+  ivp::Nodes<6> states(6, 1);
+  ivp::State<6> before = x0;
+  double earlier = t0;
+  constexpr int count = 16;
+  for (int i = 1; i <= count; ++i) {
+    const double t = t1 - (t1 - t0) / 10 * (count - i) / (count - 1);
+    ivp::State<6> x;
+    dense.at(t, x);
+    states.col(0) = x;
+    if (!observer({i, earlier, t, before, x, std::span(&t, 1), states, dense})) break;
+    before = x;
+    earlier = t;
+  }
+  return solution;
+}
+
+template <class Method>
+ivp::NamedIntegrator<6> integrator_of(const Method& method, double mu) {
+  return [method, mu](const ivp::System<6>&, const ivp::State<6>& x0, double t0, double t1,
+                      const ivp::Observer<6>& observer,
+                      const ivp::Limits& limits) { return run(method, mu, x0, t0, t1, observer, limits); };
+}
+
+}  // namespace
+
+ivp::NamedIntegrator<6> continuation_integrator(const orbit::AnalyticContinuation& method, double mu) {
+  return integrator_of(method, mu);
+}
+
+ivp::NamedIntegrator<6> continuation_integrator(const orbit::FixedContinuation& method, double mu) {
+  return integrator_of(method, mu);
+}
+
+ivp::NamedIntegrator<6> kepler_integrator(double mu) {
+  return [mu](const ivp::System<6>&, const ivp::State<6>& x0, double t0, double t1,
+              const ivp::Observer<6>& observer,
+              const ivp::Limits&) { return run_kepler(mu, x0, t0, t1, observer); };
+}
+
+ivp::State<6> joined(const orbit::State& s) {
+  ivp::State<6> x;
+  x << s.position, s.velocity;
+  return x;
+}
+
+orbit::State parted(const ivp::State<6>& x) { return {x.head<3>(), x.tail<3>()}; }
+
+}  // namespace nlmech::chapters::two_body_series

@@ -1,0 +1,195 @@
+#include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nlmech::algebraic {
+namespace {
+
+constexpr double shortest = 1e-12;  // of chosen steps
+
+const char* name_of(const ScalarHomotopy& method) {
+  return method.function == ScalarHomotopy::Function::fixed_point ? "fixed-point homotopy"
+                                                                  : "newton homotopy";
+}
+
+void check(const ScalarHomotopy& method) {
+  const auto require = [&](bool good, const char* option, double value, const char* range) {
+    if (!good)
+      throw std::invalid_argument(
+          fmt::format("{}: {} = {}; it must be {}", name_of(method), option, value, range));
+  };
+  require(method.step > 0 && std::isfinite(method.step), "step", method.step, "positive");
+  require(method.turn >= 0 && std::isfinite(method.turn), "turn", method.turn, "0 or positive");
+  require(method.longest > 0 && std::isfinite(method.longest), "longest", method.longest, "positive");
+  require(method.tolerance >= 0, "tolerance", method.tolerance, "0 or positive");
+  require(method.power > 0 && std::isfinite(method.power), "power", method.power, "positive");
+  require(method.steps >= 0, "steps", static_cast<double>(method.steps), "0 or positive");
+}
+
+/// A point of the flow: where, F, and the velocity.
+struct Point {
+  explicit Point(Eigen::Index n) : x(n), f(n), velocity(n) {}
+  Eigen::VectorXd x, f, velocity;
+  double norm = 0;  // |F|
+};
+
+class Flow {
+ public:
+  Flow(const ScalarHomotopy& method, Equations& equations, const Eigen::VectorXd& x)
+      : method_(method),
+        equations_(equations),
+        origin_(x),
+        gradient_(x.size()),
+        drive_(x.size()),
+        now_(x.size()),
+        next_(x.size()) {
+    now_.x = x;
+  }
+
+  Report run(const Observer& observer) {
+    Outcome outcome = residual(now_);
+    report_.first = report_.least = now_.norm;
+    if (outcome == Outcome::success && now_.norm > method_.tolerance) outcome = velocity(now_, 0);
+    double step = method_.turn > 0 ? std::min(method_.step, method_.longest) : method_.step;
+    for (;;) {
+      report_.least = std::min(report_.least, now_.norm);
+      report_.last = now_.norm;
+      if (outcome == Outcome::success && observer &&
+          !observer({report_.statistics.steps, report_.time, now_.x, now_.f, now_.norm}))
+        outcome = Outcome::interrupted;
+      if (outcome != Outcome::success || now_.norm <= method_.tolerance) break;
+      outcome = method_.turn > 0 ? chosen_step(step) : fixed_step(step);
+    }
+    if (outcome != Outcome::success) report_.status = Status::failure(outcome, sentence(outcome));
+    return std::move(report_);
+  }
+
+  [[nodiscard]] const Eigen::VectorXd& x() const { return now_.x; }
+
+ private:
+  Outcome residual(Point& p) {
+    equations_.residual(p.x, p.f);
+    ++report_.statistics.right_hand_sides;
+    p.norm = p.f.norm();
+    return std::isfinite(p.norm) ? Outcome::success : Outcome::non_finite;
+  }
+
+  //! [scalar homotopy flow]
+  // Eq. 2.14 with |F|^2/2 Q'/Q for dh/dt, its value on h = 0; u = w = dh/dx unless another one is chosen.
+  Outcome velocity(Point& p, double t) {
+    const bool is_power = method_.growth == ScalarHomotopy::Growth::power;
+    equations_.linearise(p.x);
+    ++report_.statistics.jacobians;
+    equations_.apply_transposed(p.f, gradient_);
+    if (method_.drive == ScalarHomotopy::Drive::transposed_residual) drive_ = gradient_;
+    if (method_.drive == ScalarHomotopy::Drive::residual) drive_ = p.f;
+    if (method_.function == ScalarHomotopy::Function::fixed_point)
+      gradient_ -= (is_power ? std::pow(1 + t, -method_.power) : std::exp(-t)) * (p.x - origin_);
+    const double slope = gradient_.norm(), rate = is_power ? method_.power / (1 + t) : 1;
+    if (!std::isfinite(slope)) return Outcome::non_finite;
+    if (slope == 0) return Outcome::singular_matrix;
+    // In this order no square can over- or underflow.
+    gradient_ /= slope;
+    p.velocity = (-0.5 * rate * p.norm / slope * p.norm) * gradient_;
+    return method_.drive == ScalarHomotopy::Drive::gradient ? Outcome::success : turn_velocity(p);
+  }
+  //! [scalar homotopy flow]
+
+  // Another u: the velocity keeps its component along w.
+  Outcome turn_velocity(Point& p) {
+    drive_ /= drive_.norm();
+    const double cosine = gradient_.dot(drive_);
+    if (!(std::abs(cosine) > 0)) return Outcome::singular_matrix;
+    p.velocity = p.velocity.dot(gradient_) / cosine * drive_;
+    return p.velocity.allFinite() ? Outcome::success : Outcome::singular_matrix;
+  }
+
+  // Euler's rule, and F and the velocity at its end.
+  Outcome advance(double step) {
+    next_.x = now_.x + step * now_.velocity;
+    const Outcome outcome = residual(next_);
+    if (outcome != Outcome::success || next_.norm <= method_.tolerance) return outcome;
+    return velocity(next_, report_.time + step);
+  }
+
+  void accept(double step) {
+    std::swap(now_, next_);
+    report_.time += step;
+    ++report_.statistics.steps;
+  }
+
+  [[nodiscard]] bool is_spent() const {
+    return report_.statistics.steps + report_.statistics.rejected >= method_.steps;
+  }
+
+  Outcome fixed_step(double step) {
+    if (is_spent()) return Outcome::step_limit;
+    const Outcome outcome = advance(step);
+    // A vanishing gradient at the end is the next step's business; it has to be seen there.
+    if (outcome == Outcome::success || outcome == Outcome::singular_matrix) accept(step);
+    return outcome;
+  }
+
+  // The local error of Euler's rule is half the change of the velocity, times the step.
+  Outcome chosen_step(double& step) {
+    for (;;) {
+      if (is_spent()) return Outcome::step_limit;
+      if (step < shortest) return Outcome::step_underflow;
+      const Outcome outcome = advance(step);
+      const bool is_root = outcome == Outcome::success && next_.norm <= method_.tolerance;
+      double fraction = HUGE_VAL;
+      if (is_root)
+        fraction = 0;
+      else if (outcome == Outcome::success)
+        fraction = (next_.velocity - now_.velocity).norm() / (2 * method_.turn * now_.velocity.norm());
+      const double taken = step;
+      step = std::min(method_.longest, step * std::clamp(0.9 / fraction, 0.2, 2.0));
+      if (fraction <= 1) {
+        accept(taken);
+        return Outcome::success;
+      }
+      ++report_.statistics.rejected;
+    }
+  }
+
+  [[nodiscard]] std::string sentence(Outcome outcome) const {
+    const std::string place =
+        fmt::format("{}: after {} steps, at fictitious time {:.6g} with |F| = {:.3g}", name_of(method_),
+                    report_.statistics.steps, report_.time, now_.norm);
+    switch (outcome) {
+      case Outcome::singular_matrix:
+        return place + ", the flow has no direction: |F| is stationary and not zero; start elsewhere";
+      case Outcome::non_finite:
+        return place + ", F or its derivative is not finite; take shorter steps or start elsewhere";
+      case Outcome::step_underflow:
+        return place +
+               ", no step is short enough: |F| has a minimum here; start elsewhere or take fixed steps";
+      case Outcome::interrupted: return place + ", stopped by the observer";
+      default: return place + ", the allowed steps are used up; allow more, or start closer to a root";
+    }
+  }
+
+  const ScalarHomotopy& method_;
+  Equations& equations_;
+  const Eigen::VectorXd origin_;
+  Eigen::VectorXd gradient_, drive_;
+  Point now_, next_;
+  Report report_;
+};
+
+}  // namespace
+
+Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
+                 const Observer& observer) {
+  check(method);
+  require_size(name_of(method), equations, x);
+  Flow flow(method, equations, x);
+  Report report = flow.run(observer);
+  x = flow.x();
+  return report;
+}
+
+}  // namespace nlmech::algebraic

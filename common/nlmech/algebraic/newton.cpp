@@ -1,8 +1,0 @@
-#include "nlmech/algebraic/newton.hpp"
-
-namespace nlmech::algebraic {
-
-// The sizes that most callers share are compiled here, as a check that the header stands by itself.
-template struct Workspace<Eigen::VectorXd, Eigen::MatrixXd>;
-
-}  // namespace nlmech::algebraic

@@ -1,0 +1,265 @@
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "nlmech/algebraic/newton/trust_region_step.hpp"
+#include "nlmech/algebraic/rounding.hpp"
+#include "nlmech/algebraic/symmetric_solver.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double shortest = 1e-15;  // radius over |S x|, or over the first one
+
+void check(const EnergyTrustRegion& method, const Equations& equations, const Eigen::VectorXd& x) {
+  require_size("energy-trust-region", equations, x);
+  if (method.scale.size() > 0 && !(method.scale.size() == x.size() && (method.scale.array() > 0).all()))
+    throw std::invalid_argument("energy-trust-region: scale has another size than x, or is not positive");
+  if (!(method.radius >= 0 && std::isfinite(method.radius)))
+    throw std::invalid_argument(
+        fmt::format("energy-trust-region: radius = {}; it must be 0 or positive", method.radius));
+  if (method.iterations < 0)
+    throw std::invalid_argument(
+        fmt::format("energy-trust-region: iterations = {}; it must be 0 or positive", method.iterations));
+}
+
+class Minimisation {
+ public:
+  Minimisation(const EnergyTrustRegion& method, Potential& equations, Eigen::VectorXd& x,
+               const Observer& observer)
+      : method_(method), equations_(equations), observer_(observer), x_(x), f_(x.size()) {}
+
+  Report run() {
+    Outcome outcome = start();
+    while (outcome == Outcome::success) {
+      if (is_polishing_due()) {
+        const Polish end = polish();
+        if (end == Polish::done) break;
+        if (end == Polish::interrupted) outcome = Outcome::interrupted;
+        if (outcome != Outcome::success) break;
+      }
+      outcome = step();
+    }
+    return finish(outcome);
+  }
+
+ private:
+  enum class Polish : std::uint8_t { done, no_minimum, interrupted };
+
+  Outcome start() {
+    energy_ = equations_.energy(x_);
+    if (!linearise(x_) || !std::isfinite(energy_)) return Outcome::non_finite;
+    report_.first = report_.least = report_.last;
+    scale_ = method_.scale.size() > 0 ? method_.scale : scale_of(diagonal_of(equations_));
+    solver_.take_from(equations_, scale_);
+    g_ = f_.cwiseQuotient(scale_);
+    radius_ = first_radius_ = method_.radius > 0 ? method_.radius : descent();
+    if (!see()) return Outcome::interrupted;
+    plan();
+    return planned_.found ? Outcome::success : Outcome::non_finite;
+  }
+
+  /// Length of the minimising step along -g; where the curvature along it is not positive, of one with the
+  /// curvature |B|.
+  double descent() {
+    solver_.multiply(g_, p_);
+    const double square = g_.squaredNorm(), curvature = g_.dot(p_);
+    const double bound = solver_.norm();
+    if (square > 0 && curvature > 1e-3 * bound * square) return square / curvature * std::sqrt(square);
+    if (square > 0 && bound > 0) return std::sqrt(square) / bound;
+    return 1e-3;  // at a stationary point the model alone cannot tell; the ball grows or shrinks
+  }
+
+  /// F, B at @p x; false if not finite.
+  bool linearise(const Eigen::VectorXd& x) {
+    equations_.residual(x, f_);
+    ++report_.statistics.right_hand_sides;
+    report_.last = f_.norm();
+    report_.least =
+        report_.statistics.right_hand_sides == 1 ? report_.last : std::min(report_.least, report_.last);
+    if (!std::isfinite(report_.last)) return false;
+    equations_.linearise(x);
+    ++report_.statistics.jacobians;
+    if (scale_.size() == 0) return true;
+    solver_.take_from(equations_, scale_);
+    g_ = f_.cwiseQuotient(scale_);
+    return solver_.is_finite();
+  }
+
+  bool see() { return !observer_ || observer_({seen_, static_cast<double>(seen_++), x_, f_, report_.last}); }
+
+  /// The step at x_ for the present radius.
+  void plan() {
+    planned_ = step_.find(solver_, g_, radius_, p_);
+    report_.statistics.factorisations += planned_.factorisations;
+  }
+
+  [[nodiscard]] double noise() {
+    if (noise_at_ != report_.statistics.steps) {
+      noise_ = rounding_of_energy(equations_, x_, energy_, trial_);
+      noise_at_ = report_.statistics.steps;
+    }
+    return noise_;
+  }
+
+  /// Is p_ Newton's step, and too short for V to judge it?
+  [[nodiscard]] bool is_polishing_due() {
+    if (planned_.multiplier > 0 || report_.statistics.steps < no_polish_before_) return false;
+    return planned_.decrease <= 1e-10 * descended_ || planned_.decrease <= 32 * noise();
+  }
+
+  Outcome step() {
+    if (report_.statistics.steps + report_.statistics.rejected >= method_.iterations)
+      return Outcome::step_limit;
+    const double size = scale_.cwiseProduct(x_).norm();
+    if (planned_.decrease <= 32 * noise()) {
+      // Nothing can be seen at this distance. On the boundary of the ball, look farther.
+      if (planned_.multiplier == 0 || rejected_at_ == report_.statistics.steps ||
+          radius_ > 1e3 * (size + first_radius_))
+        return Outcome::not_converged;
+      radius_ *= 4;
+      ++report_.statistics.rejected;
+      plan();
+      return planned_.found ? Outcome::success : Outcome::not_converged;
+    }
+    trial_ = x_ + p_.cwiseQuotient(scale_);
+    const double energy = equations_.energy(trial_), actual = energy_ - energy;
+    const double ratio = std::isfinite(energy) ? (actual + noise()) / (planned_.decrease + noise()) : -1;
+    if (ratio > 1e-4) {
+      x_.swap(trial_);
+      if (linearise(x_)) return accept(energy, actual, ratio);
+      x_.swap(trial_);
+      (void)linearise(x_);
+    }
+    ++report_.statistics.rejected;
+    rejected_at_ = report_.statistics.steps;
+    radius_ = 0.25 * planned_.length;
+    if (!(radius_ > shortest * std::max(size, 1e-6 * first_radius_)))
+      return std::isfinite(energy) ? Outcome::not_converged : Outcome::non_finite;
+    plan();
+    return Outcome::success;
+  }
+
+  Outcome accept(double energy, double actual, double ratio) {
+    ++report_.statistics.steps;
+    energy_ = energy;
+    descended_ += std::max(0., actual);
+    if (ratio < 0.25)
+      radius_ = 0.5 * planned_.length;
+    else if (ratio > 0.7 && planned_.length > 0.8 * radius_)
+      radius_ = (ratio > 0.9 && ratio < 1.1 ? 3 : 2) * radius_;
+    if (!see()) return Outcome::interrupted;
+    plan();
+    return planned_.found ? Outcome::success : Outcome::not_converged;
+  }
+
+  //! [increments at the floor]
+  /// Newton's iteration from x_, whose step is p_. Leaves x_, F and B as they were unless it ends well.
+  Polish polish() {
+    kept_ = x_;
+    double before = HUGE_VAL;
+    for (int k = 0; k < 100; ++k) {
+      const double length = p_.norm(), size = scale_.cwiseProduct(x_).norm();
+      if (length <= 4 * eps * size || (length > 0.9 * before && is_at_floor(length, size)))
+        return Polish::done;
+      if (length > 0.9 * before) break;
+      before = length;
+      x_ += p_.cwiseQuotient(scale_);
+      const bool finite = linearise(x_);
+      ++report_.statistics.newton_iterations;
+      ++report_.statistics.factorisations;
+      if (!finite) break;
+      if (!solver_.factorise().is_positive()) {
+        if (go_on_from_saddle()) return Polish::no_minimum;
+        break;
+      }
+      if (!see()) return Polish::interrupted;
+      solver_.solve(g_, p_);
+      p_ = -p_;
+    }
+    x_ = kept_;
+    (void)linearise(x_);
+    plan();
+    no_polish_before_ = report_.statistics.steps + 1;
+    return Polish::no_minimum;
+  }
+
+  /// Newton's iteration has come to where B is not positive definite, within the rounding of V: next to a
+  /// limit point. From here V may fall on; from where the iteration began it could not be seen to.
+  bool go_on_from_saddle() {
+    const double energy = equations_.energy(x_);
+    if (!(energy <= energy_ + 32 * rounding_of_energy(equations_, kept_, energy_, trial_))) return false;
+    ++report_.statistics.steps;
+    energy_ = energy;
+    no_polish_before_ = report_.statistics.steps + 1;
+    plan();
+    return planned_.found;
+  }
+
+  /// Is an increment of this length what rounding calls for? Newton's increment for the change of F that a
+  /// change of x in its last digits makes, one of two random ones.
+  bool is_at_floor(double length, double size) {
+    const double rounding = rounding_of_residual(equations_, x_, f_, [&](const Eigen::VectorXd& change) {
+      change_ = change.cwiseQuotient(scale_);
+      solver_.solve(change_, trial_);
+      return trial_.norm();
+    });
+    report_.statistics.right_hand_sides += 2;
+    return length <= 64 * std::max(rounding, eps * size);
+  }
+  //! [increments at the floor]
+
+  Report finish(Outcome outcome) {
+    if (outcome == Outcome::success) {
+      equations_.residual(x_, f_);  // for its status, which speaks of the last place looked at
+      if (equations_.status().outcome() == Outcome::wrong_branch) report_.status = equations_.status();
+    } else {
+      report_.status = Status::failure(outcome, sentence(outcome));
+    }
+    return std::move(report_);
+  }
+
+  [[nodiscard]] std::string sentence(Outcome outcome) const {
+    const std::string place = fmt::format(
+        "energy-trust-region: after {} steps ({} rejected), with V = {:.6g}, |F| = {:.3g}, radius {:.3g}",
+        report_.statistics.steps, report_.statistics.rejected, energy_, report_.last, radius_);
+    const std::string why = equations_.status().ok() ? "" : " (" + equations_.status().sentence() + ")";
+    switch (outcome) {
+      case Outcome::non_finite:
+        return place + ", V, F or its derivative is not finite" + why + "; start elsewhere";
+      case Outcome::not_converged:
+        return place +
+               ", V falls no more within its rounding, and this is no minimum to rounding: a degenerate"
+               " point; start elsewhere or change the load slightly";
+      case Outcome::interrupted: return place + ", stopped by the observer";
+      default: return place + ", the allowed steps are used up; allow more, or start closer";
+    }
+  }
+
+  const EnergyTrustRegion& method_;
+  Potential& equations_;
+  const Observer& observer_;
+  Eigen::VectorXd& x_;
+  Eigen::VectorXd f_, g_, p_, scale_, trial_, kept_, change_;
+  SymmetricSolver solver_;
+  TrustRegionStep step_;
+  TrustRegionStep::Result planned_;
+  Report report_;
+  double energy_ = 0, radius_ = 0, first_radius_ = 0, descended_ = 0, noise_ = 0;
+  std::int64_t noise_at_ = -1, rejected_at_ = -1, no_polish_before_ = 0, seen_ = 0;
+};
+
+}  // namespace
+
+Report find_root(const EnergyTrustRegion& method, Potential& equations, Eigen::VectorXd& x,
+                 const Observer& observer) {
+  check(method, equations, x);
+  return Minimisation(method, equations, x, observer).run();
+}
+
+}  // namespace nlmech::algebraic

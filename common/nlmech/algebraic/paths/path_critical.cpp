@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nlmech/algebraic/paths/path_step.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+constexpr double one_place = 1e-7;    // of a step: what lies within is one place
+constexpr double is_singular = 1e-5;  // |K v|/|K| of a null vector v, at most
+
+}  // namespace
+
+std::string_view to_string(CriticalPoint::Kind kind) noexcept {
+  switch (kind) {
+    case CriticalPoint::Kind::maximum: return "maximum";
+    case CriticalPoint::Kind::minimum: return "minimum";
+    default: return "bifurcation";
+  }
+}
+
+Path::Mark Path::mark(double part, const PathPoint& point) const {
+  return {part, point.slope, point.negative, point.sign};
+}
+
+Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
+  out.clear();
+  std::vector<double> parts;
+  Outcome outcome = splits(parts);
+  std::optional<Bracket> pair;
+  if (outcome == Outcome::success && !has_passed_fold()) outcome = slope_between(pair);
+  if (outcome != Outcome::success) return outcome;
+  if (pair) parts.insert(std::upper_bound(parts.begin(), parts.end(), pair->high), pair->high);
+  if (parts.empty()) {
+    out = critical_;
+    return out.empty() ? critical_in(mark(0, before_), mark(1, now_), out) : outcome;
+  }
+  Mark low = mark(0, before_);
+  PathPoint point;
+  for (const double part : parts) {
+    outcome = between(part, point);
+    const Mark high = mark(part, point);
+    if (outcome == Outcome::success) outcome = critical_in(low, high, out);
+    if (outcome != Outcome::success) return outcome;
+    low = high;
+  }
+  return critical_in(low, mark(1, now_), out);
+}
+
+/// Halves the interval until each part has one change or is one place.
+Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out) {
+  PathPoint a, point;
+  a.slope = low.slope, a.negative = low.negative, a.sign = low.sign;
+  point.slope = high.slope, point.negative = high.negative, point.sign = high.sign;
+  const PathChanges changes = changes_between(a, point, system_.equations().is_symmetric());
+  if (changes.count() == 0) return Outcome::success;
+  const auto limit = low.slope > 0 ? CriticalPoint::Kind::maximum : CriticalPoint::Kind::minimum;
+  if (changes.count() == 1 && changes.fold) {
+    const Outcome outcome = fold_in({low.part, low.slope, high.part, high.slope}, point);
+    return outcome == Outcome::success ? add_critical(limit, 1, point, out) : outcome;
+  }
+  if (changes.count() == 1 && low.sign * high.sign < 0) {
+    Eigen::VectorXd direction;
+    const auto sign = [](const Mark& m) { return static_cast<double>(m.sign); };
+    const Outcome outcome = branch_in({low.part, sign(low), high.part, sign(high)}, point, direction);
+    if (outcome == Outcome::success) return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
+  }
+  const double middle = low.part + (high.part - low.part) / 2;
+  Outcome outcome = between(middle, point);
+  if (outcome != Outcome::success) return outcome;
+  if (high.part - low.part > one_place) {
+    const Mark between_both = mark(middle, point);
+    outcome = critical_in(low, between_both, out);
+    return outcome == Outcome::success ? critical_in(between_both, high, out) : outcome;
+  }
+  if (changes.fold) outcome = add_critical(limit, 1, point, out);
+  if (outcome != Outcome::success || changes.branches == 0) return outcome;
+  return add_critical(CriticalPoint::Kind::bifurcation, changes.branches, point, out);
+}
+
+/// Does the path go on through a place without a gap, and does it change there as it should?
+bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
+  const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  PathPoint ahead, behind;
+  for (const double reach : {2e-3, 1e-4}) {  // the second where another change is as near as the first
+    if (between(part - reach, behind) != Outcome::success || between(part + reach, ahead) != Outcome::success)
+      return false;
+    const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m};
+    if (!(gone.norm() <= 1.3 * 2 * reach * all.norm())) return false;
+    const PathChanges changes = changes_between(behind, ahead, system_.equations().is_symmetric());
+    if (kind == CriticalPoint::Kind::bifurcation ? changes.branches > 0 : changes.fold) return true;
+  }
+  return false;
+}
+
+/// Adds it, if K is singular there and the path one.
+Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
+                           std::vector<CriticalPoint>& out) {
+  if (!is_change_at(part_of(point), kind)) return Outcome::not_converged;
+  double norm = 0;  // of K around: at the point of one unknown it vanishes itself
+  for (const PathVector& at : {before_.at, now_.at, point.at}) {
+    if (!system_.linearise(at)) return Outcome::non_finite;
+    norm = std::max(norm, system_.norm_of_matrix());
+  }
+  const Eigen::VectorXd null = null_direction(system_);
+  system_.multiply(null, rest_);
+  if (!(rest_.norm() <= is_singular * norm)) return Outcome::not_converged;
+  out.push_back({kind, point, system_.unscaled(null).normalized(), vanishing});
+  if (kind == CriticalPoint::Kind::bifurcation) out.back().point.tangent = {null, 0};
+  return Outcome::success;
+}
+
+Outcome Path::branch(PathPoint& out, Eigen::VectorXd& direction) {
+  if (!has_passed_branch()) return Outcome::not_converged;
+  for (const CriticalPoint& point : critical_) {
+    if (point.kind != CriticalPoint::Kind::bifurcation) continue;
+    out = point.point;
+    direction = out.tangent.y;
+    return Outcome::success;
+  }
+  return branch_in({0, static_cast<double>(before_.sign), 1, static_cast<double>(now_.sign)}, out, direction);
+}
+
+/// A branch point in a bracket of the sign.
+Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direction) {
+  // The bordered function of fold.hpp with a fixed border changes its sign with the eigenvalue.
+  PathVector border{Eigen::VectorXd(), 0}, null;
+  null.y.resize(system_.size());
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
+  const auto value = [&](const PathPoint& p) {
+    if (!system_.linearise(p.at) || !system_.solve_bordered(border.y, border, zero, 1, null))
+      return HUGE_VAL * 0;
+    return null.m;
+  };
+  // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
+  Outcome outcome = narrow([](const PathPoint& p) { return static_cast<double>(p.sign); },
+                           0.02 * (bracket.high - bracket.low), bracket, out);
+  if (outcome != Outcome::success) return outcome;
+  border.y = null_direction(system_);
+  for (const bool is_low : {true, false}) {
+    PathPoint end;
+    outcome = between(is_low ? bracket.low : bracket.high, end);
+    if (outcome != Outcome::success) return outcome;
+    (is_low ? bracket.low_value : bracket.high_value) = value(end);
+  }
+  if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
+  outcome = narrow(value, 1e-3, bracket, out);
+  if (outcome != Outcome::success) return outcome;
+  outcome = interpolate(value, out);
+  if (outcome != Outcome::success) return outcome;
+  if (!system_.linearise(out.at)) return Outcome::non_finite;
+  direction = null_direction(system_);
+  out.tangent = {direction, 0};
+  return Outcome::success;
+}
+
+namespace {
+
+/// Lagrange's weight of the place @p i among @p x from @p first on, at @p at.
+double lagrange(const std::array<double, 6>& x, std::size_t first, std::size_t i, double at) {
+  double product = 1;
+  for (std::size_t j = first; j < x.size(); ++j) {
+    if (j != i) product *= (at - x[j]) / (x[i] - x[j]);
+  }
+  return product;
+}
+
+/// The part at which the value vanishes, by the places from @p first on.
+double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& values, std::size_t first) {
+  double part = 0;
+  for (std::size_t i = first; i < parts.size(); ++i) part += lagrange(values, first, i, 0) * parts[i];
+  return part;
+}
+
+}  // namespace
+
+/// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
+/// point itself a correction is not determined along the other branch. Where six places and four do not
+/// agree, as next to another singular point, nearer ones are taken.
+Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
+  constexpr std::array<double, 6> offsets = {-1, 1, -0.6, 0.6, -0.2, 0.2};
+  std::array<double, 6> parts{}, values{};
+  std::array<PathVector, 6> places;
+  double middle = part_of(out), part = 0;
+  for (const double reach : {0.02, 2e-3, 2e-4}) {
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+      parts[i] = middle + reach * offsets[i];
+      if (const Outcome outcome = between(parts[i], out); outcome != Outcome::success) return outcome;
+      values[i] = value(out);
+      places[i] = out.at;
+    }
+    part = zero_of(parts, values, 0);
+    if (!(std::abs(part - middle) <= reach)) return Outcome::not_converged;
+    const double off = std::abs(part - zero_of(parts, values, 2));
+    if (off <= 1e-6 * reach) break;
+    if (reach < 1e-3 && off > 1e-4 * reach) return Outcome::not_converged;
+    middle = part;
+  }
+  out.at = {Eigen::VectorXd::Zero(system_.size()), 0};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double share = lagrange(parts, 0, i, part);
+    out.at.y += share * places[i].y;
+    out.at.m += share * places[i].m;
+  }
+  out.x = system_.unscaled(out.at.y);
+  out.load = out.at.m / system_.load_scale();
+  out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();
+  return Outcome::success;
+}
+
+Status follow(Path& path, const std::function<bool(const Path&)>& is_done, std::int64_t steps,
+              std::vector<CriticalPoint>& found) {
+  std::vector<CriticalPoint> here;
+  const std::int64_t first = path.statistics().steps;
+  while (!is_done(path)) {
+    if (path.statistics().steps - first >= steps)
+      return Status::failure(
+          Outcome::step_limit,
+          fmt::format("path: {} steps end at load {:.10g}, arc {:.6g}; allow more, or longer ones (turn)",
+                      steps, path.now().load, path.now().arc));
+    Status status = path.advance();
+    // A place that the equations themselves call another branch is none to go on from.
+    if (status.ok()) status = path.system().status();
+    if (!status.ok()) return status;
+    const Outcome outcome = path.critical_points(here);
+    if (outcome != Outcome::success)
+      return Status::failure(
+          outcome,
+          fmt::format("path: between the loads {:.10g} and {:.10g} eigenvalues of dF/dx change their "
+                      "signs, and no limit or branch point is found; take shorter steps (turn)",
+                      path.before().load, path.now().load));
+    found.insert(found.end(), here.begin(), here.end());
+  }
+  return {};
+}
+
+}  // namespace nlmech::algebraic

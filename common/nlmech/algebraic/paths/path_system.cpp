@@ -1,0 +1,175 @@
+#include "nlmech/algebraic/paths/path_system.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::algebraic {
+
+PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load, const Eigen::VectorXd& scale)
+    : equations_(equations), scale_(scale) {
+  const Eigen::Index n = equations.size();
+  if (x.size() != n)
+    throw std::invalid_argument(
+        fmt::format("path: the start has {} components, the equations {}", x.size(), n));
+  if (scale.size() > 0 && !(scale.size() == n && (scale.array() > 0).all()))
+    throw std::invalid_argument("path: scale has another size than x, or is not positive");
+  f_.resize(n);
+  q_.resize(n);
+  rest_.y.resize(n);
+  change_.y.resize(n);
+  equations_.linearise(x, load);
+  ++statistics.jacobians;
+  if (scale_.size() == 0) scale_ = scale_of(diagonal_of(equations_));
+  if (!linearise(scaled(x, load))) return;
+  solve(q_, work_);
+  const double length = work_.norm(), reach = scale_.cwiseProduct(x).norm();
+  // At a limit point, and near one, K calls for displacements without bound: then those of the start must do.
+  if (inertia_.zero == 0 && std::isfinite(length) && length > 0 && (reach == 0 || length <= 1e3 * reach))
+    load_scale_ = length;
+  else if (reach > 0)
+    load_scale_ = reach;
+}
+
+Eigen::VectorXd null_direction(const PathSystem& system) {
+  Eigen::VectorXd v(system.size()), next(system.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
+  for (int k = 0; k < 4; ++k) {
+    system.solve(v, next);
+    v = next.normalized();
+  }
+  return v;
+}
+
+PathVector PathSystem::scaled(const Eigen::VectorXd& x, double load) const {
+  return {x.cwiseProduct(scale_), load * load_scale_};
+}
+
+bool PathSystem::residual(const PathVector& at) {
+  x_ = at.y.cwiseQuotient(scale_);
+  equations_.residual(x_, at.m / load_scale_, f_);
+  ++statistics.right_hand_sides;
+  norm_ = f_.norm();
+  f_ = f_.cwiseQuotient(scale_);
+  return std::isfinite(norm_);
+}
+
+bool PathSystem::linearise(const PathVector& at) {
+  x_ = at.y.cwiseQuotient(scale_);
+  equations_.linearise(x_, at.m / load_scale_);
+  ++statistics.jacobians;
+  equations_.load_vector(q_);
+  q_ = q_.cwiseQuotient(scale_) / load_scale_;
+  return factorise() && q_.allFinite();
+}
+
+bool PathSystem::factorise() {
+  ++statistics.factorisations;
+  if (equations_.is_symmetric()) {
+    symmetric_.take_from(equations_, scale_);
+    if (!symmetric_.is_finite()) return false;
+    inertia_ = symmetric_.factorise();
+    return true;
+  }
+  equations_.matrix(dense_);
+  if (!dense_.allFinite()) return false;
+  dense_.array() /= (scale_ * scale_.transpose()).array();
+  lu_.compute(dense_);
+  inertia_ = {};
+  bool is_negative = lu_.permutationP().determinant() < 0;
+  for (Eigen::Index i = 0; i < dense_.rows(); ++i) {
+    const double pivot = lu_.matrixLU()(i, i);
+    if (pivot == 0) ++inertia_.zero;
+    if (pivot < 0) is_negative = !is_negative;
+  }
+  inertia_.negative = is_negative ? 1 : 0;
+  return true;
+}
+
+void PathSystem::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
+  if (equations_.is_symmetric())
+    symmetric_.multiply(v, out);
+  else
+    out.noalias() = dense_ * v;
+}
+
+void PathSystem::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+  if (equations_.is_symmetric())
+    symmetric_.solve(b, x);
+  else
+    x = lu_.solve(b);
+}
+
+void PathSystem::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+  if (equations_.is_symmetric())
+    symmetric_.solve(b, x);
+  else
+    x = lu_.transpose().solve(b);
+}
+
+//! [mixed block elimination]
+/// Right even if K is as good as singular: a first load from the transposed system takes from f what K cannot
+/// answer, then the usual elimination does the rest.
+void PathSystem::eliminate(const PathVector& row, double delta, double delta_transposed,
+                           const PathVector& right, PathVector& out) {
+  const double first = (right.m - left_.dot(right.y)) / delta_transposed;
+  shortened_.y = right.y - column_ * first;
+  shortened_.m = right.m - row.m * first;
+  solve(shortened_.y, out.y);
+  const double second = (shortened_.m - row.y.dot(out.y)) / delta;
+  out.y -= right_ * second;
+  out.m = first + second;
+}
+//! [mixed block elimination]
+
+bool PathSystem::solve_bordered(const PathVector& row, const Eigen::VectorXd& f, double h, PathVector& out) {
+  return solve_bordered(q_, row, f, h, out);
+}
+
+bool PathSystem::solve_bordered(const Eigen::VectorXd& column, const PathVector& row,
+                                const Eigen::VectorXd& f, double h, PathVector& out) {
+  column_ = column;
+  solve_transposed(row.y, left_);
+  solve(column_, right_);
+  const double delta_transposed = row.m - left_.dot(column_), delta = row.m - row.y.dot(right_);
+  sign_ = (delta < 0 ? -1 : 1) * (inertia_.negative % 2 == 0 ? 1 : -1);
+  rest_.y = f;
+  rest_.m = h;
+  const double size = rest_.norm();
+  eliminate(row, delta, delta_transposed, rest_, out);
+  for (int k = 0; k < 2; ++k) {
+    multiply(out.y, work_);
+    rest_.y = f - work_ - column_ * out.m;
+    rest_.m = h - row.y.dot(out.y) - row.m * out.m;
+    eliminate(row, delta, delta_transposed, rest_, change_);
+    out.y += change_.y;
+    out.m += change_.m;
+  }
+  multiply(out.y, work_);
+  rest_.y = f - work_ - column_ * out.m;
+  rest_.m = h - row.y.dot(out.y) - row.m * out.m;
+  // A solution is as good as the rounding of its product with the matrix, or of (f; h).
+  const double floor = 1e-12 * (norm_of_matrix() + column_.norm() + row.norm()) * out.norm();
+  return std::isfinite(out.norm()) && rest_.norm() <= 1e-3 * size + floor;
+}
+
+void PathSystem::multiply_at(const PathVector& at, const Eigen::VectorXd& v, Eigen::VectorXd& out) {
+  x_ = at.y.cwiseQuotient(scale_);
+  equations_.linearise(x_, at.m / load_scale_);
+  ++statistics.jacobians;
+  x_ = v.cwiseQuotient(scale_);
+  if (const Eigen::SparseMatrix<double>* const k = equations_.sparse()) {
+    out.noalias() = *k * x_;
+  } else {
+    equations_.matrix(other_);
+    out.noalias() = other_ * x_;
+  }
+  out = out.cwiseQuotient(scale_);
+}
+
+double PathSystem::norm_of_matrix() const {
+  return equations_.is_symmetric() ? symmetric_.norm() : dense_.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+}  // namespace nlmech::algebraic

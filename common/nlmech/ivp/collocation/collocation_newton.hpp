@@ -1,0 +1,382 @@
+/// @file
+/// Collocation at Radau nodes by Newton's iteration: the engine of adaptive-collocation for stiff problems.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <utility>
+
+#include "nlmech/collocation/radau_defect.hpp"
+#include "nlmech/collocation/radau_transform.hpp"
+#include "nlmech/ivp/collocation/collocation_loops.hpp"
+#include "nlmech/ivp/collocation/collocation_trial.hpp"
+#include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/system.hpp"
+#include "nlmech/support/statistics.hpp"
+
+namespace nlmech::ivp::adaptive {
+
+/// Steps of s nodes, s odd, by simplified Newton iterations on the increments z_i = x_i - x_0, with one
+/// Jacobian for all nodes and, where it changes little, for many steps. In the coordinates of RadauTransform
+/// an iteration solves one real and (s - 1)/2 complex systems of the size of the state (E. Hairer and G.
+/// Wanner, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111 (1999) 93-111).
+///
+/// Error at the end of the step, e_i <= absolute + relative |x_i| at the begin. The trial function fails the
+/// equation by the defect r, which is 0 at the nodes. Two samples of it, at the begin and at an inner time,
+/// are carried to the end by the equation's linear part (collocation::RadauDefect): exact, but for a factor
+/// of a few, for linear equations with any spectrum, through transients that the step does not resolve, and
+/// where stiffness reduces the order; it vanishes like h^(2s) where superconvergence holds. What it does not
+/// see is how far nodes miss in the integral of a solution that bends on its own: of coefficients that decay
+/// geometrically, a share r_0/f of r_0, of which a tenth is added (in tests the whole is 10 to 100 times too
+/// much). Errors of steps of which a tenth of the tolerance can be checked are at most 1.4 times the estimate
+/// in HIRES and through the leaps of van der Pol's oscillator, on average a quarter of it.
+template <SystemLike S, int s>
+class NewtonSteps : public DenseOutput<S::dimension> {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// @param setup the equation and what is asked
+  explicit NewtonSteps(const Setup<S>& setup)
+      : system_(setup.system),
+        tolerance_(setup.tolerance),
+        z_(Increments::Zero(system_.size(), s)),
+        w_(z_),
+        f_(z_),
+        last_(z_),
+        change_of_w_(z_),
+        x0_(State<n>::Zero(system_.size())),
+        x1_(x0_),
+        carry_(x0_),
+        change_(x0_),
+        weight_(x0_),
+        f0_(x0_),
+        node_(x0_),
+        slope_(x0_),
+        begin_defect_(x0_),
+        filtered_(x0_),
+        carried_(x0_),
+        jacobian_(Jacobian<n>::Zero(system_.size(), system_.size())),
+        real_(x0_),
+        complex_(x0_.template cast<std::complex<double>>()) {}
+
+  /// Starts a segment at (t, x).
+  void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
+    segment_ = SmoothSegment(t, end);
+    x0_ = x;
+    carry_.setZero();
+    last_length_ = 0;
+    left_before_ = 0;
+    has_jacobian_ = false;
+    system_.rhs(segment_(t), x, f0_);
+    ++statistics.right_hand_sides;
+  }
+  /// Is the slope at the begin finite?
+  [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
+  /// State at the begin.
+  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  /// State at the end of the trial.
+  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  /// h |J|, the greatest row sum, in the latest trial: how stiff the problem is for its step.
+  [[nodiscard]] double stiffness() const {
+    return std::abs(h_) * jacobian_.cwiseAbs().rowwise().sum().maxCoeff();
+  }
+
+  /// Power of the step with which the estimate grows; less where the problem is stiff.
+  [[nodiscard]] int error_order() const { return 2 * s; }
+  /// Goes from the begin, t, to t1.
+  Trial attempt(double t, double t1, Statistics& statistics) {
+    t0_ = t;
+    t1_ = t1;
+    h_ = t1 - t;
+    for (Eigen::Index i = 0; i < x0_.size(); ++i)
+      weight_[i] = tolerance_.absolute + tolerance_.relative * std::abs(x0_[i]);
+    if (!has_jacobian_) {
+      system_.jacobian(segment_(t), x0_, jacobian_);
+      ++statistics.jacobians;
+      has_jacobian_ = true;
+      is_fresh_ = true;
+      factored_ = 0;
+    }
+    if (factored_ != h_) factor(statistics);
+    predict();
+    Trial trial = iterate(statistics);
+    if (!trial.converged) {
+      if (!is_fresh_) has_jacobian_ = false;
+      return trial;
+    }
+    finish();
+    trial.error = error(statistics);
+    trial.converged = all_finite(x1_.data(), x1_.size()) && std::isfinite(trial.error);
+    return trial;
+  }
+  /// Takes the trial for the begin of the next.
+  void accept(Statistics& statistics) {
+    std::swap(x0_, x1_);
+    carry_ = change_;
+    last_ = z_;
+    last_length_ = h_;
+    left_before_ = left_;
+    // Not that of the trial function there, (A^-1 z)_s/h: so the next estimate sees what Newton's iteration
+    // has left.
+    system_.rhs(segment_(t1_), x0_, f0_);
+    ++statistics.right_hand_sides;
+    if (contraction_ > keep_jacobian) has_jacobian_ = false;
+    is_fresh_ = false;
+  }
+
+  /// Goes on where another order has come to, from its trial function.
+  template <int other>
+  [[gnu::noinline]] void continue_from(const NewtonSteps<S, other>& from) {
+    segment_ = from.segment_;
+    x0_ = from.x0_;
+    carry_ = from.carry_;
+    f0_ = from.f0_;
+    h_ = from.h_;
+    last_length_ = from.last_length_;
+    left_before_ = from.left_before_;
+    jacobian_ = from.jacobian_;
+    has_jacobian_ = from.has_jacobian_;
+    is_fresh_ = false;
+    factored_ = 0;
+    eta_ = 1;
+    typename NewtonSteps<S, other>::Row row;
+    for (int i = 0; i < s; ++i) {
+      from.lagrange(table_.nodes[i], row);
+      for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(d, i) = from.sum(row, from.last_, d);
+    }
+  }
+  /// After a trial: 1 where Newton's iteration converges at once and more nodes would let the steps become
+  /// longer; -1 where it hardly converges, which longer steps make worse (Hairer and Wanner).
+  [[nodiscard]] int better_order() const {
+    if (contraction_ > 0.8) return -1;
+    return contraction_ < 0.002 && iterations_ > 1 ? 1 : 0;
+  }
+
+  /// The trial function itself, of order s + 1.
+  void at(double t, State<n>& x) const override {
+    if (t == t0_ || t == t1_) {
+      x = t == t0_ ? x0_ : x1_;
+      return;
+    }
+    Row row;
+    lagrange((t - t0_) / h_, row);
+    for (Eigen::Index d = 0; d < x0_.size(); ++d) x[d] = x0_[d] + sum(row, z_, d);
+  }
+
+ private:
+  template <SystemLike, int>
+  friend class NewtonSteps;
+  using Increments = Eigen::Matrix<double, n, s>;  // a node a column
+  using Row = Column<s>;                           // a number for each node
+  using RealLu = Eigen::PartialPivLU<Jacobian<n>>;
+  using ComplexLu = Eigen::PartialPivLU<Matrix<std::complex<double>, n, n>>;
+  static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
+  static constexpr double keep_jacobian = 1e-3;  // contraction
+  static constexpr double share = 0.05;          // of the tolerance that the iteration may leave
+  static constexpr double enlarged = 2;          // by which that rest enters the estimate, at most
+  static constexpr double visible = 0.1;         // of an estimate that may be all rest: steps grow by little
+  static constexpr double seen_in_tests = 0.1;   // of what nodes may miss: see the class
+  static constexpr double least_trusted = 1e-3;  // contraction, before a step has shown its own
+
+  [[gnu::noinline]] void factor(Statistics& statistics) {
+    Jacobian<n> a = -jacobian_;
+    a.diagonal().array() += transform_.real / h_;
+    real_lu_.compute(a);
+    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
+      Matrix<std::complex<double>, n, n> b = -jacobian_.template cast<std::complex<double>>();
+      b.diagonal().array() += transform_.complex[p] / h_;
+      complex_lu_[p].compute(b);
+    }
+    factored_ = h_;
+    ++statistics.factorisations;
+  }
+
+  // z_j at the time t of the step: l_j(t) with the begin as a further node, where z is 0.
+  void lagrange(double t, Row& row) const {
+    for (int j = 0; j < s; ++j) {
+      double value = t / table_.nodes[j];
+      for (int m = 0; m < s; ++m) {
+        if (m != j) value *= (t - table_.nodes[m]) / (table_.nodes[j] - table_.nodes[m]);
+      }
+      row[j] = value;
+    }
+  }
+  [[gnu::noinline]] void predict() {
+    const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
+    if (!(ratio > 0 && ratio < 10)) {
+      z_.setZero();
+    } else {
+      Row row;
+      for (int i = 0; i < s; ++i) {
+        lagrange(1 + ratio * table_.nodes[i], row);
+        row[s - 1] -= 1;
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) z_(d, i) = sum(row, last_, d);
+      }
+      if (!all_finite(z_.data(), z_.size())) z_.setZero();
+    }
+    combine(transform_.to, z_, w_);
+  }
+  // Component d of the nodes' sum with these weights.
+  [[nodiscard]] double sum(const Row& weights, const Increments& of, Eigen::Index d) const {
+    double total = 0;
+    for (int j = 0; j < s; ++j) total += weights[j] * of(d, j);
+    return total;
+  }
+  // to_i = sum_j a_ij from_j over nodes.
+  static void combine(const Square<s>& a, const Increments& from, Increments& to) {
+    for (int i = 0; i < s; ++i) {
+      for (Eigen::Index d = 0; d < from.rows(); ++d) {
+        double total = 0;
+        for (int j = 0; j < s; ++j) total += a(i, j) * from(d, j);
+        to(d, i) = total;
+      }
+    }
+  }
+
+  [[gnu::noinline]] Trial iterate(Statistics& statistics) {
+    const double enough = std::max(share, 20 * std::numeric_limits<double>::epsilon() / least_relative());
+    double before = HUGE_VAL, contraction_before = 0;
+    contraction_ = 0;
+    for (int count = 1;; ++count) {
+      iterations_ = count;
+      for (int i = 0; i < s; ++i) {
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) node_[d] = x0_[d] + z_(d, i);
+        system_.rhs(segment_(i == s - 1 ? t1_ : t0_ + h_ * table_.nodes[i]), node_, slope_);
+        std::copy_n(slope_.data(), slope_.size(), f_.data() + i * slope_.size());
+      }
+      statistics.right_hand_sides += s;
+      const double size = solve(statistics);
+      if (!std::isfinite(size)) return {false, 0, count, 0.5};
+      // What the step before says of the contraction is forgotten little by little.
+      double eta = std::pow(std::max(eta_, least_trusted), 0.8);
+      if (count > 1) {
+        const double now = size / before;
+        contraction_ = count == 2 ? now : std::sqrt(now * contraction_before);
+        contraction_before = now;
+        if (!(contraction_ < 0.99)) return {false, 0, count, 0.5};
+        eta = contraction_ / (1 - contraction_);
+        const double expected = eta * size * std::pow(contraction_, most_iterations - count) / enough;
+        if (expected > 1) {
+          const double excess = std::clamp(expected, 1e-4, 20.);
+          return {false, 0, count, 0.8 * std::pow(excess, -1. / (4 + most_iterations - count))};
+        }
+      }
+      if (eta * size <= enough || size == 0) {
+        eta_ = eta;
+        left_ = eta * size + 4 * std::numeric_limits<double>::epsilon() / least_relative();
+        return {true, 0, count, 0};
+      }
+      if (count == most_iterations) return {false, 0, count, 0.5};
+      before = size;
+    }
+  }
+  [[nodiscard]] double least_relative() const {
+    double largest = std::numeric_limits<double>::min();
+    for (Eigen::Index i = 0; i < x0_.size(); ++i) largest = std::max(largest, std::abs(x0_[i]) / weight_[i]);
+    return 1 / largest;
+  }
+  // One iteration: (Lambda/h - J) dw = T^-1 f - Lambda w/h. The size of dz in units of the tolerance.
+  [[gnu::noinline]] double solve(Statistics& statistics) {
+    ++statistics.newton_iterations;
+    const Eigen::Index size = x0_.size();
+    combine(transform_.to, f_, change_of_w_);
+    for (Eigen::Index d = 0; d < size; ++d) real_[d] = change_of_w_(d, 0) - transform_.real / h_ * w_(d, 0);
+    real_ = real_lu_.solve(real_);
+    for (Eigen::Index d = 0; d < size; ++d) change_of_w_(d, 0) = real_[d];
+    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
+      const auto a = static_cast<Eigen::Index>(2 * p + 1), b = a + 1;
+      const std::complex<double> eigenvalue = transform_.complex[p] / h_;
+      for (Eigen::Index d = 0; d < size; ++d)
+        complex_[d] = std::complex<double>(change_of_w_(d, a), change_of_w_(d, b)) -
+                      eigenvalue * std::complex<double>(w_(d, a), w_(d, b));
+      complex_ = complex_lu_[p].solve(complex_);
+      for (Eigen::Index d = 0; d < size; ++d) {
+        change_of_w_(d, a) = complex_[d].real();
+        change_of_w_(d, b) = complex_[d].imag();
+      }
+    }
+    for (Eigen::Index k = 0; k < w_.size(); ++k) w_.data()[k] += change_of_w_.data()[k];
+    combine(transform_.from, w_, z_);
+    combine(transform_.from, change_of_w_, f_);
+    double most = 0;
+    for (int i = 0; i < s; ++i) {
+      for (Eigen::Index d = 0; d < size; ++d) {
+        const double part = std::abs(f_(d, i)) / weight_[d];
+        if (!(part <= most)) most = part;  // a NaN stays
+      }
+    }
+    return most;
+  }
+
+  void finish() {
+    for (Eigen::Index i = 0; i < x0_.size(); ++i) {
+      const double whole = z_(i, s - 1) + carry_[i];
+      x1_[i] = x0_[i] + whole;
+      change_[i] = whole - (x1_[i] - x0_[i]);
+    }
+  }
+  // See the class.
+  [[gnu::noinline]] double error(Statistics& statistics) {
+    const Eigen::Index size = x0_.size();
+    // The defect at the begin and at an inner time.
+    for (Eigen::Index d = 0; d < size; ++d) {
+      begin_defect_[d] = f0_[d] - sum(defect_.begin_slope, z_, d) / h_;
+      node_[d] = x0_[d] + sum(defect_.inner_value, z_, d);
+    }
+    system_.rhs(segment_(t0_ + h_ * defect_.inner_time), node_, slope_);
+    ++statistics.right_hand_sides;
+    for (Eigen::Index d = 0; d < size; ++d) slope_[d] -= sum(defect_.inner_slope, z_, d) / h_;
+    filtered_ = real_lu_.solve(begin_defect_);
+    for (Eigen::Index d = 0; d < size; ++d)
+      real_[d] = defect_.begin[0].real() * begin_defect_[d] + defect_.inner[0].real() * slope_[d];
+    carried_ = real_lu_.solve(real_);
+    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
+      for (Eigen::Index d = 0; d < size; ++d)
+        complex_[d] = defect_.begin[p + 1] * begin_defect_[d] + defect_.inner[p + 1] * slope_[d];
+      complex_ = complex_lu_[p].solve(complex_);
+      for (Eigen::Index d = 0; d < size; ++d) carried_[d] += complex_[d].real();
+    }
+    double most = 0;
+    for (Eigen::Index d = 0; d < size; ++d) {
+      const double part = error_of(d) / weight_[d];
+      if (!(part <= most)) most = part;  // a NaN stays
+    }
+    return most;
+  }
+  // Of component d: the defect carried to the end, less what may be due to the iteration's rest, and what
+  // the nodes miss.
+  [[nodiscard]] double error_of(Eigen::Index d) const {
+    double change = 0;
+    for (int i = 0; i < s; ++i) change = std::max(change, std::abs(z_(d, i)));
+    const double bend = std::abs(transform_.real * filtered_[d]);
+    const double missed = bend > 0 ? bend * (bend / std::max(change, bend)) : 0;
+    const double carried = std::abs(carried_[d]), rest = enlarged * (left_ + left_before_) * weight_[d];
+    return std::max(visible * carried, carried - rest) + seen_in_tests * missed;
+  }
+
+  const S& system_;
+  Tolerance tolerance_;
+  const collocation::Radau<s>& table_ = collocation::radau<s>();
+  const collocation::RadauTransform<s>& transform_ = collocation::radau_transform<s>();
+  const collocation::RadauDefect<s>& defect_ = collocation::radau_defect<s>();
+  SmoothSegment segment_;
+  Increments z_, w_, f_, last_, change_of_w_;
+  State<n> x0_, x1_, carry_, change_, weight_, f0_, node_, slope_, begin_defect_, filtered_, carried_;
+  Jacobian<n> jacobian_;
+  State<n> real_;
+  Vector<std::complex<double>, n> complex_;
+  RealLu real_lu_;
+  std::array<ComplexLu, static_cast<std::size_t>((s - 1) / 2)> complex_lu_;
+  double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, factored_ = 0, contraction_ = 0, eta_ = 1, left_ = 0,
+         left_before_ = 0;
+  int iterations_ = 0;
+  bool has_jacobian_ = false, is_fresh_ = false;
+};
+
+}  // namespace nlmech::ivp::adaptive

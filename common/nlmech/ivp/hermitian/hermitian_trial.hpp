@@ -1,0 +1,276 @@
+/// @file
+/// One trial step by Hermitian operators: Newton's iteration for its end, an estimate of its error, its dense
+/// output.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "nlmech/algebraic/newton/newton.hpp"
+#include "nlmech/ivp/hermitian/hermitian_operators.hpp"
+#include "nlmech/ivp/second_order.hpp"
+#include "nlmech/ivp/smooth_segment.hpp"
+
+namespace nlmech::ivp {
+
+/// Goes from (t0, x0) to (t1, x1). f = (v, a) and g = (a, j) are the first two derivatives of the state,
+/// which the system gives by dual numbers; nothing is derived by hand.
+template <SystemLike S>
+class HermitianTrial : public DenseOutput<S::dimension> {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// @param system outlives the trial
+  HermitianTrial(const S& system, const HermitianPair& pair, const algebraic::Newton& newton)
+      : system_(system),
+        name_(pair.name),
+        step_(solved_for_end(pair)),
+        newton_(newton),
+        x0_(State<n>::Zero(system.size())),
+        x1_(x0_),
+        f0_(x0_),
+        f1_(x0_),
+        g0_(x0_),
+        g1_(x0_),
+        middle_(x0_),
+        error_(x0_),
+        known_(x0_),
+        rise_(Half<n>::Zero(system.size() / 2)),
+        missing_(rise_),
+        answer_(rise_),
+        filter_(system.size() / 2, system.size() / 2),
+        lu_(system.size() / 2),
+        fx_(system.size(), system.size()),
+        gx_(system.size(), system.size()),
+        workspace_(system.size()) {}
+
+  /// Starts a segment on which f is smooth at (t, x). False if the right-hand side is not finite there.
+  /// @throws std::invalid_argument for a problem that is written for double alone
+  [[nodiscard]] bool begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
+    segment_ = SmoothSegment(t, end);
+    x0_ = x;
+    require_derivatives(name_, system_.second_derivative(segment_(t), x0_, f0_, g0_));
+    statistics.right_hand_sides += 2;
+    return f0_.allFinite() && g0_.allFinite();
+  }
+
+  /// Solves for the end of a step from @p t to @p t + @p h and estimates its error.
+  /// @return success, or how Newton's iteration failed
+  [[nodiscard]] Outcome attempt(double t, double h, Statistics& statistics) {
+    t0_ = t;
+    h_ = h;
+    const double inside = segment_(t + h);
+    predict();
+    prepare();
+    const auto residual = [&](const State<n>& x, State<n>& r) {
+      static_cast<void>(system_.second_derivative(inside, x, f1_, g1_, fx_, gx_));
+      statistics.right_hand_sides += 2;
+      r = x - known_;
+      positions(r) -= (h_ * h_) * (step_.qa1 * velocities(f1_) + (h_ * step_.qj1) * velocities(g1_));
+      velocities(r) -= h_ * (step_.va1 * velocities(f1_) + (h_ * step_.vj1) * velocities(g1_));
+    };
+    const auto derivative = [&](const State<n>& /*x*/, Jacobian<n>& matrix) { assemble(matrix); };
+    algebraic::Newton newton = newton_;
+    // Rounding of f and g reaches velocities as eps |x| / h, however stiff f is, times at most some tens.
+    newton.noise =
+        std::max(newton.noise, 1024 * epsilon * x0_.cwiseAbs().maxCoeff() * (1 + 1 / std::abs(h_)));
+    const Outcome outcome = algebraic::solve(newton, residual, derivative, x1_, workspace_, statistics);
+    if (outcome != Outcome::success) return outcome;
+    static_cast<void>(system_.second_derivative(inside, x1_, f1_, g1_));
+    statistics.right_hand_sides += 2;
+    if (!f1_.allFinite() || !g1_.allFinite()) return Outcome::non_finite;
+    estimate(statistics);
+    return error_.allFinite() ? Outcome::success : Outcome::non_finite;
+  }
+
+  /// Takes the end for the begin of the next trial.
+  void accept() {
+    std::swap(x0_, x1_);
+    std::swap(f0_, f1_);
+    std::swap(g0_, g1_);
+  }
+
+  /// State at the begin of the trial.
+  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  /// State at the end of the trial.
+  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  /// dx/dt at the begin.
+  [[nodiscard]] const State<n>& begin_derivative() const { return f0_; }
+
+  /// max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) of the estimate e.
+  [[nodiscard]] double error_of(double atol, double rtol) const {
+    return (error_.array().abs() / (atol + rtol * x0_.array().abs().max(x1_.array().abs()))).maxCoeff();
+  }
+  /// A second estimate in the same measure, for steps that do not resolve the stiffness of the problem: the
+  /// first one holds for short steps, and for long ones there are lengths at which it vanishes on an
+  /// oscillation, which a choice of steps would find. The dense output is put into the equation at four
+  /// places without symmetry; what is missing there, h^2 (q'' - a) through (1 - h^2 a_q/12 - h a_v/2)^-1,
+  /// cannot vanish at all of them: on the linear oscillator it is 2e-3 of the amplitude for h omega = 1 and
+  /// grows with it, for every phase and Laier's and Newmark's operators (Argyris': from 5e-5). 0 where h^2
+  /// |a_q| <= 2, unless it is wanted @p always: of a first step, which may meet a load at one phase wherever
+  /// else it looks.
+  [[nodiscard]] double unresolved(double atol, double rtol, bool always, Statistics& statistics) {
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const auto stiffness = fx_.bottomLeftCorner(m, m), damping = fx_.bottomRightCorner(m, m);
+    if (!(h_ * h_ * stiffness.cwiseAbs().rowwise().sum().maxCoeff() > 2) && !always) return 0;
+    filter_ = -(h_ * h_ / 12) * stiffness - (h_ / 2) * damping;
+    filter_.diagonal().array() += 1;
+    lu_.compute(filter_);
+    ++statistics.factorisations;
+    double worst = 0;
+    for (const double s : {0.17, 0.39, 0.62, 0.86}) {
+      interpolate(s, middle_);
+      system_.rhs(segment_(t0_ + s * h_), middle_, known_);
+      ++statistics.right_hand_sides;
+      curvature(s, missing_);
+      missing_ -= velocities(known_);
+      missing_ *= h_ * h_;
+      answer_ = lu_.solve(missing_);
+      const double part = std::max(worst_share(answer_, positions(x0_), positions(x1_), atol, rtol),
+                                   worst_share(answer_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
+      if (!(part <= worst)) worst = part;
+    }
+    return worst;
+  }
+  /// The estimate as a displacement, max(|e_q|, h |e_v|), over the greatest of |q0|, |q1|, |h v0| and |h v1|.
+  [[nodiscard]] double relative_displacement() const {
+    const double size = std::max(displacement(x0_), displacement(x1_));
+    return size > 0 ? displacement(error_) / size : 0;
+  }
+  /// By how much stiffness h^2 a_q and damping h a_v change from begin to end of the trial: 0 for a linear
+  /// problem of constant coefficients, whose steps have one solution only.
+  [[nodiscard]] double nonlinearity(Statistics& statistics) {
+    system_.jacobian(segment_(t0_), x0_, fx_);
+    system_.jacobian(segment_(t0_ + h_), x1_, gx_);
+    statistics.jacobians += 2;
+    gx_ -= fx_;
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    return std::max(h_ * h_ * gx_.bottomLeftCorner(m, m).cwiseAbs().maxCoeff(),
+                    std::abs(h_) * gx_.bottomRightCorner(m, m).cwiseAbs().maxCoeff());
+  }
+
+  /// Quintic Hermite: positions by those, velocities and accelerations of both ends, and its derivative.
+  /// Within a step its error is O(h^6) in positions and O(h^5) in velocities.
+  void at(double t, State<n>& x) const override {
+    x.resize(system_.size());
+    interpolate((t - t0_) / h_, x);
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+  // Taylor's polynomial, unless its last terms are the greatest: then the begin.
+  void predict() {
+    x1_ = x0_ + h_ * f0_ + (h_ * h_ / 2) * g0_;
+    positions(x1_) += (h_ * h_ * h_ / 6) * velocities(g0_);
+    const double size = displacement(x0_),
+                 last = h_ * h_ * velocities(g0_).cwiseAbs().maxCoeff() * std::abs(h_);
+    if (!(last <= size) || !x1_.allFinite()) x1_ = x0_;
+  }
+
+  // What the equations know before the iteration.
+  void prepare() {
+    known_ = x0_;
+    positions(known_) +=
+        h_ * velocities(x0_) + (h_ * h_) * (step_.qa0 * velocities(f0_) + (h_ * step_.qj0) * velocities(g0_));
+    velocities(known_) += h_ * (step_.va0 * velocities(f0_) + (h_ * step_.vj0) * velocities(g0_));
+  }
+
+  void assemble(Jacobian<n>& matrix) const {
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    matrix.topRows(m) = -(h_ * h_) * (step_.qa1 * fx_.bottomRows(m) + (h_ * step_.qj1) * gx_.bottomRows(m));
+    matrix.bottomRows(m) = -h_ * (step_.va1 * fx_.bottomRows(m) + (h_ * step_.vj1) * gx_.bottomRows(m));
+    matrix.diagonal().array() += 1;
+  }
+
+  // Two operators of higher order than any of the table are left with the error of the step: that of both
+  // ends with their jerks, exact for q of degree 6, and one with the acceleration in the middle of the dense
+  // output, exact for v of degree 6. The latter asks the problem where the step has not looked.
+  void estimate(Statistics& statistics) {
+    measure_rise();
+    interpolate(0.5, middle_);
+    const double inside = segment_(t0_ + h_ / 2);
+    system_.rhs(inside, middle_, known_);
+    ++statistics.right_hand_sides;
+    const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
+    positions(error_) = positions(x1_) - positions(x0_) - (h_ / 2) * (velocities(x0_) + velocities(x1_)) -
+                        (h_ * h_ / 10) * (a0 - a1) - (h_ * h_ * h_ / 120) * (j0 + j1);
+    velocities(error_) = velocities(x1_) - velocities(x0_) -
+                         (h_ / 30) * (7 * (a0 + a1) + 16 * velocities(known_)) - (h_ * h_ / 60) * (j0 - j1);
+  }
+
+  // (q1 - q0)/h, by whichever has less rounding: the difference has eps |q|/h; the equation of the step that
+  // of its terms, the jerk's being that of the acceleration times the damping.
+  void measure_rise() {
+    const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
+    const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
+    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const auto size = [](const auto& v) { return v.cwiseAbs().maxCoeff(); };
+    const auto norm = [](const auto& v) { return v.cwiseAbs().rowwise().sum().maxCoeff(); };
+    const double h = std::abs(h_), q = std::max(size(q0), size(q1)), v = std::max(size(v0), size(v1));
+    const double damping = norm(fx_.bottomRightCorner(m, m));
+    const double force = norm(fx_.bottomLeftCorner(m, m)) * q + damping * v;
+    if (h * (v + h * force * (1 + h * damping)) < q) {
+      rise_ = v0 + h_ * (step_.qa0 * a0 + step_.qa1 * a1 + h_ * (step_.qj0 * j0 + step_.qj1 * j1));
+    } else {
+      rise_ = (q1 - q0) / h_;
+    }
+  }
+
+  void interpolate(double s, State<n>& x) const {
+    const double r = 1 - s, s3 = s * s * s, r3 = r * r * r;
+    const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
+    const auto a0 = velocities(f0_), a1 = velocities(f1_);
+    positions(x) = q0 + (s3 * (10 - s * (15 - 6 * s))) * (q1 - q0) + (h_ * s * r3 * (1 + 3 * s)) * v0 -
+                   (h_ * r * s3 * (1 + 3 * r)) * v1 + (h_ * h_ / 2 * s * s * r3) * a0 +
+                   (h_ * h_ / 2 * s3 * r * r) * a1;
+    velocities(x) = (30 * s * s * r * r) * rise_ + (r * r * (1 + s * (2 - 15 * s))) * v0 +
+                    (s * s * (1 + r * (2 - 15 * r))) * v1 + (h_ / 2 * s * r * r * (2 - 5 * s)) * a0 -
+                    (h_ / 2 * r * s * s * (2 - 5 * r)) * a1;
+  }
+
+  // The second derivative of the positions of interpolate().
+  void curvature(double s, Half<n>& c) const {
+    const double r = 1 - s;
+    const auto v0 = velocities(x0_), v1 = velocities(x1_), a0 = velocities(f0_), a1 = velocities(f1_);
+    c = ((60 * s * r * (r - s)) * rise_ + (r * r * (2 - 30 * s) - 2 * r * (1 + s * (2 - 15 * s))) * v0 +
+         (2 * s * (1 + r * (2 - 15 * r)) - s * s * (2 - 30 * r)) * v1) /
+            h_ +
+        (r * r * (1 - 5 * s) - r * s * (2 - 5 * s)) * a0 + (s * s * (1 - 5 * r) - s * r * (2 - 5 * r)) * a1;
+  }
+
+  // max_i |e_i| / (atol + rtol max(|a_i|, |b_i|)); NaN if one is.
+  template <class E, class A>
+  [[nodiscard]] static double worst_share(const E& e, const A& a, const A& b, double atol, double rtol) {
+    double worst = 0;
+    for (Eigen::Index i = 0; i < e.size(); ++i) {
+      const double part = std::abs(e[i]) / (atol + rtol * std::max(std::abs(a[i]), std::abs(b[i])));
+      if (!(part <= worst)) worst = part;
+    }
+    return worst;
+  }
+
+  [[nodiscard]] double displacement(const State<n>& x) const {
+    return std::max(positions(x).cwiseAbs().maxCoeff(), std::abs(h_) * velocities(x).cwiseAbs().maxCoeff());
+  }
+
+  const S& system_;
+  std::string_view name_;
+  HermitianStep step_;
+  algebraic::Newton newton_;
+  SmoothSegment segment_;
+  State<n> x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
+  Half<n> rise_, missing_, answer_;
+  Matrix<double, half<n>> filter_;
+  Eigen::PartialPivLU<Matrix<double, half<n>>> lu_;
+  Jacobian<n> fx_, gx_;
+  algebraic::Workspace<State<n>, Jacobian<n>> workspace_;
+  double t0_ = 0, h_ = 1;
+};
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,76 @@
+/// @file
+/// How named_integrator() makes its methods: those of fixed step, with a step or in search of one, and those
+/// that choose their steps.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/named/step_search.hpp"
+
+namespace nlmech::ivp::named {
+
+inline constexpr std::string_view lgl_name = PolynomialCollocation::lobatto_name;  ///< Lobatto nodes
+inline constexpr std::string_view radau_name = PolynomialCollocation::radau_name;  ///< Radau nodes
+
+/// Relative error of the rate at which a method of fixed step moves along x' = const, for a step; empty if
+/// there is none.
+using RateError = std::function<double(double step)>;
+
+/// A method of fixed step for a step.
+template <int n>
+using OfStep = std::function<NamedIntegrator<n>(double step)>;
+
+/// A method with all its options.
+template <int n, class Method>
+[[nodiscard]] NamedIntegrator<n> with_options(const Method& method) {
+  return
+      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+}
+
+/// A method of fixed step in search of its step.
+/// @param rate of the method; may be empty
+/// @param rate_is_fixed the same for every step
+template <int n>
+[[nodiscard]] NamedIntegrator<n> searching(const StepSearch& search, const OfStep<n>& make,
+                                           const RateError& rate, bool rate_is_fixed);
+
+/// A method of fixed step. @param make the aggregate for a step
+template <int n, class Make>
+NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, std::optional<int> order,
+                              Make make, const RateError& rate = {}) {
+  const OfStep<n> of_step = [make](double step) -> NamedIntegrator<n> { return with_options<n>(make(step)); };
+  if (settings.step) return of_step(*settings.step);
+  StepSearch search{std::string(info.name), order, settings.tolerance.value_or(default_tolerance)};
+  // The step of a collocation costs as many steps of another method as there are unknowns in its matrix.
+  if (info.has_nodes)
+    search.most_steps /= std::int64_t{1} * settings.nodes.value_or(7) * settings.nodes.value_or(7);
+  return searching<n>(search, of_step, rate, rate && !settings.shape);
+}
+
+/// A method that chooses its steps; @p method has all else.
+template <int n, class Method>
+NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
+  method.relative_tolerance = settings.tolerance.value_or(default_tolerance);
+  method.absolute_tolerance = settings.absolute_tolerance.value_or(method.relative_tolerance);
+  check_options(method);
+  return with_options<n>(method);
+}
+
+/// Methods with nodes; nothing for another name.
+template <int n>
+[[nodiscard]] NamedIntegrator<n> by_collocation(const MethodInfo& info, const Settings& settings);
+
+/// Methods for accelerations; nothing for another name.
+/// @throws std::invalid_argument for one of them if n is odd
+template <int n>
+[[nodiscard]] NamedIntegrator<n> for_accelerations(const MethodInfo& info, const Settings& settings);
+
+}  // namespace nlmech::ivp::named

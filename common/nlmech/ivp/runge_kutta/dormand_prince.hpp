@@ -1,0 +1,291 @@
+/// @file
+/// The Runge-Kutta pair of Dormand and Prince under the step control of MATLAB's ode45.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/smooth_segment.hpp"
+
+namespace nlmech::ivp {
+
+/// Orders 5 and 4 in 7 stages, the last of which is the first of the next step (J. R. Dormand, P. J. Prince,
+/// A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19-26), goes on with the
+/// fifth-order value; steps are chosen as by MATLAB's ode45 (L. F. Shampine, M. W. Reichelt, The MATLAB ODE
+/// suite, SIAM J. Sci. Comput. 18 (1997) 1-22):
+///  - a step is accepted if max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) <= rtol, e the difference of both
+///    orders;
+///  - after a rejection the step shrinks by max(0.1, 0.8 (rtol/err)^(1/5)), after further ones it halves; if
+///    accepted at once, the next step is shorter or longer by (rtol/err)^(1/5)/1.25, at most 5 times;
+///  - the last step is stretched by up to 10 %; none is shorter than 16 spacings of doubles at t.
+/// A trial whose values are not finite is rejected. At each discontinuity the method starts anew.
+///
+/// Dense output: the quartic of order 4 (Dormand, Prince, Runge-Kutta triples, Comput. Math. Appl. 12 A
+/// (1986) 1007-1017), continuously differentiable. Each step gives `refine` equally spaced values of it to
+/// observers.
+///
+/// Tests hold the coefficients to the order conditions of the pair and its dense output (some ten eps), the
+/// error of one step to h^6 at its end and h^5 inside (exponents within 0.3), and the errors of Table 4.2 to
+/// 1.175e-4 and 1.142e-6.
+struct Ode45 {
+  static constexpr std::string_view name = "ode45";  ///< on command lines and in tables
+  double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1
+  double absolute_tolerance = 1e-9;                  ///< atol, positive
+  double initial_step = 0;                           ///< of each segment; 0: chosen from f(t0, x0)
+  double largest_step = 0;                           ///< 0: a tenth of the interval
+  int refine = 4;                                    ///< values a step for observers, from 1 to 1000
+};
+
+/// @throws std::invalid_argument naming an option out of range and its value
+void check_options(const Ode45& method);
+
+namespace dormand_prince {
+
+inline constexpr int stages = 7;  ///< the last is the first of the next step
+
+/// Abscissae.
+inline constexpr std::array<double, stages> c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1};
+
+/// Row i: weights of the stages before i. The last row is the fifth-order formula itself.
+inline constexpr std::array<std::array<double, stages - 1>, stages> a = {
+    {{},
+     {1. / 5},
+     {3. / 40, 9. / 40},
+     {44. / 45, -56. / 15, 32. / 9},
+     {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+     {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
+     {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}}};
+
+/// Fifth-order minus fourth-order weights.
+inline constexpr std::array<double, stages> difference = {
+    71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
+
+/// Row i: coefficients of s, s^2, s^3, s^4 in the weight of stage i at the fraction s of the step.
+inline constexpr std::array<std::array<double, 4>, stages> dense = {
+    {{1, -183. / 64, 37. / 12, -145. / 128},
+     {},
+     {0, 1500. / 371, -1000. / 159, 1000. / 371},
+     {0, -125. / 32, 125. / 12, -375. / 64},
+     {0, 9477. / 3392, -729. / 106, 25515. / 6784},
+     {0, -11. / 7, 11. / 3, -55. / 28},
+     {0, 3. / 2, -4, 5. / 2}}};
+
+/// Trial steps of the pair, and the dense output of the latest.
+template <SystemLike S>
+class Pair : public DenseOutput<S::dimension> {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+  /// @param system outlives the pair
+  explicit Pair(const S& system) : system_(system), x0_(State<n>::Zero(system.size())), x1_(x0_) {
+    for (State<n>& k : k_) k.resize(system.size());
+  }
+
+  /// Starts a segment at (t, x): f there is the first stage.
+  void begin_segment(double t, double end, const State<n>& x) {
+    segment_ = SmoothSegment(t, end);
+    x0_ = x;
+    system_.rhs(segment_(t), x0_, k_[0]);
+  }
+  /// Goes from the begin, t, to t1; end_state() and error_of() tell where to.
+  void attempt(double t, double t1) {
+    t0_ = t;
+    h_ = t1 - t;
+    for (std::size_t i = 1; i < stages; ++i) {
+      x1_ = x0_;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (a[i][j] != 0) x1_ += (h_ * a[i][j]) * k_[j];
+      }
+      system_.rhs(segment_(c[i] == 1 ? t1 : t + c[i] * h_), x1_, k_[i]);
+    }
+  }
+  /// Takes the trial for the begin of the next.
+  void accept() {
+    std::swap(x0_, x1_);
+    std::swap(k_.front(), k_.back());
+  }
+
+  /// State at the begin of the trial.
+  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  /// State at the end of the trial.
+  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  /// f at the begin.
+  [[nodiscard]] const State<n>& begin_derivative() const { return k_.front(); }
+  /// Are state and f at the end of the trial finite?
+  [[nodiscard]] bool end_is_finite() const { return x1_.allFinite() && k_.back().allFinite(); }
+
+  /// max_i |e_i| / max(|x0_i|, |x1_i|, threshold); NaN if a component is.
+  [[nodiscard]] double error_of(double threshold) const {
+    double largest = 0;
+    for (int i = 0; i < system_.size(); ++i) {
+      double e = 0;
+      for (std::size_t j = 0; j < stages; ++j) e += difference[j] * k_[j][i];
+      const double part = std::abs(h_ * e) / std::max({std::abs(x0_[i]), std::abs(x1_[i]), threshold});
+      if (part > largest || std::isnan(part)) largest = part;  // a NaN stays
+    }
+    return largest;
+  }
+
+  /// The quartic; order 4.
+  void at(double t, State<n>& x) const override {
+    const double s = (t - t0_) / h_;
+    x = x0_;
+    for (std::size_t i = 0; i < stages; ++i) {
+      const auto& w = dense[i];
+      x += (h_ * (s * (w[0] + s * (w[1] + s * (w[2] + s * w[3]))))) * k_[i];
+    }
+  }
+
+ private:
+  const S& system_;
+  SmoothSegment segment_;
+  std::array<State<n>, stages> k_;
+  State<n> x0_, x1_;
+  double t0_ = 0, h_ = 1;
+};
+
+/// One integration from begin to end.
+template <SystemLike S>
+class Run : private ChosenSteps<S> {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+  /// @param task outlives the run
+  Run(const Task<S>& task, const Ode45& method)
+      : Base(task, Ode45::name),
+        method_(method),
+        threshold_(method.absolute_tolerance / method.relative_tolerance),
+        largest_(largest_length(task, method)),
+        pair_(task.system),
+        times_(static_cast<std::size_t>(method.refine)),
+        states_(task.system.size(), method.refine),
+        between_(task.system.size()) {}
+
+  /// The answer; call once.
+  Solution<n> run() {
+    return this->run_by([this](double end) { return cross(end); });
+  }
+
+ private:
+  using Base = ChosenSteps<S>;
+  using Base::check_limits;
+  using Base::now_;
+  using Base::task_;
+
+  // A stretch on which f is smooth.
+  Status cross(double end) {
+    pair_.begin_segment(now_.t, end, now_.x);
+    ++now_.statistics.right_hand_sides;
+    if (!pair_.begin_derivative().allFinite()) return non_finite_rhs(Ode45::name, now_.t);
+    length_ = first_length(end);
+    Status status;
+    while (now_.t != end && status.ok()) status = step(end);
+    return status;
+  }
+
+  // A tenth of a very short interval may be less than the shortest step.
+  [[nodiscard]] static double largest_length(const Task<S>& task, const Ode45& method) {
+    const double interval = std::abs(task.t1 - task.t0);
+    if (method.largest_step > 0) return std::min(interval, method.largest_step);
+    return std::max(interval / 10, 16 * spacing(std::max(std::abs(task.t0), std::abs(task.t1))));
+  }
+
+  [[nodiscard]] double first_length(double end) const {
+    double length = std::min(largest_, std::abs(end - now_.t));
+    if (method_.initial_step > 0) return std::min(length, method_.initial_step);
+    double rate = 0;  // of relative change
+    for (int i = 0; i < task_.system.size(); ++i)
+      rate =
+          std::max(rate, std::abs(pair_.begin_derivative()[i]) / std::max(std::abs(now_.x[i]), threshold_));
+    rate /= 0.8 * std::pow(method_.relative_tolerance, 0.2);
+    return length * rate > 1 ? 1 / rate : length;
+  }
+
+  // One accepted step, if there is one.
+  Status step(double end) {
+    const double shortest = 16 * spacing(now_.t);
+    length_ = std::min(largest_, std::max(shortest, length_));
+    for (int rejected = 0;; ++rejected) {
+      if (Status status = check_limits(); !status.ok()) return status;
+      // Stretched to the end before the first trial only, as in ode45.
+      const bool last = rejected == 0 && 1.1 * length_ >= std::abs(end - now_.t);
+      const double t1 = last ? end : now_.t + std::copysign(length_, end - now_.t);
+      if (t1 == now_.t) return step_underflow(Ode45::name, now_.t, length_);
+      length_ = std::abs(t1 - now_.t);
+      pair_.attempt(now_.t, t1);
+      now_.statistics.right_hand_sides += stages - 1;
+      const bool finite = pair_.end_is_finite();
+      const double ratio = pair_.error_of(threshold_) / method_.relative_tolerance;
+      if (finite && ratio <= 1) return accept(t1, ratio, rejected == 0);
+      ++now_.statistics.rejected;
+      if (length_ <= shortest) {
+        return finite ? tolerance_missed(Ode45::name, now_.t, t1 - now_.t)
+                      : non_finite_state(Ode45::name, now_.t, t1 - now_.t);
+      }
+      const double shrink = finite && std::isfinite(ratio) ? std::max(0.1, 0.8 * std::pow(ratio, -0.2)) : 0.1;
+      length_ = std::max(shortest, length_ * (rejected == 0 ? shrink : 0.5));
+    }
+  }
+
+  Status accept(double t1, double ratio, bool at_once) {
+    if (at_once) length_ /= std::max(0.2, 1.25 * std::pow(ratio, 0.2));
+    ++now_.statistics.steps;
+    Status status;
+    if (task_.observer && !observe(t1)) status = interrupted(Ode45::name, t1);
+    now_.x = pair_.end_state();
+    now_.t = t1;
+    pair_.accept();
+    return status;
+  }
+
+  [[nodiscard]] bool observe(double t1) {
+    for (int i = 0; i + 1 < method_.refine; ++i) {
+      const double t = now_.t + (i + 1.) / method_.refine * (t1 - now_.t);
+      times_[static_cast<std::size_t>(i)] = t;
+      pair_.at(t, between_);
+      states_.col(i) = between_;
+    }
+    times_.back() = t1;
+    states_.col(method_.refine - 1) = pair_.end_state();
+    return task_.observer(
+        {now_.statistics.steps, now_.t, t1, pair_.begin_state(), pair_.end_state(), times_, states_, pair_});
+  }
+
+  const Ode45& method_;
+  double threshold_, largest_, length_ = 0;
+  Pair<S> pair_;
+  std::vector<double> times_;
+  Nodes<n> states_;
+  State<n> between_;
+};
+
+}  // namespace dormand_prince
+
+/// Runs ode45.
+template <SystemLike S>
+struct Integrator<S, Ode45> {
+  /// See integrate().
+  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method);
+};
+
+template <SystemLike S>
+Solution<S::dimension> Integrator<S, Ode45>::run(const Task<S>& task, const Ode45& method) {
+  check_options(method);
+  return dormand_prince::Run<S>(task, method).run();
+}
+
+/// @cond instances compiled in the library
+extern template struct Integrator<System<1>, Ode45>;
+extern template struct Integrator<System<2>, Ode45>;
+extern template struct Integrator<System<3>, Ode45>;
+extern template struct Integrator<System<4>, Ode45>;
+extern template struct Integrator<System<6>, Ode45>;
+extern template struct Integrator<System<Eigen::Dynamic>, Ode45>;
+/// @endcond
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,25 @@
+#include "nlmech/ivp/series/series.hpp"
+
+namespace nlmech::ivp {
+
+int series_order(double relative_tolerance) {
+  return std::clamp(static_cast<int>(std::ceil(1 - 0.75 * std::log(relative_tolerance))), 4, 40);
+}
+
+void check_options(const Series& method) {
+  constexpr double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::min();
+  require_within(method.name, "relative_tolerance", method.relative_tolerance, 1e-18, 0.1);
+  require_within(method.name, "absolute_tolerance", method.absolute_tolerance, least, largest);
+  require_within(method.name, "step", method.step, 0, largest);
+  require_within(method.name, "largest_step", method.largest_step, 0, largest);
+  if (method.order != 0) require_within(method.name, "order", method.order, 2, 100);
+}
+
+template struct Integrator<System<1>, Series>;
+template struct Integrator<System<2>, Series>;
+template struct Integrator<System<3>, Series>;
+template struct Integrator<System<4>, Series>;
+template struct Integrator<System<6>, Series>;
+template struct Integrator<System<Eigen::Dynamic>, Series>;
+
+}  // namespace nlmech::ivp

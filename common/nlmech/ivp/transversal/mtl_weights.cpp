@@ -1,0 +1,75 @@
+#include "nlmech/ivp/transversal/mtl_weights.hpp"
+
+namespace nlmech::ivp {
+
+using Eigen::Index;
+
+MtlWeights::MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load)
+    : pieces_(mtl_pieces(basis, points)),
+      flow_(size, columns, static_cast<int>(pieces_.front().cols()), load),
+      partial_(flow_),
+      weights_(Eigen::MatrixXd::Zero(Index{points} * size, Index{points + 1} * columns)),
+      part_(size, columns),
+      coefficient_(columns) {}
+
+Outcome MtlWeights::compute(const Eigen::Ref<const Eigen::MatrixXd>& a, double h) {
+  if (const Outcome outcome = flow_.compute(a, h); outcome != Outcome::success) return outcome;
+  h_ = h;
+  const Index n = part_.rows(), m = part_.cols();
+  for (Index j = 0; j < static_cast<Index>(pieces_.size()); ++j) {
+    const Eigen::MatrixXd& c = pieces_[static_cast<std::size_t>(j)];
+    for (Index k = 0; k < c.rows(); ++k) {
+      part_.setZero();
+      double factor = 1;  // i!/h^i
+      for (Index i = 0; i < c.cols(); ++i) {
+        if (i > 0) factor *= static_cast<double>(i) / h;
+        if (c(k, i) != 0) part_ += (c(k, i) * factor) * flow_.phi(static_cast<int>(i) + 1);
+      }
+      auto here = weights_.block(j * n, k * m, n, m);
+      if (j > 0) part_.noalias() += flow_.exponential() * weights_.block((j - 1) * n, k * m, n, m);
+      here = part_;
+    }
+  }
+  return weights_.allFinite() ? Outcome::success : Outcome::non_finite;
+}
+
+void MtlWeights::free_motion(const Eigen::Ref<const Eigen::VectorXd>& x0, const Eigen::MatrixXd& phases,
+                             Eigen::MatrixXd& out) const {
+  out.col(0) = x0;
+  for (Index l = 1; l < out.cols(); ++l) {
+    out.col(l).noalias() = flow_.exponential() * out.col(l - 1);
+    out.col(l).noalias() += flow_.response() * phases.col(l - 1);
+  }
+}
+
+Outcome MtlWeights::prepare_between(const Eigen::Ref<const Eigen::MatrixXd>& a, double tau) {
+  tau_ = tau;
+  return partial_.compute(a, tau);
+}
+
+void MtlWeights::between(Index j, const Eigen::MatrixXd& g, const Eigen::Ref<const Eigen::VectorXd>& xj,
+                         const Eigen::Ref<const Eigen::VectorXd>& phase, Eigen::Ref<Eigen::VectorXd> out) {
+  const Eigen::MatrixXd& c = pieces_[static_cast<std::size_t>(j)];
+  out.noalias() = partial_.exponential() * xj;
+  out.noalias() += partial_.response() * phase;
+  double factor = 1;
+  for (Index i = 0; i < c.cols(); ++i) {
+    if (i > 0) factor *= static_cast<double>(i) / h_;
+    coefficient_.noalias() = g * c.col(i);
+    coefficient_ *= factor;
+    out.noalias() += partial_.phi(static_cast<int>(i) + 1) * coefficient_;
+  }
+}
+
+void MtlWeights::interpolate(Index j, const Eigen::MatrixXd& g, Eigen::Ref<Eigen::VectorXd> out) const {
+  const Eigen::MatrixXd& c = pieces_[static_cast<std::size_t>(j)];
+  const double s = tau_ / h_;
+  out.setZero();
+  for (Index k = 0; k < c.rows(); ++k) {
+    double value = 0;
+    for (Index i = c.cols() - 1; i >= 0; --i) value = value * s + c(k, i);
+    out += value * g.col(k);
+  }
+}
+
+}  // namespace nlmech::ivp

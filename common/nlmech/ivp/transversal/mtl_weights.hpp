@@ -1,0 +1,62 @@
+/// @file
+/// The weights of multi-step transversal linearisation: what nonlinear terms at the points do to all states.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "nlmech/ivp/transversal/mtl_basis.hpp"
+#include "nlmech/ivp/transversal/mtl_propagator.hpp"
+
+namespace nlmech::ivp {
+
+/// For x' = A x + E sum over k of g_k phi_k(t) + load: the solution at the points l = 1..p is
+///
+///     x_l = exp(A l h) x_0 + r_l + sum over k of W_lk g_k,
+///     W_lk = integral over (0, l h) of exp(A (l h - s)) E phi_k(s) ds  (Roy, Eqs 4 and 5).
+///
+/// On every interval phi_k is a polynomial sum_m c_m (s/h)^m, whose integral is sum_m c_m m! h^(m+1)
+/// phi_{m+1}(A h) E; from interval to interval the rest moves on by exp(A h).
+class MtlWeights {
+ public:
+  /// Makes the workspace; the rest allocates nothing. @param columns as for MtlPropagator
+  MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load);
+
+  /// For points at the distance @p h of either sign. @return success; `non_finite` if a weight overflows
+  [[nodiscard]] Outcome compute(const Eigen::Ref<const Eigen::MatrixXd>& a, double h);
+
+  /// W_lk, n by columns; l from 1 to p, k from 0 to p.
+  [[nodiscard]] auto weight(Eigen::Index l, Eigen::Index k) const {
+    const Eigen::Index n = flow_.exponential().rows(), m = flow_.columns();
+    return weights_.block((l - 1) * n, k * m, n, m);
+  }
+  /// The flow over h.
+  [[nodiscard]] const MtlPropagator& flow() const { return flow_; }
+
+  /// States without nonlinear terms: column l is exp(A l h) x0 + r_l, for l = 0 to p.
+  /// @param phases column l: MtlPropagator::phases() at point l
+  void free_motion(const Eigen::Ref<const Eigen::VectorXd>& x0, const Eigen::MatrixXd& phases,
+                   Eigen::MatrixXd& out) const;
+
+  /// Prepares between() for the time @p tau after a point. @return as compute()
+  [[nodiscard]] Outcome prepare_between(const Eigen::Ref<const Eigen::MatrixXd>& a, double tau);
+  /// The linearised solution (Roy, Eq. 4) tau after point @p j.
+  /// @param g nonlinear terms at the points, one a column
+  /// @param xj state at point j
+  /// @param phase MtlPropagator::phases() there
+  /// @param out state
+  void between(Eigen::Index j, const Eigen::MatrixXd& g, const Eigen::Ref<const Eigen::VectorXd>& xj,
+               const Eigen::Ref<const Eigen::VectorXd>& phase, Eigen::Ref<Eigen::VectorXd> out);
+  /// The interpolated nonlinear terms (Roy, Eq. 3) there, into @p out of as many rows as g.
+  void interpolate(Eigen::Index j, const Eigen::MatrixXd& g, Eigen::Ref<Eigen::VectorXd> out) const;
+
+ private:
+  std::vector<Eigen::MatrixXd> pieces_;
+  MtlPropagator flow_, partial_;
+  Eigen::MatrixXd weights_, part_;
+  Eigen::VectorXd coefficient_;
+  double h_ = 0, tau_ = 0;
+};
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,252 @@
+#include "nlmech/scene/evidence/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Times on unknown machines, and what the sources leave out, need no measurement.
+bool needs_measurement(const PublishedValue& value) {
+  return value.expected != Verdict::context && value.expected != Verdict::not_stated;
+}
+
+/// What a check of the chapter's scenes left behind: numbers measured beside what they show, and what failed.
+struct Measurements {
+  std::map<std::string, Measured> by_name;
+  std::string failure;  ///< of the first scene that failed; empty if none did
+};
+
+Checked check_value(const PublishedValue& value, const Chapter& chapter, const Measurements& measured) {
+  Checked checked{value, chapter.name(), {}, {}, {}};
+  if (const auto found = measured.by_name.find(value.name()); found != measured.by_name.end()) {
+    checked.measured = found->second;
+  } else if (!measured.failure.empty()) {
+    checked.failure = measured.failure;
+  } else if (needs_measurement(value)) {
+    throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
+  }
+  checked.judgement = judge(value, checked.measured);
+  return checked;
+}
+
+void refuse_orphans(const Chapter& chapter, const Measurements& measured,
+                    const std::vector<Checked>& values) {
+  std::set<std::string> names;
+  for (const Checked& c : values) names.insert(c.value.name());
+  for (const auto& [name, value] : measured.by_name) {
+    if (!names.contains(name))
+      throw std::logic_error(
+          fmt::format("chapter {} measures {}, which no source prints", chapter.name(), name));
+  }
+}
+
+/// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
+std::optional<double> optional_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string shown(const std::optional<double>& value) { return value ? format_number(*value, 4) : ""; }
+
+/// What the check of one chapter left on disk, by the value's name.
+std::map<std::string, std::vector<std::string>> read_check(const std::string& chapter, const fs::path& out) {
+  const fs::path file = out / "results" / chapter / "check.csv";
+  std::map<std::string, std::vector<std::string>> rows;
+  for (const CsvRecord& r : parse_csv(read_whole(file), file.string())) {
+    if (r.cells.size() != 5) throw InputError(fmt::format("{}: line {}: not 5 cells", file.string(), r.line));
+    rows[r.cells[0]] = r.cells;
+  }
+  return rows;
+}
+
+std::string verdict_text(const Checked& c) {
+  std::string text(to_string(c.judgement.verdict));
+  if (c.judgement.verdict != Verdict::not_built && !c.judgement.passes) {
+    text += fmt::format(" (FAILS: expected {})", to_string(c.value.expected));
+  }
+  return text;
+}
+
+/// "0.1: two steps of the scan": a tolerance and why.
+std::string within(const PublishedValue& value) {
+  return value.tolerance + (value.because.empty() ? "" : ": " + value.because);
+}
+
+/// With the evidence for it.
+std::string reading(const PublishedValue& value) {
+  if (value.tried == 0) return value.reading;
+  return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);
+}
+
+Table counts(const std::vector<Checked>& values) {
+  std::map<std::string, std::map<Verdict, std::int64_t>> count;
+  for (const Checked& c : values) ++count[c.chapter][c.judgement.verdict];
+  std::vector<Column> columns = {{"chapter"}};
+  const std::vector<Verdict> order = {Verdict::reproduced,    Verdict::reproduced_inferred,
+                                      Verdict::same_rounding, Verdict::better,
+                                      Verdict::differs,       Verdict::not_stated,
+                                      Verdict::holds,         Verdict::does_not_hold,
+                                      Verdict::context,       Verdict::input,
+                                      Verdict::not_built};
+  for (const Verdict v : order) columns.push_back({std::string(to_string(v))});
+  Table table(columns);
+  for (auto& [chapter, by_verdict] : count) {
+    std::vector<Cell> row = {chapter};
+    for (const Verdict v : order) row.emplace_back(by_verdict[v]);
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+bool ChapterCheck::passes() const {
+  return std::all_of(values.begin(), values.end(), [](const Checked& c) { return c.judgement.passes; }) &&
+         std::all_of(quantities.begin(), quantities.end(),
+                     [](const CheckedQuantity& q) { return q.quantity.passes(); });
+}
+
+namespace {
+
+/// A scene that fails, or cannot be drawn, leaves one quantity that no number passes.
+std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Results& results,
+                                         const std::optional<Publishing>& how, Measurements& measured) {
+  std::vector<CheckedQuantity> quantities;
+  const Doing doing("computing " + scene.name);
+  try {
+    const Performance performance = perform(scene, results);
+    for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});
+    for (const auto& [name, value] : performance.showing.measured) {
+      if (!measured.by_name.emplace(name, value).second)
+        throw std::logic_error(fmt::format("two scenes measure {}", name));
+    }
+    if (how) publish(chapter, scene, performance, results.quick(), *how);
+  } catch (const Failure& failure) {
+    if (measured.failure.empty()) measured.failure = fmt::format("scene {}: {}", scene.name, failure.what());
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    quantities.push_back({scene.name, {"the scene itself", "1", none, none, none, failure.what()}});
+  }
+  return quantities;
+}
+
+}  // namespace
+
+ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool quick,
+                   const std::optional<Publishing>& how) {
+  const std::vector<Place> places = read_places(data_folder);
+  std::vector<PublishedValue> values = read_published(data_folder);
+  std::erase_if(values, [&](const PublishedValue& v) { return owner(v, places) != chapter.name(); });
+
+  Results results(quick);
+  ChapterCheck result;
+  Measurements measured;
+  std::size_t left = chapter.scenes().size();
+  for (const Scene& scene : chapter.scenes()) {
+    results.take_turn(left--);
+    for (CheckedQuantity& q : check_scene(chapter, scene, results, how, measured))
+      result.quantities.push_back(std::move(q));
+  }
+  for (const PublishedValue& value : values) result.values.push_back(check_value(value, chapter, measured));
+  refuse_orphans(chapter, measured, result.values);
+  return result;
+}
+
+void write_check(const ChapterCheck& check, const std::string& chapter, const fs::path& out) {
+  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"passes"}});
+  for (const Checked& c : check.values) {
+    table.add({c.value.name(), c.measured.nominal, c.measured.inferred,
+               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.passes}});
+  }
+  write_whole(out / "results" / chapter / "check.csv", table.csv());
+}
+
+std::vector<Checked> collect_checks(const std::vector<std::string>& built, const fs::path& data_folder,
+                                    const fs::path& out) {
+  const std::vector<Place> places = read_places(data_folder);
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> by_chapter;
+  for (const std::string& chapter : built) by_chapter[chapter] = read_check(chapter, out);
+
+  std::vector<Checked> values;
+  for (PublishedValue& value : read_published(data_folder)) {
+    Checked checked{std::move(value), {}, {}, {}, {}};
+    checked.chapter = owner(checked.value, places);
+    if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
+      const auto row = found->second.find(checked.value.name());
+      if (row == found->second.end()) {
+        throw InputError(
+            fmt::format("results/{}/check.csv does not list {}", checked.chapter, checked.value.name()));
+      }
+      checked.measured = {optional_number(row->second[1]), optional_number(row->second[2])};
+      checked.judgement = judge(checked.value, checked.measured);
+    }
+    values.push_back(std::move(checked));
+  }
+  return values;
+}
+
+std::string reproduction_page(const std::vector<Checked>& values) {
+  std::string page =
+      "# What was reproduced {#reproduction}\n\n"
+      "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, "
+      "*inferred* "
+      "what we get under a reading that evidence points to; the words of the verdicts are explained in the "
+      "glossary. "
+      "Written by `make check`.\n\n" +
+      counts(values).markdown();
+  std::string source;
+  Table table({{"place"},
+               {"row"},
+               {"quantity"},
+               {"published"},
+               {"unit"},
+               {"nominal"},
+               {"inferred"},
+               {"verdict"},
+               {"within"},
+               {"reading"}});
+  const auto flush = [&] {
+    if (!source.empty()) page += "\n## " + source + "\n\n" + table.markdown();
+    table = Table(table.columns());
+  };
+  for (const Checked& c : values) {
+    if (c.value.source != source) flush();
+    source = c.value.source;
+    table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit,
+               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), within(c.value),
+               reading(c.value)});
+  }
+  flush();
+  return page;
+}
+
+std::string reproduction_text(const std::vector<Checked>& values) {
+  std::string text;
+  for (const Checked& c : values) {
+    const bool fails = c.judgement.verdict != Verdict::not_built && !c.judgement.passes;
+    text += fmt::format("{} {}: published {}", fails ? "FAILS" : "      ", c.value.name(), c.value.printed);
+    if (c.measured.nominal) text += ", nominal " + shown(c.measured.nominal);
+    if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
+    text += ": " + verdict_text(c);
+    if (!c.failure.empty()) text += " because " + c.failure;
+    if (!c.value.reading.empty()) text += " [" + reading(c.value) + "]";
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace nlmech::scene

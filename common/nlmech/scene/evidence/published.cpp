@@ -1,0 +1,305 @@
+#include "nlmech/scene/evidence/published.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array verdicts = {Verdict::reproduced,    Verdict::reproduced_inferred,
+                                 Verdict::same_rounding, Verdict::better,
+                                 Verdict::differs,       Verdict::not_stated,
+                                 Verdict::holds,         Verdict::does_not_hold,
+                                 Verdict::context,       Verdict::input,
+                                 Verdict::not_built};
+
+struct Range {
+  double low, high;
+};
+
+/// The number or range "1.1e-6..1.3e-6" that a text begins with, up to a blank or semicolon; nothing if it
+/// begins otherwise
+/// ("2-cycle", "6-7 its").
+std::optional<Range> leading_range(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find_first_of(" ;"));
+  const auto dots = first.find("..");
+  Range range{};
+  if (!parse_number(first.substr(0, dots), range.low)) return std::nullopt;
+  range.high = range.low;
+  if (dots != std::string_view::npos && !parse_number(first.substr(dots + 2), range.high))
+    return std::nullopt;
+  return range;
+}
+
+Verdict parse_verdict(const std::string& text, const std::string& where) {
+  for (const Verdict v : verdicts) {
+    if (to_string(v) == text) return v;
+  }
+  throw InputError(fmt::format("{}: '{}' is no verdict", where, echoed(text)));
+}
+
+bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range>& reference) {
+  return reference && tolerance.allows(ours, reference->low, reference->high);
+}
+
+/// Has the number digits that could agree?
+bool has_digits(const PublishedValue& p) {
+  return p.kind != "rounding" && p.kind != "bound" && p.kind != "claim";
+}
+
+bool matches(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
+  return has_digits(p) && !tolerance.is_bound() && ours && tolerance.allows(*ours, p.value);
+}
+
+bool same_noise(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
+  if (p.kind != "rounding" || !ours) return false;
+  return tolerance.allows(*ours, p.value) && (!tolerance.is_bound() || tolerance.allows(p.value, *ours));
+}
+
+bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
+  if (verdict == Verdict::not_stated || verdict == Verdict::context) return true;
+  if (verdict == Verdict::not_built) return false;
+  if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
+  const Tolerance tolerance(p.tolerance, p.printed);
+  const auto found = leading_range(p.nominal);
+  // What was found before is found again: within the tolerance, or nearly.
+  const bool as_found = m.nominal && (!found || close_to(tolerance, *m.nominal, found) ||
+                                      close_to(Tolerance("0.05"), *m.nominal, found));
+  switch (verdict) {
+    case Verdict::reproduced: return matches(p, tolerance, m.nominal);
+    case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
+    case Verdict::same_rounding:
+      // Noise under a reading is noise; the table shows it as inferred.
+      return same_noise(p, tolerance, m.nominal ? m.nominal : m.inferred);
+    case Verdict::better:
+      return (p.kind == "bound" || p.kind == "rounding") && as_found &&
+             std::abs(*m.nominal) < std::abs(p.value);
+    case Verdict::differs:
+      return as_found && !std::isnan(*m.nominal) && !tolerance.allows(*m.nominal, p.value);
+    case Verdict::holds: return p.kind == "claim" && m.nominal && tolerance.allows(*m.nominal, p.value);
+    case Verdict::does_not_hold:
+      return p.kind == "claim" && m.nominal && !std::isnan(*m.nominal) &&
+             !tolerance.allows(*m.nominal, p.value);
+    default: return false;
+  }
+}
+
+/// For numbers that miss their expected verdict, where the file's own `nominal` says nothing about the new
+/// one.
+Verdict fallback(const PublishedValue& p, const Measured& m) {
+  PublishedValue bare = p;
+  bare.nominal.clear();
+  bare.inferred.clear();
+  if (bare.tolerance.empty()) bare.tolerance = "digits";  // of a parameter
+  for (const Verdict v : {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::same_rounding,
+                          Verdict::better, Verdict::holds}) {
+    if (supports(v, bare, m)) return v;
+  }
+  return p.kind == "claim" ? Verdict::does_not_hold : Verdict::differs;
+}
+
+/// Does a verdict compare numbers?
+bool compares(Verdict verdict) {
+  return verdict != Verdict::context && verdict != Verdict::input && verdict != Verdict::not_stated &&
+         verdict != Verdict::not_built;
+}
+
+void refuse(bool wrong, const std::string& where, const std::string& what) {
+  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+}
+
+/// "5 of 6"?
+bool is_share(std::string_view text) {
+  const auto at = text.find(" of ");
+  double rows = 0, of = 0;
+  return at != std::string_view::npos && parse_number(text.substr(0, at), rows) &&
+         parse_number(text.substr(at + 4), of) && rows >= 1 && rows <= of;
+}
+
+/// What belongs together: a comparison and a tolerance with its reason, a reading and the evidence for it.
+void check_evidence(const PublishedValue& p, const std::string& where) {
+  const bool is_inferred = p.expected == Verdict::reproduced_inferred;
+  refuse(compares(p.expected) && p.tolerance.empty(), where, "a verdict that compares, and no tolerance");
+  refuse(!p.erratum.empty() && (p.expected == Verdict::reproduced || is_inferred), where,
+         fmt::format("a misprint ({}) cannot be reproduced", echoed(p.erratum)));
+  refuse(!p.tolerance.empty() && p.tolerance != "digits" && p.because.empty(), where,
+         fmt::format("no reason for the tolerance '{}'", echoed(p.tolerance)));
+  // A search that finds nothing that explains the number is evidence, too.
+  const bool has_search = p.tried > 0 || !p.explains.empty();
+  refuse((p.tried > 0) == p.explains.empty() || is_inferred > has_search ||
+             (has_search && !is_inferred && p.expected != Verdict::not_stated),
+         where, "readings tried and rows explained belong to an inferred reading or one not stated, both");
+  if (has_search)
+    refuse(!is_share(p.explains), where, fmt::format("'{}' is not of the form '5 of 6'", echoed(p.explains)));
+}
+
+PublishedValue to_value(const CsvRecord& record, const std::string& source, const std::string& file) {
+  const std::string where = fmt::format("{}: line {}", file, record.line);
+  const auto& c = record.cells;
+  refuse(c.size() != 15, where, fmt::format("{} of 15 cells", c.size()));
+  PublishedValue p{
+      source, c[0],  c[1], c[2],  c[3],  0,    c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
+      c[9],   c[10], 0,    c[12], c[13], c[14]};
+  if (!parse_number(p.printed, p.value)) {
+    throw InputError(
+        fmt::format("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed)));
+  }
+  double tried = 0;
+  refuse(!c[11].empty() &&
+             (!parse_number(c[11], tried) || tried != std::floor(tried) || tried < 1 || tried > 1e6),
+         where, fmt::format("'{}' is no number of readings", echoed(c[11])));
+  p.tried = static_cast<int>(tried);
+  try {
+    if (!p.tolerance.empty()) static_cast<void>(Tolerance(p.tolerance, p.printed));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
+  check_evidence(p, where);
+  return p;
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced: return "reproduced";
+    case Verdict::reproduced_inferred: return "reproduced, inferred reading";
+    case Verdict::same_rounding: return "same rounding level";
+    case Verdict::better: return "better";
+    case Verdict::differs: return "differs";
+    case Verdict::not_stated: return "not stated";
+    case Verdict::holds: return "holds";
+    case Verdict::does_not_hold: return "does not hold";
+    case Verdict::context: return "context";
+    case Verdict::input: return "input";
+    case Verdict::not_built: return "not built";
+  }
+  return "";
+}
+
+namespace {
+
+/// One of the last printed digit: 0.01e-4 for "1.18e-4".
+double last_unit(std::string_view printed) {
+  const auto e = printed.find('e');
+  const std::string_view digits = printed.substr(0, e);
+  const auto point = digits.find('.');
+  const double decimals =
+      point == std::string_view::npos ? 0 : static_cast<double>(digits.size() - point - 1);
+  double exponent = 0;
+  if (e != std::string_view::npos) static_cast<void>(parse_number(printed.substr(e + 1), exponent));
+  return std::pow(10, exponent - decimals);
+}
+
+}  // namespace
+
+Tolerance::Tolerance(std::string_view words, std::string_view printed) {
+  if (words == "order of magnitude") {
+    kind_ = Kind::factor;
+    amount_ = std::sqrt(10.0);
+    return;
+  }
+  if (words == "digits") words = "1 units";
+  constexpr std::array<std::pair<std::string_view, Kind>, 3> forms = {
+      {{"factor ", Kind::factor}, {"at least ", Kind::at_least}, {"below ", Kind::below}}};
+  std::string_view number = words;
+  if (words.ends_with(" units")) {
+    kind_ = Kind::absolute;
+    number.remove_suffix(6);
+  }
+  for (const auto& [prefix, kind] : forms) {
+    if (!words.starts_with(prefix) || kind_ == Kind::absolute) continue;
+    kind_ = kind;
+    number = words.substr(prefix.size());
+  }
+  if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
+    throw InputError(fmt::format("'{}' is no tolerance", echoed(words)));
+  }
+  // A number that ends on the edge is within.
+  if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * (1 + 1e-12);
+}
+
+bool Tolerance::allows(double ours, double theirs) const {
+  switch (kind_) {
+    case Kind::absolute: return std::abs(ours - theirs) <= amount_;
+    case Kind::relative: return std::abs(ours - theirs) <= amount_ * std::abs(theirs);
+    case Kind::factor: {
+      if (ours == theirs) return true;
+      const double ratio = ours / theirs;
+      return ratio <= amount_ && ratio >= 1 / amount_;
+    }
+    case Kind::at_least: return ours >= amount_;
+    case Kind::below: return std::abs(ours) <= amount_;
+  }
+  return false;
+}
+
+bool Tolerance::allows(double ours, double low, double high) const {
+  return allows(ours, std::clamp(ours, std::min(low, high), std::max(low, high)));
+}
+
+std::string PublishedValue::name() const { return fmt::format("{}/{}/{}/{}", source, place, row, quantity); }
+
+std::vector<PublishedValue> parse_published(std::string_view text, const std::string& source,
+                                            const std::string& file) {
+  std::vector<PublishedValue> values;
+  const auto records = parse_csv(text, file);
+  for (std::size_t i = 1; i < records.size(); ++i) values.push_back(to_value(records[i], source, file));
+  return values;
+}
+
+std::vector<PublishedValue> read_published(const fs::path& data_folder) {
+  std::vector<PublishedValue> values;
+  for (const fs::path& file : files_with(data_folder / "tables" / "published", ".csv")) {
+    for (PublishedValue& value : parse_published(read_whole(file), file.stem().string(), file.string()))
+      values.push_back(std::move(value));
+  }
+  return values;
+}
+
+std::vector<Place> parse_places(std::string_view text, const std::string& file) {
+  const auto records = parse_csv(text, file);
+  std::vector<Place> places;
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const auto& c = records[i].cells;
+    if (c.size() != 6)
+      throw InputError(fmt::format("{}: line {}: {} of 6 cells", file, records[i].line, c.size()));
+    std::istringstream words(c[5]);
+    std::vector<std::string> scenes{std::istream_iterator<std::string>(words), {}};
+    if (scenes.empty()) scenes = {c[1]};
+    places.push_back({c[0], c[1], c[2], c[3], c[4], std::move(scenes)});
+  }
+  return places;
+}
+
+std::vector<Place> read_places(const fs::path& data_folder) {
+  const fs::path file = data_folder / "tables" / "places.csv";
+  return parse_places(read_whole(file), file.string());
+}
+
+const std::string& owner(const PublishedValue& value, const std::vector<Place>& places) {
+  for (const Place& place : places) {
+    if (place.source == value.source && place.name == value.place) return place.chapter;
+  }
+  throw InputError(fmt::format("tables/places.csv does not list {} of {}", value.place, value.source));
+}
+
+Judgement judge(const PublishedValue& value, const Measured& measured) {
+  if (supports(value.expected, value, measured)) return {value.expected, true};
+  return {fallback(value, measured), false};
+}
+
+}  // namespace nlmech::scene

@@ -1,0 +1,109 @@
+#include "nlmech/scene/evidence/ratios.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::scene {
+namespace {
+
+/// Between the two values next to the rank.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double rank = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (rank - std::floor(rank)) * (sorted[above] - sorted[below]);
+}
+
+const std::vector<double>& repetitions(const std::vector<BenchSeries>& series, const std::string& name) {
+  for (const BenchSeries& s : series) {
+    if (s.name == name && s.unit == "us a run" && !s.repetition.empty()) return s.repetition;
+  }
+  throw std::invalid_argument("compare_times: no timings of " + name);
+}
+
+const PublishedValue& find(const std::vector<PublishedValue>& values, const std::string& row) {
+  for (const PublishedValue& value : values) {
+    if (value.row == row) return value;
+  }
+  throw std::invalid_argument("compare_times: no seconds are printed for " + row);
+}
+
+const TimeRatio& find(const std::vector<TimeRatio>& rows, const std::string& place, const std::string& row) {
+  for (const TimeRatio& r : rows) {
+    if (r.place == place && r.row == row) return r;
+  }
+  throw std::invalid_argument(fmt::format("mean_claim: {} has no row {}", place, row));
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) throw std::invalid_argument("spread_of: no value");
+  std::sort(values.begin(), values.end());
+  return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+Spread ratio_of(const Spread& over, const Spread& under) {
+  return {over.middle / under.middle, over.low / under.high, over.high / under.low};
+}
+
+RatioVerdict judge_ratio(double printed, const Spread& ours) {
+  for (const double ratio : {printed, ours.middle, ours.low, ours.high}) {
+    if (!std::isfinite(ratio) || ratio <= 0)
+      throw std::invalid_argument(fmt::format("judge_ratio: {} is not a ratio of times", ratio));
+  }
+  RatioVerdict v{.printed = printed, .ours = ours};
+  v.apart = std::max(ours.middle / printed, printed / ours.middle);
+  v.same_faster = (printed > 1) == (ours.middle > 1);
+  v.holds = v.same_faster && v.apart <= allowed_factor;
+  return v;
+}
+
+std::vector<PublishedValue> printed_seconds(const std::vector<PublishedValue>& published,
+                                            const std::string& place) {
+  std::vector<PublishedValue> all;
+  for (const PublishedValue& value : published) {
+    if (value.place != place || value.kind != "time") continue;
+    if (value.unit != "s")
+      throw std::invalid_argument(
+          fmt::format("printed_seconds: {} is in {}, not in s", value.name(), value.unit));
+    all.push_back(value);
+  }
+  if (all.empty()) throw std::invalid_argument("printed_seconds: no times are printed in " + place);
+  return all;
+}
+
+std::vector<TimeRatio> compare_times(const std::vector<PublishedValue>& published, const std::string& place,
+                                     const std::map<std::string, std::string>& reference_of,
+                                     const std::vector<BenchSeries>& series) {
+  const std::vector<PublishedValue> printed = printed_seconds(published, place);
+  std::vector<TimeRatio> all;
+  for (const PublishedValue& value : printed) {
+    const auto named = reference_of.find(value.row);
+    if (named == reference_of.end())
+      throw std::invalid_argument("compare_times: no reference for " + value.name());
+    const std::string& reference = named->second;
+    const Spread ours = spread_of(repetitions(series, place + ", " + value.row)),
+                 theirs = spread_of(repetitions(series, place + ", " + reference));
+    all.push_back({place, value.row, reference, value.value, 1e-6 * ours.middle,
+                   judge_ratio(value.value / find(printed, reference).value, ratio_of(ours, theirs))});
+  }
+  return all;
+}
+
+RatioClaim mean_claim(const PublishedValue& claim, const std::string& place,
+                      const std::vector<std::string>& over, const std::vector<TimeRatio>& rows) {
+  if (over.empty()) throw std::invalid_argument("mean_claim: the mean of no rows");
+  const double share = 1 / static_cast<double>(over.size());
+  Spread mean;
+  for (const std::string& name : over) {
+    const Spread& one = find(rows, place, name).verdict.ours;
+    mean = {mean.middle + share * one.middle, mean.low + share * one.low, mean.high + share * one.high};
+  }
+  return {claim.place, claim.row, claim.quantity, over, judge_ratio(claim.value, mean)};
+}
+
+}  // namespace nlmech::scene

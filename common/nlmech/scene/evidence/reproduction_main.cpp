@@ -1,0 +1,180 @@
+/// @file
+/// `reproduction`: published beside reproduced over all chapters of the build.
+///
+/// `report --chapters FILE [--out DIR] [--page FILE]`: all values; exit code 1 if one has another verdict
+/// than expected.
+///
+/// `verdict NAME --chapters FILE [--out DIR]`: one value; exit code 77 if its chapter is not built.
+///
+/// `completeness --chapters FILE [--out DIR] [--page FILE]`: figures and tables of the sources; exit code 1
+/// if one is not drawn or not checked.
+///
+/// `claims --chapters FILE [--out DIR] [--page FILE]`: what the sources claim in prose; exit code 1 if the
+/// evidence gives another verdict than the expected one.
+///
+/// `errata [--out DIR] [--page FILE]`: misprints, a table a chapter and all on one page.
+///
+/// `tests`: names of all values, one a line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "nlmech/scene/evidence/check.hpp"
+#include "nlmech/scene/evidence/claims.hpp"
+#include "nlmech/scene/evidence/completeness.hpp"
+#include "nlmech/scene/evidence/errata.hpp"
+#include "nlmech/scene/program/command.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace {
+
+using namespace nlmech::scene;
+
+constexpr int passed = 0, failed = 1, skipped = 77;
+
+struct Options {
+  std::string chapters, out = ".", page, name;
+};
+
+std::vector<std::string> read_built(const Options& options) {
+  std::vector<std::string> built;
+  std::istringstream lines(read_whole(options.chapters));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) built.push_back(line);
+  }
+  return built;
+}
+
+/// The chapter that owns a value, if it is built.
+std::vector<std::string> built_owner(const Options& options) {
+  const std::vector<Place> places = read_places(data_folder());
+  std::vector<std::string> built = read_built(options);
+  for (const PublishedValue& value : read_published(data_folder())) {
+    if (value.name() != options.name) continue;
+    std::erase_if(built, [&](const std::string& chapter) { return chapter != owner(value, places); });
+    return built;
+  }
+  throw nlmech::InputError(fmt::format("no source prints '{}'", nlmech::echoed(options.name)));
+}
+
+bool fails(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.passes; }
+
+int report(const Options& options) {
+  const std::vector<Checked> values = collect_checks(read_built(options), data_folder(), options.out);
+  if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
+  const auto misses = std::count_if(values.begin(), values.end(), fails);
+  print_result(reproduction_text(values) +
+               fmt::format("{} published values, {} fail\n", values.size(), misses));
+  return misses == 0 ? passed : failed;
+}
+
+/// Looks at the chapter that owns the value and at no other: they may not have been checked.
+int verdict(const Options& options) {
+  const std::vector<Checked> values = collect_checks(built_owner(options), data_folder(), options.out);
+  const auto c = std::find_if(values.begin(), values.end(),
+                              [&](const Checked& other) { return other.value.name() == options.name; });
+  print_result(reproduction_text({*c}));
+  if (c->judgement.verdict == Verdict::not_built) return skipped;
+  return fails(*c) ? failed : passed;
+}
+
+int completeness(const Options& options) {
+  const std::vector<Shown> shown = collect_shown(read_built(options), data_folder(), options.out);
+  if (!options.page.empty()) write_whole(options.page, completeness_page(shown));
+  std::size_t incomplete = 0;
+  for (const Shown& s : shown) {
+    if (s.complete()) continue;
+    ++incomplete;
+    tell(fmt::format("INCOMPLETE {} {}: {}", s.place.source, s.place.name,
+                     !s.drawn         ? "nothing is drawn"
+                     : s.checked == 0 ? "nothing is checked"
+                                      : "a check fails"));
+  }
+  print_result(fmt::format("{} figures and tables, {} incomplete\n", shown.size(), incomplete));
+  return incomplete == 0 ? passed : failed;
+}
+
+int claims(const Options& options) {
+  const std::vector<JudgedClaim> all = judge_claims(read_built(options), data_folder(), options.out);
+  if (!options.page.empty()) write_whole(options.page, claims_page(all));
+  std::size_t misses = 0;
+  for (const JudgedClaim& c : all) {
+    if (c.passes) continue;
+    ++misses;
+    tell(fmt::format("FAILS {} {}, {}: {} = {:.6g}, {}; expected: {}", c.claim.source, c.claim.place,
+                     c.claim.scene, c.claim.quantity, c.value,
+                     std::isnan(c.value) ? "no such quantity" : to_string(c.verdict),
+                     to_string(c.claim.expected)));
+  }
+  print_result(fmt::format("{} claims in prose, {} fail\n", all.size(), misses));
+  return misses == 0 ? passed : failed;
+}
+
+/// A table for each chapter's page, and all of them on one.
+void errata(const Options& options) {
+  std::vector<Erratum> all = read_errata(data_folder());
+  const std::vector<Place> places = read_places(data_folder());
+  // Chapters in the order in which the sources come to them.
+  const auto rank = [&](const Erratum& e) {
+    return std::find_if(places.begin(), places.end(),
+                        [&](const Place& p) { return p.chapter == e.chapter; }) -
+           places.begin();
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Erratum& a, const Erratum& b) { return rank(a) < rank(b); });
+  std::set<std::string> chapters;
+  for (const Erratum& e : all) chapters.insert(e.chapter);
+  for (const std::string& chapter : chapters) {
+    write_whole(std::filesystem::path(options.out) / "tables" / chapter / "errata.md",
+                errata_table(all, chapter));
+  }
+  if (!options.page.empty()) write_whole(options.page, errata_page(all));
+  print_result(fmt::format("{} errata\n", all.size()));
+}
+
+void list_names() {
+  std::string names;
+  for (const PublishedValue& value : read_published(data_folder())) names += value.name() + '\n';
+  print_result(names);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Published beside reproduced, over all chapters", "reproduction");
+  app.require_subcommand(1);
+  Options options;
+  int code = passed;
+  CLI::App* reporter = app.add_subcommand("report", "all values; exit code 1 if one has another verdict");
+  reporter->add_option("--page", options.page, "write the Markdown page to this file too");
+  reporter->callback([&] { code = report(options); });
+  CLI::App* overview =
+      app.add_subcommand("completeness", "figures and tables; exit code 1 if one is lacking");
+  overview->callback([&] { code = completeness(options); });
+  CLI::App* prose =
+      app.add_subcommand("claims", "claims in prose; exit code 1 if one has another verdict than expected");
+  prose->callback([&] { code = claims(options); });
+  CLI::App* misprints = app.add_subcommand("errata", "misprints: a table a chapter, and all on one page");
+  misprints->callback([&] { errata(options); });
+  for (CLI::App* sub : {overview, prose, misprints})
+    sub->add_option("--page", options.page, "write the Markdown page to this file too");
+  misprints->add_option("--out", options.out, "folder that gets tables/<chapter>/errata.md");
+  CLI::App* judge = app.add_subcommand("verdict", "one value; exit code 77 if its chapter is not built");
+  judge->add_option("name", options.name, "source/place/row/quantity")->required();
+  judge->callback([&] { code = verdict(options); });
+  for (CLI::App* sub : {reporter, overview, prose, judge}) {
+    sub->add_option("--chapters", options.chapters, "file with the names of the chapters built")->required();
+    sub->add_option("--out", options.out, "folder in which the chapters' checks left results/");
+  }
+  CLI::App* names = app.add_subcommand("tests", "names of all values, one a line");
+  names->callback(list_names);
+  return run_command(app, argc, argv, code, {reporter, overview, prose, misprints, judge, names});
+}

@@ -1,0 +1,155 @@
+#include "nlmech/scene/program/command_line.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "nlmech/scene/build_info.hpp"
+#include "nlmech/scene/evidence/check.hpp"
+#include "nlmech/scene/program/command.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/terminal.hpp"
+#include "nlmech/scene/publish.hpp"
+#include "nlmech/support/errors.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+constexpr int failed = 1;
+
+struct Options {
+  std::vector<std::string> scenes;
+  bool all = false, quick = false, no_plots = false, png = false, csv = false, draw = false, quiet = false;
+  std::string out = ".";
+};
+
+void list(const Chapter& chapter, bool csv) {
+  Table table({{"scene"}, {"place"}, {"title"}, {"runs"}});
+  for (const Scene& s : chapter.scenes()) {
+    std::vector<std::string_view> runs;
+    for (const auto& run : s.content.needs) runs.push_back(run->name());
+    table.add({s.name, s.place, s.title, fmt::format("{}", fmt::join(runs, " "))});
+  }
+  const std::optional<std::size_t> width = csv ? std::nullopt : terminal_width(STDOUT_FILENO);
+  print_result(csv     ? table.csv()
+               : width ? fmt::format("{}\n\n{}", chapter.title(), aligned(table, *width))
+                       : fmt::format("{}\n\n{}", chapter.title(), table.markdown()));
+}
+
+std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options) {
+  std::vector<const Scene*> scenes;
+  for (const Scene& s : chapter.scenes()) {
+    if (options.all) scenes.push_back(&s);
+  }
+  if (!options.all && options.scenes.empty())
+    throw InputError("run: name scenes, or say --all; 'list' shows what there is");
+  for (const std::string& name : options.scenes) {
+    const Scene& scene = chapter.scene(name);
+    if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
+  }
+  return scenes;
+}
+
+/// On a terminal one line a scene; silence in a pipe.
+void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
+  if (::isatty(STDERR_FILENO) == 1) tell(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
+}
+
+void report_failing(const std::string& scene, const Quantity& q) {
+  tell(fmt::format("FAILS {}: {} = {} {}, allowed {} to {} ({})", scene, q.name, format_number(q.value, 6),
+                   q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason));
+}
+
+/// A line a file, as seen from the folder that gets them all.
+std::string lines_of(const std::vector<std::filesystem::path>& files) {
+  std::string lines;
+  for (const std::filesystem::path& file : files) lines += file.string() + '\n';
+  return lines;
+}
+
+/// Goes on after a scene that failed or could not be drawn: the others are not to suffer from it.
+int run(const Chapter& chapter, const Options& options) {
+  if (options.no_plots && options.png)
+    throw InputError("run: --png draws what --no-plots leaves out; give one of them");
+  const std::vector<const Scene*> scenes = chosen(chapter, options);
+  const Publishing how{options.out, !options.no_plots, options.png};
+  Results results(options.quick);
+  int code = 0;
+  std::size_t done = 0;
+  for (const Scene* scene : scenes) {
+    results.take_turn(scenes.size() - done);
+    const Stopwatch watch;
+    const Doing doing("computing " + scene->name);
+    try {
+      const auto files = publish(chapter, *scene, perform(*scene, results), options.quick, how);
+      if (!options.quiet) print_result(lines_of(files));
+    } catch (const Failure& failure) {
+      tell(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
+      code = failed;
+    }
+    tell_progress(++done, scenes.size(), scene->name, watch.seconds());
+  }
+  return code;
+}
+
+int check(const Chapter& chapter, const Options& options) {
+  std::optional<Publishing> how;
+  if (options.draw) how = Publishing{options.out, true, false};
+  const ChapterCheck result = check(chapter, data_folder(), options.quick, how);
+  write_check(result, chapter.name(), options.out);
+  std::string text = reproduction_text(result.values);
+  std::size_t passed = 0;
+  for (const CheckedQuantity& q : result.quantities) {
+    passed += q.quantity.passes() ? 1 : 0;
+    if (!q.quantity.passes()) report_failing(q.scene, q.quantity);
+  }
+  text += fmt::format("{} quantities of {} scenes: {} pass, {} fail\n", result.quantities.size(),
+                      chapter.scenes().size(), passed, result.quantities.size() - passed);
+  print_result(text);
+  return result.passes() ? 0 : failed;
+}
+
+}  // namespace
+
+int chapter_main(const Chapter& chapter, const Commands& commands, int argc, const char* const* argv) {
+  CLI::App app(chapter.title(), chapter.name());
+  app.set_version_flag("--version", "nlmech " + build_info().version);
+  app.require_subcommand(1);
+  Options options;
+  int code = 0;
+
+  CLI::App* lister = app.add_subcommand(
+      "list", "Scenes, what they show and need: columns on a terminal, Markdown in a pipe");
+  lister->add_flag("--csv", options.csv, "as CSV");
+  lister->callback([&] { list(chapter, options.csv); });
+
+  CLI::App* runner = app.add_subcommand(
+      "run",
+      "Compute scenes: numbers, tables and figures. Names the files that hold them, a line each, as seen "
+      "from --out");
+  runner->add_option("scenes", options.scenes, "names of scenes");
+  runner->add_flag("--all", options.all, "every scene");
+  runner->add_flag("--no-plots", options.no_plots, "numbers and tables only");
+  runner->add_flag("--png", options.png, "a PNG image beside each SVG");
+  runner->add_flag("--quiet", options.quiet, "name no files");
+  runner->callback([&] { code = run(chapter, options); });
+
+  CLI::App* checker =
+      app.add_subcommand("check", "Published beside reproduced; exit code 1 if a check fails");
+  checker->add_flag("--draw", options.draw, "also put every scene on disk, as run --all does");
+  checker->callback([&] { code = check(chapter, options); });
+
+  for (CLI::App* sub : {runner, checker}) {
+    sub->add_option("--out", options.out, "folder that gets figures/, tables/, results/")
+        ->capture_default_str();
+    sub->add_flag("--quick", options.quick, "fewer samples and shorter timings, never other methods");
+  }
+  commands(app);
+  return run_command(app, argc, argv, code, {lister, runner, checker});
+}
+
+}  // namespace nlmech::scene

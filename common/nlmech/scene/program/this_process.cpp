@@ -1,0 +1,111 @@
+#include "nlmech/scene/program/this_process.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+struct State {
+  std::mutex mutex;
+  std::list<std::function<void()>> traces;
+  std::string doing = "computing";
+  bool silent = false;
+  bool progress_shown = false;
+};
+
+/// One a process, as standard output is.
+State& state() {
+  static State one;
+  return one;
+}
+
+constexpr std::string_view wipe = "\r\x1b[K";
+
+/// Where nobody listens to standard error there is nobody to tell.
+void write_error(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+  static_cast<void>(std::fflush(stderr));
+}
+
+void wipe_within_act() {
+  if (std::exchange(state().progress_shown, false)) write_error(wipe);
+}
+
+std::string line_of(std::string_view message) {
+  std::string line = printable_message(message);
+  if (!line.ends_with('\n')) line += '\n';
+  return line;
+}
+
+}  // namespace
+
+WholeAct::WholeAct() : lock_(state().mutex) {}
+
+Trace::Trace(const WholeAct& /*act*/, std::function<void()> clear)
+    : place_(state().traces.insert(state().traces.end(), std::move(clear))) {}
+
+void Trace::gone(const WholeAct& /*act*/) { state().traces.erase(place_); }
+
+Doing::Doing(std::string what, bool silent) {
+  const WholeAct act;
+  before_ = std::exchange(state().doing, std::move(what));
+  silent_before_ = std::exchange(state().silent, silent);
+}
+
+Doing::~Doing() {
+  const WholeAct act;
+  state().doing = std::move(before_);
+  state().silent = silent_before_;
+}
+
+std::string doing_now() {
+  const WholeAct act;
+  return state().doing;
+}
+
+void print_result(std::string_view text) {
+  const WholeAct act;
+  wipe_within_act();
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw Failure("standard output: cannot be written: " + std::generic_category().message(errno));
+  }
+}
+
+void tell(std::string_view message) {
+  const std::string line = line_of(message);
+  const WholeAct act;
+  wipe_within_act();
+  write_error(line);
+}
+
+void show_progress(std::string_view line) {
+  const std::unique_lock lock(state().mutex, std::try_to_lock);
+  if (!lock || state().silent) return;
+  write_error(std::string(wipe).append(line));
+  state().progress_shown = true;
+}
+
+void wipe_progress() {
+  const WholeAct act;
+  wipe_within_act();
+}
+
+void end_process(int exit_code, std::string_view message) {
+  const std::string line = line_of(message);
+  const WholeAct act;
+  wipe_within_act();
+  for (const auto& clear : state().traces) clear();
+  write_error(line);
+  ::_exit(exit_code);
+}
+
+}  // namespace nlmech::scene

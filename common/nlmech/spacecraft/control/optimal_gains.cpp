@@ -1,0 +1,74 @@
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "nlmech/spacecraft/control/parseval.hpp"
+#include "nlmech/spacecraft/response.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+void require_weights(const CostWeights& w) {
+  if (!(w.deflection >= 0) || !std::isfinite(w.deflection))
+    throw std::invalid_argument(
+        fmt::format("cost: the weight of the deflection is {:g}; it must be at least 0", w.deflection));
+  if (!(w.torque > 0) || !std::isfinite(w.torque))
+    throw std::invalid_argument(
+        fmt::format("cost: the weight of the torque is {:g}; it must be positive, for "
+                    "without a price the gains grow without bound",
+                    w.torque));
+}
+
+/// Weights and data whose optimum is beyond the range of double.
+OptimalGains finite(const OptimalGains& best, const CostWeights& w) {
+  const Gains& g = best.gains;
+  const bool inside = std::isfinite(g.k1) && std::isfinite(g.k2) && std::isfinite(g.k3) &&
+                      std::isfinite(best.cost) && g.k1 > 0 && g.k3 > 0;
+  if (!inside)
+    throw std::invalid_argument(
+        fmt::format("cost: with the weights {:g} and {:g} the optimal gains of this "
+                    "spacecraft, or their cost, leave the range of double",
+                    w.deflection, w.torque));
+  return best;
+}
+
+}  // namespace
+
+double cost(const Parameters& parameters, const Gains& gains, const CostWeights& weights) {
+  require_weights(weights);
+  const StepCosts c = step_costs(parameters, gains, parameters.length);
+  return c.error + weights.deflection * c.deflection + weights.torque * c.torque;
+}
+
+OptimalGains optimal_gains(const Parameters& parameters, const CostWeights& weights) {
+  require_weights(weights);
+  const double deflection = weights.deflection * statics(parameters, parameters.length).square;
+  const double inertia = parameters.appendage_inertia(), r = weights.torque;
+  // W C/(2 B_0): what the deflection adds to the price of the torque.
+  const double added = deflection / (2 * inertia);
+  OptimalGains best{};
+  best.cost = std::sqrt(2 * parameters.hub_inertia * std::sqrt(r) + 4 * inertia * std::sqrt(r + added));
+  best.gains.k1 = 1 / std::sqrt(r);
+  // 2 sqrt(1 + q) - 2 without cancellation.
+  const double q = added / r;
+  best.gains.k2 = 2 * q / (std::sqrt(1 + q) + 1);
+  best.gains.k3 = best.gains.k1 * best.cost;
+  return finite(best, weights);
+}
+
+OptimalGains optimal_pd_gains(const Parameters& parameters, const CostWeights& weights) {
+  require_weights(weights);
+  const double deflection = weights.deflection * statics(parameters, parameters.length).square;
+  const double inertia = parameters.total_inertia();
+  const double price = deflection + weights.torque * inertia;
+  OptimalGains best{};
+  best.cost = std::sqrt(2 * std::sqrt(inertia * price));
+  best.gains.k1 = std::sqrt(inertia / price);
+  best.gains.k3 = best.gains.k1 * best.cost;
+  return finite(best, weights);
+}
+
+}  // namespace nlmech::spacecraft

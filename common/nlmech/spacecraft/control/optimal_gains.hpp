@@ -1,0 +1,45 @@
+/// @file
+/// The gains that minimise int e^2 + W y(L)^2 + R u^2 dt of a step, in closed form.
+#pragma once
+
+#include "nlmech/spacecraft/control/closed_loop.hpp"
+
+namespace nlmech::spacecraft {
+
+/// W and R of the cost int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt for theta_f = 1.
+struct CostWeights {
+  double deflection = 0;     ///< W at least 0, 1/ft^2
+  double torque = 1 / 144.;  ///< R > 0, 1/(lb ft)^2: 1/u_max^2
+};
+
+/// The cost of given gains, by the closed forms of step_costs().
+/// @throws std::invalid_argument naming a weight or gain out of range
+[[nodiscard]] double cost(const Parameters& parameters, const Gains& gains, const CostWeights& weights);
+
+/// Gains with their cost.
+struct OptimalGains {
+  Gains gains;  ///< where the cost is least
+  double cost;  ///< there
+};
+
+/// The minimum over all gains k1, k3 > 0, k2 > -2, global and unique:
+///
+///     k1 = 1/sqrt R,  k2 = 2 sqrt(1 + W C/(2 B_0 R)) - 2,  k3 = k1 J,
+///     J^2 = 2 I_hub sqrt R + 4 B_0 sqrt(R + W C/(2 B_0)),   C = C(L), B_0 = B(0).
+///
+/// Large k2 is fragile: see delay_margin().
+///
+/// Tests hold the gains to published digits, their cost to a quadrature (2e-8) and to be the least among
+/// random gains (1e-13).
+/// @throws std::invalid_argument naming a weight out of range, or both where the optimum leaves the range of
+/// double, or as require_physical()
+[[nodiscard]] OptimalGains optimal_gains(const Parameters& parameters, const CostWeights& weights);
+
+/// The minimum over k1 and k3 with k2 = 0, J_2 the total inertia:
+///
+///     k1 = sqrt(J_2/(W C + R J_2)),  k3 = k1 J,  J^2 = 2 sqrt(J_2 (W C + R J_2)).
+///
+/// @throws std::invalid_argument as optimal_gains()
+[[nodiscard]] OptimalGains optimal_pd_gains(const Parameters& parameters, const CostWeights& weights);
+
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,137 @@
+#include "nlmech/spacecraft/control/parseval.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "nlmech/spacecraft/plant/gauss_rule.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
+#include "nlmech/spacecraft/response.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+using Three = std::array<double, 3>;  // error, torque, deflection
+
+void require_positive(const char* name, double value) {
+  if (!(value > 0))
+    throw std::invalid_argument(fmt::format("costs: {} = {:g}; it must be positive", name, value));
+}
+
+/// |e|^2, |u|^2, |y|^2 at s = j omega for a unit step, where B and g_3 are real. Multiplied by D_0
+/// throughout, so that a hub-locked resonance does no harm.
+Three densities(const ClosedLoop& loop, double omega, double x) {
+  const Gains& g = loop.gains();
+  const Motion<double> motion = loop.plant().appendage().motion_at_frequency(omega);
+  const double square = omega * omega, d0 = motion.determinant;
+  const double inertia = loop.plant().effective_inertia(motion, loop.kappa());
+  const double open = loop.plant().effective_inertia(motion);
+  const double shape = loop.plant().appendage().deflection(motion, x);
+  const double real = g.k1 * d0 - square * inertia, imaginary = g.k3 * omega * d0;
+  const double p = real * real + imaginary * imaginary;
+  const double error = square * inertia * inertia + g.k3 * g.k3 * d0 * d0;
+  const double torque = g.k1 * omega * open, deflection = g.k1 * omega * shape;
+  return {error / p, torque * torque / p, deflection * deflection / p};
+}
+
+/// The integral over [a, b], in the variable v of omega = centre + width sinh v.
+void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, double b, Three& sum) {
+  if (!(b > a)) return;
+  const double width = std::max(std::abs(pole.real()), 1e-13 * std::abs(pole)), centre = pole.imag();
+  const double first = std::asinh((a - centre) / width), last = std::asinh((b - centre) / width);
+  const int pieces = std::max(1, static_cast<int>(std::ceil((last - first) / 0.5)));
+  const double half = (last - first) / pieces / 2;
+  for (int i = 0; i < pieces; ++i) {
+    const double middle = first + (2 * i + 1) * half;
+    for (std::size_t k = 0; k < 10; ++k) {
+      const GaussPair& g = gauss_rule[k % 5];
+      const double v = middle + (k < 5 ? g.place : -g.place) * half;
+      const Three d = densities(loop, centre + width * std::sinh(v), x);
+      const double weight = g.weight * half * width * std::cosh(v);
+      for (std::size_t j = 0; j < 3; ++j) sum[j] += weight * d[j];
+    }
+  }
+}
+
+/// The limit of S(h) = S + c1 h + c2 h^2 + c3 h^3 for h to 0, from four values.
+double limit(const std::array<double, 4>& h, std::array<double, 4> s) {
+  for (std::size_t level = 1; level < 4; ++level) {
+    for (std::size_t i = 3; i >= level; --i)
+      s[i] = (h[i - level] * s[i] - h[i] * s[i - 1]) / (h[i - level] - h[i]);
+  }
+  return s[3];
+}
+
+}  // namespace
+
+StepCosts step_costs(const Parameters& parameters, const Gains& gains, double x) {
+  const ClosedLoop loop(parameters, gains);
+  require_positive("k1", gains.k1);
+  require_positive("k3", gains.k3);
+  const Statics s = statics(parameters, x);
+  const double hub = parameters.hub_inertia, inertia = parameters.appendage_inertia(), kappa = loop.kappa();
+  const double half = gains.k1 * gains.k1 / (2 * gains.k3);
+  StepCosts c{};
+  c.error = gains.k3 / (2 * gains.k1) + (hub + kappa * inertia) / (2 * gains.k3);
+  c.rate = gains.k1 / (2 * gains.k3);
+  c.acceleration = hub > 0 ? half / hub : std::numeric_limits<double>::infinity();
+  c.torque = half * (hub + 4 * inertia / kappa);
+  c.deflection = 2 * half * s.square / kappa;
+  c.deflection_dot = half * s.green / kappa;
+  return c;
+}
+
+QuadratureCosts costs_by_quadrature(const Parameters& parameters, const Gains& gains, double x, int modes) {
+  const ClosedLoop loop(parameters, gains);
+  require_positive("k1", gains.k1);
+  require_positive("k3", gains.k3);
+  loop.plant().appendage().require_place(x);
+  if (modes < 16 || modes > 2000)
+    throw std::invalid_argument(
+        fmt::format("costs by quadrature: modes = {}; 16 to 2000 are possible", modes));
+  QuadratureCosts costs;
+  LoopPoles poles = loop.poles(modes + 8);
+  const Frequencies cuts = hub_zeros(loop.plant(), modes);
+  costs.status = poles.status.ok() ? cuts.status : poles.status;
+  if (!costs.status.ok()) return costs;
+  std::sort(poles.s.begin(), poles.s.end(), [](Complex p, Complex q) { return p.imag() < q.imag(); });
+  // Between two hub-locked resonances lies one pole, mostly near to the lower one, and on the length between
+  // them the densities also change just below it: there the stretch is centred at the cut.
+  Three sum{};
+  std::array<std::array<double, 4>, 3> sums{};
+  std::array<double, 4> step{};
+  std::size_t stage = 0, next = 0;
+  double a = 0;
+  for (int n = 1; n <= modes; ++n) {
+    const double end = cuts.omega[static_cast<std::size_t>(n) - 1];
+    Complex last(-end, a);
+    for (; next < poles.s.size() && poles.s[next].imag() <= end; ++next) {
+      last = poles.s[next];
+      const bool more = next + 1 < poles.s.size() && poles.s[next + 1].imag() <= end;
+      const double b = (last.imag() + (more ? poles.s[next + 1].imag() : end)) / 2;
+      add_stretched(loop, x, last, a, b, sum);
+      a = std::max(a, b);
+    }
+    const double above = next < poles.s.size() ? poles.s[next].imag() - end : end;
+    if (a == last.imag()) add_stretched(loop, x, last, a, (a + end) / 2, sum), a = (a + end) / 2;
+    add_stretched(loop, x, Complex(std::max(above, 1e-9 * end), end), a, end, sum);
+    a = end;
+    if (n == modes / 8 || n == modes / 4 || n == modes / 2 || n == modes) {
+      step[stage] = 1 / std::sqrt(end);
+      for (std::size_t j = 0; j < 3; ++j) sums[j][stage] = sum[j];
+      ++stage;
+    }
+  }
+  costs.error = limit(step, sums[0]) / std::numbers::pi;
+  costs.torque = limit(step, sums[1]) / std::numbers::pi;
+  costs.deflection = limit(step, sums[2]) / std::numbers::pi;
+  costs.change = (sums[1][3] - sums[1][2]) / sums[1][3];
+  return costs;
+}
+
+}  // namespace nlmech::spacecraft

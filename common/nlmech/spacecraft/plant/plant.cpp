@@ -1,0 +1,70 @@
+#include "nlmech/spacecraft/plant/plant.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace nlmech::spacecraft {
+bool vanishes(double sum, double size, double waves) {
+  return sum <= 4 * std::numeric_limits<double>::epsilon() * (1 + waves) * size;
+}
+
+Plant::Plant(const Parameters& parameters) : appendage_(parameters) {}
+
+AxisResponse Plant::at_frequency(double omega, double x) const {
+  appendage_.require_place(x);
+  const Motion<double> m = appendage_.motion_at_frequency(omega);
+  const double hub = parameters().hub_inertia * m.determinant, beams = 2 * appendage_.inertia(m),
+               sum = hub + beams;
+  AxisResponse r{m.determinant / (-(omega * omega) * sum), appendage_.deflection(m, x) / sum,
+                 Outcome::success};
+  if (vanishes(std::abs(sum), std::abs(hub) + std::abs(beams), m.wave_number) || !std::isfinite(r.theta))
+    r.outcome = Outcome::at_pole;
+  if (!std::isfinite(m.determinant) || !std::isfinite(sum)) r.outcome = Outcome::non_finite;
+  return r;
+}
+
+Outcome Plant::response(Complex s, std::span<const double> x, Complex& theta, std::span<Complex> y) const {
+  if (x.size() != y.size())
+    throw std::invalid_argument(fmt::format("Plant: {} places and {} deflections", x.size(), y.size()));
+  for (const double at : x) appendage_.require_place(at);
+  const auto fill = [&](const auto& m, const auto& squared) {
+    const auto hub = parameters().hub_inertia * m.determinant, beams = 2. * appendage_.inertia(m);
+    const auto sum = hub + beams;
+    theta = m.determinant / (squared * sum);
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = appendage_.deflection(m, x[i]) / sum;
+    if (!std::isfinite(std::abs(m.determinant)) || !std::isfinite(std::abs(sum))) return Outcome::non_finite;
+    const bool pole = vanishes(std::abs(sum), std::abs(hub) + std::abs(beams), m.wave_number);
+    return pole || !is_finite(theta) ? Outcome::at_pole : Outcome::success;
+  };
+  if (s.real() == 0) return fill(appendage_.motion_at_frequency(s.imag()), -(s.imag() * s.imag()));
+  return fill(appendage_.motion(s), s * s);
+}
+
+Response Plant::response(Complex s, double x) const {
+  Response r{};
+  r.outcome = response(s, std::span(&x, 1), r.theta, std::span(&r.deflection, 1));
+  return r;
+}
+
+double Plant::static_deflection(double x) const {
+  appendage_.require_place(x);
+  const Motion<double> m = appendage_.motion_at_frequency(0);
+  return appendage_.deflection(m, x) / effective_inertia(m);
+}
+
+Status Plant::status(Outcome outcome, Complex s) const {
+  if (outcome == Outcome::success) return {};
+  if (outcome == Outcome::at_pole) {
+    return Status::failure(outcome, fmt::format("transfer function: s = {} + {} i is a pole to the rounding "
+                                                "of s; choose another frequency",
+                                                s.real(), s.imag()));
+  }
+  return Status::failure(outcome, fmt::format("transfer function: s = {} + {} i is not finite, or too large: "
+                                              "|s|^2 rho L^4/EI must stay below 1e200",
+                                              s.real(), s.imag()));
+}
+
+}  // namespace nlmech::spacecraft

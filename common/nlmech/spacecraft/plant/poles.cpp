@@ -1,0 +1,156 @@
+#include "nlmech/spacecraft/plant/poles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace nlmech::spacecraft {
+namespace {
+
+/// A real function of omega with the zeros looked for, and the same entire function of z = s^2.
+struct Characteristic {
+  double beta_unit;
+  std::function<double(double)> on_axis;
+  AnalyticFunction of_square;
+};
+
+/// What a quotient's numerator or denominator is made of a motion.
+template <class Part>
+Characteristic characteristic(const Plant& plant, const Part& part) {
+  const Ratios ratios = plant.appendage().ratios();
+  const double unit = plant.appendage().beta_unit();
+  return {unit, [&plant, part](double omega) { return part(plant.appendage().motion_at_frequency(omega)); },
+          [ratios, unit, part](Complex z) {
+            const Jet b(z * unit, Complex(unit));
+            return Jet(part(std::abs(b.value) < series_limit ? motion_by_series(ratios, b)
+                                                             : motion_by_waves(ratios, b)));
+          }};
+}
+
+/// Between two points where f has opposite signs, to the last bit.
+double bisect(const std::function<double(double)>& f, double low, double high, bool rising) {
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) return middle;
+    const double value = f(middle);
+    if (value == 0) return middle;
+    ((value > 0) == rising ? high : low) = middle;
+  }
+}
+
+/// Zeros of f up to where @p enough says so: sign changes in steps of @p step of |beta|^(1/4) L.
+template <class Enough>
+std::vector<double> scan(const Characteristic& c, double step, const Enough& enough) {
+  std::vector<double> found;
+  const double unit = std::sqrt(c.beta_unit);
+  const auto at = [&](int i) { return (i * step) * (i * step) / unit; };
+  double before = c.on_axis(0);
+  for (int i = 1; !enough(found, at(i - 1)); ++i) {
+    const double here = c.on_axis(at(i));
+    if ((here > 0) != (before > 0)) found.push_back(bisect(c.on_axis, at(i - 1), at(i), here > 0));
+    before = here;
+  }
+  return found;
+}
+
+Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, const char* what) {
+  if (count < 1) throw std::invalid_argument(fmt::format("{}: a count of {}", what, count));
+  const std::size_t wanted = static_cast<std::size_t>(count) + 1;
+  // One zero comes about every pi; a heavy tip adds two below.
+  const double last = (count + 20) * std::numbers::pi, highest = last * last / std::sqrt(c.beta_unit);
+  Frequencies all;
+  for (double step = 0.2; step > 1e-3; step /= 4) {
+    all.omega = scan(c, step, [&](const std::vector<double>& found, double omega) {
+      return found.size() >= wanted || omega > highest;
+    });
+    if (all.omega.size() < wanted) continue;
+    const double end = (all.omega[wanted - 2] + all.omega[wanted - 1]) / 2, side = end * end;
+    const RootCount counted = count_roots(c.of_square, {-side, side / 16, -side / 2, side / 2});
+    all.counted = counted.count;
+    all.status = counted.status;
+    if (counted.status.ok() && counted.count == count) {
+      all.omega.resize(wanted - 1);
+      return all;
+    }
+  }
+  all.omega.resize(std::min(all.omega.size(), wanted - 1));
+  if (all.status.ok()) {
+    all.status = Status::failure(
+        Outcome::not_converged,
+        fmt::format("{}: {} found, {} counted by the argument principle, up to {} rad/s for {}; some lie too "
+                    "close to each other",
+                    what, all.omega.size(), all.counted, all.omega.empty() ? 0. : all.omega.back(),
+                    plant.parameters().has_tip() ? "a spacecraft with tip bodies" : "one without"));
+  }
+  return all;
+}
+
+/// Both signs of s and both of an imaginary part, of which those with Im s >= 0 are listed.
+void append(std::vector<Complex>& s, Complex z) {
+  const Complex root = std::sqrt(z);
+  if (z.imag() == 0 && z.real() < 0) {
+    s.emplace_back(0, std::sqrt(-z.real()));
+  } else if (z.imag() == 0) {
+    s.push_back(root);
+    s.push_back(-root);
+  } else {
+    s.push_back(root.imag() > 0 ? root : -root);
+  }
+}
+
+}  // namespace
+
+Frequencies poles(const Plant& plant, int count) {
+  const auto part = [&plant](const auto& m) { return plant.effective_inertia(m); };
+  return frequencies(plant, count, characteristic(plant, part), "poles");
+}
+
+Frequencies hub_zeros(const Plant& plant, int count) {
+  const auto part = [](const auto& m) { return m.determinant; };
+  return frequencies(plant, count, characteristic(plant, part), "hub zeros");
+}
+
+Zeros deflection_zeros(const Plant& plant, double x, double omega) {
+  plant.appendage().require_place(x);
+  if (x == 0) throw std::invalid_argument("deflection_zeros: y is always 0 at x = 0");
+  if (!(omega > 0) || !std::isfinite(omega))
+    throw std::invalid_argument(fmt::format("deflection_zeros: up to {} rad/s", omega));
+  const auto part = [&plant, x](const auto& m) { return plant.appendage().deflection(m, x); };
+  const Characteristic c = characteristic(plant, part);
+
+  Zeros zeros;
+  double side = omega * omega;
+  RootCount counted;
+  // A zero on the boundary: a little farther out it is inside.
+  for (int i = 0; i < 5; ++i, side *= 1.0171) {
+    counted = count_roots(c.of_square, {-side, side, -side, side});
+    if (counted.status.ok()) break;
+  }
+  zeros.counted = counted.count;
+  zeros.status = counted.status;
+  if (!counted.status.ok()) return zeros;
+
+  const double end = std::sqrt(side);
+  std::vector<double> axis =
+      scan(c, 0.1, [&](const std::vector<double>& /*found*/, double at) { return at > end; });
+  while (!axis.empty() && axis.back() > end) axis.pop_back();
+  for (const double w : axis) append(zeros.s, Complex(-w * w));
+  if (static_cast<int>(axis.size()) != zeros.counted) {
+    const Roots all = find_roots(c.of_square, {-side, side, -side, side});
+    zeros.s.clear();
+    for (const Complex& z : all.roots)
+      append(zeros.s, std::abs(z.imag()) <= 1e-11 * std::abs(z) ? Complex(z.real()) : z);
+    zeros.status = all.status;
+  }
+  std::sort(zeros.s.begin(), zeros.s.end(), [](const Complex& a, const Complex& b) {
+    const double x1 = std::abs(a), x2 = std::abs(b);
+    return x1 != x2 ? x1 < x2 : a.real() < b.real();
+  });
+  return zeros;
+}
+
+}  // namespace nlmech::spacecraft

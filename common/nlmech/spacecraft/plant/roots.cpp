@@ -1,0 +1,209 @@
+#include "nlmech/spacecraft/plant/roots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "nlmech/spacecraft/plant/zero_cluster.hpp"
+
+namespace nlmech::spacecraft {
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Of one region: more than hundred times what a dozen zeros of a closed loop take.
+constexpr std::size_t most_evaluations = 400'000;
+
+void require_region(const Rectangle& r) {
+  const bool finite =
+      std::isfinite(r.left) && std::isfinite(r.right) && std::isfinite(r.bottom) && std::isfinite(r.top);
+  if (!finite || !(r.left < r.right) || !(r.bottom < r.top))
+    throw std::invalid_argument(
+        fmt::format("roots: the rectangle {} to {}, {} to {} i is empty or not finite", r.left, r.right,
+                    r.bottom, r.top));
+}
+
+Status on_boundary(Complex s) {
+  return Status::failure(Outcome::not_converged,
+                         fmt::format("argument principle: a zero lies on the boundary near {} + {} i, or the "
+                                     "function is not analytic there; choose another region",
+                                     s.real(), s.imag()));
+}
+
+Status too_many(const Rectangle& r) {
+  return Status::failure(
+      Outcome::step_limit,
+      fmt::format("find_roots: more than {} values of the function were needed from {} to {}, {} to {} i; "
+                  "choose a smaller region",
+                  most_evaluations, r.left, r.right, r.bottom, r.top));
+}
+
+/// Follows the phase of F along a line. False if it cannot.
+bool follow(const AnalyticFunction& f, Complex from, Complex to, double& phase, Complex& at) {
+  const double length = std::abs(to - from);
+  const Complex direction = (to - from) / length;
+  double done = 0;
+  at = from;
+  Jet here = f(from);
+  for (int steps = 0; done < length; ++steps) {
+    const double rate = std::abs(here.slope / here.value);
+    double step = std::min(length - done, 0.6 / rate);
+    for (;; step /= 2) {
+      // A NaN, from F = 0 or a value that is not finite, ends here too.
+      if (!(step > 1e-13 * length) || steps > 200'000) return false;
+      const Complex next = from + std::min(done + step, length) * direction;
+      const Jet there = f(next);
+      const Complex growth = here.slope / here.value, after = there.slope / there.value;
+      const double turn = std::arg(there.value / here.value);
+      const double predicted = (direction * (growth + after)).imag() * step / 2;
+      if (std::abs(turn) <= 0.7 && std::abs(after) * step <= 1.2 && std::abs(turn - predicted) <= 0.4) {
+        phase += turn;
+        done = step >= length - done ? length : done + step;
+        here = there;
+        at = next;
+        break;
+      }
+    }
+  }
+  return true;
+}
+
+/// A rectangle still to be searched.
+struct Task {
+  Rectangle region;
+  int count;
+};
+
+double diagonal(const Rectangle& r) { return std::hypot(r.right - r.left, r.top - r.bottom); }
+
+/// The largest modulus of a corner.
+double reach(const Rectangle& r) {
+  return std::hypot(std::max(std::abs(r.left), std::abs(r.right)),
+                    std::max(std::abs(r.bottom), std::abs(r.top)));
+}
+
+Complex centre(const Rectangle& r) { return {(r.left + r.right) / 2, (r.bottom + r.top) / 2}; }
+
+/// Halves across the longer side, somewhere near its middle.
+std::pair<Rectangle, Rectangle> split(const Rectangle& r, double part) {
+  Rectangle first = r, second = r;
+  if (r.right - r.left >= r.top - r.bottom)
+    first.right = second.left = r.left + part * (r.right - r.left);
+  else
+    first.top = second.bottom = r.bottom + part * (r.top - r.bottom);
+  return {first, second};
+}
+
+/// Splits where no zero lies on the cut. False if every cut meets one.
+bool divide(const AnalyticFunction& f, const Task& task, std::vector<Task>& tasks) {
+  static constexpr std::array<double, 6> parts = {0.51373, 0.46189, 0.55717, 0.42331, 0.6189, 0.37171};
+  for (const double part : parts) {
+    const auto [first, second] = split(task.region, part);
+    const RootCount count = count_roots(f, first);
+    if (!count.status.ok() || count.count < 0 || count.count > task.count) continue;
+    if (task.count > count.count) tasks.push_back({second, task.count - count.count});
+    if (count.count > 0) tasks.push_back({first, count.count});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RootCount count_roots(const AnalyticFunction& f, const Rectangle& region) {
+  require_region(region);
+  const std::array<Complex, 5> corners = {Complex(region.left, region.bottom),
+                                          Complex(region.right, region.bottom),
+                                          Complex(region.right, region.top), Complex(region.left, region.top),
+                                          Complex(region.left, region.bottom)};
+  double phase = 0;
+  Complex at;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!follow(f, corners[i], corners[i + 1], phase, at)) return {0, on_boundary(at)};
+  }
+  return {static_cast<int>(std::lround(phase / (2 * std::numbers::pi))), {}};
+}
+
+Roots find_roots(const AnalyticFunction& function, const Rectangle& region) {
+  Roots found;
+  std::size_t evaluations = 0;
+  // Beyond the limit there is no value, which ends everything below.
+  const AnalyticFunction f = [&](Complex s) {
+    return ++evaluations > most_evaluations ? Jet(Complex(std::nan(""))) : function(s);
+  };
+  const RootCount all = count_roots(f, region);
+  found.count = all.count;
+  found.status = all.status;
+  std::vector<Task> tasks;
+  if (all.status.ok() && all.count > 0) tasks.push_back({region, all.count});
+  // Relative to the place: near 0 a box is small only if 0 is not in it, or nearly nothing else.
+  const double whole = diagonal(region), least = 1e-250 * whole;
+  while (!tasks.empty()) {
+    const Task task = tasks.back();
+    tasks.pop_back();
+    const double size = diagonal(task.region);
+    const bool point = size < std::max(1e-10 * std::min(whole, reach(task.region)), least);
+    if (task.count == 1 || point) {
+      const Root root = refine_root(f, centre(task.region));
+      const bool near = std::abs(root.s - centre(task.region)) < 2 * size;
+      if (root.status.ok() && (task.region.contains(root.s) || (point && near))) {
+        found.roots.insert(found.roots.end(), static_cast<std::size_t>(task.count), root.s);
+        continue;
+      }
+      if (point) {
+        // A multiple zero, known to the size of its box.
+        found.roots.insert(found.roots.end(), static_cast<std::size_t>(task.count), centre(task.region));
+        continue;
+      }
+    } else if (size < 1e-3 * reach(task.region)) {
+      // Several, close to each other: their power sums say where, also where they coincide.
+      const ZeroCluster cluster = zeros_in_circle(f, centre(task.region), size);
+      if (cluster.status.ok() && static_cast<int>(cluster.zeros.size()) == task.count) {
+        for (const Complex& z : cluster.zeros) found.roots.push_back(cluster.centre + z);
+        continue;
+      }
+    }
+    if (!divide(f, task, tasks)) {
+      found.status = on_boundary(centre(task.region));
+      break;
+    }
+  }
+  found.evaluations = evaluations;
+  if (evaluations > most_evaluations) found.status = too_many(region);
+  std::sort(found.roots.begin(), found.roots.end(), [](const Complex& a, const Complex& b) {
+    return a.imag() != b.imag() ? a.imag() < b.imag() : a.real() < b.real();
+  });
+  return found;
+}
+
+Root refine_root(const AnalyticFunction& f, Complex start) {
+  Complex s = start;
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 50; ++i) {
+    const Jet here = f(s);
+    if (here.value == Complex(0)) return {s, {}};
+    const Complex step = here.value / here.slope;
+    const double size = std::abs(step), scale = std::max(std::abs(s - step), 1e-6 * std::abs(start));
+    if (!std::isfinite(size)) {
+      return {
+          s, Status::failure(Outcome::non_finite,
+                             fmt::format("Newton's method for zeros: no step from {} + {} i; start elsewhere",
+                                         s.real(), s.imag()))};
+    }
+    s -= step;
+    // Once small, steps that no longer shrink are the rounding of F.
+    if (size <= 4 * eps * std::abs(s) || (size <= 1e-10 * scale && size >= before / 2)) return {s, {}};
+    before = size;
+  }
+  return {s, Status::failure(Outcome::not_converged,
+                             fmt::format("Newton's method for zeros: 50 steps from {} + {} i; start nearer",
+                                         start.real(), start.imag()))};
+}
+
+}  // namespace nlmech::spacecraft

@@ -1,0 +1,175 @@
+// adaptive-collocation where equations are stiff.
+#include <gtest/gtest.h>
+
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/problems/hires.hpp"
+#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/oracle.hpp"
+#include "tests/ivp/test_set.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using oracle::published_end_state;
+using testing::eps;
+
+AdaptiveCollocation to(double relative, double absolute) {
+  return {.relative_tolerance = relative, .absolute_tolerance = absolute};
+}
+
+/// Digits of the largest error relative to each component.
+template <class X>
+double digits(const X& x, const std::vector<double>& exact) {
+  double error = 1e-16;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    error = std::max(error, std::abs(x[static_cast<Eigen::Index>(i)] / exact[i] - 1));
+  return -std::log10(error);
+}
+
+// Digits that an end may lack of those asked: each of some hundred steps errs by a tolerance, and earlier
+// errors fade.
+constexpr double lost = 1.5;
+
+/// A fast and a slow rate along the axes (0.8, 0.6) and (-0.6, 0.8).
+struct TurnedRates {
+  static constexpr int dimension = 2;
+  double fast, slow;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    const T along = -fast * (0.8 * x[0] + 0.6 * x[1]), across = -slow * (-0.6 * x[0] + 0.8 * x[1]);
+    f[0] = 0.8 * along - 0.6 * across;
+    f[1] = 0.6 * along + 0.8 * across;
+  }
+};
+
+// The sweeps of the first steps part so quickly that states overflow before a slope does.
+TEST(StiffAdaptiveCollocation, SweepsThatOverflowAreNoSolution) {
+  for (const double fast : {1e6, 1e9, 1e12}) {
+    const double end = 0.1, slow = 0.3;
+    const auto s = integrate(System<2>(TurnedRates{fast, slow}), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    const State<2> exact = std::exp(-slow * end) * State<2>(-0.6, 0.8);
+    // 30 tolerances, and the rounding of the axes.
+    EXPECT_LT((s.x - exact).cwiseAbs().maxCoeff(), 30 * 1e-11 + 4 * eps) << fast;
+  }
+}
+
+// Published to 16 digits.
+TEST(StiffAdaptiveCollocation, Robertson) {
+  const auto exact = published_end_state("Robertson");
+  ASSERT_EQ(exact.size(), 3U);
+  for (int d = 4; d <= 12; ++d) {
+    const double tolerance = std::pow(10., -d);
+    const auto s = integrate(System<3>(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
+                             to(tolerance, 1e-8 * tolerance));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
+    EXPECT_NEAR(s.x.sum(), 1, 64 * eps) << "a linear invariant is kept by Newton's iteration";
+  }
+}
+
+TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
+  auto exact = published_end_state("van der Pol");
+  ASSERT_EQ(exact.size(), 2U);
+  exact[1] /= 1000;  // the test set's time is t/mu
+  for (int d = 4; d <= 13; ++d) {
+    const double tolerance = std::pow(10., -d);
+    const auto s = integrate(System<2>(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000,
+                             to(tolerance, 1e-3 * tolerance));
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
+    EXPECT_GT(s.statistics.jacobians, 0) << "sweeps cannot do this";
+    EXPECT_LT(s.statistics.steps, 1000) << tolerance;
+  }
+}
+
+// Components of 1e-4 to 1e-2, under absolute tolerances a hundredth of the smallest and less; a fast reaction
+// comes to its end just before that of the interval. Published to 14 digits. With an estimate of lower order
+// than the end, held against a power of the tolerance, this lost up to five digits.
+TEST(StiffAdaptiveCollocation, Hires) {
+  const auto exact = published_end_state("HIRES");
+  ASSERT_EQ(exact.size(), 8U);
+  for (int d = 4; d <= 13; ++d) {
+    const double tolerance = std::pow(10., -d);
+    for (const double absolute : {1e-6 * tolerance, std::min(1e-14, 1e-4 * tolerance)}) {
+      const auto s = integrate(System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
+                               problems::Hires::final_time, to(tolerance, absolute));
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      EXPECT_GT(digits(s.x, exact), d - lost) << tolerance << ' ' << absolute;
+    }
+  }
+}
+
+/// Counts its evaluations in double.
+struct Counted {
+  static constexpr int dimension = 2;
+  problems::VanDerPol problem{.mu = 100};
+  std::int64_t* count;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    if constexpr (std::is_same_v<T, double>) ++*count;
+    problem(t, x, f);
+  }
+};
+TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
+  std::int64_t count = 0;
+  const auto s = integrate(System<2>(Counted{.count = &count}), {2, 0}, 0, 200, to(1e-8, 1e-8));
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_GT(s.statistics.factorisations, 0);
+  EXPECT_EQ(s.statistics.right_hand_sides, count);
+}
+
+// The stiff spring and the hardest oscillator against Taylor series and Jacobi's functions.
+TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
+  problems::ThreeMassChain chain;
+  chain.k1 = 1e8;
+  const problems::ReferenceTrajectory<long double, problems::ThreeMassChain> truth(
+      chain, Vector<long double, 6>::Zero(), 0, 2);
+  const State<6> end = truth(2).cast<double>();
+  const problems::Duffing hard{.hardening = 1e6};
+  for (int d = 4; d <= 12; d += 2) {
+    const double tolerance = std::pow(10., -d);
+    const auto slow = integrate(System<6>(chain), State<6>::Zero(), 0, 2, to(tolerance, tolerance));
+    ASSERT_TRUE(slow.status.ok()) << slow.status.text();
+    EXPECT_LT(oracle::distance(slow.x, end), 100 * tolerance) << tolerance;
+    const double P = hard.period(1.0);
+    const auto fast = integrate(System<2>(hard), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
+    ASSERT_TRUE(fast.status.ok()) << fast.status.text();
+    const State<2> exact = oracle::duffing(10 * P, hard);
+    // In the units of the motion, time 1/sqrt(eta), this is ten periods of an oscillator like Table 4.1's.
+    const double bound = static_cast<double>(fast.statistics.steps) * (tolerance + eps) * 75;
+    EXPECT_LT(std::abs(fast.x[0] - exact[0]), bound) << tolerance;
+  }
+}
+
+// Sweeps before the leap, Newton on the branch, and back again: a stiff problem that becomes gentle.
+struct StiffThenGentle {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    using std::cos;
+    using std::exp;
+    using std::sin;
+    const T rate = 1e5 * exp(-t);
+    f[0] = cos(t) - rate * (x[0] - sin(t));
+  }
+};
+TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
+  const System<1> system(StiffThenGentle{});
+  const auto stiff = integrate(system, State<1>(0.0), 0, 10, to(1e-8, 1e-8));
+  ASSERT_TRUE(stiff.status.ok()) << stiff.status.text();
+  EXPECT_GT(stiff.statistics.jacobians, 0);
+  const auto all = integrate(system, State<1>(0.0), 0, 100, to(1e-8, 1e-8));
+  ASSERT_TRUE(all.status.ok()) << all.status.text();
+  EXPECT_NEAR(all.x[0], std::sin(100.), 1e-6);  // 1e-8 in each of some hundred steps
+  const auto late = all.statistics.factorisations - stiff.statistics.factorisations;
+  EXPECT_LT(late, 40) << "Newton's iteration went on where sweeps suffice";
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

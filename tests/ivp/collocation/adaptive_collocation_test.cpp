@@ -1,0 +1,198 @@
+// adaptive-collocation: errors against exact solutions and published ones, what each step promises, dense
+// output, both engines and the change between them.
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "nlmech/ivp/events.hpp"
+#include "nlmech/ivp/series/series.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using testing::eps;
+
+AdaptiveCollocation to(double tolerance, int nodes = 0) {
+  return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .nodes = nodes};
+}
+
+// Ten periods against Jacobi's elliptic function. An error of a step moves the phase and the amplitude; an
+// error of the amplitude is a frequency off by about as much and grows with time.
+TEST(AdaptiveCollocation, FreeDuffingAtEveryTolerance) {
+  const problems::Duffing problem;
+  const double end = 10 * oracle::duffing_period;
+  for (const int nodes : {0, 9, 13, 17}) {
+    for (int digits = 3; digits <= 14; ++digits) {
+      const double tolerance = std::pow(10., -digits);
+      const auto s = integrate(System(problem), {1, 0}, 0, end, to(tolerance, nodes));
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      const double bound = static_cast<double>(s.statistics.steps) * (tolerance + eps) * (1 + end);
+      EXPECT_LT(oracle::distance(s.x, oracle::duffing(end)), bound) << nodes << " nodes, " << tolerance;
+      if (nodes == 0) {
+        EXPECT_EQ(s.statistics.jacobians, 0) << "sweeps suffice";
+      }
+    }
+  }
+}
+
+/// The largest error that a step adds, in tolerances: against the Taylor series from the step's own begin.
+template <class Problem>
+double largest_local_error(const Problem& problem, double end, const AdaptiveCollocation& method,
+                           std::int64_t* jacobians = nullptr) {
+  double largest = 0;
+  const Series accurate{.relative_tolerance = 1e-16, .absolute_tolerance = 1e-16};
+  const auto measure = [&](const Step<Problem::dimension>& step) {
+    const auto exact = integrate(System(problem), step.x0, step.t0, step.t1, accurate);
+    EXPECT_TRUE(exact.status.ok());
+    for (int i = 0; i < Problem::dimension; ++i) {
+      const double size = std::max(std::abs(step.x0[i]), std::abs(step.x1[i]));
+      largest = std::max(largest, std::abs(step.x1[i] - exact.x[i]) /
+                                      (method.absolute_tolerance + method.relative_tolerance * size));
+    }
+    return true;
+  };
+  const auto s = integrate(System(problem), Problem::initial_state(), 0, end, method, measure);
+  EXPECT_TRUE(s.status.ok());
+  if (jacobians) *jacobians = s.statistics.jacobians;
+  return largest;
+}
+
+// What a step may add. At the orders that the method chooses, sweeps keep the tolerance, of which they plan
+// with a tenth; more nodes than suit a tolerance take steps of which the estimate knows less.
+TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
+  for (const int nodes : {0, 9, 13, 17}) {
+    const double most = nodes == 0 ? 1 : 5;
+    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+      const auto method = to(tolerance, nodes);
+      const auto check = [&](double error) { EXPECT_LT(error, most) << nodes << ' ' << tolerance; };
+      check(largest_local_error(problems::Duffing{}, 60, method));
+      check(largest_local_error(problems::Duffing{.hardening = 1e6}, 0.1, method));
+      check(largest_local_error(problems::ThreeMassChain{}, 60, method));
+      std::int64_t jacobians = 0;
+      const double lorenz = largest_local_error(problems::Lorenz{}, 15, method, &jacobians);
+      if (jacobians == 0) check(lorenz);  // else see the next test
+    }
+  }
+}
+
+// The estimate carries the defect to the end by the equation's linear part; what it does not see is how that
+// part changes within the step.
+TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+    std::int64_t jacobians = 0;
+    EXPECT_LT(largest_local_error(problems::VanDerPol{.mu = 5}, 20, to(tolerance), &jacobians), 3)
+        << tolerance;
+    EXPECT_LT(largest_local_error(problems::Lorenz{}, 15, to(tolerance)), 3) << tolerance;
+  }
+}
+
+// A slope of degree 2s - 2 in time alone is integrated exactly by s nodes, and no more: the order is 2s - 1.
+template <int degree>
+struct Power {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>& /*x*/, Vector<T, 1>& f) const {
+    f[0] = 1;
+    for (int k = 0; k < degree; ++k) f[0] *= t;
+    f[0] *= degree + 1;
+  }
+};
+TEST(AdaptiveCollocation, QuadratureOfRadau) {
+  const auto error = [](const auto& problem, int nodes) {
+    const AdaptiveCollocation whole{
+        .relative_tolerance = 0.1, .absolute_tolerance = 1e10, .nodes = nodes};  // one step
+    const auto s = integrate(System(problem), State<1>(0.0), 0, 1, whole);
+    EXPECT_EQ(s.statistics.steps, 1);
+    return std::abs(s.x[0] - 1);
+  };
+  EXPECT_LT(error(Power<14>{}, 9), 16 * eps);
+  EXPECT_GT(error(Power<15>{}, 9), 1e-9);
+  EXPECT_LT(error(Power<22>{}, 13), 16 * eps);
+  EXPECT_GT(error(Power<23>{}, 13), 1e-14);
+  EXPECT_LT(error(Power<30>{}, 17), 16 * eps);
+}
+
+// Between its ends a step solves the same equations: as accurate as there.
+TEST(AdaptiveCollocation, DenseOutput) {
+  for (const double tolerance : {1e-5, 1e-9, 1e-12}) {
+    double largest = 0;
+    std::int64_t steps = 0;
+    const auto look = [&](const Step<2>& step) {
+      State<2> x;
+      ++steps;
+      for (const double part : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+        const double t = step.t0 + part * (step.t1 - step.t0);
+        step.dense.at(t, x);
+        largest = std::max(largest, oracle::distance(x, oracle::duffing(t)));
+      }
+      return true;
+    };
+    ASSERT_TRUE(integrate(System<2>(problems::Duffing{}), {1, 0}, 0, 20, to(tolerance), look).status.ok());
+    EXPECT_LT(largest, static_cast<double>(steps) * tolerance * 21) << tolerance;
+  }
+}
+
+// Newton's steps between their ends: the trial function, of order s + 1 where the end is of 2s - 1, on the
+// smooth branch of van der Pol.
+TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
+  const problems::VanDerPol problem{.mu = 100};
+  const problems::ReferenceTrajectory<long double, problems::VanDerPol> truth(
+      problem, Vector<long double, 2>(2, 0), 0, 60);
+  double largest = 0;
+  const auto look = [&](const Step<2>& step) {
+    State<2> x;
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const double t = step.t0 + part * (step.t1 - step.t0);
+      step.dense.at(t, x);
+      largest = std::max(largest, oracle::distance(x, State<2>(truth(t).cast<double>())));
+    }
+    return true;
+  };
+  const auto s = integrate(System<2>(problem), {2, 0}, 0, 60, to(1e-9), look);
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_GT(s.statistics.jacobians, 0);
+  EXPECT_LT(largest, 1e-5);  // 0.1 tol^((s+1)/2s) for s = 5 is 4e-7 a step
+}
+
+// x is zero at odd quarters of the period. The dense output of sweeps is as accurate as their steps, and the
+// time of a zero by 1/v more than that.
+TEST(AdaptiveCollocation, Events) {
+  const Event<2> zero{.value = [](double, const State<2>& x) { return x[0]; }};
+  const double quarter = oracle::duffing_period / 4;
+  const auto [s, hits] =
+      integrate_with_events(System(problems::Duffing{}), State<2>(1, 0), 0, 8 * quarter, to(1e-11), {zero});
+  ASSERT_TRUE(s.status.ok());
+  ASSERT_EQ(hits.size(), 4U);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const auto odd = static_cast<double>(2 * k + 1);
+    EXPECT_NEAR(hits[k].t, odd * quarter, static_cast<double>(s.statistics.steps) * 1e-11 * 9) << k;
+  }
+}
+
+// Gaussians at the same nodes: they keep their promise with more steps, and where they are wide against the
+// step they are the polynomials.
+TEST(AdaptiveCollocation, Gaussians) {
+  const double end = oracle::duffing_period;
+  const State<2> exact = oracle::duffing(end);
+  for (const double shape : {0.01, 0.5, 2.0}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+      AdaptiveCollocation method = to(tolerance);
+      method.shape = shape;
+      const auto s = integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, method);
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      EXPECT_LT(oracle::distance(s.x, exact), static_cast<double>(s.statistics.steps) * tolerance * (1 + end))
+          << shape << ' ' << tolerance;
+      EXPECT_GE(s.statistics.steps,
+                integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, to(tolerance)).statistics.steps);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

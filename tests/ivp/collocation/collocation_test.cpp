@@ -1,0 +1,161 @@
+#include "nlmech/ivp/collocation/collocation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "nlmech/ivp/collocation/picard.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "tests/ivp/oracle.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using collocation::NodeFamily;
+using oracle::distance;
+constexpr double P = oracle::duffing_period;
+constexpr double eps = 2.220446049250313e-16;
+
+template <class Method>
+double error_at_five(const Method& method) {
+  const System system(problems::Duffing{});
+  const auto s = integrate(system, {1, 0}, 0, 5, method);
+  EXPECT_TRUE(s.status.ok()) << s.status.text();
+  return distance(s.x, oracle::duffing(5));
+}
+
+double order(const PolynomialCollocation& coarse) {
+  PolynomialCollocation fine = coarse;
+  fine.step /= 2;
+  return std::log2(error_at_five(coarse) / error_at_five(fine));
+}
+
+// Legendre-Gauss-Lobatto without the left end as a stage: order N - 1. Radau: 2 N - 3 (60-digit check in the
+// chapter's scene `orders`; here in double, before rounding sets in).
+TEST(PolynomialCollocation, ObservedOrders) {
+  EXPECT_NEAR(order({.step = 0.05, .nodes = 3}), 2, 0.1);
+  EXPECT_NEAR(order({.step = 0.1, .nodes = 4}), 3, 0.1);
+  EXPECT_NEAR(order({.step = 0.25, .nodes = 6}), 5, 0.25);
+  EXPECT_NEAR(order({.step = 0.05, .nodes = 3, .points = NodeFamily::left_end_and_radau}), 3, 0.1);
+  EXPECT_NEAR(order({.step = 0.1, .nodes = 4, .points = NodeFamily::left_end_and_radau}), 5, 0.25);
+}
+
+// 32 steps over t = 5 with 7 nodes: 1.1e-9 and 3.3e-15 are recorded.
+TEST(PolynomialCollocation, RadauBeatsLobattoWithTheSameUnknowns) {
+  const double lobatto = error_at_five(PolynomialCollocation{.step = 5.0 / 32, .nodes = 7});
+  const double radau = error_at_five(
+      PolynomialCollocation{.step = 5.0 / 32, .nodes = 7, .points = NodeFamily::left_end_and_radau});
+  EXPECT_NEAR(lobatto, 1.1e-9, 0.1e-9);
+  EXPECT_LT(radau, 60 * eps);  // rounding of 32 steps
+}
+
+// Its solution is t^6 - t^5 + constant.
+struct Quintic {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>&, Vector<T, 1>& dxdt) const {
+    dxdt[0] = 6 * t * t * t * t * t - 5 * t * t * t * t;
+  }
+};
+
+TEST(PolynomialCollocation, ExactForPolynomialsOfItsDegree) {
+  const auto s =
+      integrate(System(Quintic{}), State<1>(1), 0, 2, PolynomialCollocation{.step = 2, .nodes = 7});
+  EXPECT_NEAR(s.x[0], 64 - 32 + 1, 33 * 50 * eps);  // t^6 - t^5 + 1; the matrix' norm is about 50
+}
+
+TEST(PolynomialCollocation, DenseOutputMeetsTheNodesAndStaysClose) {
+  const System system(problems::Duffing{});
+  double at_nodes = 0, between = 0;
+  (void)integrate(
+      system, {1, 0}, 0, P, PolynomialCollocation{.step = P / 2, .nodes = 30}, [&](const Step<2>& step) {
+        State<2> x;
+        for (std::size_t k = 0; k < step.times.size(); ++k) {
+          step.dense.at(step.times[k], x);
+          at_nodes = std::max(at_nodes, distance(x, State<2>(step.states.col(static_cast<Eigen::Index>(k)))));
+        }
+        for (double part = 0; part <= 1; part += 0.01) {
+          const double t = step.t0 + part * (step.t1 - step.t0);
+          step.dense.at(t, x);
+          between = std::max(between, distance(x, oracle::duffing(t)));
+        }
+        return true;
+      });
+  EXPECT_LT(at_nodes, 1e-13);  // node times round: speed 1.2 times an ulp, magnified by the Lebesgue constant
+  EXPECT_LT(between, 1e-12);   // order 30 at half a period: truncation 1e-14, rounding above it
+}
+
+TEST(RbfCollocation, TendsToThePolynomialLimit) {
+  const double limit = error_at_five(PolynomialCollocation{.step = 0.5, .nodes = 5});
+  const double near = error_at_five(RbfCollocation{.step = 0.5, .nodes = 5, .shape = 0.2});
+  EXPECT_NEAR(near / limit, 1, 0.03);  // relative deviation of the order (c h)^2 = 0.01
+}
+
+TEST(RbfCollocation, DefaultShapeIsTheDissertationsRule) {
+  const System system(problems::Duffing{});
+  const auto rule = integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15});
+  const auto given =
+      integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15, .shape = 14 / (2 * P)});
+  EXPECT_LE(distance(rule.x, given.x), 1e-10);  // one ulp of c times the condition, 3e11
+}
+
+TEST(RbfCollocation, AShortenedStepKeepsTheRelativeShape) {
+  const System system(problems::Duffing{});
+  const auto s =
+      integrate(system, {1, 0}, 0, 1.1 * P, RbfCollocation{.step = P / 10, .nodes = 7, .shape = 0.77});
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  const auto rest =
+      integrate(system, {1, 0}, 0, 1.105 * P, RbfCollocation{.step = P / 10, .nodes = 7, .shape = 0.77});
+  ASSERT_TRUE(rest.status.ok()) << rest.status.text();
+  EXPECT_LT(distance(rest.x, oracle::duffing(1.105 * P)), 1e-5);
+}
+
+TEST(RbfCollocation, BackwardsIsTheMirrorImage) {
+  const System system(problems::Duffing{});
+  const auto forward = integrate(system, {1, 0}, 0, P / 3, RbfCollocation{.step = P / 10, .nodes = 7});
+  const auto backward = integrate(system, {1, 0}, 0, -P / 3, RbfCollocation{.step = P / 10, .nodes = 7});
+  EXPECT_NEAR(forward.x[0], backward.x[0], 1e-12);
+  EXPECT_NEAR(forward.x[1], -backward.x[1], 1e-12);
+}
+
+TEST(Collocation, NewtonFailureIsAStatus) {
+  const System system(problems::Duffing{});
+  const auto s = integrate(system, {1, 0}, 0, 10 * P, PolynomialCollocation{.step = 2.5 * P, .nodes = 60});
+  EXPECT_FALSE(s.status.ok());
+  EXPECT_NE(s.status.sentence().find("take a smaller step"), std::string::npos) << s.status.text();
+  EXPECT_EQ(s.t, 0);
+}
+
+TEST(Collocation, RefusesBadOptions) {
+  const System system(problems::Duffing{});
+  const auto run = [&](const auto& method) { (void)integrate(system, {1, 0}, 0, 1, method); };
+  EXPECT_THROW(run(RbfCollocation{.nodes = 1}), std::invalid_argument);
+  EXPECT_THROW(run(RbfCollocation{.nodes = 201}), std::invalid_argument);
+  EXPECT_THROW(run(RbfCollocation{.shape = -1}), std::invalid_argument);
+  EXPECT_THROW(run(RbfCollocation{.step = 0}), std::invalid_argument);
+  EXPECT_THROW(run(PolynomialCollocation{.nodes = 0}), std::invalid_argument);
+  EXPECT_THROW(run(Mcpi{.order = 0}), std::invalid_argument);
+  EXPECT_THROW(run(Mcpi{.order = 8, .intervals = 7}), std::invalid_argument);
+  EXPECT_THROW(run(Mcpi{.tolerance = 0}), std::invalid_argument);
+}
+
+TEST(Mcpi, ConvergesToTheExactMotion) {
+  EXPECT_LT(error_at_five(Mcpi{.step = 0.5, .order = 14}), 1e-12);
+  EXPECT_LT(error_at_five(Mcpi{.step = 1, .order = 20}), 1e-12);
+}
+
+// The dissertation found the limit at half a period. It depends on where in the period a step begins: whole
+// periods of steps of 0.5 P converge, steps of 0.53 P do not get through the second period, for any order.
+TEST(Mcpi, ContractsOnlyInShortSteps) {
+  const System system(problems::Duffing{});
+  for (const int order_of_state : {20, 50, 100}) {
+    const auto run = [&](double step, double end) {
+      return integrate(system, {1, 0}, 0, end, Mcpi{.step = step, .order = order_of_state});
+    };
+    EXPECT_TRUE(run(0.5 * P, 20 * P).status.ok());
+    const auto diverges = run(0.53 * P, 2 * P);
+    EXPECT_EQ(diverges.status.outcome(), Outcome::not_converged);
+    EXPECT_NE(diverges.status.sentence().find("take a shorter step"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

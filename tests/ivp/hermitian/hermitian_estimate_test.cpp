@@ -1,0 +1,99 @@
+// The estimates of a Hermitian step, the sum of them, and what lies between the ends of a step.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/two_dof.hpp"
+#include "tests/ivp/methods.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using problems::LinearOscillator;
+using testing::eps;
+
+// Undamped oscillation of amplitude 1 in any phase, one step of z = h omega: the estimate of unresolved steps
+// objects to every one, so that no choice of steps finds lengths at which it is zero. The least value, for z
+// from 1.5 to 1e4, comes from an independent evaluation of the same formula: 0.03, 0.5 and 0.0007.
+TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
+  const double least[] = {0.02, 0.3, 5e-4};
+  int row = 0;
+  for (const HermitianPair& pair : {laier, hoff, argyris}) {
+    double smallest = HUGE_VAL;
+    for (double z = 1.5; z < 1e4; z *= 1.07) {
+      const System<2> system(LinearOscillator{.natural_frequency = z});
+      for (int k = 0; k < 24; ++k) {
+        const double phase = std::numbers::pi * k / 24;
+        HermitianTrial<System<2>> trial(system, pair, {});
+        Statistics work;
+        ASSERT_TRUE(trial.begin_segment(0, 1, State<2>(std::cos(phase), -z * std::sin(phase)), work));
+        if (trial.attempt(0, 1, work) != Outcome::success) continue;  // refused in another way
+        // With an absolute tolerance of 1 for positions; velocities count for as much.
+        smallest = std::min(smallest, trial.unresolved(1, 0, false, work));
+      }
+    }
+    EXPECT_GT(smallest, least[row]) << pair.name;
+    ++row;
+  }
+}
+
+// 1e4 radians at 1e-6: errors of every step are within the tolerance, and those of all steps together are a
+// percent of the state and more. The end is off by 8e-3; that is no success.
+TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
+  const System<2> system(LinearOscillator{.natural_frequency = 1e4});
+  for (const char* name : {"laier", "argyris"}) {
+    const auto s = named_integrator<2>(name, {.tolerance = 1e-6})(system, State<2>(1, 0), 0, 1, {}, {});
+    EXPECT_EQ(s.status.outcome(), Outcome::not_converged) << name;
+    EXPECT_NE(s.status.sentence().find("smaller tolerance"), std::string::npos) << s.status.text();
+  }
+  // A smaller tolerance helps, as the sentence says: 1e-8 in each of some 1e5 steps.
+  const auto s = named_integrator<2>("laier", {.tolerance = 1e-8})(system, State<2>(1, 0), 0, 1, {}, {});
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_NEAR(s.x[0], std::cos(1e4), 1e-8 * static_cast<double>(s.statistics.steps));
+}
+
+// One step would do for a constant force, and a load that makes whole turns in a half of it looks like one.
+TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
+  const LinearOscillator p{.natural_frequency = 1e-3, .force = 0.1, .frequency = 2 * std::numbers::pi * 528};
+  for (const char* name : {"laier", "argyris", "hoff"}) {
+    const auto s =
+        named_integrator<2>(name, {.tolerance = 1e-5})(System<2>(p), State<2>::Zero(), 0, 1, {}, {});
+    // In truth F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
+    EXPECT_TRUE(!s.status.ok() || std::abs(s.x[0]) <= 1e-5 * static_cast<double>(s.statistics.steps))
+        << s.x[0];
+    EXPECT_LT(std::abs(s.x[0]), 1e-2) << name;
+  }
+}
+
+// Velocities within tiny steps: two nearly equal positions, divided by the step, would have an error of
+// eps |q|/h, here 1e-3.
+TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
+  const System<4> system(problems::TwoDof{});
+  const State<4> x0(1, -0.5, 0.12, 0.3);
+  State<4> f(4), x(4);
+  system.rhs(0, x0, f);
+  for (const bool chosen : {true, false}) {
+    int rows = 0;
+    const Observer<4> observe = [&](const Step<4>& s) {
+      for (const double share : {0.2, 0.5, 0.8}) {
+        const double t = s.t0 + share * (s.t1 - s.t0);
+        s.dense.at(t, x);
+        for (int i = 0; i < 4; ++i) EXPECT_NEAR(x[i], x0[i] + t * f[i], 8 * eps) << t;
+        ++rows;
+      }
+      return true;
+    };
+    const Hermitian method{.step = chosen ? 0 : 3e-13};
+    const auto s = integrate(system, x0, 0, 1e-12, method, observe);
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    EXPECT_GT(rows, 2);
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

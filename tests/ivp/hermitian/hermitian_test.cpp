@@ -1,0 +1,253 @@
+// Integration by Hermitian operators: orders, symmetry, one step in closed form, jumps, degrees of freedom,
+// bad input.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/two_dof.hpp"
+#include "nlmech/problems/van_der_pol.hpp"
+#include "tests/ivp/methods.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using namespace testing;
+
+// f, its derivative along the solution, and both Jacobians, against the same by hand for van der Pol's
+// equation: j = mu (1 - q^2) a - 2 mu q v^2 - v. Rounding of a few terms.
+RC_GTEST_PROP(SecondDerivative, IsThatOfVanDerPol, ()) {
+  const double q = *rc::gen::inRange(-300, 300) / 100.0, v = *rc::gen::inRange(-300, 300) / 100.0, mu = 2.5;
+  const System<2> system(problems::VanDerPol{.mu = mu});
+  State<2> f, g, f2, g2;
+  Jacobian<2> fx, gx;
+  RC_ASSERT(system.second_derivative(0, {q, v}, f, g));
+  RC_ASSERT(system.second_derivative(0, {q, v}, f2, g2, fx, gx));
+  const double s = 1 - q * q, a = mu * s * v - q;
+  const double jerk = mu * s * a - 2 * mu * q * v * v - v;
+  const double aq = -2 * mu * q * v - 1, av = mu * s;
+  const double jq = -2 * mu * q * a + mu * s * aq - 2 * mu * v * v, jv = mu * s * av - 4 * mu * q * v - 1;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= 1e4 * eps; };  // terms up to some 1000
+  RC_ASSERT(near(f[1], a) && near(g[1], jerk) && f[0] == v && near(g[0], a));
+  RC_ASSERT(near(f2[1], a) && near(g2[1], jerk));
+  RC_ASSERT(near(fx(1, 0), aq) && near(fx(1, 1), av) && fx(0, 0) == 0 && fx(0, 1) == 1);
+  RC_ASSERT(near(gx(1, 0), jq) && near(gx(1, 1), jv) && near(gx(0, 0), aq) && near(gx(0, 1), av));
+}
+
+// And of a load: j = -f w sin(w t) - c a - (k + 3 m q^2) v.
+TEST(SecondDerivative, KnowsTheLoad) {
+  const System<2> system(problems::DrivenDuffing{
+      .damping = 0.4, .stiffness = 1, .hardening = 0.5, .force = 0.5, .frequency = 0.5});
+  State<2> f, g;
+  ASSERT_TRUE(system.second_derivative(1.2, {0.7, -0.3}, f, g));
+  const double a = 0.5 * std::cos(0.6) + 0.12 - 0.7 - 0.5 * 0.343;
+  EXPECT_NEAR(f[1], a, 4 * eps);
+  EXPECT_NEAR(g[1], -0.25 * std::sin(0.6) - 0.4 * a + (1 + 1.5 * 0.49) * 0.3, 8 * eps);
+}
+
+double observed_order(const HermitianPair& pair, int steps, bool within = false) {
+  const Manufactured problem;
+  const Hermitian coarse{.operators = pair, .step = 2 / (steps + 0.4)},
+      fine{.operators = pair, .step = 2 / (2 * steps + 0.4)};
+  return std::log2(largest_error(problem, coarse, 0, 2, within) / largest_error(problem, fine, 0, 2, within));
+}
+
+// With damping, a load and a cubic spring; steps that do not divide the interval; at the ends and within
+// steps.
+TEST(Hermitian, IsOfTheStatedOrder) {
+  for (const bool within : {false, true}) {
+    for (const HermitianPair& pair : hermitian_table) {
+      const int order = order_of(solved_for_end(pair));
+      EXPECT_NEAR(observed_order(pair, order == 4 ? 25 : 200, within), order, 0.15) << pair.name << within;
+    }
+  }
+}
+
+// Steps chosen: an error of the tolerance in each step, of one sign, times the 1.8 of this problem.
+TEST(Hermitian, ChosenStepsMeetTheTolerance) {
+  const Manufactured problem;
+  for (const HermitianPair& pair : {laier, argyris, newmark_pair}) {
+    double before = 1;
+    for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
+      const double error = largest_error(
+          problem,
+          Hermitian{.operators = pair, .relative_tolerance = tolerance, .absolute_tolerance = tolerance}, 0,
+          20, true);
+      EXPECT_LT(error, 2000 * tolerance) << pair.name;
+      EXPECT_LT(error, before / 5) << pair.name;
+      before = error;
+    }
+  }
+}
+
+// Laier's Newmark is the library's: the same equations, solved for other unknowns. Newton's tolerance 1e-12 a
+// step, quadratically exceeded.
+TEST(Hermitian, NewmarksRowIsNewmark) {
+  const System<2> system(problems::DrivenDuffing{});
+  const auto ours =
+      integrate(system, State<2>(1, 0), 0, 10, Hermitian{.operators = newmark_pair, .step = 0.05});
+  const auto theirs = integrate(system, State<2>(1, 0), 0, 10, Newmark{.step = 0.05});
+  EXPECT_NEAR(ours.x[0], theirs.x[0], 1e-11);
+  EXPECT_NEAR(ours.x[1], theirs.x[1], 1e-11);
+  for (const HermitianPair& pair : {hoff, bazzi})
+    EXPECT_EQ(integrate(system, State<2>(1, 0), 0, 10, Hermitian{.operators = pair, .step = 0.05}).x, ours.x);
+}
+
+// One step of q'' = -w^2 q in closed form: M (q0, h v0) with the half trace and the determinant of
+// amplification().
+TEST(Hermitian, TurnsTheLinearOscillator) {
+  for (const HermitianPair& pair : hermitian_table) {
+    for (const double z : {0.3, 3.3, 20.0, 1e3, 1e6}) {
+      const System<2> system(Oscillator{z});
+      const Hermitian method{.operators = pair, .step = 1};
+      const State<2> a = integrate(system, State<2>(1, 0), 0, 1, method).x;
+      const State<2> b = integrate(system, State<2>(0, 1), 0, 1, method).x;
+      const auto expected = amplification(solved_for_end(pair), z);
+      // Velocities are z times as large: their rounding comes back into the determinant.
+      EXPECT_NEAR((a[0] + b[1]) / 2, expected.half_trace,
+                  64 * eps * std::max(1.0, std::abs(expected.half_trace)))
+          << pair.name << z;
+      EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], 1, 64 * eps * (1 + std::abs(a[0] * b[1]))) << pair.name << z;
+    }
+  }
+}
+
+// There and back again: a symmetric step forgets nothing but rounding. All rows are: q0 and q1, h and -h
+// exchanged, each pair spans the same equations. A fourth-order Runge-Kutta step of that length does forget.
+TEST(Hermitian, StepsAreSymmetric) {
+  const System<2> system(problems::Duffing{});
+  const auto return_error = [&](const auto& method) {
+    const auto there = integrate(system, State<2>(1, 0.3), 0, 25, method);
+    const auto back = integrate(system, there.x, 25, 0, method);
+    return (back.x - State<2>(1, 0.3)).cwiseAbs().maxCoeff();
+  };
+  // Newton's tolerance and rounding, 200 steps, amplified some tens of times.
+  for (const HermitianPair& pair : hermitian_table)
+    EXPECT_LT(return_error(Hermitian{.operators = pair, .step = 0.25}), 1e-11) << pair.name;
+  EXPECT_GT(return_error(Rk4{.step = 0.25}), 1e-5);
+}
+
+// Bounded energy: the second half of a long run errs no more than the first.
+TEST(Hermitian, EnergyErrorIsBounded) {
+  const problems::Duffing problem;
+  const double at_first = problem.invariants(0.0, Vector<double, 2>(1, 0.3))[0];
+  for (const HermitianPair& pair : {laier, argyris, newmark_pair}) {
+    double first = 0, second = 0;
+    const auto look = [&](const Step<2>& s) {
+      const double error = std::abs(problem.invariants(0.0, s.x1)[0] / at_first - 1);
+      (s.t1 < 500 ? first : second) = std::max(s.t1 < 500 ? first : second, error);
+      return true;
+    };
+    ASSERT_TRUE(
+        integrate(System(problem), State<2>(1, 0.3), 0, 1000, Hermitian{.operators = pair, .step = 0.2}, look)
+            .status.ok());
+    EXPECT_LT(second, 1.01 * first) << pair.name;
+    EXPECT_GT(first, 1e-6) << pair.name;  // not exact: the bound would hold for nothing
+  }
+}
+
+// Announced jumps, forwards and backwards: parabolas are exact. Rounding of states of size 1 in up to 40
+// steps.
+TEST(Hermitian, RespectsJumps) {
+  for (const HermitianPair& pair : hermitian_table) {
+    for (const double step : {0.1, 0.03, 0.0}) {
+      const Hermitian method{.operators = pair, .step = step};
+      EXPECT_LT(largest_error(JumpingForce{}, method, 0, 1, true), 1e-13) << pair.name << step;
+      EXPECT_LT(largest_error(JumpingForce{}, method, 1, 0, true), 1e-13) << pair.name << step;
+    }
+  }
+}
+
+// Two degrees of freedom: masses that move as one are two Duffing oscillators, each the other's double.
+TEST(Hermitian, TwoDegreesOfFreedomMoveAsOne) {
+  const problems::TwoDof pair{.damping = 0, .force = 0};
+  const problems::DrivenDuffing one{.damping = 0, .force = 0};
+  const Hermitian method{.step = 0.1};
+  const auto both = integrate(System(pair), State<4>(1, 1, 0.2, 0.2), 0, 20, method);
+  const auto alone = integrate(System(one), State<2>(1, 0.2), 0, 20, method);
+  ASSERT_TRUE(both.status.ok() && alone.status.ok());
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(both.x[i], alone.x[i / 2], 1e-11) << i;  // Newton's tolerance
+  // The same through the system of dynamic size.
+  const auto dynamic =
+      integrate(System<Eigen::Dynamic>(pair), State<Eigen::Dynamic>(State<4>(1, 1, 0.2, 0.2)), 0, 20, method);
+  EXPECT_LT((dynamic.x - both.x).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Hermitian, HasNamesOfItsOwn) {
+  const System<2> system(problems::DrivenDuffing{});
+  for (const std::string name : {"laier", "argyris", "hoff", "bazzi"}) {
+    const auto fixed = named_integrator<2>(name, {.step = 0.05})(system, {1, 0}, 0, 5, {}, {});
+    EXPECT_EQ(fixed.x, integrate(system, State<2>(1, 0), 0, 5,
+                                 Hermitian{.operators = hermitian_pair(name), .step = 0.05})
+                           .x);
+    const auto chosen = named_integrator<2>(name, {.tolerance = 1e-6})(system, {1, 0}, 0, 5, {}, {});
+    EXPECT_NEAR(chosen.x[0], fixed.x[0], 5e-3) << name;
+    EXPECT_NE(chosen.statistics.steps, fixed.statistics.steps);
+  }
+}
+
+// A problem without accelerations, one written for double alone, options out of range.
+struct DoubleOnly {
+  static constexpr int dimension = 2;
+  void acceleration(double, const Vector<double, 1>& q, const Vector<double, 1>&,
+                    Vector<double, 1>& a) const {
+    a[0] = -q[0];
+  }
+  void operator()(double, const Vector<double, 2>& x, Vector<double, 2>& dxdt) const { dxdt = {x[1], -x[0]}; }
+  void jacobian(double, const Vector<double, 2>&, Matrix<double, 2, 2>& j) const { j << 0, 1, -1, 0; }
+};
+struct FirstOrder {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T&, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    dxdt[0] = x[1];
+    dxdt[1] = -x[0];
+  }
+};
+
+TEST(Hermitian, RefusesWhatCannotBeMeant) {
+  const auto says = [](const auto& problem, const Hermitian& method) -> std::string {
+    try {
+      static_cast<void>(integrate(System(problem), State<2>(1, 0), 0, 1, method));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(says(DoubleOnly{}, {.step = 0.1}).find("double alone"), std::string::npos);
+  EXPECT_NE(says(FirstOrder{}, {.step = 0.1}).find("acceleration"), std::string::npos);
+  EXPECT_NE(refusal(Hermitian{.step = -1}).find("laier: step"), std::string::npos);
+  EXPECT_NE(refusal(Hermitian{.relative_tolerance = 1}).find("relative_tolerance"), std::string::npos);
+  EXPECT_NE(refusal(Hermitian{.absolute_tolerance = 0}).find("absolute_tolerance"), std::string::npos);
+  EXPECT_NE(refusal(Hermitian{.step = 0.1, .branch_tolerance = 0}).find("branch_tolerance"),
+            std::string::npos);
+  EXPECT_EQ(refusal(Hermitian{.step = 0.1, .branch_tolerance = infinity}), "accepted");
+}
+
+// What happens on the way is a status that says where.
+TEST(Hermitian, FailsWithASentence) {
+  const auto poisoned = integrate(System(Poisoned{}), State<2>(1, 0), 0, 1, Hermitian{.step = 0.1});
+  EXPECT_EQ(poisoned.status.outcome(), Outcome::non_finite);
+  EXPECT_NEAR(poisoned.t, 0.4, 1e-12);
+  EXPECT_NE(poisoned.status.sentence().find("laier"), std::string::npos);
+  const auto chosen = integrate(System(Poisoned{}), State<2>(1, 0), 0, 1, Hermitian{});
+  EXPECT_FALSE(chosen.status.ok());
+  EXPECT_LE(chosen.t, 0.5);
+  EXPECT_GT(chosen.t, 0.49);  // it creeps up to where the force ends
+  const auto limited =
+      integrate(System(Oscillator{}), State<2>(1, 0), 0, 1e6, Hermitian{}, {}, {.steps = 50});
+  EXPECT_EQ(limited.status.outcome(), Outcome::step_limit);
+  const auto stopped = integrate(System(Oscillator{}), State<2>(1, 0), 0, 10, Hermitian{},
+                                 [](const Step<2>& s) { return s.index < 3; });
+  EXPECT_EQ(stopped.status.outcome(), Outcome::interrupted);
+  EXPECT_EQ(stopped.statistics.steps, 3);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

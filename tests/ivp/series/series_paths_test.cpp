@@ -1,0 +1,39 @@
+/// The Taylor series method by its two paths: inlined, and by a tape.
+#include <gtest/gtest.h>
+
+#include "nlmech/ivp/series/series.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+#include "tests/ivp/series.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using testing::reference;
+using testing::with_tolerance;
+
+// Both sum the same series in another order.
+TEST(Series, InlinedAndTapedAgree) {
+  const problems::ThreeMassChain chain;
+  const State<6> x0(0.1, -0.2, 0.3, 0, 0.1, 0);
+  const auto inlined = testing::inlined(chain, x0, 0, 30, with_tolerance(1e-13));
+  const auto taped = integrate(System(chain), x0, 0, 30, with_tolerance(1e-13));
+  const auto dynamic = integrate(System<Eigen::Dynamic>(chain), x0, 0, 30, with_tolerance(1e-13));
+  EXPECT_TRUE(inlined.status.ok() && taped.status.ok() && dynamic.status.ok());
+  EXPECT_EQ(taped.x, dynamic.x);
+  EXPECT_LT((inlined.x - taped.x).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((inlined.x - reference(chain, x0, 0, 30)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(inlined.statistics.steps, taped.statistics.steps);
+}
+
+TEST(Series, ComesOutTheSameEveryTime) {
+  for (int run = 0; run < 2; ++run) {
+    const System system(problems::Lorenz{});
+    const auto one = integrate(system, State<3>(0, 1, 0), 0, 20, Series{});
+    const auto two = integrate(system, State<3>(0, 1, 0), 0, 20, Series{});
+    EXPECT_EQ(one.x, two.x);
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

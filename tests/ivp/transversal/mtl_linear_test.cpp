@@ -1,0 +1,134 @@
+/// Multi-step transversal linearisation on linear problems: exact for every step.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "nlmech/ivp/transversal/mtl.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/linear_oscillator.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/transversal/mtl_run.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using problems::DrivenDuffing;
+using problems::LinearOscillator;
+using testing::eps;
+using testing::run;
+
+/// State of the linear oscillator by its closed form, underdamped, away from undamped resonance.
+State<2> exact(const LinearOscillator& p, const State<2>& x0, double t) {
+  using Complex = std::complex<long double>;
+  const long double w = p.natural_frequency, zeta = p.damping_ratio, wf = p.frequency;
+  const Complex i(0, 1);
+  // Steady state: the real part of c exp(i W t).
+  const Complex c = static_cast<long double>(p.force) / Complex(w * w - wf * wf, 2 * zeta * w * wf);
+  const Complex root(-zeta * w, w * std::sqrt(1 - zeta * zeta));
+  const long double x = x0[0] - c.real(), v = x0[1] - (i * wf * c).real();
+  // The rest: the real part of d exp(root t).
+  const Complex d(x, (root.real() * x - v) / root.imag());
+  const Complex free = d * std::exp(root * static_cast<long double>(t));
+  const Complex forced = c * std::exp(i * wf * static_cast<long double>(t));
+  return {static_cast<double>((free + forced).real()),
+          static_cast<double>((root * free + i * wf * forced).real())};
+}
+
+// "Exact" for every step: what is left are roundings. A block of p steps makes some 10 (1 + w h) eps of its
+// own, relative to the scale (1, w) of the state, and undamped they add up over the blocks.
+TEST(Mtl, LinearProblemsAreExact) {
+  const State<2> x0(1, 0.5);
+  for (const double w : {1e-3, 1., 30., 1e3}) {
+    for (const double zeta : {0., 0.05, 0.7}) {
+      for (const double h : {0.001, 0.1, 1.7}) {
+        for (const int p : {1, 2, 3, 5, 8}) {
+          const LinearOscillator problem{
+              .natural_frequency = w, .damping_ratio = zeta, .force = 2 * w * w, .frequency = 0.3 * w + 0.1};
+          const double end = 7 * h * p;
+          const auto s = integrate(System(problem), x0, 0, end, Mtl{.step = h, .points = p});
+          ASSERT_TRUE(s.status.ok()) << s.status.text();
+          const State<2> truth = exact(problem, x0, end);
+          const double bound = 7 * p * 20 * eps * (1 + w * h) * (4 + 4 / w);
+          EXPECT_NEAR(s.x[0], truth[0], bound) << w << " " << zeta << " " << h << " " << p;
+          EXPECT_NEAR(s.x[1], truth[1], bound * (1 + w)) << w << " " << zeta << " " << h << " " << p;
+        }
+      }
+    }
+  }
+}
+
+// w h up to 1e6 in one block of one step: the argument of the sine is rounded to (w h) eps, and so is all.
+TEST(Mtl, LongStepsOfFastOscillatorsAreExactToTheirConditioning) {
+  for (const double z : {1e2, 1e4, 1e6}) {
+    const LinearOscillator problem{.natural_frequency = 1e4, .force = 1e8, .frequency = 3};
+    const double h = z / 1e4;
+    const auto s = integrate(System(problem), State<2>(1, 0), 0, 3 * h, Mtl{.step = h, .points = 3});
+    ASSERT_TRUE(s.status.ok()) << s.status.text();
+    const State<2> truth = exact(problem, {1, 0}, 3 * h);
+    EXPECT_NEAR(s.x[0], truth[0], 60 * eps * z);
+    EXPECT_NEAR(s.x[1], truth[1], 60 * eps * z * 1e4);
+  }
+}
+
+// At resonance the particular solution grows with time; a formula that divides by w^2 - W^2 has nothing.
+TEST(Mtl, ResonanceIsExact) {
+  const LinearOscillator problem{.force = 1, .frequency = 1};
+  const auto s = integrate(System(problem), State<2>(0, 0), 0, 30, Mtl{.step = 0.5, .points = 3});
+  EXPECT_NEAR(s.x[0], 15 * std::sin(30.), 2e3 * eps);
+  EXPECT_NEAR(s.x[1], (std::sin(30.) + 30 * std::cos(30.)) / 2, 2e3 * eps);
+}
+
+// K = C = 0: a mass under a force alone, whose motion is a polynomial and a cosine.
+TEST(Mtl, NoSpringAndNoDamper) {
+  const DrivenDuffing problem{.stiffness = 0, .hardening = 0, .force = 1, .frequency = 2};
+  for (const double h : {1e-6, 0.1, 10.}) {
+    const auto s = run(problem, {1, 0.5}, 0, 6 * h, {.step = h, .points = 3});
+    ASSERT_TRUE(s.status.ok());
+    EXPECT_NEAR(s.x[0], 1 + 3 * h + (1 - std::cos(12 * h)) / 4, 100 * eps * (1 + h));
+    EXPECT_NEAR(s.x[1], 0.5 + std::sin(12 * h) / 2, 100 * eps * (1 + h));
+  }
+}
+
+RC_GTEST_PROP(Mtl, LinearProblemsAreExactForAnyStep, ()) {
+  const auto number = [](int from, int to) { return *rc::gen::inRange(from, to) / 1000.; };
+  const LinearOscillator problem{.natural_frequency = number(10, 20000),
+                                 .damping_ratio = number(0, 900),
+                                 .force = number(-5000, 5000),
+                                 .frequency = number(1, 20000) + 0.0003};
+  const double h = number(1, 3000);
+  const int p = *rc::gen::inRange(1, 9);
+  const State<2> x0(number(-2000, 2000), number(-2000, 2000));
+  const auto s = integrate(System(problem), x0, 0, 4 * p * h, Mtl{.step = h, .points = p});
+  RC_ASSERT(s.status.ok());
+  const State<2> truth = exact(problem, x0, 4 * p * h);
+  const double w = problem.natural_frequency;
+  // The closed form loses digits near resonance and for a slow oscillator: its own amplitudes are the scale.
+  const double gap = std::abs(w * w - problem.frequency * problem.frequency) +
+                     2 * problem.damping_ratio * w * problem.frequency;
+  const double scale = 4 + 4 / w + 10 * std::abs(problem.force) / gap * (1 + problem.frequency / w);
+  const double bound = 400 * eps * (1 + (w + problem.frequency) * h * p) * scale;
+  RC_ASSERT(std::abs(s.x[0] - truth[0]) <= bound);
+  RC_ASSERT(std::abs(s.x[1] - truth[1]) <= bound * (1 + w + problem.frequency));
+}
+
+// An oscillation of which the block sees many periods is there between the points.
+TEST(Mtl, DenseOutputOfAFastOscillation) {
+  const LinearOscillator problem{.natural_frequency = 100};
+  double worst = 0;
+  State<2> x;
+  const auto observe = [&](const Step<2>& step) {
+    for (int i = 1; i < 20; ++i) {
+      const double t = step.t0 + (step.t1 - step.t0) * i / 20;
+      step.dense.at(t, x);
+      worst = std::max(worst, std::abs(x[0] - std::cos(100 * t)));
+    }
+    return true;
+  };
+  static_cast<void>(integrate(System(problem), State<2>(1, 0), 0, 6, Mtl{.step = 0.5, .points = 3}, observe));
+  EXPECT_LE(worst, 20 * 600 * eps);  // 600 rad, each rounded
+}
+
+}  // namespace
+}  // namespace nlmech::ivp

@@ -1,0 +1,98 @@
+/// Multi-step transversal linearisation: the orders of its bases, and what its error goes with.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "nlmech/ivp/transversal/mtl.hpp"
+#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "tests/ivp/methods.hpp"
+#include "tests/ivp/oracle.hpp"
+#include "tests/ivp/transversal/mtl_run.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using problems::DrivenDuffing;
+using testing::eps;
+using testing::run;
+
+double error_of(const DrivenDuffing& problem, const State<2>& truth, double end, const Mtl& method) {
+  const auto s = run(problem, {1, 0}, 0, end, method);
+  EXPECT_TRUE(s.status.ok()) << s.status.text();
+  return oracle::distance(s.x, truth);
+}
+
+// x'' + 0.1 x' + x + x^3 = cos t to t = 12: the order from the last of some halvings, all errors above 1e-12.
+TEST(Mtl, ObservedOrders) {
+  const DrivenDuffing problem{.damping = 0.1};
+  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
+  ASSERT_TRUE(reference.status().ok());
+  const State<2> truth = reference(12).cast<double>();
+  for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian}) {
+    for (int p = 1; p <= 6; ++p) {
+      const int steps = p < 3 ? 960 : p < 6 ? 480 : 240;
+      const double coarse =
+          error_of(problem, truth, 12, {.step = 12. / steps, .points = p, .linear = linear});
+      const double fine = error_of(problem, truth, 12, {.step = 6. / steps, .points = p, .linear = linear});
+      EXPECT_NEAR(std::log2(coarse / fine), mtl_order(MtlBasis::lagrange, p), 0.12)
+          << p << " " << to_string(linear) << " " << coarse << " " << fine;
+    }
+  }
+  EXPECT_EQ(mtl_order(MtlBasis::lagrange, 1), 2);
+  EXPECT_EQ(mtl_order(MtlBasis::lagrange, 2), 4);
+  EXPECT_EQ(mtl_order(MtlBasis::lagrange, 3), 4);
+  EXPECT_EQ(mtl_order(MtlBasis::lagrange, 4), 6);
+  EXPECT_EQ(mtl_order(MtlBasis::lagrange, 5), 6);
+}
+
+TEST(Mtl, InterpoletsAreOfSecondOrder) {
+  const DrivenDuffing problem{.damping = 0.1};
+  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
+  const State<2> truth = reference(12).cast<double>();
+  for (const int p : {1, 3, 4}) {
+    const Mtl coarse{.step = 0.01, .points = p, .basis = MtlBasis::interpolet};
+    Mtl fine = coarse;
+    fine.step = 0.005;
+    EXPECT_NEAR(std::log2(error_of(problem, truth, 12, coarse) / error_of(problem, truth, 12, fine)), 2,
+                0.02);
+  }
+}
+
+// With straight lines a step depends on the one before alone, however many are solved at once.
+TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
+  const DrivenDuffing problem{.damping = 0.1};
+  const auto one = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 1, .basis = MtlBasis::interpolet});
+  const auto three = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 3, .basis = MtlBasis::interpolet});
+  EXPECT_NEAR(one.x[0], three.x[0], 100 * eps);
+  EXPECT_NEAR(one.x[1], three.x[1], 100 * eps);
+}
+
+// First order in form: Lorenz's equations, which name no linear part, are equidistant collocation.
+TEST(Mtl, FirstOrderProblems) {
+  const problems::Lorenz problem;
+  const problems::ReferenceTrajectory<long double, problems::Lorenz> reference(
+      problem, problems::Lorenz::initial_state().cast<long double>(), 0, 1);
+  const State<3> truth = reference(1).cast<double>();
+  const auto error = [&](double h) {
+    const auto s = integrate(System(problem), problems::Lorenz::initial_state(), 0, 1, Mtl{.step = h});
+    EXPECT_TRUE(s.status.ok()) << s.status.text();
+    return oracle::distance(s.x, truth);
+  };
+  EXPECT_NEAR(std::log2(error(1. / 300) / error(1. / 600)), 4, 0.1);
+}
+
+// The linear part and the load are solved exactly, so a weak nonlinearity is all there is of an error: it
+// goes with the hardening.
+TEST(Mtl, ErrorGoesWithTheNonlinearity) {
+  const auto error = [](double hardening) {
+    const DrivenDuffing problem{.damping = 0.1, .hardening = hardening};
+    const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 6);
+    return error_of(problem, reference(6).cast<double>(), 6, {.step = 0.2, .points = 3});
+  };
+  EXPECT_NEAR(error(1e-3) / error(1e-4), 10, 0.2);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp
