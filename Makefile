@@ -56,7 +56,7 @@ draw: $(DRAWN)
 # What a chapter's figures and verdicts come from, as a digest that is written only if it changes: a program that was
 # linked anew to the same bytes is not run again.
 .SECONDEXPANSION:
-$(INPUTS): $(BUILD)/inputs/%: $(BUILD)/bin/% figures/style.gp figures/templates/error-vs-time.gp \
+$(INPUTS): $(BUILD)/inputs/%: $(BUILD)/bin/% figures/style.gp figures/templates/drawing.gp \
                               $$(wildcard figures/templates/$$*-*.gp tables/published/*.csv)
 	@mkdir -p $(@D)
 	@cat $^ | sha256sum | cmp -s - $@ || cat $^ | sha256sum > $@
