@@ -2,7 +2,7 @@
 // [example]
 #include <cstdio>
 
-#include "nlmech/orbit/lambert.hpp"
+#include "nlmech/orbit/transfer/lambert.hpp"
 
 int main() {
   using namespace nlmech::orbit;

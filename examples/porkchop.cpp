@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
 
 int main() {
   using namespace nlmech::orbit;

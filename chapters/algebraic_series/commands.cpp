@@ -6,8 +6,8 @@
 #include <string>
 
 #include "chapters/algebraic_series/sections.hpp"
-#include "nlmech/comparison/ivp_commands.hpp"
-#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/comparison/commands/ivp_commands.hpp"
+#include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chapters/algebraic_series/samples.hpp"
-#include "nlmech/comparison/example.hpp"
+#include "nlmech/comparison/commands/example.hpp"
 
 namespace nlmech::chapters::algebraic_series {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "chapters/algebraic_series/examples.hpp"
-#include "nlmech/comparison/cost_scene.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series {

@@ -7,7 +7,7 @@
 #include <string>
 #include <type_traits>
 
-#include "nlmech/comparison/example.hpp"
+#include "nlmech/comparison/commands/example.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/support/errors.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "nlmech/comparison/example.hpp"
+#include "nlmech/comparison/commands/example.hpp"
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"

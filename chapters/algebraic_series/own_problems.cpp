@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/projectile.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "chapters/hermitian/peaks.hpp"
-#include "nlmech/comparison/ivp_commands.hpp"
-#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/comparison/commands/ivp_commands.hpp"
+#include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/two_dof.hpp"

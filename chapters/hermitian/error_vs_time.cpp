@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/cost_scene.hpp"
-#include "nlmech/comparison/example_of.hpp"
+#include "nlmech/comparison/commands/example_of.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"

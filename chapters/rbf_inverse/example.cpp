@@ -1,8 +1,8 @@
 #include <cstdio>
 
 // [example]
-#include "nlmech/bvp/direct_start.hpp"
-#include "nlmech/bvp/dual_control.hpp"
+#include "nlmech/bvp/optimal_control/direct_start.hpp"
+#include "nlmech/bvp/optimal_control/dual_control.hpp"
 
 // A cart is to be moved by 1 and to stand again after a second, with the least integral of f^2/2.
 struct Cart {

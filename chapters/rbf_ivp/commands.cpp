@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "nlmech/comparison/ivp_commands.hpp"
-#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/comparison/commands/ivp_commands.hpp"
+#include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/hires.hpp"

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "nlmech/comparison/own_problem_of.hpp"
+#include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "nlmech/comparison/cost_scene.hpp"
-#include "nlmech/comparison/example_of.hpp"
+#include "nlmech/comparison/commands/example_of.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/scene/scene.hpp"
 

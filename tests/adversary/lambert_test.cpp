@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/orbit/lambert.hpp"
-#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/orbit/transfer/lambert.hpp"
+#include "nlmech/orbit/transfer/transfer.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
 
 namespace nlmech::orbit::adversary {

@@ -4,8 +4,8 @@
 // [example]
 #include <cmath>
 
-#include "nlmech/comparison/accuracy.hpp"
-#include "nlmech/comparison/contenders.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
+#include "nlmech/comparison/cost/contenders.hpp"
 
 // x' = -2 t x from 1: the bell curve.
 struct Bell {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/bvp/problems.hpp"
 
 namespace nlmech::bvp {

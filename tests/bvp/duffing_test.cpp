@@ -1,4 +1,4 @@
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 
 #include <gtest/gtest.h>
 

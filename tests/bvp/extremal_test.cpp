@@ -1,13 +1,13 @@
-#include "nlmech/bvp/extremal.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "nlmech/bvp/continuation.hpp"
-#include "nlmech/bvp/direct_start.hpp"
-#include "nlmech/bvp/dual_control.hpp"
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/optimal_control/direct_start.hpp"
+#include "nlmech/bvp/optimal_control/dual_control.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/bvp/problems.hpp"
 
 namespace nlmech::bvp {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 
 namespace nlmech::peers {
 namespace {

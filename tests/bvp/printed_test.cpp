@@ -1,10 +1,10 @@
-#include "nlmech/bvp/printed.hpp"
+#include "nlmech/bvp/optimal_control/printed.hpp"
 
 #include <gtest/gtest.h>
 
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
-#include "nlmech/bvp/condensed.hpp"
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/newton/condensed.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/errata/erratum.hpp"
 
 namespace nlmech::bvp {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nlmech/bvp/control_model.hpp"
-#include "nlmech/bvp/dual_problem.hpp"
+#include "nlmech/bvp/optimal_control/control_model.hpp"
+#include "nlmech/bvp/optimal_control/dual_problem.hpp"
 
 namespace nlmech::bvp::tests {
 

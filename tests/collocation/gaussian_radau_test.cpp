@@ -1,5 +1,5 @@
 // Gaussians at Radau nodes as tables of quadrature: against extended precision and against polynomials.
-#include "nlmech/collocation/gaussian_radau.hpp"
+#include "nlmech/collocation/radial/gaussian_radau.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
-#include "nlmech/collocation/stable_gaussian.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 
 namespace nlmech::collocation {
 namespace {

@@ -1,4 +1,4 @@
-#include "nlmech/collocation/kernels.hpp"
+#include "nlmech/collocation/radial/kernels.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // The method Radau IIA as tables: what its matrices must do, and the coordinates in which it decouples.
-#include "nlmech/collocation/radau.hpp"
+#include "nlmech/collocation/radau/radau.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <complex>
 #include <limits>
 
-#include "nlmech/collocation/radau_defect.hpp"
-#include "nlmech/collocation/radau_transform.hpp"
+#include "nlmech/collocation/radau/radau_defect.hpp"
+#include "nlmech/collocation/radau/radau_transform.hpp"
 
 namespace nlmech::collocation {
 namespace {

@@ -1,4 +1,4 @@
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 
 #include <gtest/gtest.h>
 

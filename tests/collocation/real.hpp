@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/collocation/kernels.hpp"
 #include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/radial/kernels.hpp"
 
 namespace nlmech::collocation::oracle {
 

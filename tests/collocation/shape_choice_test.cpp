@@ -1,11 +1,11 @@
-#include "nlmech/collocation/shape_choice.hpp"
+#include "nlmech/collocation/radial/shape_choice.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "nlmech/collocation/radial_basis.hpp"
-#include "nlmech/collocation/shape.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
+#include "nlmech/collocation/radial/shape.hpp"
 #include "tests/collocation/real.hpp"
 
 namespace nlmech::collocation {

@@ -1,10 +1,10 @@
-#include "nlmech/collocation/shape.hpp"
+#include "nlmech/collocation/radial/shape.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 #include "tests/collocation/real.hpp"
 
 namespace nlmech::collocation {

@@ -1,4 +1,4 @@
-#include "nlmech/collocation/stable_gaussian.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "nlmech/collocation/barycentric.hpp"
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 #include "tests/collocation/real.hpp"
 
 namespace nlmech::collocation {

@@ -1,5 +1,5 @@
 /// Sweeps of steps and tolerances: which settings, in which order, under which name.
-#include "nlmech/comparison/contenders.hpp"
+#include "nlmech/comparison/cost/contenders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// Curves of digits against cost: what is run, when a curve ends, and what is said of runs that fail.
-#include "nlmech/comparison/cost_curves.hpp"
+#include "nlmech/comparison/cost/cost_curves.hpp"
 
 #include <gtest/gtest.h>
 

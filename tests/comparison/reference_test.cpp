@@ -1,5 +1,5 @@
 /// References against closed forms and stored digits: what they know, and that they say no more.
-#include "nlmech/comparison/reference_of.hpp"
+#include "nlmech/comparison/reference/reference_of.hpp"
 
 #include <gtest/gtest.h>
 

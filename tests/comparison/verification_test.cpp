@@ -1,12 +1,12 @@
 /// Verdicts on runs, against problems whose condition has a closed form.
-#include "nlmech/comparison/verification.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "nlmech/comparison/judgement.hpp"
-#include "nlmech/comparison/reference_of.hpp"
+#include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "tests/ivp/oracle.hpp"

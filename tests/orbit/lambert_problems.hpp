@@ -7,7 +7,7 @@
 #include <random>
 
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/orbit/lambert.hpp"
+#include "nlmech/orbit/transfer/lambert.hpp"
 #include "tests/orbit/oracle.hpp"
 
 namespace nlmech::orbit::oracle {

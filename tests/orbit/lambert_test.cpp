@@ -1,6 +1,6 @@
 /// Lambert's problem: that Kepler's motion with the velocities found arrives, for every arc there is, and
 /// that no arc is missed.
-#include "nlmech/orbit/lambert.hpp"
+#include "nlmech/orbit/transfer/lambert.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Grids of transfers: every cell against Lambert's problem solved by itself, the same bits for any threads
 /// and shards, and Hohmann's transfer as the known minimum.
-#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Transfers by collocation against the known arcs, and with zonal terms against flights in extended
 /// precision.
-#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/orbit/transfer/transfer.hpp"
 
 #include <gtest/gtest.h>
 

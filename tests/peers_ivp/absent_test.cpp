@@ -1,9 +1,9 @@
 // A build without the libraries: the peers are known by name, and say that they are absent.
-#include "nlmech/peers/ivp/arkode.hpp"
-#include "nlmech/peers/ivp/cvode.hpp"
-#include "nlmech/peers/ivp/gsl.hpp"
+#include "nlmech/peers/ivp/gsl/gsl.hpp"
 #include "nlmech/peers/ivp/native.hpp"
-#include "nlmech/peers/ivp/odeint.hpp"
+#include "nlmech/peers/ivp/odeint/odeint.hpp"
+#include "nlmech/peers/ivp/sundials/arkode.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers {

@@ -8,7 +8,7 @@
 
 #include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/direct.hpp"
-#include "nlmech/peers/ivp/odeint_native.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 
 namespace nlmech::peers {
 namespace {

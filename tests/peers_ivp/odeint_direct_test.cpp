@@ -1,5 +1,5 @@
 // The inlined Odeint is the same Odeint.
-#include "nlmech/peers/ivp/odeint_direct.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 
 #include "nlmech/problems/duffing.hpp"
 #include "tests/peers_ivp/peers.hpp"

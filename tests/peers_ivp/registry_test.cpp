@@ -1,7 +1,7 @@
 // Peers by name.
 #include <array>
 
-#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers {

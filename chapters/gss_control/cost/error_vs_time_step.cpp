@@ -10,7 +10,7 @@
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/grids.hpp"
 #include "nlmech/ivp/integrate.hpp"
-#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/spacecraft/control/inverse_laplace.hpp"

@@ -10,7 +10,7 @@
 
 #include "chapters/rbf_inverse/commands/commands.hpp"
 #include "nlmech/bvp/continuation.hpp"
-#include "nlmech/bvp/duffing.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"

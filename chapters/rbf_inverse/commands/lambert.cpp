@@ -13,7 +13,7 @@
 #include "chapters/rbf_inverse/commands/commands.hpp"
 #include "chapters/rbf_inverse/commands/porkchop_file.hpp"
 #include "chapters/rbf_inverse/lambert/porkchop_map.hpp"
-#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 

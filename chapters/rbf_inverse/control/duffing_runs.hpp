@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/bvp/duffing.hpp"
-#include "nlmech/bvp/printed.hpp"
+#include "nlmech/bvp/optimal_control/duffing.hpp"
+#include "nlmech/bvp/optimal_control/printed.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_inverse {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
-#include "nlmech/bvp/dual_problem.hpp"
+#include "nlmech/bvp/optimal_control/dual_problem.hpp"
 #include "nlmech/bvp/solve.hpp"
 
 namespace nlmech::chapters::rbf_inverse {

@@ -9,7 +9,7 @@
 
 #include "nlmech/algebraic/equations.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
-#include "nlmech/peers/ivp/cvode.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {

@@ -16,8 +16,8 @@
 #include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/orbit/porkchop.hpp"
-#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
+#include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {

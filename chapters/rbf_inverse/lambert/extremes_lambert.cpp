@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/orbit/lambert.hpp"
+#include "nlmech/orbit/transfer/lambert.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_inverse {

@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_inverse/lambert/porkchop_map.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {

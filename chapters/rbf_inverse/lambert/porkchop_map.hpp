@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "nlmech/orbit/porkchop.hpp"
+#include "nlmech/orbit/transfer/porkchop.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_inverse {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/orbit/transfer.hpp"
+#include "nlmech/orbit/transfer/transfer.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 

@@ -15,7 +15,7 @@
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/comparison/accuracy.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/duffing.hpp"
 

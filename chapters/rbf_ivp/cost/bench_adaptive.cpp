@@ -20,7 +20,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/comparison/accuracy.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"

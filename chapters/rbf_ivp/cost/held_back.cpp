@@ -3,7 +3,7 @@
 
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/comparison/cost_scene.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/comparison/cost_curves.hpp"
+#include "nlmech/comparison/cost/cost_curves.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/scene/scene.hpp"

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/comparison/accuracy.hpp"
-#include "nlmech/comparison/contenders.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
+#include "nlmech/comparison/cost/contenders.hpp"
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/peers/ivp/native.hpp"
-#include "nlmech/peers/ivp/odeint_native.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

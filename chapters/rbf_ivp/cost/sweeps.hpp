@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/contenders.hpp"
-#include "nlmech/comparison/cost_scene.hpp"
+#include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "nlmech/comparison/example.hpp"
+#include "nlmech/comparison/commands/example.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 

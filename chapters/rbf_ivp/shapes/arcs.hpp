@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chapters/rbf_ivp/stability/extended.hpp"
-#include "nlmech/collocation/shape_choice.hpp"
+#include "nlmech/collocation/radial/shape_choice.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 

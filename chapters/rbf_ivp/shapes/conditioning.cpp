@@ -10,7 +10,7 @@
 
 #include "chapters/rbf_ivp/shapes/arcs.hpp"
 #include "nlmech/collocation/differentiation.hpp"
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

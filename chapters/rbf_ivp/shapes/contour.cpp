@@ -8,7 +8,7 @@
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
-#include "nlmech/collocation/stable_gaussian.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

@@ -1,4 +1,4 @@
-#include "nlmech/collocation/kernels.hpp"
+#include "nlmech/collocation/radial/kernels.hpp"
 
 #include <algorithm>
 #include <array>

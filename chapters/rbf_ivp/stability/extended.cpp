@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nlmech/collocation/barycentric.hpp"
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 

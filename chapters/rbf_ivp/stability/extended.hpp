@@ -7,8 +7,8 @@
 #include <complex>
 #include <vector>
 
-#include "nlmech/collocation/kernels.hpp"
 #include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/radial/kernels.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "nlmech/comparison/reference_end.hpp"
+#include "nlmech/comparison/reference/reference_end.hpp"
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

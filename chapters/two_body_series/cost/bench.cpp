@@ -20,8 +20,8 @@
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/peers/ivp/odeint_direct.hpp"
-#include "nlmech/peers/ivp/odeint_native.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 #include "nlmech/problems/two_body.hpp"
 #include "nlmech/support/stopwatch.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "chapters/two_body_series/orbits/ellipses.hpp"
 #include "chapters/two_body_series/orbits/propagators.hpp"
-#include "nlmech/comparison/cost_scene.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 

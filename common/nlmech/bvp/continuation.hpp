@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "nlmech/bvp/extremal.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 
 namespace nlmech::bvp {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "nlmech/bvp/extremal.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 
 namespace nlmech::bvp {
 

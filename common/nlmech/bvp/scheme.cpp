@@ -9,7 +9,7 @@
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/integration.hpp"
 #include "nlmech/collocation/nodes.hpp"
-#include "nlmech/collocation/stable_gaussian.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 
 namespace nlmech::bvp {
 namespace {

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/bvp/extremal.hpp"
-#include "nlmech/bvp/second_variation.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
+#include "nlmech/bvp/optimal_control/second_variation.hpp"
 
 namespace nlmech::bvp {
 namespace {

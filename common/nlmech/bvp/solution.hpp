@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "nlmech/bvp/newton_system.hpp"
+#include "nlmech/bvp/newton/newton_system.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "nlmech/bvp/newton_iteration.hpp"
+#include "nlmech/bvp/newton/newton_iteration.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::bvp {

@@ -8,7 +8,7 @@
 
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 
 namespace nlmech::collocation {
 

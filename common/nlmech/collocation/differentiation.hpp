@@ -2,7 +2,7 @@
 /// The differentiation matrix of radial functions in double precision, and how far it can be trusted.
 #pragma once
 
-#include "nlmech/collocation/radial_basis.hpp"
+#include "nlmech/collocation/radial/radial_basis.hpp"
 
 namespace nlmech::collocation {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/reference.hpp"
+#include "nlmech/comparison/reference/reference.hpp"
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::comparison {

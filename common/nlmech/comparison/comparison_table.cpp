@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nlmech/comparison/judgement.hpp"
-#include "nlmech/comparison/reference_end.hpp"
+#include "nlmech/comparison/reference/reference_end.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 

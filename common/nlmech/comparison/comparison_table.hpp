@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "nlmech/comparison/own_problem.hpp"
-#include "nlmech/comparison/reference.hpp"
+#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/reference/reference.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 

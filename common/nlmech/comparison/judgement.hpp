@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "nlmech/comparison/own_problem.hpp"
-#include "nlmech/comparison/verification.hpp"
+#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/support/statistics.hpp"
 
 namespace nlmech::comparison {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/own_problem.hpp"
-#include "nlmech/comparison/verification.hpp"
+#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
 
 namespace nlmech::comparison {
 

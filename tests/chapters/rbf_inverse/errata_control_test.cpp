@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
-#include "nlmech/bvp/dual_control.hpp"
+#include "nlmech/bvp/optimal_control/dual_control.hpp"
 #include "nlmech/bvp/solve.hpp"
 #include "tests/errata/erratum.hpp"
 

@@ -11,8 +11,8 @@
 #include <limits>
 #include <utility>
 
-#include "nlmech/collocation/radau_defect.hpp"
-#include "nlmech/collocation/radau_transform.hpp"
+#include "nlmech/collocation/radau/radau_defect.hpp"
+#include "nlmech/collocation/radau/radau_transform.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"

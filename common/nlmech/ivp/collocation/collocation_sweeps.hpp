@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "nlmech/collocation/gaussian_radau.hpp"
-#include "nlmech/collocation/radau.hpp"
-#include "nlmech/collocation/stable_gaussian.hpp"
+#include "nlmech/collocation/radau/radau.hpp"
+#include "nlmech/collocation/radial/gaussian_radau.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"
 #include "nlmech/ivp/second_order.hpp"

@@ -2,7 +2,7 @@
 /// Direct transcription solved by Ipopt, if this build has it: a peer, and a robust start for extremals.
 #pragma once
 
-#include "nlmech/bvp/direct_start.hpp"
+#include "nlmech/bvp/optimal_control/direct_start.hpp"
 
 namespace nlmech::peers {
 

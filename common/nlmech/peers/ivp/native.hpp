@@ -4,8 +4,8 @@
 /// left out, and with it what that costs.
 #pragma once
 
-#include "nlmech/peers/ivp/cvode.hpp"
-#include "nlmech/peers/ivp/gsl.hpp"
+#include "nlmech/peers/ivp/gsl/gsl.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 
 namespace nlmech::peers {
 

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <variant>
 
-#include "nlmech/peers/ivp/arkode.hpp"
-#include "nlmech/peers/ivp/cvode.hpp"
-#include "nlmech/peers/ivp/gsl.hpp"
-#include "nlmech/peers/ivp/odeint.hpp"
+#include "nlmech/peers/ivp/gsl/gsl.hpp"
+#include "nlmech/peers/ivp/odeint/odeint.hpp"
+#include "nlmech/peers/ivp/sundials/arkode.hpp"
+#include "nlmech/peers/ivp/sundials/cvode.hpp"
 
 namespace nlmech::peers {
 namespace {

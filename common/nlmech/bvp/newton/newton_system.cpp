@@ -1,0 +1,228 @@
+#include "nlmech/bvp/newton/newton_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nlmech::bvp {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd Unknowns::ends(int phases) const {
+  MatrixXd result(intervals.front().values.rows(), 2 * phases);
+  for (const Interval& interval : intervals) {
+    // The first interval of a phase comes first, the last one last.
+    const Index begin = 2L * interval.phase;
+    const bool first = &interval == &intervals.front() || (&interval)[-1].phase != interval.phase;
+    if (first) result.col(begin) = interval.values.col(0);
+    result.col(begin + 1) = interval.values.rightCols(1);
+  }
+  return result;
+}
+
+NewtonSystem::NewtonSystem(const Problem& problem, const Scheme& scheme)
+    : problem_(problem),
+      scheme_(scheme),
+      n_(problem.states()),
+      m_(problem.parameters()),
+      phases_(problem.phases()) {}
+
+bool NewtonSystem::residual(Unknowns& y) {
+  const Index nodes = scheme_.nodes.size();
+  parts_.resize(y.intervals.size());
+  phase_of_.resize(y.intervals.size());
+  VectorXd f(n_), x(n_);
+  bool finite = y.parameters.allFinite();
+  for (std::size_t k = 0; k < y.intervals.size() && finite; ++k) {
+    Interval& interval = y.intervals[k];
+    phase_of_[k] = interval.phase;
+    for (Index j = 0; j < nodes; ++j) {
+      x = interval.values.col(j);
+      problem_.rhs(interval.t0 + scheme_.nodes[j] * interval.h, x, y.parameters, f);
+      interval.slopes.col(j) = f;
+    }
+    evaluations_ += nodes;
+    const MatrixXd r = interval.values * scheme_.value.transpose() -
+                       interval.h * (interval.slopes * scheme_.slope.transpose());
+    parts_[k].r = r.reshaped();
+    finite = parts_[k].r.allFinite();
+  }
+  if (!finite) return false;
+  conditions_.resize(problem_.condition_count());
+  problem_.conditions(y.ends(phases_), y.parameters, conditions_);
+  parameters_ = y.parameters;
+  return conditions_.allFinite();
+}
+
+void NewtonSystem::condense(const Interval& interval, Condensed& c) {
+  const Index nodes = scheme_.nodes.size(), rows = (nodes - 1) * n_, inner = (nodes - 2) * n_;
+  MatrixXd edges = MatrixXd::Zero(rows, 2 * n_ + m_), between = MatrixXd::Zero(rows, inner);
+  MatrixXd by_state(n_, n_), by_parameter(n_, m_);
+  VectorXd x(n_);
+  for (Index j = 0; j < nodes; ++j) {
+    x = interval.values.col(j);
+    problem_.jacobian(interval.t0 + scheme_.nodes[j] * interval.h, x, parameters_, by_state, by_parameter);
+    auto block = j == 0           ? edges.leftCols(n_)
+                 : j == nodes - 1 ? edges.middleCols(n_, n_)
+                                  : between.middleCols((j - 1) * n_, n_);
+    for (Index i = 0; i + 1 < nodes; ++i) {
+      const double by_slope = -interval.h * scheme_.slope(i, j);
+      if (by_slope != 0) {
+        block.middleRows(i * n_, n_) = by_slope * by_state;
+        if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
+      }
+      block.middleRows(i * n_, n_).diagonal().array() += scheme_.value(i, j);
+    }
+  }
+  c.has_inner = inner > 0;
+  if (c.has_inner) {
+    c.inner.compute(between);
+    edges.applyOnTheLeft(c.inner.householderQ().transpose());
+  }
+  c.top = edges.topRows(inner);
+  c.bottom = edges.bottomRows(n_);
+}
+
+void NewtonSystem::chain() {
+  phase_rows_.assign(static_cast<std::size_t>(phases_), MatrixXd());
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Condensed& c = parts_[k];
+    MatrixXd& so_far = phase_rows_[static_cast<std::size_t>(phase_of_[k])];
+    c.has_left = so_far.size() > 0;
+    if (!c.has_left) {
+      so_far = c.bottom;
+      continue;
+    }
+    // Rows of the phase up to here: begin, here, parameters; rows of the interval: here, its end, parameters.
+    MatrixXd here(2 * n_, n_), others = MatrixXd::Zero(2L * n_, 2L * n_ + m_);
+    here.topRows(n_) = so_far.middleCols(n_, n_);
+    here.bottomRows(n_) = c.bottom.leftCols(n_);
+    others.topLeftCorner(n_, n_) = so_far.leftCols(n_);
+    others.block(n_, n_, n_, n_) = c.bottom.middleCols(n_, n_);
+    others.topRightCorner(n_, m_) = so_far.rightCols(m_);
+    others.bottomRightCorner(n_, m_) = c.bottom.rightCols(m_);
+    c.left.compute(here);
+    others.applyOnTheLeft(c.left.householderQ().transpose());
+    c.left_top = others.topRows(n_);
+    so_far = others.bottomRows(n_);
+  }
+}
+
+void NewtonSystem::border(const Unknowns& y) {
+  const Index count = conditions_.size(), ends = 2L * n_ * phases_, size = ends + m_;
+  MatrixXd by_ends = MatrixXd::Zero(count, ends), by_parameter = MatrixXd::Zero(count, m_);
+  problem_.condition_jacobian(y.ends(phases_), y.parameters, by_ends, by_parameter);
+  MatrixXd a = MatrixXd::Zero(size, size);
+  for (Index k = 0; k < phases_; ++k) {
+    const MatrixXd& rows = phase_rows_[static_cast<std::size_t>(k)];
+    a.block(k * n_, 2 * k * n_, n_, 2 * n_) = rows.leftCols(2 * n_);
+    a.block(k * n_, ends, n_, m_) = rows.rightCols(m_);
+  }
+  a.bottomLeftCorner(count, ends) = by_ends;
+  a.bottomRightCorner(count, m_) = by_parameter;
+
+  MatrixXd only = a.bottomRows(count);
+  VectorXd r = conditions_;
+  for (Index i = 0; i < count; ++i) {
+    const double largest = only.row(i).lpNorm<Eigen::Infinity>();
+    if (largest > 0) {
+      only.row(i) /= largest;
+      r[i] /= largest;
+    }
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> rank(only);
+  rank.setThreshold(1e-12);
+  independent_ = rank.rank();
+  contradiction_ = 0;
+  if (independent_ < count && r.size() > 0) {
+    const VectorXd rest = r - only * rank.solve(r);
+    const double scale = std::max(r.lpNorm<Eigen::Infinity>(), 1e-300);
+    contradiction_ = rest.lpNorm<Eigen::Infinity>() / scale;
+  }
+
+  row_scale_.resize(size);
+  column_scale_.resize(size);
+  for (Index i = 0; i < size; ++i) {
+    const double largest = a.row(i).lpNorm<Eigen::Infinity>();
+    row_scale_[i] = largest > 0 ? 1 / largest : 1;
+  }
+  a = row_scale_.asDiagonal() * a;
+  for (Index i = 0; i < size; ++i) {
+    const double largest = a.col(i).lpNorm<Eigen::Infinity>();
+    column_scale_[i] = largest > 0 ? 1 / largest : 1;
+  }
+  a = a * column_scale_.asDiagonal();
+  rest_.compute(a);
+  const auto pivots = rest_.matrixQR().diagonal().cwiseAbs();
+  pivot_ratio_ = pivots.minCoeff() / pivots.maxCoeff();
+}
+
+bool NewtonSystem::factorise(const Unknowns& y) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    condense(y.intervals[k], parts_[k]);
+    if (!parts_[k].bottom.allFinite() || !parts_[k].top.allFinite()) return false;
+  }
+  chain();
+  border(y);
+  return std::isfinite(pivot_ratio_);
+}
+
+void NewtonSystem::right_hand_sides() {
+  rest_r_.resize(row_scale_.size());
+  VectorXd so_far(n_), both(2 * n_);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Condensed& c = parts_[k];
+    VectorXd r = -c.r;
+    if (c.has_inner) r.applyOnTheLeft(c.inner.householderQ().transpose());
+    c.r_top = r.head(r.size() - n_);
+    c.r_bottom = r.tail(n_);
+    if (c.has_left) {
+      both << so_far, c.r_bottom;
+      both.applyOnTheLeft(c.left.householderQ().transpose());
+      c.r_left = both.head(n_);
+      so_far = both.tail(n_);
+    } else {
+      so_far = c.r_bottom;
+    }
+    rest_r_.segment(Index{phase_of_[k]} * n_, n_) = so_far;
+  }
+  rest_r_.tail(conditions_.size()) = -conditions_;
+}
+
+void NewtonSystem::back_substitute(Unknowns& step) {
+  const Index nodes = scheme_.nodes.size();
+  step.parameters = rest_x_.tail(m_);
+  VectorXd right(n_);
+  for (std::size_t k = parts_.size(); k-- > 0;) {
+    const Condensed& c = parts_[k];
+    const VectorXd begin = rest_x_.segment(2L * n_ * phase_of_[k], n_);
+    if (k + 1 == parts_.size() || phase_of_[k + 1] != phase_of_[k]) {
+      right = rest_x_.segment(2 * n_ * phase_of_[k] + n_, n_);
+    }
+    VectorXd left = begin;
+    if (c.has_left) {
+      left = c.r_left - c.left_top.leftCols(n_) * begin - c.left_top.middleCols(n_, n_) * right -
+             c.left_top.rightCols(m_) * step.parameters;
+      c.left.matrixQR().topRows(n_).triangularView<Eigen::Upper>().solveInPlace(left);
+    }
+    MatrixXd& dx = step.intervals[k].values;
+    dx.col(0) = left;
+    dx.col(nodes - 1) = right;
+    if (c.has_inner) {
+      VectorXd inner = c.r_top - c.top.leftCols(n_) * left - c.top.middleCols(n_, n_) * right -
+                       c.top.rightCols(m_) * step.parameters;
+      c.inner.matrixQR().topRows(inner.size()).triangularView<Eigen::Upper>().solveInPlace(inner);
+      dx.middleCols(1, nodes - 2) = inner.reshaped(n_, nodes - 2);
+    }
+    right = left;
+  }
+}
+
+void NewtonSystem::solve(Unknowns& step) {
+  right_hand_sides();
+  rest_x_ = column_scale_.cwiseProduct(rest_.solve(row_scale_.cwiseProduct(rest_r_)));
+  back_substitute(step);
+}
+
+}  // namespace nlmech::bvp

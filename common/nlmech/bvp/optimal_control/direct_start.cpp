@@ -1,0 +1,324 @@
+#include "nlmech/bvp/optimal_control/direct_start.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A value to be reached at a step of the grid, with its multiplier.
+struct Target {
+  Index step;
+  int component;
+  double value;
+  double multiplier;
+};
+
+/// One trajectory on the grid.
+struct Trajectory {
+  MatrixXd x, u;     // n by M + 1, q by M
+  double merit = 0;  // cost with penalties and multipliers
+};
+
+class Descent {
+ public:
+  Descent(const ExtremalProblem& problem, const DirectOptions& options)
+      : task_(problem.task()),
+        model_(problem.model()),
+        options_(options),
+        n_(model_.states()),
+        q_(model_.controls()),
+        steps_(options.pieces),
+        h_((task_.final_time - task_.begin_time) / options.pieces),
+        rho_(options.first_weight) {
+    for (int i = 0; i < n_; ++i) {
+      const auto& value = task_.end[static_cast<std::size_t>(i)];
+      if (value) targets_.push_back({steps_, i, *value, 0});
+      if (!task_.begin[static_cast<std::size_t>(i)]) free_.push_back(i);
+    }
+    for (const Waypoint& w : task_.waypoints) {
+      const auto step = static_cast<Index>(std::lround((w.t - task_.begin_time) / h_));
+      targets_.push_back({std::clamp<Index>(step, 1, steps_ - 1), w.component, w.value, 0});
+    }
+    const auto count = static_cast<std::size_t>(steps_);
+    gain_.resize(count);
+    change_.resize(count);
+    costates_.resize(n_, steps_ + 1);
+  }
+
+  DirectResult run(const ControlGuess& guess) {
+    DirectResult result;
+    now_.x = MatrixXd::Zero(n_, steps_ + 1);
+    now_.u = MatrixXd::Zero(q_, steps_);
+    now_.x.col(0) = guess.begin;
+    for (int i = 0; i < n_; ++i) {
+      const auto& value = task_.begin[static_cast<std::size_t>(i)];
+      if (value) now_.x(i, 0) = *value;
+    }
+    VectorXd u(q_);
+    for (Index k = 0; k < steps_; ++k) {
+      guess.control(time(k) + h_ / 2, u);
+      now_.u.col(k) = u;
+    }
+    if (!integrate(now_)) {
+      result.status = Status::failure(Outcome::non_finite,
+                                      "direct_start: the trajectory of the guessed control is not finite; "
+                                      "begin with a weaker control");
+      return result;
+    }
+    for (int round = 0; round < options_.rounds; ++round) {
+      descend();
+      for (Target& target : targets_) {
+        target.multiplier += rho_ * (now_.x(target.component, target.step) - target.value);
+      }
+      if (targets_.empty()) break;
+      if (round + 1 < options_.rounds) rho_ *= options_.weight_growth;
+    }
+    finish(result);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] double time(Index k) const { return task_.begin_time + static_cast<double>(k) * h_; }
+
+  VectorXd slope(double t, const VectorXd& x, const VectorXd& u) const {
+    VectorXd g(n_);
+    model_.dynamics(t, x, u, task_.mu, g);
+    return g;
+  }
+
+  VectorXd next(Index k, const VectorXd& x, const VectorXd& u) const {
+    const double t = time(k);
+    const VectorXd k1 = slope(t, x, u), k2 = slope(t + h_ / 2, x + h_ / 2 * k1, u);
+    const VectorXd k3 = slope(t + h_ / 2, x + h_ / 2 * k2, u), k4 = slope(t + h_, x + h_ * k3, u);
+    return x + h_ / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+
+  /// The cost's rate with the penalties; second derivatives are not made where there are none.
+  [[nodiscard]] double rate(Index k, const VectorXd& x, const VectorXd& u) const {
+    if (task_.constraints.penalty_weight > 0) {
+      return model_.expand(time(k), x, u, VectorXd::Zero(n_), task_.mu, task_.constraints).value;
+    }
+    VectorXd g(n_);
+    return model_.dynamics(time(k), x, u, task_.mu, g);
+  }
+
+  /// Derivatives of next() by x and u, stage by stage.
+  void linearise(Index k, MatrixXd& a, MatrixXd& b) const {
+    const double t = time(k);
+    const VectorXd u = now_.u.col(k);
+    LinearDynamics e;
+    VectorXd x = now_.x.col(k);
+    MatrixXd by_x = MatrixXd::Identity(n_, n_), by_u = MatrixXd::Zero(n_, q_);
+    a = by_x;
+    b = by_u;
+    const double ahead[4] = {h_ / 2, h_ / 2, h_, 0}, weight[4] = {1, 2, 2, 1}, at[4] = {0, 0.5, 0.5, 1};
+    for (int stage = 0; stage < 4; ++stage) {
+      model_.linearise(t + at[stage] * h_, x, u, task_.mu, e);
+      const MatrixXd kx = e.g_x * by_x, ku = e.g_x * by_u + e.g_u;
+      a += h_ / 6 * weight[stage] * kx;
+      b += h_ / 6 * weight[stage] * ku;
+      by_x = MatrixXd::Identity(n_, n_) + ahead[stage] * kx;
+      by_u = ahead[stage] * ku;
+      x = now_.x.col(k) + ahead[stage] * e.g;
+    }
+  }
+
+  /// phi and the targets of one step of the grid.
+  [[nodiscard]] double target_cost(const Trajectory& trajectory) const {
+    double sum = model_.end_cost(trajectory.x.col(0), trajectory.x.col(steps_), task_.final_time).value;
+    for (const Target& target : targets_) {
+      const double c = trajectory.x(target.component, target.step) - target.value;
+      sum += target.multiplier * c + rho_ / 2 * c * c;
+    }
+    return sum;
+  }
+
+  /// Follows x from its first column under u; false if it is not finite.
+  bool integrate(Trajectory& trajectory) const {
+    double running = 0;
+    for (Index k = 0; k < steps_; ++k) {
+      const VectorXd x = trajectory.x.col(k), u = trajectory.u.col(k);
+      running += h_ * rate(k, x, u);
+      trajectory.x.col(k + 1) = next(k, x, u);
+    }
+    trajectory.merit = running + target_cost(trajectory);
+    return std::isfinite(trajectory.merit) && trajectory.x.allFinite();
+  }
+
+  void add_targets(Index step, VectorXd& vx, MatrixXd& vxx) const {
+    for (const Target& target : targets_) {
+      if (target.step != step) continue;
+      const double c = now_.x(target.component, step) - target.value;
+      vx[target.component] += target.multiplier + rho_ * c;
+      vxx(target.component, target.component) += rho_;
+    }
+  }
+
+  /// Riccati's recursion along now_; false if a matrix is not positive.
+  bool sweep_back() {
+    const EndCost phi = model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time);
+    VectorXd vx = phi.gradient.segment(n_, n_);
+    MatrixXd vxx = phi.hessian.block(n_, n_, n_, n_), a, b;
+    const VectorXd zero = VectorXd::Zero(n_);
+    add_targets(steps_, vx, vxx);
+    costates_.col(steps_) = vx;
+    expected_ = 0;
+    for (Index k = steps_ - 1; k >= 0; --k) {
+      const auto l = model_.expand(time(k), now_.x.col(k), now_.u.col(k), zero, task_.mu, task_.constraints);
+      linearise(k, a, b);
+      const VectorXd qx = h_ * l.gradient.head(n_) + a.transpose() * vx;
+      const VectorXd qu = h_ * l.gradient.tail(q_) + b.transpose() * vx;
+      const MatrixXd qxx = h_ * l.hessian.topLeftCorner(n_, n_) + a.transpose() * vxx * a;
+      const MatrixXd qux = h_ * l.hessian.bottomLeftCorner(q_, n_) + b.transpose() * vxx * a;
+      const MatrixXd quu = h_ * l.hessian.bottomRightCorner(q_, q_) + b.transpose() * vxx * b;
+      const Eigen::LLT<MatrixXd> llt(quu + h_ * damping_ * MatrixXd::Identity(q_, q_));
+      if (llt.info() != Eigen::Success) return false;
+      const auto index = static_cast<std::size_t>(k);
+      change_[index] = -llt.solve(qu);
+      gain_[index] = -llt.solve(qux);
+      const VectorXd& d = change_[index];
+      const MatrixXd& g = gain_[index];
+      expected_ -= qu.dot(d) + d.dot(quu * d) / 2;
+      vx = qx + g.transpose() * (quu * d + qu) + qux.transpose() * d;
+      vxx = qxx + g.transpose() * quu * g + g.transpose() * qux + qux.transpose() * g;
+      vxx = (vxx + vxx.transpose()).eval() / 2;
+      if (k > 0) add_targets(k, vx, vxx);
+      costates_.col(k) = vx;
+    }
+    return begin_change(phi, vx, vxx);
+  }
+
+  /// Newton's change of the free initial values.
+  bool begin_change(const EndCost& phi, const VectorXd& vx, const MatrixXd& vxx) {
+    const auto count = static_cast<Index>(free_.size());
+    begin_change_ = VectorXd::Zero(n_);
+    if (count == 0) return true;
+    VectorXd g(count);
+    MatrixXd m(count, count);
+    for (Index i = 0; i < count; ++i) {
+      const int row = free_[static_cast<std::size_t>(i)];
+      g[i] = vx[row] + phi.gradient[row];
+      for (Index j = 0; j < count; ++j) {
+        const int column = free_[static_cast<std::size_t>(j)];
+        m(i, j) = vxx(row, column) + phi.hessian(row, column);
+      }
+    }
+    const MatrixXd damped = m + damping_ * MatrixXd::Identity(count, count);
+    const Eigen::LLT<MatrixXd> llt(damped);
+    if (llt.info() != Eigen::Success) return false;
+    const VectorXd d = -llt.solve(g);
+    expected_ -= g.dot(d) + d.dot(m * d) / 2;
+    for (Index i = 0; i < count; ++i) begin_change_[free_[static_cast<std::size_t>(i)]] = d[i];
+    return true;
+  }
+
+  /// The trajectory a fraction of the step ahead.
+  bool attempt(double fraction, Trajectory& trial) const {
+    trial.x = now_.x;
+    trial.u = now_.u;
+    trial.x.col(0) += fraction * begin_change_;
+    const double limit = task_.constraints.control_limit;
+    double running = 0;
+    for (Index k = 0; k < steps_; ++k) {
+      const auto index = static_cast<std::size_t>(k);
+      VectorXd u =
+          now_.u.col(k) + fraction * change_[index] + gain_[index] * (trial.x.col(k) - now_.x.col(k));
+      u = u.cwiseMax(-limit).cwiseMin(limit);
+      const VectorXd x = trial.x.col(k);
+      if (!x.allFinite() || !u.allFinite()) return false;
+      trial.u.col(k) = u;
+      running += h_ * rate(k, x, u);
+      trial.x.col(k + 1) = next(k, x, u);
+    }
+    trial.merit = running + target_cost(trial);
+    return std::isfinite(trial.merit);
+  }
+
+  /// Descends until nothing is gained any more at this weight.
+  void descend() {
+    damping_ = 1e-3;
+    (void)integrate(now_);
+    Trajectory trial;
+    for (int k = 0; k < options_.iterations; ++k) {
+      bool accepted = false;
+      double gained = 0;
+      while (!accepted && damping_ < 1e10) {
+        const bool positive = sweep_back();
+        for (double fraction = 1; positive && fraction > 0.05 && !accepted; fraction /= 3) {
+          accepted = attempt(fraction, trial) && trial.merit < now_.merit - 1e-4 * fraction * expected_;
+        }
+        damping_ = accepted ? std::max(damping_ / 5, 1e-9) : damping_ * 10;
+        if (positive && expected_ <= options_.tolerance * (1e-9 + std::abs(now_.merit))) return;
+      }
+      if (!accepted) return;
+      gained = now_.merit - trial.merit;
+      std::swap(now_, trial);
+      if (gained <= options_.tolerance * std::abs(now_.merit)) return;
+    }
+  }
+
+  void finish(DirectResult& result) {
+    damping_ = 1e-9;
+    (void)integrate(now_);
+    (void)sweep_back();
+    result.cost = model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time).value;
+    VectorXd g(n_);
+    for (Index k = 0; k < steps_; ++k) {
+      result.cost += h_ * model_.dynamics(time(k), now_.x.col(k), now_.u.col(k), task_.mu, g);
+    }
+    for (const Target& target : targets_) {
+      result.miss = std::max(result.miss, std::abs(now_.x(target.component, target.step) - target.value));
+    }
+    MatrixXd z(2 * n_, steps_ + 1);
+    z << now_.x, costates_;
+    const double t0 = task_.begin_time, h = h_;
+    result.start.states = [z, t0, h](double t, VectorXd& at) {
+      const double s = std::clamp((t - t0) / h, 0.0, static_cast<double>(z.cols() - 1));
+      const Index k = std::min<Index>(static_cast<Index>(s), z.cols() - 2);
+      const double f = s - static_cast<double>(k);
+      at = (1 - f) * z.col(k) + f * z.col(k + 1);
+    };
+  }
+
+  const ControlTask& task_;
+  const ControlModel& model_;
+  const DirectOptions& options_;
+  int n_, q_;
+  Index steps_;
+  double h_, rho_;
+  std::vector<Target> targets_;
+  std::vector<int> free_;
+  Trajectory now_;
+  std::vector<MatrixXd> gain_;
+  std::vector<VectorXd> change_;
+  VectorXd begin_change_;
+  MatrixXd costates_;
+  double damping_ = 0, expected_ = 0;
+};
+
+}  // namespace
+
+DirectResult direct_start(const ExtremalProblem& problem, const ControlGuess& guess,
+                          const DirectOptions& options) {
+  if (options.pieces < 2 || options.pieces > 5000) {
+    throw std::invalid_argument(
+        fmt::format("direct_start: {} pieces; 2 to 5000 are allowed", options.pieces));
+  }
+  if (guess.begin.size() != problem.model().states() || !guess.control) {
+    throw std::invalid_argument(fmt::format("direct_start: a guess of {} states", guess.begin.size()));
+  }
+  DirectResult result = Descent(problem, options).run(guess);
+  result.start.parameters = problem.own_parameters();
+  return result;
+}
+
+}  // namespace nlmech::bvp

@@ -1,0 +1,253 @@
+#include "nlmech/bvp/optimal_control/extremal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace nlmech::bvp {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+void check_constraints(const Constraints& c, int states) {
+  const auto require = [](bool good, const char* name, double value) {
+    if (!good)
+      throw std::invalid_argument(fmt::format("optimal control: {} = {} is out of range", name, value));
+  };
+  require(c.control_limit > 0, "control_limit", c.control_limit);
+  require(c.control_smoothing > 0, "control_smoothing", c.control_smoothing);
+  require(c.penalty_weight >= 0, "penalty_weight", c.penalty_weight);
+  require(c.penalty_smoothing > 0, "penalty_smoothing", c.penalty_smoothing);
+  for (const StateBound& bound : c.states) {
+    require(bound.component >= 0 && bound.component < states, "component of a state's bound",
+            bound.component);
+    require(bound.low < bound.high, "lower bound of a state", bound.low);
+  }
+}
+
+}  // namespace
+
+ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, ControlTask task)
+    : model_(std::move(model)), task_(std::move(task)) {
+  if (!model_) throw std::invalid_argument("optimal control: no model");
+  n_ = model_->states();
+  const auto count = static_cast<std::size_t>(n_);
+  if (task_.begin.size() != count || task_.end.size() != count) {
+    throw std::invalid_argument(fmt::format("optimal control: {} and {} end values for {} states",
+                                            task_.begin.size(), task_.end.size(), n_));
+  }
+  if (!(task_.begin_time < task_.final_time) || !std::isfinite(task_.final_time - task_.begin_time)) {
+    throw std::invalid_argument(fmt::format("optimal control: the final time {} is not after the begin {}",
+                                            task_.final_time, task_.begin_time));
+  }
+  if (task_.free_final_time && task_.continued == Continued::final_time) {
+    throw std::invalid_argument("optimal control: a free final time cannot be continued too");
+  }
+  check_constraints(task_.constraints, n_);
+  points_ = {task_.begin_time, task_.final_time};
+  for (const Waypoint& w : task_.waypoints) {
+    if (!(w.t > task_.begin_time && w.t < task_.final_time) || w.component < 0 || w.component >= n_) {
+      throw std::invalid_argument(
+          fmt::format("optimal control: waypoint of component {} at t = {}", w.component, w.t));
+    }
+    for (const Waypoint& other : task_.waypoints) {
+      if (other.t == w.t && other.component == w.component && other.value != w.value) {
+        throw std::invalid_argument(
+            fmt::format("optimal control: component {} at t = {} is prescribed as {} and as {}", w.component,
+                        w.t, w.value, other.value));
+      }
+    }
+    points_.push_back(w.t);
+  }
+  std::sort(points_.begin(), points_.end());
+  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+}
+
+bool ExtremalProblem::time_is_unknown() const {
+  return task_.free_final_time || task_.continued == Continued::final_time;
+}
+
+int ExtremalProblem::parameters() const {
+  return (time_is_unknown() ? 1 : 0) + (task_.continued == Continued::parameter ? 1 : 0);
+}
+
+int ExtremalProblem::condition_count() const { return 2 * n_ * phases() + (task_.free_final_time ? 1 : 0); }
+
+double ExtremalProblem::final_time(const VectorXd& p) const {
+  return time_is_unknown() ? p[0] : task_.final_time;
+}
+
+double ExtremalProblem::mu(const VectorXd& p) const {
+  return task_.continued == Continued::parameter ? p[p.size() - 1] : task_.mu;
+}
+
+VectorXd ExtremalProblem::own_parameters() const {
+  VectorXd p(parameters());
+  if (time_is_unknown()) p[0] = task_.final_time;
+  if (task_.continued == Continued::parameter) p[p.size() - 1] = task_.mu;
+  return p;
+}
+
+double ExtremalProblem::true_time(double t, const VectorXd& p) const {
+  if (!time_is_unknown()) return t;
+  const double t0 = task_.begin_time;
+  return t0 + (t - t0) * (p[0] - t0) / (task_.final_time - t0);
+}
+
+std::optional<double> ExtremalProblem::waypoint(std::size_t point, int component) const {
+  for (const Waypoint& w : task_.waypoints) {
+    if (w.t == points_[point] && w.component == component) return w.value;
+  }
+  return {};
+}
+
+void ExtremalProblem::rhs(double t, const VectorXd& z, const VectorXd& p, VectorXd& dzdt) const {
+  model_->extremal(true_time(t, p), z, mu(p), task_.constraints, dzdt);
+  if (time_is_unknown()) {
+    dzdt *= (p[0] - task_.begin_time) / (task_.final_time - task_.begin_time);
+  }
+}
+
+void ExtremalProblem::jacobian(double t, const VectorXd& z, const VectorXd& p, MatrixXd& by_state,
+                               MatrixXd& by_parameter) const {
+  MatrixXd j(2 * n_, 2 * n_ + 2);
+  model_->extremal_jacobian(true_time(t, p), z, mu(p), task_.constraints, j);
+  by_state = j.leftCols(2 * n_);
+  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) = j.col(2L * n_);
+  if (!time_is_unknown()) return;
+  // dz/ds = c f(t_0 + c (s - t_0), z) with c = (t_F - t_0)/(length of s)
+  const double length = task_.final_time - task_.begin_time, c = (p[0] - task_.begin_time) / length;
+  VectorXd f(2 * n_);
+  model_->extremal(true_time(t, p), z, mu(p), task_.constraints, f);
+  by_state *= c;
+  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) *= c;
+  by_parameter.col(0) = (f + c * (t - task_.begin_time) * j.col(2 * n_ + 1)) / length;
+}
+
+void ExtremalProblem::conditions(const MatrixXd& ends, const VectorXd& p, VectorXd& r) const {
+  const Index last = ends.cols() - 1;
+  const EndCost phi = model_->end_cost(ends.col(0).head(n_), ends.col(last).head(n_), final_time(p));
+  for (int i = 0; i < n_; ++i) {
+    const auto& from = task_.begin[static_cast<std::size_t>(i)];
+    const auto& to = task_.end[static_cast<std::size_t>(i)];
+    r[i] = from ? ends(i, 0) - *from : ends(n_ + i, 0) + phi.gradient[i];
+    r[n_ + i] = to ? ends(i, last) - *to : ends(n_ + i, last) - phi.gradient[n_ + i];
+  }
+  Index row = 2L * n_;
+  for (std::size_t point = 1; point + 1 < points_.size(); ++point) {
+    const auto before = static_cast<Index>(2 * point - 1), after = before + 1;
+    for (int i = 0; i < n_; ++i, row += 2) {
+      const auto value = waypoint(point, i);
+      r[row] = value ? ends(i, before) - *value : ends(i, after) - ends(i, before);
+      r[row + 1] = value ? ends(i, after) - *value : ends(n_ + i, after) - ends(n_ + i, before);
+    }
+  }
+  if (task_.free_final_time) {
+    VectorXd gradient;
+    r[row] = phi.gradient[2L * n_] +
+             model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
+  }
+}
+
+void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, MatrixXd& by_ends,
+                                         MatrixXd& by_parameter) const {
+  const Index last = ends.cols() - 1, end_column = 2L * n_ * last;
+  const EndCost phi = model_->end_cost(ends.col(0).head(n_), ends.col(last).head(n_), final_time(p));
+  by_ends.setZero();
+  by_parameter.setZero();
+  const auto second_derivatives = [&](Index row, int k, double sign) {
+    by_ends.block(row, 0, 1, n_) += sign * phi.hessian.block(k, 0, 1, n_);
+    by_ends.block(row, end_column, 1, n_) += sign * phi.hessian.block(k, n_, 1, n_);
+    if (time_is_unknown()) by_parameter(row, 0) += sign * phi.hessian(k, 2L * n_);
+  };
+  for (int i = 0; i < n_; ++i) {
+    if (task_.begin[static_cast<std::size_t>(i)]) {
+      by_ends(i, i) = 1;
+    } else {
+      by_ends(i, n_ + i) = 1;
+      second_derivatives(i, i, 1);
+    }
+    if (task_.end[static_cast<std::size_t>(i)]) {
+      by_ends(n_ + i, end_column + i) = 1;
+    } else {
+      by_ends(n_ + i, end_column + n_ + i) = 1;
+      second_derivatives(n_ + i, n_ + i, -1);
+    }
+  }
+  Index row = 2L * n_;
+  for (std::size_t point = 1; point + 1 < points_.size(); ++point) {
+    const Index before = 2L * n_ * static_cast<Index>(2 * point - 1), after = before + 2L * n_;
+    for (int i = 0; i < n_; ++i, row += 2) {
+      if (waypoint(point, i)) {
+        by_ends(row, before + i) = by_ends(row + 1, after + i) = 1;
+      } else {
+        by_ends(row, after + i) = by_ends(row + 1, after + n_ + i) = 1;
+        by_ends(row, before + i) = by_ends(row + 1, before + n_ + i) = -1;
+      }
+    }
+  }
+  if (!task_.free_final_time) return;
+  VectorXd gradient;
+  (void)model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
+  by_ends.block(row, end_column, 1, 2 * n_) = gradient.head(2 * n_).transpose();
+  if (task_.continued == Continued::parameter) by_parameter(row, by_parameter.cols() - 1) = gradient[2L * n_];
+  by_parameter(row, 0) += gradient[2 * n_ + 1];
+  second_derivatives(row, 2 * n_, 1);
+}
+
+VectorXd control_at(const ExtremalProblem& problem, const Solution& solution, double t) {
+  const VectorXd& p = solution.parameters();
+  VectorXd u(problem.model().controls());
+  problem.model().control(problem.true_time(t, p), solution.at(t), problem.mu(p), problem.task().constraints,
+                          u);
+  return u;
+}
+
+double hamiltonian_at(const ExtremalProblem& problem, const Solution& solution, double t) {
+  const VectorXd& p = solution.parameters();
+  VectorXd gradient;
+  return problem.model().hamiltonian(problem.true_time(t, p), solution.at(t), problem.mu(p),
+                                     problem.task().constraints, gradient);
+}
+
+double cost_of(const ExtremalProblem& problem, const Solution& solution) {
+  const ControlModel& model = problem.model();
+  const VectorXd& p = solution.parameters();
+  const int n = model.states();
+  const double tF = problem.final_time(p), t0 = problem.task().begin_time;
+  const double stretch = (tF - t0) / (solution.end() - solution.begin());
+  VectorXd u(model.controls()), g(n);
+  const auto running = [&](double t, const VectorXd& z) {
+    const double time = problem.true_time(t, p);
+    model.control(time, z, problem.mu(p), problem.task().constraints, u);
+    return model.dynamics(time, z.head(n), u, problem.mu(p), g);
+  };
+  return model.end_cost(solution.first().head(n), solution.last().head(n), tF).value +
+         stretch * solution.integral(running);
+}
+
+Extremal solve_extremal(const ExtremalProblem& problem, const Start& start, const Options& options) {
+  Extremal extremal;
+  extremal.solution = solve(problem, start, options);
+  const Solution& s = extremal.solution;
+  extremal.miss = std::numeric_limits<double>::quiet_NaN();
+  if (s.unknowns.intervals.empty() || !s.last().allFinite()) return extremal;
+  extremal.final_time = problem.final_time(s.parameters());
+  extremal.mu = problem.mu(s.parameters());
+  extremal.cost = cost_of(problem, s);
+  if (options.verification == Verification::none || s.integrated_end.size() == 0) return extremal;
+  extremal.miss = 0;
+  for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
+    const auto& value = problem.task().end[i];
+    if (value)
+      extremal.miss = std::max(extremal.miss, std::abs(s.integrated_end[static_cast<Index>(i)] - *value));
+  }
+  return extremal;
+}
+
+}  // namespace nlmech::bvp

@@ -1,0 +1,154 @@
+/// @file
+/// Optimal control as a boundary value problem: the Euler-Lagrange equations with their end conditions.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "nlmech/bvp/optimal_control/control_model.hpp"
+#include "nlmech/bvp/solve.hpp"
+
+namespace nlmech::bvp {
+
+/// A prescribed state at a time between the ends. Its co-state may jump there.
+struct Waypoint {
+  double t = 0;       ///< strictly between the ends
+  int component = 0;  ///< from 0
+  double value = 0;   ///< of the state
+};
+
+/// Which number is to be followed by continuation.
+enum class Continued : std::uint8_t {
+  nothing,    ///< none: the problem can be solved as it is
+  parameter,  ///< mu of the control model
+  final_time  ///< t_F
+};
+
+/// What is asked of a control model.
+struct ControlTask {
+  double begin_time = 0;                     ///< t_0
+  double final_time = 1;                     ///< t_F, or the first guess of it
+  std::vector<std::optional<double>> begin;  ///< x(t_0) where prescribed; n
+  std::vector<std::optional<double>> end;    ///< x(t_F) where prescribed; n
+  std::vector<Waypoint> waypoints = {};      ///< between the ends, in any order
+  bool free_final_time = false;              ///< t_F is unknown: H + dphi/dt_F = 0 there
+  double mu = 0;                             ///< see ControlModel
+  Constraints constraints = {};              ///< of control and states
+  Continued continued = Continued::nothing;  ///< a further parameter without a condition of its own
+};
+
+/// The extremals of a control task: z = (x, lambda) with dz/dt of Eq. 5.7 and, at each end, x_i = its value
+/// where it is prescribed and -lambda_i(t_0) = dphi/dx_i, lambda_i(t_F) = dphi/dx_i elsewhere (Table 5.1).
+/// At a waypoint the state is prescribed from both sides, all others and their co-states are continuous.
+///
+/// The time of the problem is that of the task; if t_F is unknown it is stretched linearly, so that it runs
+/// from t_0 to the first guess of t_F (waypoints stretch with it). Parameters: t_F if it is free or
+/// continued, then mu if that is continued.
+class ExtremalProblem final : public Problem {
+ public:
+  /// @throws std::invalid_argument for sizes, times or components that do not fit, a weight, limit or
+  /// smoothing out of range, and for final_time both free and continued
+  ExtremalProblem(std::shared_ptr<const ControlModel> model, ControlTask task);
+
+  /// The model.
+  [[nodiscard]] const ControlModel& model() const { return *model_; }
+  /// The same, to be shared.
+  [[nodiscard]] const std::shared_ptr<const ControlModel>& shared_model() const { return model_; }
+  /// What is asked.
+  [[nodiscard]] const ControlTask& task() const { return task_; }
+  /// t_F for these parameters.
+  [[nodiscard]] double final_time(const Eigen::VectorXd& p) const;
+  /// mu for these parameters.
+  [[nodiscard]] double mu(const Eigen::VectorXd& p) const;
+  /// Parameters that a start should have: the task's own values.
+  [[nodiscard]] Eigen::VectorXd own_parameters() const;
+  /// The true time of a time of the problem.
+  [[nodiscard]] double true_time(double t, const Eigen::VectorXd& p) const;
+
+  /// 2 n.
+  [[nodiscard]] int states() const override { return 2 * n_; }
+  /// See Problem.
+  [[nodiscard]] int parameters() const override;
+  /// See Problem.
+  [[nodiscard]] std::vector<double> points() const override { return points_; }
+  /// See Problem.
+  [[nodiscard]] int condition_count() const override;
+  /// See Problem.
+  void rhs(double t, const Eigen::VectorXd& z, const Eigen::VectorXd& p,
+           Eigen::VectorXd& dzdt) const override;
+  /// See Problem.
+  void jacobian(double t, const Eigen::VectorXd& z, const Eigen::VectorXd& p, Eigen::MatrixXd& by_state,
+                Eigen::MatrixXd& by_parameter) const override;
+  /// See Problem. First the begin, then the end by component, then the waypoints, then t_F.
+  void conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::VectorXd& r) const override;
+  /// See Problem.
+  void condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::MatrixXd& by_ends,
+                          Eigen::MatrixXd& by_parameter) const override;
+
+ private:
+  [[nodiscard]] bool time_is_unknown() const;
+  [[nodiscard]] std::optional<double> waypoint(std::size_t point, int component) const;
+
+  std::shared_ptr<const ControlModel> model_;
+  ControlTask task_;
+  int n_;
+  std::vector<double> points_;
+};
+
+/// What kind of stationary point an extremal is.
+enum class Kind : std::uint8_t {
+  untested,   ///< nobody asked
+  minimum,    ///< the second variation is positive
+  saddle,     ///< it has negative directions
+  degenerate  ///< its smallest eigenvalue is zero to the accuracy of the test
+};
+
+/// "minimum".
+[[nodiscard]] std::string_view to_string(Kind kind);
+
+/// The second variation of the cost on controls that are constant on equal pieces, reduced to those that keep
+/// the prescribed ends and waypoints.
+struct SecondOrder {
+  Kind kind = Kind::untested;  ///< by the eigenvalues
+  int negative = 0;            ///< eigenvalues below -tolerance
+  double least = 0;            ///< smallest eigenvalue, in units of integral |du|^2 dt
+  double tolerance = 0;        ///< 1e-6 times the largest one, or 1e-6 if that is larger
+};
+
+/// An extremal as a solution, and what it is worth.
+struct Extremal {
+  Solution solution;      ///< z = (x, lambda) in the time of the problem
+  double cost = 0;        ///< J without penalties (Eq. 5.2)
+  double final_time = 0;  ///< t_F
+  double mu = 0;          ///< mu
+  /// Largest distance of the integrated end from the prescribed x(t_F), absolute; NaN if it was not
+  /// integrated.
+  double miss = 0;
+  SecondOrder second_order;  ///< untested unless second_order() was asked
+};
+
+/// Solves the boundary value problem, verifies it by integration and evaluates the cost.
+///
+/// Tests hold the cost and control of a mass to the known parabola (1e-14, 1e-13), six cases of Duffing's
+/// oscillator to the costs (1e-10 of themselves) and co-states (1e-11) of a computation in 36 digits, and H
+/// along them to 1e-10.
+[[nodiscard]] Extremal solve_extremal(const ExtremalProblem& problem, const Start& start,
+                                      const Options& options = {});
+
+/// J of a solution, without penalties.
+[[nodiscard]] double cost_of(const ExtremalProblem& problem, const Solution& solution);
+
+/// The control at the time @p t of the problem.
+[[nodiscard]] Eigen::VectorXd control_at(const ExtremalProblem& problem, const Solution& solution, double t);
+
+/// H at the time @p t of the problem: constant along extremals of autonomous problems without waypoints.
+[[nodiscard]] double hamiltonian_at(const ExtremalProblem& problem, const Solution& solution, double t);
+
+/// Second-order test at a fixed final time, on so many pieces of the control. Where the control is clipped it
+/// is held. A negative direction is one of the continuous problem too; a positive result speaks for controls
+/// of this resolution.
+/// @param pieces 10 to 400
+[[nodiscard]] SecondOrder second_order(const ExtremalProblem& problem, const Solution& solution,
+                                       int pieces = 80);
+
+}  // namespace nlmech::bvp

@@ -1,0 +1,296 @@
+#include "nlmech/bvp/optimal_control/printed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "nlmech/bvp/newton/condensed.hpp"
+#include "nlmech/collocation/barycentric.hpp"
+#include "nlmech/collocation/differentiation.hpp"
+#include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// D on [0, 1]; empty if it is not finite.
+MatrixXd unit_derivative(const GlobalMethod& method) {
+  const VectorXd lgl = collocation::legendre_gauss_lobatto(method.nodes);
+  const VectorXd nodes = (lgl.array() + 1) / 2;
+  switch (method.derivative) {
+    case DerivativeMatrix::polynomial: return 2 * collocation::polynomial_differentiation_matrix(lgl);
+    case DerivativeMatrix::stable_gaussian:
+      return collocation::StableGaussian(nodes, method.relative_shape).differentiation_matrix();
+    case DerivativeMatrix::gaussian:
+    case DerivativeMatrix::gaussian_inverse: break;
+  }
+  const auto inversion = method.derivative == DerivativeMatrix::gaussian ? collocation::Inversion::solve
+                                                                         : collocation::Inversion::inverse;
+  return collocation::radial_differentiation(nodes, collocation::Kernel::gaussian, method.relative_shape,
+                                             inversion)
+      .matrix;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("global collocation: " + what);
+}
+
+}  // namespace
+
+std::string_view to_string(DerivativeMatrix which) {
+  switch (which) {
+    case DerivativeMatrix::gaussian: return "gaussian";
+    case DerivativeMatrix::gaussian_inverse: return "gaussian-inverse";
+    case DerivativeMatrix::stable_gaussian: return "stable-gaussian";
+    case DerivativeMatrix::polynomial: return "polynomial";
+  }
+  return "unknown";
+}
+
+GlobalCollocation::GlobalCollocation(const Problem& problem, GlobalMethod method)
+    : problem_(problem), method_(std::move(method)), n_(problem.states()), nodes_(method_.nodes) {
+  check_problem(problem);
+  if (problem.phases() != 1) refuse(fmt::format("{} phases; it takes one", problem.phases()));
+  if (problem.parameters() != 0) refuse(fmt::format("{} parameters; it takes none", problem.parameters()));
+  std::vector<bool> seen(static_cast<std::size_t>(n_)), taken(static_cast<std::size_t>(2 * n_));
+  for (const ReplacedRow& row : method_.rows) {
+    if (row.condition < 0 || row.condition >= n_ || row.component < 0 || row.component >= n_) {
+      refuse(fmt::format("no row for condition {} and component {}", row.condition, row.component));
+    }
+    seen[static_cast<std::size_t>(row.condition)] = true;
+    const auto place = 2 * static_cast<std::size_t>(row.component) + (row.at_end ? 1 : 0);
+    if (taken[place]) refuse(fmt::format("two conditions in the row of component {}", row.component));
+    taken[place] = true;
+  }
+  if (std::count(seen.begin(), seen.end(), true) != n_) {
+    refuse(fmt::format("{} rows do not place each of {} conditions", method_.rows.size(), n_));
+  }
+  d_ = unit_derivative(method_);
+  const std::vector<double> points = problem.points();
+  const double length = points.back() - points.front();
+  times_ = points.front() + length * (collocation::legendre_gauss_lobatto(method_.nodes).array() + 1) / 2;
+  if (d_.size() == 0) {
+    status_ = Status::failure(
+        Outcome::non_finite,
+        fmt::format("global collocation: the derivative matrix of {} nodes and shape c T = {} is not finite; "
+                    "choose a larger shape",
+                    method_.nodes, method_.relative_shape));
+    return;
+  }
+  d_ /= length;
+}
+
+VectorXd GlobalCollocation::unknowns(const Start& start) const {
+  VectorXd result(size()), x(n_);
+  for (Index j = 0; j < nodes_; ++j) {
+    start.states(times_[j], x);
+    for (Index k = 0; k < n_; ++k) result[k * nodes_ + j] = x[k];
+  }
+  return result;
+}
+
+MatrixXd GlobalCollocation::states(const VectorXd& unknowns) const {
+  return unknowns.reshaped(nodes_, n_).transpose();
+}
+
+MatrixXd GlobalCollocation::ends(const VectorXd& x) const {
+  MatrixXd result(n_, 2);
+  for (Index k = 0; k < n_; ++k) {
+    result(k, 0) = x[k * nodes_];
+    result(k, 1) = x[(k + 1) * nodes_ - 1];
+  }
+  return result;
+}
+
+VectorXd GlobalCollocation::condition_residuals(const VectorXd& unknowns) const {
+  VectorXd r(n_);
+  problem_.conditions(ends(unknowns), VectorXd(), r);
+  return r;
+}
+
+bool GlobalCollocation::is_replaced(Index row) const {
+  return std::any_of(method_.rows.begin(), method_.rows.end(),
+                     [&](const ReplacedRow& r) { return row_of(r) == row; });
+}
+
+Index GlobalCollocation::row_of(const ReplacedRow& row) const {
+  return row.component * nodes_ + (row.at_end ? nodes_ - 1 : 0);
+}
+
+void GlobalCollocation::residual(const VectorXd& x, VectorXd& f) {
+  VectorXd at(n_), slope(n_);
+  const auto values = x.reshaped(nodes_, n_);
+  f = (d_ * values).reshaped();
+  for (Index j = 0; j < nodes_; ++j) {
+    at = values.row(j).transpose();
+    problem_.rhs(times_[j], at, VectorXd(), slope);
+    for (Index k = 0; k < n_; ++k) f[k * nodes_ + j] -= slope[k];
+  }
+  const VectorXd r = condition_residuals(x);
+  for (const ReplacedRow& row : method_.rows) f[row_of(row)] = r[row.condition];
+}
+
+void GlobalCollocation::linearise(const VectorXd& x) {
+  matrix_ = MatrixXd::Zero(size(), size());
+  MatrixXd by_state(n_, n_), none(n_, 0);
+  for (Index k = 0; k < n_; ++k) matrix_.block(k * nodes_, k * nodes_, nodes_, nodes_) = d_;
+  VectorXd at(n_);
+  for (Index j = 0; j < nodes_; ++j) {
+    at = x.reshaped(nodes_, n_).row(j).transpose();
+    problem_.jacobian(times_[j], at, VectorXd(), by_state, none);
+    for (Index k = 0; k < n_; ++k) {
+      for (Index i = 0; i < n_; ++i) matrix_(k * nodes_ + j, i * nodes_ + j) -= by_state(k, i);
+    }
+  }
+  MatrixXd by_ends(n_, 2 * n_);
+  problem_.condition_jacobian(ends(x), VectorXd(), by_ends, none);
+  for (const ReplacedRow& row : method_.rows) {
+    const Index at_row = row_of(row);
+    matrix_.row(at_row).setZero();
+    for (Index i = 0; i < n_; ++i) {
+      matrix_(at_row, i * nodes_) = by_ends(row.condition, i);
+      matrix_(at_row, (i + 1) * nodes_ - 1) = by_ends(row.condition, n_ + i);
+    }
+  }
+}
+
+std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem) {
+  if (problem.model().states() != 2) {
+    throw std::invalid_argument(
+        fmt::format("printed_rows: {} states; the text has two", problem.model().states()));
+  }
+  const auto& begin = problem.task().begin;
+  const auto& end = problem.task().end;
+  // Components are x1, x2, lambda1, lambda2. Eq. 5.28, and by analogy x1x1, keep the rows of x1 and lambda2.
+  if (begin[0] && end[0]) return {{0, 1, false}, {1, 2, false}, {2, 1, true}, {3, 2, true}};
+  return {{0, begin[0] ? 0 : 2, false},
+          {1, begin[1] ? 1 : 3, false},
+          {2, end[0] ? 0 : 2, true},
+          {3, end[1] ? 1 : 3, true}};
+}
+
+namespace {
+
+/// The root as a solution: one interval, the polynomial through the values.
+Solution as_solution(const Problem& problem, const GlobalCollocation& equations, const VectorXd& root) {
+  const auto nodes = static_cast<int>(equations.times().size());
+  Solution s;
+  s.scheme = std::make_shared<const Scheme>(make_scheme(Family::lobatto_values, nodes, 1).scheme);
+  const double t0 = equations.times()[0], h = equations.times()[nodes - 1] - t0;
+  Interval interval{t0, h, 0, equations.states(root), MatrixXd::Zero(problem.states(), nodes)};
+  VectorXd f(problem.states()), x;
+  for (Index j = 0; j < nodes; ++j) {
+    x = interval.values.col(j);
+    problem.rhs(equations.times()[j], x, VectorXd(), f);
+    interval.slopes.col(j) = f;
+  }
+  s.unknowns.intervals.push_back(std::move(interval));
+  return s;
+}
+
+void judge(const Problem& problem, const GlobalCollocation& equations, double tolerance,
+           GlobalResult& result) {
+  Solution& s = result.extremal.solution;
+  const VectorXd& t = equations.times();
+  const MatrixXd& values = s.unknowns.intervals.front().values;
+  const VectorXd weight = (values.cwiseAbs().rowwise().maxCoeff().array() + 1).cwiseInverse();
+  MatrixXd& integrated = result.integrated;
+  integrated = values.col(0);
+  double worst = 0;
+  // In pieces: what is no solution mostly swings fast, and need not be integrated to the end.
+  constexpr Index piece = 6;
+  while (integrated.cols() < t.size() && worst <= tolerance) {
+    const Index done = integrated.cols(), next = std::min(done + piece, static_cast<Index>(t.size()));
+    const std::span<const double> times(t.data() + done - 1, static_cast<std::size_t>(next - done + 1));
+    const Integration next_piece = integrate_at(problem, integrated.rightCols(1), VectorXd(), times);
+    if (!next_piece.status.ok()) {
+      worst = std::numeric_limits<double>::infinity();
+      break;
+    }
+    integrated.conservativeResize(Eigen::NoChange, next);
+    integrated.rightCols(next - done) = next_piece.states.rightCols(next - done);
+    const MatrixXd off = values.leftCols(next) - integrated;
+    worst = (weight.asDiagonal() * off).cwiseAbs().maxCoeff();
+  }
+  if (integrated.cols() == t.size()) s.integrated_end = integrated.rightCols(1);
+  s.integration_error = worst;
+  if (worst <= tolerance) return;
+  s.status = Status::failure(
+      Outcome::spurious_root,
+      fmt::format(
+          "global collocation: the root of the equations is no solution: integrated from its own initial "
+          "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
+          "with refinement, or start elsewhere",
+          worst, tolerance));
+}
+
+}  // namespace
+
+namespace {
+
+algebraic::Report iterate(algebraic::Equations& equations, VectorXd& x, bool damped, int iterations) {
+  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
+  constexpr double tolerance = 1e-9, noise = 1e-7;
+  if (!damped) {
+    return find_root(algebraic::Newton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                     equations, x);
+  }
+  return find_root(algebraic::DampedNewton{.tolerance = tolerance, .noise = noise, .iterations = iterations},
+                   equations, x);
+}
+
+}  // namespace
+
+GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& method, const Start& start,
+                          double verification_tolerance, bool damped, int iterations) {
+  GlobalResult result;
+  GlobalCollocation equations(problem, method);
+  Solution& s = result.extremal.solution;
+  s.status = equations.status();
+  if (!s.status.ok()) return result;
+  VectorXd x = equations.unknowns(start);
+  if (method.condensed.empty()) {
+    result.report = iterate(equations, x, damped, iterations);
+  } else {
+    CondensedCollocation condensed(problem, equations, method.condensed);
+    VectorXd some = condensed.reduced(x);
+    result.report = iterate(condensed, some, damped, iterations);
+    x = condensed.expanded(some);
+  }
+  if (!x.allFinite()) {
+    s.status =
+        result.report.status.ok()
+            ? Status::failure(Outcome::non_finite, "global collocation: Newton's iterate is not finite")
+            : result.report.status;
+    return result;
+  }
+  s = as_solution(problem, equations, x);
+  s.status = result.report.status;
+  s.statistics = result.report.statistics;
+  result.conditions = equations.condition_residuals(x);
+  result.extremal.final_time = problem.task().final_time;
+  result.extremal.mu = problem.task().mu;
+  result.extremal.cost = cost_of(problem, s);
+  result.extremal.miss = std::numeric_limits<double>::quiet_NaN();
+  if (!s.status.ok()) return result;
+  judge(problem, equations, verification_tolerance, result);
+  if (s.integrated_end.size() == 0) return result;
+  result.extremal.miss = 0;
+  for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
+    const auto& value = problem.task().end[i];
+    const auto row = static_cast<Index>(i);
+    if (value)
+      result.extremal.miss = std::max(result.extremal.miss, std::abs(s.integrated_end[row] - *value));
+  }
+  return result;
+}
+
+}  // namespace nlmech::bvp

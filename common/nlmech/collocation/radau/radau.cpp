@@ -1,0 +1,52 @@
+#include "nlmech/collocation/radau/radau.hpp"
+
+#include "nlmech/collocation/integration.hpp"
+#include "nlmech/collocation/nodes.hpp"
+
+namespace nlmech::collocation {
+namespace {
+
+/// P_0(x) to P_{s-1}(x).
+template <int s>
+Eigen::Matrix<long double, s, 1> legendre_values(long double x) {
+  Eigen::Matrix<long double, s, 1> p;
+  p[0] = 1;
+  if constexpr (s > 1) p[1] = x;
+  for (int k = 2; k < s; ++k) p[k] = ((2 * k - 1) * x * p[k - 1] - (k - 1) * p[k - 2]) / k;
+  return p;
+}
+
+template <int s>
+Radau<s> make() {
+  const Vector<long double> x = radau_right<long double>(s);
+  const Matrix<long double> a = integration_matrix(x) / 2;
+  Radau<s> r;
+  r.nodes = ((x.array() + 1) / 2).matrix().template cast<double>();
+  r.integral = a.template cast<double>();
+  r.twice = (a * a).eval().template cast<double>();
+  // The quadrature is exact to degree 2s - 2, and so is the discrete orthogonality of the P_k.
+  Eigen::Matrix<long double, s, s> values, legendre;
+  for (int j = 0; j < s; ++j) values.col(j) = legendre_values<s>(x[j]);
+  for (int k = 0; k < s; ++k) legendre.row(k) = (2 * k + 1) * values.row(k).cwiseProduct(a.row(s - 1));
+  r.legendre = legendre.template cast<double>();
+  const Eigen::Matrix<long double, s, 1> begin = legendre_values<s>(-1);
+  r.left = (legendre.transpose() * begin).template cast<double>();
+  return r;
+}
+
+}  // namespace
+
+template <int s>
+const Radau<s>& radau() {
+  static const Radau<s> tables = make<s>();
+  return tables;
+}
+
+template const Radau<3>& radau<3>();
+template const Radau<5>& radau<5>();
+template const Radau<7>& radau<7>();
+template const Radau<8>& radau<8>();
+template const Radau<12>& radau<12>();
+template const Radau<16>& radau<16>();
+
+}  // namespace nlmech::collocation

@@ -1,0 +1,79 @@
+/// @file
+/// How accurate a run is near its end: an error that lucky cancellation at a single time does not flatter.
+#pragma once
+
+#include <deque>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "nlmech/comparison/commands/example.hpp"
+#include "nlmech/comparison/reference/reference_end.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::comparison {
+
+/// Ends of steps in the last tenth of the way: the first beyond each of 16 equidistant times, and the last 16
+/// of all, if that makes fewer, for methods of long steps. What 16 runs to these times would give.
+template <int n>
+class LastEnds {
+ public:
+  /// The end of a step.
+  struct End {
+    double t;         ///< time
+    ivp::State<n> x;  ///< state
+  };
+  /// For a run from t0 to t1 > t0.
+  LastEnds(double t0, double t1) : t0_(t0), t1_(t1) {}
+
+  /// An observer; true.
+  bool see(const ivp::Step<n>& step) {
+    if (step.t1 >= target()) {
+      spread_.push_back({step.t1, step.x1});
+      while (passed_ < count && step.t1 >= target()) ++passed_;
+    }
+    last_.push_back({step.t1, step.x1});
+    if (last_.size() > count) last_.pop_front();
+    return true;
+  }
+  /// The ends, in the order of time.
+  [[nodiscard]] const std::deque<End>& get() const { return spread_.size() < count ? last_ : spread_; }
+
+ private:
+  static constexpr std::size_t count = 16;
+  [[nodiscard]] double target() const {
+    if (passed_ == count) return std::numeric_limits<double>::infinity();
+    return t1_ - (t1_ - t0_) / 10 * static_cast<double>(count - 1 - passed_) / (count - 1);
+  }
+  double t0_, t1_;
+  std::size_t passed_ = 0;
+  std::deque<End> spread_, last_;
+};
+
+/// What a run came to.
+struct Accuracy {
+  Status status;                ///< how it ended
+  std::optional<double> error;  ///< median of the example's error over LastEnds; nothing if it failed
+  Statistics work;              ///< what it cost
+};
+
+/// Runs an example to its end.
+template <int n>
+[[nodiscard]] Accuracy accuracy_of(const Example<n>& c, const ivp::NamedIntegrator<n>& run,
+                                   const ivp::Limits& limits) {
+  LastEnds<n> seen(c.t0, c.t1);
+  const auto observe = [&seen](const ivp::Step<n>& step) { return seen.see(step); };
+  const ivp::Solution<n> end = run(c.system, c.x0, c.t0, c.t1, observe, limits);
+  Accuracy accuracy{end.status, {}, end.statistics};
+  if (!end.status.ok()) return accuracy;
+  std::vector<double> errors;
+  for (const auto& e : seen.get()) {
+    const Vector<long double, n> truth = c.reference(e.t);
+    errors.push_back(c.error ? c.error(e.x, truth) : relative_error<n>(e.x, truth, c.amplitude));
+  }
+  accuracy.error = median(errors);
+  return accuracy;
+}
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,60 @@
+#include "nlmech/comparison/cost/contenders.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/peers/ivp/registry.hpp"
+
+namespace nlmech::comparison {
+
+std::string Contender::label() const {
+  if (points) return fmt::format("{}, p = {}", name, *points);
+  return nodes ? fmt::format("{}, N = {}", name, *nodes) : name;
+}
+
+Contender by_steps(const std::string& name, std::optional<int> nodes, Kind kind, double scale,
+                   std::span<const double> factors, bool quick, double shape) {
+  Contender c{name, nodes, kind, {}};
+  for (std::size_t i = 0; i < factors.size(); i += quick ? 2 : 1) {
+    ivp::Settings s{.step = scale * factors[i], .nodes = nodes};
+    if (shape > 0) s.shape = shape / *s.step;
+    c.settings.push_back({fmt::format("step {:.4g}", *s.step), s});
+  }
+  return c;
+}
+
+Contender by_tolerances(const std::string& name, Kind kind, bool quick) {
+  Contender c{name, {}, kind, {}};
+  for (int power = 4; power <= (quick ? 8 : 13); power += quick ? 4 : 1) {
+    ivp::Settings s{.tolerance = std::pow(10, -power)};
+    c.settings.push_back({fmt::format("tolerance {:.0e}", *s.tolerance), s});
+  }
+  return c;
+}
+
+std::vector<Contender> all_peers(bool quick) {
+  std::vector<Contender> all;
+  for (const bool implicit : {false, true}) {
+    for (const std::string& name : peers::all_peer_names()) {
+      if (peers::peer_is_implicit(name) != implicit) continue;
+      all.push_back(by_tolerances(name, implicit ? Kind::implicit : Kind::explicit_, quick));
+      if (!peers::peer_available(name)) all.back().settings.clear();
+    }
+  }
+  return all;
+}
+
+template <int n>
+ivp::NamedIntegrator<n> integrator(const Contender& contender, const Setting& setting) {
+  return any_integrator<n>(any_method(contender.name), setting.settings);
+}
+
+template ivp::NamedIntegrator<2> integrator<2>(const Contender&, const Setting&);
+template ivp::NamedIntegrator<3> integrator<3>(const Contender&, const Setting&);
+template ivp::NamedIntegrator<4> integrator<4>(const Contender&, const Setting&);
+template ivp::NamedIntegrator<6> integrator<6>(const Contender&, const Setting&);
+template ivp::NamedIntegrator<Eigen::Dynamic> integrator<Eigen::Dynamic>(const Contender&, const Setting&);
+
+}  // namespace nlmech::comparison

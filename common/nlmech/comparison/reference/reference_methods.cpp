@@ -1,0 +1,127 @@
+#include "nlmech/comparison/reference/reference_methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/peers/ivp/registry.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// One of the methods that references are made of.
+struct Judge {
+  std::string_view name;
+  double least_tolerance;    ///< below which it gains nothing
+  std::int64_t most_steps;   ///< in some fifth of a second
+  bool is_explicit = false;  ///< its steps do not grow once a problem has shown its stiffness
+  bool second_order_only = false;
+};
+
+constexpr std::array judges = {
+    Judge{"series", 1e-16, 50'000, true},       Judge{"adaptive-collocation", 1e-13, 20'000},
+    Judge{"odeint-rosenbrock4", 1e-12, 60'000}, Judge{"odeint-fehlberg78", 1e-13, 150'000, true},
+    Judge{"cvode-bdf", 1e-12, 100'000},         Judge{"gsl-rk8pd", 1e-13, 150'000, true},
+    Judge{"laier", 1e-12, 60'000, false, true}};
+
+bool is_here(const Judge& judge, bool second_order) {
+  if (judge.second_order_only && !second_order) return false;
+  return !peers::is_peer(judge.name) || peers::peer_available(judge.name);
+}
+
+/// Ends an explicit method that is too slow to arrive: one that, after a twentieth of its steps, has made
+/// less than a twentieth of the way that they would have to.
+template <int n>
+class Pace {
+ public:
+  Pace(const Judge& judge, const Way& way, std::int64_t most)
+      : judge_(judge), t0_(way.t0), way_(way.times.back() - way.t0), most_(static_cast<double>(most)) {}
+  /// An observer of all segments; empty for methods whose steps may yet grow.
+  [[nodiscard]] ivp::Observer<n> observer() {
+    if (!judge_.is_explicit) return {};
+    return [this](const ivp::Step<n>& step) {
+      ++steps_;
+      return steps_ < most_ / 20 || 20 * std::abs(step.t1 - t0_) >= std::abs(way_) * steps_ / most_;
+    };
+  }
+
+ private:
+  const Judge& judge_;
+  double t0_, way_, most_, steps_ = 0;
+};
+
+/// The states at all times, the method begun anew at each.
+template <int n>
+Status states_by(const ivp::NamedIntegrator<n>& run, const ivp::System<n>& system, const Way& way,
+                 const ivp::Observer<n>& observer, const ivp::Limits& limits, StatesAt& states) {
+  const Stopwatch watch;
+  states.resize(way.x0.size(), static_cast<Eigen::Index>(way.times.size()));
+  ivp::Limits left = limits;
+  ivp::State<n> x = way.x0.template cast<double>();
+  double t = way.t0;
+  for (std::size_t k = 0; k < way.times.size(); ++k) {
+    left.seconds = limits.seconds - watch.seconds();
+    ivp::Solution<n> end = run(system, x, t, way.times[k], observer, left);
+    if (end.status.outcome() == Outcome::interrupted)
+      return Status::failure(Outcome::step_limit, "an explicit method takes too many steps");
+    if (!end.status.ok()) return end.status;
+    left.steps -= end.statistics.steps + end.statistics.rejected;
+    x = end.x;
+    t = way.times[k];
+    for (Eigen::Index i = 0; i < x.size(); ++i) states(i, static_cast<Eigen::Index>(k)) = x[i];
+  }
+  return {};
+}
+
+/// By absolute tolerances for components that decay, then by those needed.
+template <int n>
+Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& needed, double work,
+                const Way& way, double seconds, StatesAt& states) {
+  const Stopwatch watch;
+  const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
+  const double loose = std::max(needed.absolute / 10, relative * 1e-2);
+  const auto steps = static_cast<std::int64_t>(work * static_cast<double>(judge.most_steps));
+  Status status;
+  for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
+    try {
+      const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
+      Pace<n> pace(judge, way, steps);
+      status = states_by<n>(any_integrator<n>(any_method(judge.name), settings), system, way, pace.observer(),
+                            {.steps = steps, .seconds = seconds - watch.seconds()}, states);
+    } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
+      status = Status::failure(Outcome::outside_validity, error.what());
+    }
+    if (status.ok() || status.outcome() == Outcome::time_limit) break;
+  }
+  return status;
+}
+
+}  // namespace
+
+template <int n>
+std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Needed& needed,
+                                         const Effort& effort) {
+  std::vector<Candidate> all;
+  for (const Judge& judge : judges) {
+    if (!is_here(judge, system.second_order())) continue;
+    all.push_back({std::string(judge.name), "", false,
+                   [=, work = effort.work](const Way& way, double seconds, StatesAt& states) {
+                     return by_judge<n>(judge, system, needed, work, way, seconds, states);
+                   }});
+  }
+  return all;
+}
+
+template std::vector<Candidate> method_candidates<1>(const ivp::System<1>&, const Needed&, const Effort&);
+template std::vector<Candidate> method_candidates<2>(const ivp::System<2>&, const Needed&, const Effort&);
+template std::vector<Candidate> method_candidates<3>(const ivp::System<3>&, const Needed&, const Effort&);
+template std::vector<Candidate> method_candidates<4>(const ivp::System<4>&, const Needed&, const Effort&);
+template std::vector<Candidate> method_candidates<6>(const ivp::System<6>&, const Needed&, const Effort&);
+template std::vector<Candidate> method_candidates<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
+                                                                  const Needed&, const Effort&);
+
+}  // namespace nlmech::comparison

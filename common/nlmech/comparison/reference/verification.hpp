@@ -1,0 +1,61 @@
+/// @file
+/// A run verified by integration: its states beside a reference, measured in tolerances and by what the
+/// problem makes of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/amplification.hpp"
+#include "nlmech/comparison/reference/reference.hpp"
+
+namespace nlmech::comparison {
+
+/// A component is right if it is off by no more than so many tolerances: steps are many, and their errors add
+/// up. Well made methods stay below twenty over some ten periods of an oscillator, multistep methods below a
+/// hundred; methods that underrate the errors of their steps do not (tests/comparison).
+inline constexpr double most_tolerances = 100;
+/// Or by no more than so many times what the problem makes of a single error of one tolerance on the way.
+inline constexpr double most_amplified = 10;
+
+/// What came out.
+struct Verification {
+  /// How it ended.
+  enum class Verdict {
+    right,         ///< within most_tolerances, or within most_amplified of what the problem makes of one
+    wrong,         ///< beyond it
+    undetermined,  ///< the problem multiplies one tolerance to the size of the solution: no digit is
+                   ///< determined
+    unknown        ///< there is no reference that could tell: see reason
+  };
+  Verdict verdict = Verdict::unknown;  ///< how it ended
+  double t = 0;                        ///< where the run is furthest off, compared with what is allowed
+  int component = 0;                   ///< and in which component, from 0
+  double error = 0;                    ///< how far off it is there
+  double doubt = 0;                    ///< how far off the reference may be
+  double tolerances = 0;               ///< the same in tolerances
+  double allowed = most_tolerances;    ///< how many of them are let pass there
+  double growth = 1;                   ///< how much one tolerance grows up to there
+  std::string reason;                  ///< of unknown, in words
+};
+
+/// What is verified.
+struct Verified {
+  std::vector<double> times;  ///< of the reference, in the direction of travel; the last is the end
+  Eigen::MatrixXd states;     ///< what the run has at these times; columns of NaN where it was not asked
+  Tolerance tolerance;        ///< of the run
+};
+
+/// The number of times at which rows of a run are verified, at most; the end besides.
+inline constexpr int most_verified = 48;
+
+/// Compares a run with a reference. The problem's condition is computed only if the run is off by more than
+/// most_tolerances.
+/// @param reference at run.times
+/// @param effort for the condition
+template <int n>
+[[nodiscard]] Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+                                  const Verified& run, const Reference& reference, const Effort& effort);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,230 @@
+#include "nlmech/peers/ivp/gsl/gsl.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "nlmech/ivp/failures.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+/// GSL's own error handler ends the program. While one of these lives, in any thread, errors are return
+/// codes; the last one puts the handler back that the program had. bsimp does not look at the code with which
+/// the solution of a singular system fails, and goes on with numbers that mean nothing: that error is noted.
+class ErrorsAsCodes {
+ public:
+  ErrorsAsCodes() {
+    const std::lock_guard lock(shared().mutex);
+    if (shared().living++ == 0) shared().before = gsl_set_error_handler(&note);
+  }
+  ~ErrorsAsCodes() {
+    const std::lock_guard lock(shared().mutex);
+    if (--shared().living == 0) gsl_set_error_handler(shared().before);
+  }
+  ErrorsAsCodes(const ErrorsAsCodes&) = delete;
+  ErrorsAsCodes& operator=(const ErrorsAsCodes&) = delete;
+
+  /// Has this thread met a singular matrix since it last asked?
+  [[nodiscard]] static bool met_singular_matrix() { return std::exchange(singular(), false); }
+
+ private:
+  struct Shared {
+    std::mutex mutex;
+    int living = 0;
+    gsl_error_handler_t* before = nullptr;
+  };
+  static Shared& shared() {
+    static Shared state;  // as the handler that it guards: one for the program
+    return state;
+  }
+  static bool& singular() {
+    thread_local bool met = false;
+    return met;
+  }
+  static void note(const char* reason, const char* /*file*/, int /*line*/, int /*code*/) noexcept {
+    if (std::strcmp(reason, "matrix is singular") == 0) singular() = true;
+  }
+};
+
+/// Code of our callbacks for an f that is not finite: not GSL_EBADFUNC, so that GSL tries a shorter step. GSL
+/// itself accepts a step to NaN, since no comparison with NaN finds the error too large.
+constexpr int not_finite = GSL_EDOM;
+
+const gsl_odeiv2_step_type* step_type(Gsl::Formula formula) {
+  switch (formula) {
+    case Gsl::Formula::rkf45: return gsl_odeiv2_step_rkf45;
+    case Gsl::Formula::bsimp: return gsl_odeiv2_step_bsimp;
+    case Gsl::Formula::msadams: return gsl_odeiv2_step_msadams;
+    case Gsl::Formula::msbdf: return gsl_odeiv2_step_msbdf;
+    case Gsl::Formula::rk8pd: break;
+  }
+  return gsl_odeiv2_step_rk8pd;
+}
+
+struct Callbacks {
+  explicit Callbacks(Equations& e) : equations(e), jacobian_by_columns(square(e.size())) {}
+  static std::size_t square(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); }
+
+  static int rhs(double t, const double* x, double* f, void* data) noexcept {
+    auto& self = *static_cast<Callbacks*>(data);
+    return self.exceptions.keep(GSL_EBADFUNC, [&] {
+      self.equations.rhs(t, x, f);
+      return self.equations.check(f) ? GSL_SUCCESS : not_finite;
+    });
+  }
+  static int jacobian(double t, const double* x, double* by_rows, double* dfdt, void* data) noexcept {
+    auto& self = *static_cast<Callbacks*>(data);
+    return self.exceptions.keep(GSL_EBADFUNC, [&] {
+      const int n = self.equations.size();
+      self.equations.jacobian(t, x, self.jacobian_by_columns.data());
+      self.equations.time_derivative(t, x, dfdt);
+      Eigen::Map<Eigen::MatrixXd>(by_rows, n, n) =
+          Eigen::Map<const Eigen::MatrixXd>(self.jacobian_by_columns.data(), n, n).transpose();
+      return all_finite(by_rows, n * n) && all_finite(dfdt, n) ? GSL_SUCCESS : not_finite;
+    });
+  }
+
+  Equations& equations;
+  std::vector<double> jacobian_by_columns;
+  Rethrower exceptions;
+};
+
+class GslStepper final : public PeerStepper {
+ public:
+  GslStepper(Equations& equations, const Gsl& method)
+      : name_(method.name()),
+        by_shorter_step_(method.formula != Gsl::Formula::msbdf),
+        tolerances_{method.relative_tolerance, method.absolute_tolerance},
+        callbacks_(equations),
+        system_{&Callbacks::rhs, &Callbacks::jacobian, static_cast<std::size_t>(equations.size()),
+                &callbacks_},
+        driver_(gsl_odeiv2_driver_alloc_y_new(&system_, step_type(method.formula), 1e-6, tolerances_.absolute,
+                                              tolerances_.relative)),
+        shorter_(gsl_odeiv2_step_alloc(
+            step_type(method.formula == Gsl::Formula::msadams ? Gsl::Formula::rk8pd : method.formula),
+            system_.dimension)),
+        x0_(system_.dimension),
+        x1_(system_.dimension),
+        f0_(system_.dimension),
+        f1_(system_.dimension) {
+    if (!driver_ || !shorter_) throw std::bad_alloc();
+  }
+
+  Status begin(double t, const double* x, double end) override {
+    gsl_odeiv2_evolve_reset(driver_->e);
+    gsl_odeiv2_step_reset(driver_->s);
+    std::copy_n(x, x1_.size(), x1_.begin());
+    t1_ = t;
+    end_ = end;
+    rejected_ = 0;
+    callbacks_.equations.rhs(t, x, f1_.data());
+    if (!callbacks_.equations.check(f1_.data())) return non_finite_rhs(name_, t, end - t);
+    h_ = initial_step(t, x, f1_.data(), callbacks_.equations.size(), end, tolerances_);
+    return {};
+  }
+
+  Attempt attempt(double* x, Statistics& statistics) override {
+    t0_ = t1_;
+    x0_ = x1_;
+    double t = t1_;
+    (void)ErrorsAsCodes::met_singular_matrix();  // of dense output, or of others
+    const int code =
+        gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t, end_, &h_, x1_.data());
+    callbacks_.exceptions.rethrow();
+    const auto rejected = static_cast<std::int64_t>(driver_->e->failed_steps);
+    statistics.rejected += rejected - rejected_;
+    rejected_ = rejected;
+    if (ErrorsAsCodes::met_singular_matrix()) return halved();
+    if (code == not_finite) return {Attempt::Result::failed, t0_, h_, non_finite_rhs(name_, t0_, h_)};
+    // After a failure GSL may leave t and x at the step that it did not accept; the walk has its own.
+    if (code != GSL_SUCCESS) return {Attempt::Result::failed, t0_, h_, ivp::step_underflow(name_, t0_, h_)};
+    t1_ = t;
+    std::copy(x1_.begin(), x1_.end(), x);
+    return {Attempt::Result::accepted, t, driver_->e->last_step, {}};
+  }
+
+  void at(double t, double* x) override {
+    const Uncounted uncounted(callbacks_.equations);
+    if (t == t0_ || t == t1_) {
+      std::copy_n((t == t0_ ? x0_ : x1_).begin(), x0_.size(), x);
+    } else if (!by_shorter_step_ || !shorter_step(t, x)) {
+      cubic(t, x);
+    }
+  }
+
+  void add_counters(Statistics& /*statistics*/) const override {}  // GSL counts no factorisations
+
+ private:
+  /// State at @p t by a step from the begin of the latest; false if GSL fails there.
+  bool shorter_step(double t, double* x) {
+    std::copy(x0_.begin(), x0_.end(), x);
+    gsl_odeiv2_step_reset(shorter_.get());
+    (void)ErrorsAsCodes::met_singular_matrix();
+    const int code =
+        gsl_odeiv2_step_apply(shorter_.get(), t0_, t - t0_, x, f1_.data(), nullptr, nullptr, &system_);
+    callbacks_.exceptions.rethrow();
+    return code == GSL_SUCCESS && !ErrorsAsCodes::met_singular_matrix() &&
+           all_finite(x, callbacks_.equations.size());
+  }
+
+  /// State at @p t by the cubic through both ends of the latest step.
+  void cubic(double t, double* x) {
+    callbacks_.equations.rhs(t0_, x0_.data(), f0_.data());
+    callbacks_.equations.rhs(t1_, x1_.data(), f1_.data());
+    const double h = t1_ - t0_, s = (t - t0_) / h, r = 1 - s;
+    for (std::size_t i = 0; i < x0_.size(); ++i) {
+      x[i] =
+          r * r * (1 + 2 * s) * x0_[i] + s * s * (3 - 2 * s) * x1_[i] + h * s * r * (r * f0_[i] - s * f1_[i]);
+    }
+  }
+
+  /// After a step with a singular matrix: back, and on with half of it.
+  Attempt halved() {
+    const double tried = driver_->e->last_step;
+    gsl_odeiv2_evolve_reset(driver_->e);  // else it goes on with the slope at the end of the false step
+    gsl_odeiv2_step_reset(driver_->s);
+    rejected_ = 0;
+    x1_ = x0_;
+    h_ = tried / 2;
+    if (t1_ + h_ != t1_) return {Attempt::Result::rejected, t1_, tried, {}};
+    return {Attempt::Result::failed, t1_, tried,
+            ivp::step_not_solved(name_, Outcome::singular_matrix, t1_, tried, 1)};
+  }
+
+  struct Free {
+    void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
+    void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
+  };
+
+  ErrorsAsCodes errors_as_codes_;
+  std::string_view name_;
+  bool by_shorter_step_;
+  Tolerances tolerances_;
+  Callbacks callbacks_;
+  gsl_odeiv2_system system_;
+  std::unique_ptr<gsl_odeiv2_driver, Free> driver_;
+  std::unique_ptr<gsl_odeiv2_step, Free> shorter_;
+  std::vector<double> x0_, x1_, f0_, f1_;
+  double t0_ = 0, t1_ = 0, end_ = 0, h_ = 0;
+  std::int64_t rejected_ = 0;
+};
+
+}  // namespace
+
+bool gsl_available() noexcept { return true; }
+
+Status integrate_by_gsl(Run& run, const Gsl& method) {
+  require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
+  GslStepper stepper(run.equations, method);
+  return walk(method.name(), stepper, run);
+}
+
+}  // namespace nlmech::peers

@@ -1,0 +1,23 @@
+#include <stdexcept>
+
+#include "nlmech/peers/ivp/odeint/odeint.hpp"
+
+namespace nlmech::peers {
+
+bool odeint_available() noexcept { return false; }
+
+Status integrate_by_odeint(Run&, const Odeint&) {
+  throw std::logic_error("this build has no Odeint (NLMECH_PEERS)");
+}
+
+template <int n>
+Status integrate_by_odeint(EquationsOf<ivp::System<n>>&, Run& run, const Odeint& method) {
+  return integrate_by_odeint(run, method);
+}
+template Status integrate_by_odeint(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
+template Status integrate_by_odeint(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
+template Status integrate_by_odeint(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
+template Status integrate_by_odeint(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
+template Status integrate_by_odeint(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
+
+}  // namespace nlmech::peers

@@ -1,0 +1,13 @@
+#include <stdexcept>
+
+#include "nlmech/peers/ivp/sundials/arkode.hpp"
+
+namespace nlmech::peers {
+
+bool arkode_available() noexcept { return false; }
+
+Status integrate_by_arkode(Run&, const Arkode&) {
+  throw std::logic_error("this build has no ARKODE (NLMECH_PEERS)");
+}
+
+}  // namespace nlmech::peers
