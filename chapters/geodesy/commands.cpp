@@ -2,16 +2,17 @@
 
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "nlmech/geodesy/perturbation.hpp"
 #include "nlmech/geodesy/reverse_transform.hpp"
-#include "nlmech/scene/program/command_line.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/options.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::geodesy {
@@ -25,10 +26,27 @@ constexpr double degree = std::numbers::pi / 180;
 const std::vector<std::string> cartesian_names = {"x", "y", "z"};
 const std::vector<std::string> geodetic_names = {"latitude_deg", "longitude_deg", "height_m"};
 
+/// What was typed.
 struct Request {
-  std::string file = "-", ellipsoid = "wgs84", method = "fast", height = "series";
-  int order = 4;
+  std::string file = "-", ellipsoid = "wgs84", method = "fast", height;
+  std::optional<int> order;
 };
+
+void declare_forward(scene::Options& options, Request& request) {
+  options.add("--ellipsoid", request.ellipsoid, "wgs84, or equatorial radius in metres and flattening: A,F");
+  options.add("file", request.file, "CSV file; - is standard input");
+}
+
+void declare_reverse(scene::Options& options, Request& request) {
+  options.add("--method", request.method, "full precision, or the series").one_of({"fast", "series"});
+  options.add("--order", request.order, "order of the series, 4 without it")
+      .range(1, nlmech::geodesy::highest_order);
+  options
+      .add("--height", request.height,
+           "height from the series, as without it, or by projection on the normal")
+      .one_of({"series", "projection"});
+  declare_forward(options, request);
+}
 
 /// "wgs84", or equatorial radius and flattening: "6378137,0.00335" or "6378137,1/298.25".
 Ellipsoid parse_ellipsoid(const std::string& text) {
@@ -69,13 +87,13 @@ class CsvWriter {
 };
 
 /// A result that misses its point by more than a metre is worth a word.
-void warn_of_miss(double miss, std::size_t line, const Request& request) {
+void warn_of_miss(double miss, std::size_t line, int order) {
   if (miss <= 1) return;
   scene::tell(
       fmt::format("geodesy: warning: the series of order {} misses the point of line {} by {:.2g} m; a "
                   "higher order misses "
                   "by less",
-                  request.order, line, miss));
+                  order, line, miss));
 }
 
 /// The points of the user's file by column, and what to call the file.
@@ -107,9 +125,10 @@ std::string reverse_fast(const Input& in, const Ellipsoid& ellipsoid) {
 }
 
 std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const Request& request) {
-  const nlmech::geodesy::PerturbationSeries method{
-      request.order, request.height == "series" ? nlmech::geodesy::HeightFrom::series
-                                                : nlmech::geodesy::HeightFrom::projection};
+  using enum nlmech::geodesy::HeightFrom;
+  const int order = request.order.value_or(4);
+  const nlmech::geodesy::PerturbationSeries method{order,
+                                                   request.height == "projection" ? projection : series};
   CsvWriter out(geodetic_names);
   double largest_miss = 0;
   std::size_t largest_line = 0;
@@ -121,7 +140,7 @@ std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const
           found.outcome,
           fmt::format("{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}) m; use "
                       "--method fast, which holds everywhere",
-                      in.name, in.points.line[i], request.order, p.x, p.y, p.z)));
+                      in.name, in.points.line[i], order, p.x, p.y, p.z)));
     }
     if (found.miss > largest_miss) {
       largest_miss = found.miss;
@@ -129,11 +148,16 @@ std::string reverse_by_series(const Input& in, const Ellipsoid& ellipsoid, const
     }
     out.add(found.position.latitude / degree, found.position.longitude / degree, found.position.height);
   }
-  warn_of_miss(largest_miss, largest_line, request);
+  warn_of_miss(largest_miss, largest_line, order);
   return out.text();
 }
 
-void reverse(const Request& request) {
+std::string reverse(const Request& request) {
+  const std::string belongs = "belongs to the series; add --method series, or leave it out";
+  if (request.method == "fast" && request.order)
+    throw InputError(fmt::format("--order {}: {}", *request.order, belongs));
+  if (request.method == "fast" && !request.height.empty())
+    throw InputError(fmt::format("--height {}: {}", request.height, belongs));
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
   try {
     static_cast<void>(nlmech::geodesy::ClosestPoint(ellipsoid));
@@ -141,11 +165,10 @@ void reverse(const Request& request) {
     throw InputError(fmt::format("--ellipsoid {}: {}", request.ellipsoid, error.what()));
   }
   const Input in = read_input(request, cartesian_names);
-  scene::print_result(request.method == "fast" ? reverse_fast(in, ellipsoid)
-                                               : reverse_by_series(in, ellipsoid, request));
+  return request.method == "fast" ? reverse_fast(in, ellipsoid) : reverse_by_series(in, ellipsoid, request);
 }
 
-void forward(const Request& request) {
+std::string forward(const Request& request) {
   const Ellipsoid ellipsoid = parse_ellipsoid(request.ellipsoid);
   const auto [name, points] = read_input(request, geodetic_names);
   CsvWriter out(cartesian_names);
@@ -163,48 +186,14 @@ void forward(const Request& request) {
     }
     out.add(p.x, p.y, p.z);
   }
-  scene::print_result(out.text());
-}
-
-void add_common(CLI::App& command, Request& request) {
-  command
-      .add_option("--ellipsoid", request.ellipsoid,
-                  "wgs84, or equatorial radius in metres and flattening: A,F")
-      ->capture_default_str();
-  command.add_option("file", request.file, "CSV file; - is standard input")->capture_default_str();
+  return out.text();
 }
 
 }  // namespace
 
-void commands(CLI::App& app) {
-  const auto request = std::make_shared<Request>();  // lives as long as the callbacks
-
-  CLI::App* to_geodetic =
-      app.add_subcommand("reverse", "x,y,z in metres to latitude_deg,longitude_deg,height_m");
-  to_geodetic->add_option("--method", request->method, "fast (full precision), or the series")
-      ->check(CLI::IsMember({"fast", "series"}))
-      ->capture_default_str();
-  to_geodetic->add_option("--order", request->order, "order of the series")
-      ->check(CLI::Range(1, nlmech::geodesy::highest_order))
-      ->capture_default_str();
-  to_geodetic
-      ->add_option("--height", request->height, "height from the series or by projection on the normal")
-      ->check(CLI::IsMember({"series", "projection"}))
-      ->capture_default_str();
-  add_common(*to_geodetic, *request);
-  to_geodetic->callback([request, to_geodetic] {
-    for (const char* option : {"--order", "--height"}) {
-      if (request->method == "fast" && to_geodetic->count(option) > 0)
-        throw InputError(
-            fmt::format("{}: belongs to the series; add --method series, or leave it out", option));
-    }
-    reverse(*request);
-  });
-
-  CLI::App* to_cartesian =
-      app.add_subcommand("forward", "latitude_deg,longitude_deg,height_m to x,y,z in metres");
-  add_common(*to_cartesian, *request);
-  to_cartesian->callback([request] { forward(*request); });
+void commands(scene::Commands& all) {
+  all.add("reverse", "x,y,z in metres to latitude_deg,longitude_deg,height_m", declare_reverse, reverse);
+  all.add("forward", "latitude_deg,longitude_deg,height_m to x,y,z in metres", declare_forward, forward);
 }
 
 }  // namespace nlmech::chapters::geodesy

@@ -22,15 +22,15 @@ extern template std::unique_ptr<OwnProblem> own_problem<problems::Hires>();
 
 namespace nlmech::chapters::rbf_ivp {
 
-void commands(CLI::App& app) {
+void commands(scene::Commands& all) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,
       &own_problem<problems::ThreeMassChain>, &own_problem<problems::VanDerPol>,
       &own_problem<problems::BlowUp>,         &own_problem<problems::Robertson>,
       &own_problem<problems::Hires>};
-  comparison::add_integrate_command(app, problems);
-  comparison::add_compare_command(app, problems, "rbf_ivp");
+  comparison::add_integrate_command(all, problems);
+  comparison::add_compare_command(all, problems);
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

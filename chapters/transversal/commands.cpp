@@ -7,13 +7,13 @@
 
 namespace nlmech::chapters::transversal {
 
-void commands(CLI::App& app) {
+void commands(scene::Commands& all) {
   using comparison::own_problem;
   const comparison::OwnProblems problems = {
       &own_problem<problems::DrivenDuffing>, &own_problem<problems::VanDerPol>,
       &own_problem<problems::LinearOscillator>, &own_problem<problems::TwoDof>};
-  comparison::add_integrate_command(app, problems, {"mtl"});
-  comparison::add_compare_command(app, problems, "transversal");
+  comparison::add_integrate_command(all, problems, {"mtl"});
+  comparison::add_compare_command(all, problems);
 }
 
 }  // namespace nlmech::chapters::transversal

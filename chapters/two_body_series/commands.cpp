@@ -1,9 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -12,9 +11,7 @@
 #include "chapters/two_body_series/orbits/orbits.hpp"
 #include "chapters/two_body_series/series/trajectory.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/scene/program/command_line.hpp"
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/scene/program/options.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::two_body_series {
@@ -22,77 +19,81 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// What was typed.
-struct Words {
-  std::string position, velocity, until, every, mu, zonal, radius, method = "series", tolerance, limit = "60";
-  std::string a, p, e, i = "0", raan = "0", argp = "0", nu = "0";
+/// A state and what attracts.
+struct TypedState {
+  orbit::State at;
+  double mu = earth_mu;
 };
 
-double mu_of(const Words& words) {
-  return words.mu.empty() ? earth_mu : scene::typed_positive("--mu", words.mu);
+void declare_mu(scene::Options& options, double& mu) {
+  options.add("--mu", mu, "gravitational parameter").positive();
 }
 
-orbit::Vector3<double> vector(const char* option, const std::string& text) {
-  const std::vector<double> all = scene::typed_numbers(option, text);
-  if (all.size() != 3)
-    throw InputError(fmt::format("{} {}: {} numbers where x,y,z are needed", option, text, all.size()));
-  return {all[0], all[1], all[2]};
+void declare_state(scene::Options& options, TypedState& s) {
+  options.add("--position", s.at.position, "x,y,z from the centre, in any consistent units").required();
+  options.add("--velocity", s.at.velocity, "its rate, x,y,z").required();
+  declare_mu(options, s.mu);
 }
 
-orbit::State state_of(const Words& words) {
-  orbit::State s{vector("--position", words.position), vector("--velocity", words.velocity)};
+std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
+
+void refuse_centre(const orbit::State& s) {
   if (s.position.isZero(0))
     throw InputError(
-        fmt::format("--position {}: is the centre, where the attraction has no bound", words.position));
-  return s;
+        fmt::format("--position {}: is the centre, where the attraction has no bound", text_of(s.position)));
 }
 
-orbit::Gravity gravity_of(const Words& words) {
-  orbit::Gravity gravity{.mu = mu_of(words)};
-  if (words.zonal.empty() != words.radius.empty())
-    throw InputError(words.zonal.empty()
-                         ? fmt::format("--radius {}: means nothing without --zonal J2[,J3,...]", words.radius)
-                         : fmt::format("--zonal {}: needs --radius R", words.zonal));
-  if (words.zonal.empty()) return gravity;
-  const std::vector<double> all = scene::typed_numbers("--zonal", words.zonal);
-  if (all.size() > gravity.zonal.size())
-    throw InputError(fmt::format("--zonal {}: {} numbers; J2 to J6 at most", words.zonal, all.size()));
-  std::copy(all.begin(), all.end(), gravity.zonal.begin());
-  gravity.radius = scene::typed_positive("--radius", words.radius);
+/// `propagate`
+struct Propagation {
+  TypedState start;
+  double until = 0, limit = 60;
+  std::optional<double> every, radius, tolerance;
+  std::vector<double> zonal;
+  std::string method = "series";
+};
+
+void declare_propagation(scene::Options& options, Propagation& p) {
+  declare_state(options, p.start);
+  options.add("--until", p.until, "time at which it ends, from 0; negative runs backwards").required();
+  options.add("--every", p.every, "rows at this distance in time; without it the first and the last")
+      .positive();
+  options.add("--zonal", p.zonal, "J2[,J3,...,J6] of the centre, the axis along z");
+  options.add("--radius", p.radius, "that the zonal terms refer to").positive();
+  options.add("--method", p.method, "kepler is the closed form").one_of({"series", "rkn1210", "kepler"});
+  options.add("--tolerance", p.tolerance, "of a step, relative to |r| and |v|; 1e-15 without it")
+      .range(1e-18, 0.1);
+  options.limit(p.limit);
+}
+
+orbit::Gravity gravity_of(const Propagation& p) {
+  orbit::Gravity gravity{.mu = p.start.mu};
+  if (p.radius && p.zonal.empty())
+    throw InputError(fmt::format("--radius {}: means nothing without --zonal J2[,J3,...]", *p.radius));
+  if (p.zonal.empty()) return gravity;
+  const std::string zonal = fmt::format("--zonal {}", fmt::join(p.zonal, ","));
+  if (!p.radius) throw InputError(zonal + ": needs --radius R");
+  if (p.zonal.size() > gravity.zonal.size())
+    throw InputError(fmt::format("{}: {} numbers; J2 to J6 at most", zonal, p.zonal.size()));
+  std::ranges::copy(p.zonal, gravity.zonal.begin());
+  gravity.radius = *p.radius;
   return gravity;
 }
 
-OrbitRequest understand(const Words& words) {
-  OrbitRequest r;
-  r.start = state_of(words);
-  r.time = scene::typed_number("--until", words.until);
-  r.gravity = gravity_of(words);
-  if (!words.every.empty()) {
-    r.every = scene::typed_positive("--every", words.every);
-    if (std::abs(r.time) / *r.every > 1e7)
-      throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
-  }
-  if (!words.tolerance.empty()) {
-    r.tolerance = scene::typed_number("--tolerance", words.tolerance);
-    if (!(r.tolerance >= 1e-18 && r.tolerance <= 0.1))
-      throw InputError(fmt::format("--tolerance {}: must be from 1e-18 to 0.1", words.tolerance));
-  }
-  r.seconds = scene::typed_positive("--limit", words.limit);
-  return r;
-}
-
-std::string propagate(const Words& words) {
-  const OrbitRequest r = understand(words);
-  if (words.method == "series") return rows_of_series(r);
-  if (words.method == "rkn1210") return rows_of_rkn1210(r);
-  if (words.method != "kepler")
-    throw InputError(fmt::format("--method {}: there are series, rkn1210 and kepler", words.method));
-  if (!words.zonal.empty())
+std::string propagate(const Propagation& p) {
+  refuse_centre(p.start.at);
+  OrbitRequest r{
+      .start = p.start.at, .time = p.until, .every = p.every, .gravity = gravity_of(p), .seconds = p.limit};
+  if (p.every && std::abs(p.until) / *p.every > 1e7)
+    throw InputError(fmt::format("--every {}: more than 10 million rows", *p.every));
+  r.tolerance = p.tolerance.value_or(r.tolerance);
+  if (p.method == "series") return rows_of_series(r);
+  if (p.method == "rkn1210") return rows_of_rkn1210(r);
+  if (!p.zonal.empty())
+    throw InputError(fmt::format("--zonal {}: --method kepler is about a point mass; use series or rkn1210",
+                                 fmt::join(p.zonal, ",")));
+  if (p.tolerance)
     throw InputError(
-        fmt::format("--zonal {}: --method kepler is about a point mass; use series or rkn1210", words.zonal));
-  if (!words.tolerance.empty())
-    throw InputError(
-        fmt::format("--tolerance {}: --method kepler has none, it is exact to rounding", words.tolerance));
+        fmt::format("--tolerance {}: --method kepler has none, it is exact to rounding", *p.tolerance));
   return rows_of_kepler(r);
 }
 
@@ -106,119 +107,65 @@ auto about(const std::string& options, const Work& work) {
   }
 }
 
-std::string elements(const Words& words) {
-  const orbit::State s = state_of(words);
-  const double mu = mu_of(words);
-  const auto e = about(fmt::format("--position {} --velocity {}{}", words.position, words.velocity,
-                                   words.mu.empty() ? "" : " --mu " + words.mu),
-                       [&] { return orbit::elements_of(s, mu); });
-  const double period = e.period(mu);
+std::string elements(const TypedState& s) {
+  refuse_centre(s.at);
+  const auto e = about(fmt::format("--position {} --velocity {} --mu {}", text_of(s.at.position),
+                                   text_of(s.at.velocity), s.mu),
+                       [&] { return orbit::elements_of(s.at, s.mu); });
+  const double period = e.period(s.mu);
   if (e.semi_major_axis > 0 && std::isfinite(e.semi_major_axis) && !(period > 0 && std::isfinite(period)))
     throw InputError(
-        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", mu));
+        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", s.mu));
   return fmt::format("a,e,i,raan,argp,nu,period\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
                      e.semi_major_axis, e.eccentricity, e.inclination / degree, e.ascending_node / degree,
                      e.periapsis_argument / degree, e.true_anomaly / degree, period);
 }
 
-/// An angle in degrees: one turn either way.
-double typed_angle(const char* option, const std::string& text) {
-  const double value = scene::typed_number(option, text);
-  if (std::abs(value) > 360)
-    throw InputError(fmt::format("{} {}: must be from -360 to 360 degrees", option, text));
-  return value;
+/// `state`; angles in degrees.
+struct TypedElements {
+  std::optional<double> a, p;
+  double e = 0, i = 0, raan = 0, argp = 0, nu = 0, mu = earth_mu;
+};
+
+void declare_elements(scene::Options& options, TypedElements& t) {
+  options.add("--a", t.a, "semi-major axis, negative for hyperbolas");
+  options.add("--p", t.p, "semi-latus rectum in its place, for parabolas or any conic").positive();
+  options.add("--e", t.e, "eccentricity, 0 or more").required();
+  options.add("--i", t.i, "inclination in degrees").range(0, 180);
+  options.add("--raan", t.raan, "longitude of the ascending node in degrees").range(-360, 360);
+  options.add("--argp", t.argp, "argument of the periapsis in degrees").range(-360, 360);
+  options.add("--nu", t.nu, "true anomaly in degrees").range(-360, 360);
+  declare_mu(options, t.mu);
 }
 
-std::string state(const Words& words) {
-  const double mu = mu_of(words), e = scene::typed_number("--e", words.e);
-  if (words.a.empty() == words.p.empty())
-    throw InputError(words.a.empty() ? "--a A or --p P is needed"
-                                     : fmt::format("--a {} --p {}: give one of them", words.a, words.p));
-  if (e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", words.e));
-  const double i = scene::typed_number("--i", words.i);
-  if (i < 0 || i > 180) throw InputError(fmt::format("--i {}: must be from 0 to 180 degrees", words.i));
-  const double raan = typed_angle("--raan", words.raan), argp = typed_angle("--argp", words.argp),
-               nu = typed_angle("--nu", words.nu);
-  const std::string shape = words.a.empty() ? fmt::format("--p {} --e {}", words.p, words.e)
-                                            : fmt::format("--a {} --e {}", words.a, words.e);
-  const auto conic = about(shape, [&] {
-    if (words.a.empty())
-      return orbit::Elements{.semi_latus_rectum = scene::typed_positive("--p", words.p), .eccentricity = e};
-    return orbit::from_axis(scene::typed_number("--a", words.a), e);
+std::string state(const TypedElements& t) {
+  if (!t.a && !t.p) throw InputError("--a A or --p P is needed");
+  if (t.a && t.p) throw InputError(fmt::format("--a {} --p {}: give one of them", *t.a, *t.p));
+  if (t.e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", t.e));
+  const std::string shape =
+      t.a ? fmt::format("--a {} --e {}", *t.a, t.e) : fmt::format("--p {} --e {}", *t.p, t.e);
+  orbit::Elements all = about(shape, [&] {
+    return t.a ? orbit::from_axis(*t.a, t.e)
+               : orbit::Elements{.semi_latus_rectum = *t.p, .eccentricity = t.e};
   });
-  orbit::Elements all = conic;
-  all.inclination = i * degree;
-  all.ascending_node = raan * degree;
-  all.periapsis_argument = argp * degree;
-  all.true_anomaly = nu * degree;
+  all.inclination = t.i * degree;
+  all.ascending_node = t.raan * degree;
+  all.periapsis_argument = t.argp * degree;
+  all.true_anomaly = t.nu * degree;
   const orbit::State s =
-      about(fmt::format("{} --nu {}", shape, words.nu), [&] { return orbit::state_of(all, mu); });
+      about(fmt::format("{} --nu {}", shape, t.nu), [&] { return orbit::state_of(all, t.mu); });
   return fmt::format("x,y,z,vx,vy,vz\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.position[0],
                      s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2]);
 }
 
-/// A command that prints what @p work makes of its words.
-CLI::App* add(CLI::App& app, const char* name, const char* help, const std::shared_ptr<Words>& words,
-              std::string (*work)(const Words&)) {
-  CLI::App* command = app.add_subcommand(name, help);
-  command->add_option("--mu", words->mu, "gravitational parameter; 3.986004418e14 without it");
-  command->callback([words, work] { scene::print_result(work(*words)); });
-  return command;
-}
-
-void add_state_options(CLI::App& command, Words& words) {
-  command.add_option("--position", words.position, "x,y,z from the centre, in any consistent units")
-      ->required();
-  command.add_option("--velocity", words.velocity, "its rate, x,y,z")->required();
-}
-
-void add_propagate_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* command =
-      add(app, "propagate", "Where an orbit leads to, as CSV: t,x,y,z,vx,vy,vz", words, propagate);
-  add_state_options(*command, *words);
-  command->add_option("--until", words->until, "time at which it ends, from 0; negative runs backwards")
-      ->required();
-  command->add_option("--every", words->every,
-                      "rows at this distance in time; without it the first and the last");
-  command->add_option("--zonal", words->zonal, "J2[,J3,...,J6] of the centre, the axis along z");
-  command->add_option("--radius", words->radius, "that the zonal terms refer to");
-  command->add_option("--method", words->method, "series, rkn1210, or kepler in closed form")
-      ->capture_default_str();
-  command->add_option("--tolerance", words->tolerance,
-                      "of a step, relative to |r| and |v|, 1e-18 to 0.1; 1e-15 without it");
-  command->add_option("--limit", words->limit, "wall time in seconds, at most")->capture_default_str();
-}
-
-void add_elements_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* command =
-      add(app, "elements",
-          "The classical elements of a state, angles in degrees: a,e,i,raan,argp,nu,period as CSV", words,
-          elements);
-  add_state_options(*command, *words);
-}
-
-void add_state_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* command =
-      add(app, "state", "The state of classical elements: x,y,z,vx,vy,vz as CSV", words, state);
-  command->add_option("--a", words->a, "semi-major axis, negative for hyperbolas");
-  command->add_option("--p", words->p, "semi-latus rectum in its place, for parabolas or any conic");
-  command->add_option("--e", words->e, "eccentricity")->required();
-  command->add_option("--i", words->i, "inclination in degrees")->capture_default_str();
-  command->add_option("--raan", words->raan, "longitude of the ascending node in degrees")
-      ->capture_default_str();
-  command->add_option("--argp", words->argp, "argument of the periapsis in degrees")->capture_default_str();
-  command->add_option("--nu", words->nu, "true anomaly in degrees")->capture_default_str();
-}
-
 }  // namespace
 
-void commands(CLI::App& app) {
-  add_propagate_command(app);
-  add_elements_command(app);
-  add_state_command(app);
+void commands(scene::Commands& all) {
+  all.add("propagate", "Where an orbit leads to, as CSV: t,x,y,z,vx,vy,vz", declare_propagation, propagate);
+  all.add("elements",
+          "The classical elements of a state, angles in degrees: a,e,i,raan,argp,nu,period as CSV",
+          declare_state, elements);
+  all.add("state", "The state of classical elements: x,y,z,vx,vy,vz as CSV", declare_elements, state);
 }
 
 }  // namespace nlmech::chapters::two_body_series

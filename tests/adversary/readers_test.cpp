@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "nlmech/scene/evidence/errata.hpp"
 #include "nlmech/scene/evidence/published.hpp"
@@ -167,49 +169,59 @@ class Streams {
   std::array<int, 2> before_{}, read_{};
 };
 
-/// A program with an option of each kind.
-int program(const std::vector<std::string>& words) {
-  CLI::App app("a program", "program");
-  app.set_version_flag("--version", "1");
-  app.require_subcommand(1);
-  std::string number, positive, whole = "3", list, file;
+/// What is typed after each kind of option.
+struct Typed {
+  double number = 0, positive = 0;
+  int whole = 3;
+  std::optional<double> perhaps;
+  std::vector<double> list;
+  std::array<double, 3> place = {};
+  std::string file, choice;
   std::vector<std::string> set;
   bool flag = false;
-  CLI::App* work = app.add_subcommand("work", "all kinds of options");
-  work->add_option("--number", number, "a number");
-  work->add_option("--positive", positive, "a positive number")->required();
-  work->add_option("--whole", whole, "a whole number")->capture_default_str();
-  work->add_option("--list", list, "numbers");
-  work->add_option("--set", set, "name=value")->allow_extra_args(false);
-  work->add_option("file", file, "a file");
-  work->add_flag("--flag", flag, "a flag");
-  work->callback([&] {
-    const double p = scene::typed_positive("--positive", positive);
-    const double x = number.empty() ? 0 : scene::typed_number("--number", number);
-    const int n = scene::typed_whole("--whole", whole, 1, 9);
-    const std::size_t m = list.empty() ? 0 : scene::typed_numbers("--list", list).size();
-    for (const std::string& s : set) {
+};
+
+void declare(scene::Options& options, Typed& typed) {
+  options.add("--number", typed.number, "a number");
+  options.add("--positive", typed.positive, "a positive number").positive().required();
+  options.add("--whole", typed.whole, "a whole number").range(1, 9);
+  options.add("--perhaps", typed.perhaps, "a number or none").range(-1, 1);
+  options.add("--list", typed.list, "numbers");
+  options.add("--place", std::span<double>(typed.place), "three numbers");
+  options.add("--choice", typed.choice, "a word").one_of({"left", "right"});
+  options.add("--set", typed.set, "name=value");
+  options.add("file", typed.file, "a file");
+  options.add("--flag", typed.flag, "a flag");
+}
+
+/// A program with an option of each kind.
+int program(const std::vector<std::string>& words) {
+  scene::Commands commands("program");
+  commands.add("work", "all kinds of options", declare, [](const Typed& t) {
+    for (const std::string& s : t.set) {
       if (s.find('=') == std::string::npos) throw InputError(fmt::format("--set {}: say name=value", s));
     }
-    scene::print_result(fmt::format("{},{},{},{},{}\n", p, x, n, m, flag));
+    return fmt::format("{},{},{},{},{}\n", t.positive, t.number, t.whole, t.list.size(), t.flag);
   });
   std::vector<const char*> argv = {"program"};
   for (const std::string& word : words) argv.push_back(word.c_str());
-  return scene::run_command(app, static_cast<int>(argv.size()), argv.data(), 0, {});
+  return scene::run_command(commands, "a program", static_cast<int>(argv.size()), argv.data());
 }
 
 // Exit code 0 with a result and not a word, or 2 with a short printable message and no result.
 TEST(AdversaryReaders, CommandLines) {
-  static const std::vector<std::string> examples = {"work --positive 1",
-                                                    "work --positive 1e-3 --number -2 --whole 4 file.csv",
-                                                    "work --positive 2 --list 1,2,3 --flag",
-                                                    "work --positive=5 --set a=1 --set b=2",
-                                                    "--help",
-                                                    "work --help",
-                                                    "--version",
-                                                    "work --limit 5 --positive 1 --",
-                                                    "work --positive 1 --number 1 --number 2",
-                                                    "work --limit 0 --positive 1"};
+  static const std::vector<std::string> examples = {
+      "work --positive 1",
+      "work --positive 1e-3 --number -2 --whole 4 file.csv",
+      "work --positive 2 --list 1,2,3 --flag",
+      "work --positive 2 --place 1,2,3 --choice left --perhaps 0.5",
+      "work --positive=5 --set a=1 --set b=2",
+      "--help",
+      "work --help",
+      "--version",
+      "work --limit 5 --positive 1 --",
+      "work --positive 1 --number 1 --number 2",
+      "work --limit 0 --positive 1"};
   hunt({.quick = 1000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
     const std::string line = damaged(draw, examples);
     Streams streams;

@@ -2,12 +2,10 @@
 
 namespace nlmech::chapters::gss_control {
 
-void commands(CLI::App& app) {
-  add_poles_command(app);
-  add_zeros_command(app);
-  add_response_command(app);
-  add_step_command(app);
-  add_optimal_gains_command(app);
+void commands(scene::Commands& all) {
+  add_frequency_commands(all);
+  add_step_command(all);
+  add_optimal_gains_command(all);
 }
 
 }  // namespace nlmech::chapters::gss_control

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "chapters/gss_control/commands/commands.hpp"
 #include "chapters/gss_control/commands/spacecraft_file.hpp"
 #include "chapters/gss_control/commands/words.hpp"
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -21,12 +19,30 @@ using spacecraft::Complex;
 
 /// What was typed.
 struct Words {
-  std::string craft, gains, count = "10", at, omega;
+  Craft craft;
+  int count = 10;
+  std::string at, omega;
 };
 
-std::string table_of(const std::vector<Complex>& points, std::size_t count) {
+void declare_poles(scene::Options& options, Words& words) {
+  declare_craft(options, words.craft);
+  options.add("--count", words.count, "how many").range(1, 1000);
+}
+
+void declare_zeros(scene::Options& options, Words& words) {
+  declare_poles(options, words);
+  options.add("--at", words.at, "place on the appendage, its distance from the rim");
+}
+
+void declare_response(scene::Options& options, Words& words) {
+  declare_craft(options, words.craft);
+  options.add("--omega", words.omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s").required();
+  options.add("--at", words.at, "places on the appendage x1,x2,..., their distances from the rim");
+}
+
+std::string table_of(const std::vector<Complex>& points, int count) {
   std::string text = "index,real,imag\n";
-  for (std::size_t i = 0; i < std::min(count, points.size()); ++i)
+  for (std::size_t i = 0; i < std::min(std::size_t(count), points.size()); ++i)
     text += fmt::format("{},{:.17g},{:.17g}\n", i + 1, points[i].real() + 0., points[i].imag() + 0.);
   return text;
 }
@@ -38,17 +54,13 @@ std::vector<Complex> on_axis(const spacecraft::Frequencies& f) {
   return all;
 }
 
-void poles(const Words& words) {
-  const int count = scene::typed_whole("--count", words.count, 1, 1000);
-  const spacecraft::Parameters craft = read_spacecraft(words.craft);
-  if (words.gains.empty()) {
-    scene::print_result(
-        table_of(on_axis(spacecraft::poles(spacecraft::Plant(craft), count)), std::size_t(count)));
-    return;
-  }
-  const spacecraft::LoopPoles found = typed_loop(craft, words.gains).poles(count);
+std::string poles(const Words& words) {
+  const spacecraft::Parameters craft = read_spacecraft(words.craft.file);
+  if (words.craft.gains.empty())
+    return table_of(on_axis(spacecraft::poles(spacecraft::Plant(craft), words.count)), words.count);
+  const spacecraft::LoopPoles found = typed_loop(craft, words.craft.gains).poles(words.count);
   if (!found.status.ok()) throw Failure(found.status);
-  scene::print_result(table_of(found.s, std::size_t(count)));
+  return table_of(found.s, words.count);
 }
 
 /// The first zeros of y(x)/u with Im s >= 0, by modulus.
@@ -77,16 +89,13 @@ std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, 
   return all;
 }
 
-void zeros(const Words& words) {
-  const int count = scene::typed_whole("--count", words.count, 1, 1000);
-  const spacecraft::Parameters craft = read_spacecraft(words.craft);
+std::string zeros(const Words& words) {
+  const int count = words.count;
+  const spacecraft::Parameters craft = read_spacecraft(words.craft.file);
   // Feedback from the hub moves no zero, but a loop that cannot be is refused all the same.
-  if (!words.gains.empty()) static_cast<void>(typed_loop(craft, words.gains));
+  if (!words.craft.gains.empty()) static_cast<void>(typed_loop(craft, words.craft.gains));
   const spacecraft::Plant plant(craft);
-  if (words.at.empty()) {
-    scene::print_result(table_of(on_axis(spacecraft::hub_zeros(plant, count)), std::size_t(count)));
-    return;
-  }
+  if (words.at.empty()) return table_of(on_axis(spacecraft::hub_zeros(plant, count)), count);
   const std::vector<Place> places = typed_places("--at", words.at, craft);
   if (places.size() != 1) throw InputError(fmt::format("--at {}: zeros are those of one place", words.at));
   if (places[0].x == 0) throw InputError(fmt::format("--at {}: y is 0 at the root, at any s", words.at));
@@ -95,16 +104,16 @@ void zeros(const Words& words) {
     throw Failure(
         Status::failure(Outcome::not_converged,
                         fmt::format("zeros: {} of {} found; ask for fewer by --count", found.size(), count)));
-  scene::print_result(table_of(found, std::size_t(count)));
+  return table_of(found, count);
 }
 
-void response(const Words& words) {
-  const spacecraft::Parameters craft = read_spacecraft(words.craft);
+std::string response(const Words& words) {
+  const spacecraft::Parameters craft = read_spacecraft(words.craft.file);
   const std::vector<double> omega = typed_frequencies("--omega", words.omega);
   const std::vector<Place> places = typed_places("--at", words.at, craft);
   const spacecraft::Plant plant(craft);
   std::optional<spacecraft::ClosedLoop> loop;
-  if (!words.gains.empty()) loop.emplace(typed_loop(craft, words.gains));
+  if (!words.craft.gains.empty()) loop.emplace(typed_loop(craft, words.craft.gains));
   std::vector<double> x;
   std::string text = "omega,theta_re,theta_im";
   for (const Place& p : places) {
@@ -131,52 +140,25 @@ void response(const Words& words) {
       text += fmt::format(",{:.17g},{:.17g}", value.real() + 0., value.imag() + 0.);
     text += '\n';
   }
-  scene::print_result(text);
-}
-
-CLI::App* add(CLI::App& app, const std::string& name, const std::string& what,
-              const std::shared_ptr<Words>& words, void (*work)(const Words&)) {
-  CLI::App* const command = app.add_subcommand(name, what);
-  command->add_option("--spacecraft", words->craft, spacecraft_help);
-  command->add_option("--gains", words->gains, gains_help);
-  command->callback([words, work] { work(*words); });
-  return command;
+  return text;
 }
 
 }  // namespace
 
-void add_poles_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  add(app, "poles",
-      "Poles of theta/u, or with gains of the closed loop, as CSV: index,real,imag; those with imaginary "
-      "part "
-      "0 or more but not the double one at 0, by modulus, 1/s",
-      words, poles)
-      ->add_option("--count", words->count, "how many")
-      ->capture_default_str();
-}
-
-void add_zeros_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* const command =
-      add(app, "zeros",
+void add_frequency_commands(scene::Commands& all) {
+  all.add("poles",
+          "Poles of theta/u, or with gains of the closed loop, as CSV: index,real,imag; those with imaginary "
+          "part "
+          "0 or more but not the double one at 0, by modulus, 1/s",
+          declare_poles, poles);
+  all.add("zeros",
           "Zeros of theta/u, or with --at of y/u there, as CSV: index,real,imag; those with imaginary part 0 "
           "or more, by modulus, 1/s; gains move none",
-          words, zeros);
-  command->add_option("--count", words->count, "how many")->capture_default_str();
-  command->add_option("--at", words->at, "place on the appendage, its distance from the rim");
-}
-
-void add_response_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* const command =
-      add(app, "response",
+          declare_zeros, zeros);
+  all.add("response",
           "theta/u and y/u at s = j omega, or with gains theta/theta_f and y/theta_f, as "
           "CSV: omega,theta_re,theta_im,y@X_re,y@X_im,...",
-          words, response);
-  command->add_option("--omega", words->omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s")
-      ->required();
-  command->add_option("--at", words->at, "places on the appendage x1,x2,..., their distances from the rim");
+          declare_response, response);
 }
 
 }  // namespace nlmech::chapters::gss_control

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "chapters/gss_control/commands/commands.hpp"
 #include "chapters/gss_control/commands/spacecraft_file.hpp"
 #include "chapters/gss_control/commands/words.hpp"
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -16,22 +15,32 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string craft, gains, angle, until, every, at;
+  Craft craft;
+  std::string at;
+  std::optional<double> angle, every;
+  double until = 0;
 };
+
+void declare(scene::Options& options, Words& words) {
+  declare_craft(options, words.craft);
+  options.add("--final-angle", words.angle, "theta_f, rad; 1 without it");
+  options.add("--until", words.until, "last time").positive().required();
+  options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
+      .positive();
+  options.add("--at", words.at, "places on the appendage x1,x2,..., their distances from the rim");
+}
 
 spacecraft::TimeResponse respond(const Words& words, const spacecraft::Parameters& craft,
                                  const std::vector<double>& places) {
-  if (words.gains.empty()) {
-    if (!words.angle.empty())
-      throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", words.angle));
-    return torque_response(spacecraft::Plant(craft), 1, places);
-  }
-  const double angle = words.angle.empty() ? 1 : scene::typed_number("--final-angle", words.angle);
-  return step_response(typed_loop(craft, words.gains), angle, places);
+  if (!words.craft.gains.empty())
+    return step_response(typed_loop(craft, words.craft.gains), words.angle.value_or(1), places);
+  if (words.angle)
+    throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", *words.angle));
+  return torque_response(spacecraft::Plant(craft), 1, places);
 }
 
-void step(const Words& words) {
-  const spacecraft::Parameters craft = read_spacecraft(words.craft);
+std::string step(const Words& words) {
+  const spacecraft::Parameters craft = read_spacecraft(words.craft.file);
   const std::vector<double> times = typed_times(words.until, words.every);
   const std::vector<Place> places = typed_places("--at", words.at, craft);
   std::vector<double> x;
@@ -50,25 +59,16 @@ void step(const Words& words) {
       text += fmt::format(",{:.17g},{:.17g}", r.deflection[i].value(t), r.deflection_dot[i].value(t));
     text += '\n';
   }
-  scene::print_result(text);
+  return text;
 }
 
 }  // namespace
 
-void add_step_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* const command = app.add_subcommand(
-      "step",
-      "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
-      "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1");
-  command->add_option("--spacecraft", words->craft, spacecraft_help);
-  command->add_option("--gains", words->gains, gains_help);
-  command->add_option("--final-angle", words->angle, "theta_f, rad; 1 without it");
-  command->add_option("--until", words->until, "last time")->required();
-  command->add_option("--every", words->every,
-                      "rows at this distance in time; without it the first and the last");
-  command->add_option("--at", words->at, "places on the appendage x1,x2,..., their distances from the rim");
-  command->callback([words] { step(*words); });
+void add_step_command(scene::Commands& all) {
+  all.add("step",
+          "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
+          "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1",
+          declare, step);
 }
 
 }  // namespace nlmech::chapters::gss_control

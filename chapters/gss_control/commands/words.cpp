@@ -1,6 +1,7 @@
 #include "chapters/gss_control/commands/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,17 @@
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::gss_control {
+
+void declare_craft(scene::Options& options, Craft& craft, bool with_gains) {
+  options.add(
+      "--spacecraft", craft.file,
+      "TOML file, - for standard input, with hub_inertia, mass_per_length, youngs_modulus, length, "
+      "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units, which are those of all "
+      "options and results; without it, and for a key that is missing, Table 3.1 in slug, ft, lb, s");
+  if (with_gains)
+    options.add("--gains", craft.gains, "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
+}
+
 std::vector<double> typed_frequencies(const char* option, const std::string& text) {
   if (text.find(':') == std::string::npos) {
     std::vector<double> all;
@@ -46,29 +58,25 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
   return all;
 }
 
-spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std::string& gains) {
-  const std::vector<std::string> words = scene::typed_words("--gains", gains);
-  if (words.size() != 3)
-    throw InputError(fmt::format("--gains {}: {} numbers where k1,k2,k3 are needed", gains, words.size()));
+spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std::vector<double>& gains) {
+  const std::string typed = fmt::format("--gains {}", fmt::join(gains, ","));
+  if (gains.size() != 3)
+    throw InputError(fmt::format("{}: {} numbers where k1,k2,k3 are needed", typed, gains.size()));
   try {
-    return {craft,
-            {scene::typed_number("--gains", words[0]), scene::typed_number("--gains", words[1]),
-             scene::typed_number("--gains", words[2])}};
+    return {craft, {gains[0], gains[1], gains[2]}};
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("--gains {}: {}", gains, error.what()));
+    throw InputError(fmt::format("{}: {}", typed, error.what()));
   }
 }
 
-std::vector<double> typed_times(const std::string& until, const std::string& every) {
-  const double end = scene::typed_positive("--until", until);
+std::vector<double> typed_times(double until, const std::optional<double>& every) {
   std::vector<double> times = {0};
-  if (!every.empty()) {
-    const double step = scene::typed_positive("--every", every);
-    if (end / step > 1e7) throw InputError(fmt::format("--every {}: more than 10 million rows", every));
+  if (every) {
+    if (until / *every > 1e7) throw InputError(fmt::format("--every {}: more than 10 million rows", *every));
     // A last step shorter than a millionth of DT is rounding of T/DT, and no row of its own.
-    for (int i = 1; i * step < end - 1e-6 * step; ++i) times.push_back(i * step);
+    for (int i = 1; i * *every < until - 1e-6 * *every; ++i) times.push_back(i * *every);
   }
-  times.push_back(end);
+  times.push_back(until);
   return times;
 }
 

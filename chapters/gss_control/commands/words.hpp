@@ -2,23 +2,24 @@
 /// What a user types for this chapter's commands, understood.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "nlmech/scene/program/options.hpp"
 #include "nlmech/spacecraft/control/closed_loop.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
 namespace nlmech::chapters::gss_control {
 
-/// Of the option --spacecraft, on every command.
-inline constexpr const char* spacecraft_help =
-    "TOML file, - for standard input, with hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, "
-    "second_moment, tip_mass, tip_inertia in any consistent units, which are those of all options and "
-    "results; "
-    "without it, and for a key that is missing, Table 3.1 in slug, ft, lb, s";
-/// Of the option --gains.
-inline constexpr const char* gains_help =
-    "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'";
+/// What every command takes.
+struct Craft {
+  std::string file;           ///< empty: Table 3.1
+  std::vector<double> gains;  ///< empty: no feedback
+};
+
+/// Options --spacecraft and, where it is wanted, --gains.
+void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true);
 
 /// Frequencies: "w1,w2,..." or "LO:HI:N", N of them from LO to HI, spaced logarithmically.
 /// @throws InputError
@@ -34,13 +35,12 @@ struct Place {
 [[nodiscard]] std::vector<Place> typed_places(const char* option, const std::string& text,
                                               const spacecraft::Parameters& craft);
 
-/// The closed loop of gains "k1,k2,k3". @throws InputError naming the gains, if they are not three numbers or
-/// out of range
+/// The closed loop of three gains. @throws InputError naming them, if they are not three or out of range
 [[nodiscard]] spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft,
-                                                const std::string& gains);
+                                                const std::vector<double>& gains);
 
 /// Times 0, DT, 2 DT, ... and T itself, which is the last; without DT the first and the last.
 /// @throws InputError for more than ten million
-[[nodiscard]] std::vector<double> typed_times(const std::string& until, const std::string& every);
+[[nodiscard]] std::vector<double> typed_times(double until, const std::optional<double>& every);
 
 }  // namespace nlmech::chapters::gss_control

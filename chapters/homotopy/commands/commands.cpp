@@ -2,24 +2,28 @@
 
 #include <fmt/format.h>
 
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {
 
-void commands(CLI::App& app) {
-  add_limit_points_command(app);
-  add_solve_command(app);
+void commands(scene::Commands& all) {
+  add_limit_points_command(all);
+  add_solve_command(all);
 }
 
-int elements_of(const std::string& typed, const std::string& model) {
-  if (model != "element" && model != "williams")
-    throw InputError(fmt::format("--model {}: there are element and williams", model));
-  if (typed.empty()) return model == "element" ? 4 : 1;
-  const int elements = scene::typed_whole("--elements", typed, 1, 10'000);
-  if (model == "williams" && elements != 1)
-    throw InputError(fmt::format("--elements {}: Williams' equation has none; use --model element", typed));
-  return elements;
+void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::string& about_elements) {
+  options.add("--height", toggle.height, "of the apex over the bases, inch").required();
+  options.add("--model", toggle.model, "williams is Eq. 2.21").one_of({"element", "williams"});
+  options.add("--elements", toggle.elements, "beam-columns a member, 4 without it; " + about_elements)
+      .range(1, 10'000);
+}
+
+int elements_of(const TypedToggle& toggle) {
+  if (toggle.model == "element") return toggle.elements.value_or(4);
+  if (toggle.elements.value_or(1) != 1)
+    throw InputError(
+        fmt::format("--elements {}: Williams' equation has none; use --model element", *toggle.elements));
+  return 1;
 }
 
 }  // namespace nlmech::chapters::homotopy

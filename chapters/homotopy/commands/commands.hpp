@@ -2,17 +2,29 @@
 /// The chapter's commands: toggles of the user's own.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "nlmech/scene/program/command_line.hpp"
+#include "nlmech/scene/program/options.hpp"
 
 namespace nlmech::chapters::homotopy {
 
-void add_limit_points_command(CLI::App& app);  ///< `homotopy limit-points`
-void add_solve_command(CLI::App& app);         ///< `homotopy solve`
-/// Beam-columns a member as typed for a model: 4 if nothing was, because one does not bow, and limit points
-/// of four are within 1e-3 of those of many. Williams' equation has 1.
-/// @throws InputError for what is no such number
-[[nodiscard]] int elements_of(const std::string& typed, const std::string& model);
+/// A toggle as both commands take it.
+struct TypedToggle {
+  double height = 0;
+  std::string model = "element";
+  std::optional<int> elements;
+};
+
+/// Options --height, --model and --elements.
+void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::string& about_elements);
+
+/// Beam-columns a member: 4 if nothing was said, because one does not bow, and limit points of four are
+/// within 1e-3 of those of many. Williams' equation has 1.
+/// @throws InputError if it is given others
+[[nodiscard]] int elements_of(const TypedToggle& toggle);
+
+void add_limit_points_command(scene::Commands& all);  ///< `homotopy limit-points`
+void add_solve_command(scene::Commands& all);         ///< `homotopy solve`
 
 }  // namespace nlmech::chapters::homotopy

@@ -1,38 +1,33 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <memory>
 #include <string>
 
 #include "chapters/homotopy/commands/commands.hpp"
 #include "nlmech/frames/toggle_path.hpp"
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// What was typed.
-struct Words {
-  std::string height, model = "element";
-  std::string elements;  ///< empty: elements_of()
-};
+void declare(scene::Options& options, TypedToggle& toggle) {
+  declare_toggle(options, toggle, "one does not bow, and ends with 1 above a height of 0.75 in");
+}
 
-frames::TogglePath path_of(const Words& words, double height) {
-  const frames::Toggle toggle{.height = height, .elements = elements_of(words.elements, words.model)};
-  if (words.model == "element") return critical_points(toggle);
+frames::TogglePath path_of(const TypedToggle& typed) {
+  const frames::Toggle toggle{.height = typed.height, .elements = elements_of(typed)};
+  if (typed.model == "element") return critical_points(toggle);
   static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
-  return critical_points(frames::Williams{.height = height});
+  return critical_points(frames::Williams{.height = typed.height});
 }
 
 //! [rows of the toggle]
-void limit_points(const Words& words) {
-  const double height = scene::typed_number("--height", words.height);
+void limit_points(const TypedToggle& typed) {
   frames::TogglePath path;
   try {
-    path = path_of(words, height);
+    path = path_of(typed);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("--height {}: {}", words.height, error.what()));
+    throw InputError(fmt::format("--height {}: {}", typed.height, error.what()));
   }
   if (!path.status.ok())
     throw Failure(Status::failure(
@@ -45,7 +40,7 @@ void limit_points(const Words& words) {
     text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
                         e.is_symmetric ? "symmetric" : "antisymmetric");
   scene::print_result(text);
-  if (path.drop < 2.2 * height)
+  if (path.drop < 2.2 * typed.height)
     std::cerr << fmt::format(
         "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "
         "falls without bound; --model element goes on\n",
@@ -55,21 +50,14 @@ void limit_points(const Words& words) {
 
 }  // namespace
 
-void add_limit_points_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* const command = app.add_subcommand(
+void add_limit_points_command(scene::Commands& all) {
+  all.add(
       "limit-points",
       "Limit points and bifurcations of a toggle on its symmetric path from rest, as CSV: "
       "kind,load,deflection,motion; only the head if there are none. kind: maximum, minimum, bifurcation; "
       "motion: of the whole toggle that costs no work there, symmetric or antisymmetric. Members, inch and "
-      "pound as in Table 2.1");
-  command->add_option("--height", words->height, "of the apex over the bases, inch")->required();
-  command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
-  command->add_option(
-      "--elements", words->elements,
-      "beam-columns a member, 4 if not given; one does not bow, and ends with 1 above a height of "
-      "0.75 in");
-  command->callback([words] { limit_points(*words); });
+      "pound as in Table 2.1",
+      declare, limit_points);
 }
 
 }  // namespace nlmech::chapters::homotopy

@@ -14,7 +14,6 @@
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/frames/toggle_path.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {
@@ -22,10 +21,23 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string height, load, solver = "energy-trust-region", model = "element";
-  std::string elements;   ///< empty: elements_of()
-  std::string tolerance;  ///< empty: 1e-10, or rounding where that is more
+  TypedToggle toggle;
+  double load = 0;
+  std::string solver = "energy-trust-region";
+  std::optional<double> tolerance;  ///< without it 1e-10, or rounding where that is more
 };
+
+void declare(scene::Options& options, Words& words) {
+  declare_toggle(options, words.toggle, "one does not bow");
+  options.add("--load", words.load, "W on the apex, downwards, pound").required();
+  options.add("--solver", words.solver, "its name; an unknown one lists them");
+  options
+      .add("--tolerance", words.tolerance,
+           "on the residual, below 1; if not given 1e-10, or where that is more, as with very many elements, "
+           "4 "
+           "times what rounding of the displacements makes of it (the bound that is printed)")
+      .positive();
+}
 
 /// The equations of the toggle that was asked for, half of it.
 struct Loaded {
@@ -35,10 +47,11 @@ struct Loaded {
   double sign = 1;  ///< of the drop
 };
 
-Loaded loaded_toggle(const Words& words, int elements, double height, double load) {
+Loaded loaded_toggle(const TypedToggle& typed, int elements, double load) {
+  const double height = typed.height;
   Loaded all;
   try {
-    if (words.model == "williams") {
+    if (typed.model == "williams") {
       static_cast<void>(frames::make_frame({.height = height}));  // refuses what is no toggle
       all.equations = std::make_unique<frames::WilliamsEquilibrium>(frames::Williams{.height = height}, load);
     } else {
@@ -49,7 +62,7 @@ Loaded loaded_toggle(const Words& words, int elements, double height, double loa
       all.sign = -1;
     }
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("--height {} --load {}: {}", words.height, words.load, error.what()));
+    throw InputError(fmt::format("--height {} --load {}: {}", height, load, error.what()));
   }
   return all;
 }
@@ -123,39 +136,34 @@ void tell(const Standing& s, double height, double drop) {
   }
 }
 
-void solve(const Words& words) {
-  const double height = scene::typed_number("--height", words.height),
-               load = scene::typed_number("--load", words.load);
-  const bool is_given = !words.tolerance.empty();
-  const double tolerance = is_given ? scene::typed_number("--tolerance", words.tolerance) : 1e-10;
-  if (!(tolerance > 0 && tolerance < 1))
-    throw InputError(fmt::format("--tolerance {}: must be above 0 and below 1", words.tolerance));
-  const int elements = elements_of(words.elements, words.model);
-  const Loaded toggle = loaded_toggle(words, elements, height, load);
+std::string solve(const Words& words) {
+  const double height = words.toggle.height, load = words.load, tolerance = words.tolerance.value_or(1e-10);
+  if (!(tolerance < 1)) throw InputError(fmt::format("--tolerance {}: must be below 1", tolerance));
+  const int elements = elements_of(words.toggle);
+  const Loaded toggle = loaded_toggle(words.toggle, elements, load);
   const double scale = load != 0 ? std::abs(load) / 2 : 1;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(toggle.equations->size());
   const algebraic::Report report =
-      run({.name = words.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !is_given},
+      run({.name = words.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !words.tolerance},
           *toggle.equations, x);
   if (!report.status.ok()) throw Failure(report.status);
   // A drop of 0 has no sign.
   const double drop = x[toggle.apex] == 0 ? 0 : toggle.sign * x[toggle.apex];
   const Standing standing = standing_of(toggle, height, load, elements, x);
   const auto& events = standing.from_rest.events;
-  scene::print_result(
-      fmt::format("status,deflection,residual,iterations,bound,stability,critical_load\n{},{:.17g},{:.6g},{},"
-                  "{:.6g},{},{}\n",
-                  to_string(report.status.outcome()), drop, report.last / scale,
-                  report.statistics.steps + report.statistics.rejected, report.bound / scale,
-                  stability_of(standing), events.empty() ? "" : fmt::format("{:.12g}", events[0].load)));
   tell(standing, height, drop);
+  return fmt::format(
+      "status,deflection,residual,iterations,bound,stability,critical_load\n{},{:.17g},{:.6g},{},"
+      "{:.6g},{},{}\n",
+      to_string(report.status.outcome()), drop, report.last / scale,
+      report.statistics.steps + report.statistics.rejected, report.bound / scale, stability_of(standing),
+      events.empty() ? "" : fmt::format("{:.12g}", events[0].load));
 }
 
 }  // namespace
 
-void add_solve_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* const command = app.add_subcommand(
+void add_solve_command(scene::Commands& all) {
+  all.add(
       "solve",
       "An equilibrium of half a loaded toggle, from rest, as CSV: "
       "status,deflection,residual,iterations,bound,stability,critical_load. Members, inch and pound as in "
@@ -164,19 +172,8 @@ void add_solve_command(CLI::App& app) {
       "toggle, "
       "antisymmetric motions included; critical_load: the limit point or bifurcation that the path from rest "
       "meets before this load, empty if none. Ends with 1 and says why if there is no such equilibrium to "
-      "show");
-  command->add_option("--height", words->height, "of the apex over the bases, inch")->required();
-  command->add_option("--load", words->load, "W on the apex, downwards, pound")->required();
-  command->add_option("--solver", words->solver, "its name; an unknown one lists them")
-      ->capture_default_str();
-  command->add_option("--model", words->model, "element, or williams for Eq. 2.21")->capture_default_str();
-  command->add_option("--elements", words->elements,
-                      "beam-columns a member, 4 if not given; one does not bow");
-  command->add_option(
-      "--tolerance", words->tolerance,
-      "on the residual; if not given 1e-10, or where that is more, as with very many elements, 4 "
-      "times what rounding of the displacements makes of it (the bound that is printed)");
-  command->callback([words] { solve(*words); });
+      "show",
+      declare, solve);
 }
 
 }  // namespace nlmech::chapters::homotopy

@@ -2,9 +2,9 @@
 
 namespace nlmech::chapters::rbf_inverse {
 
-void commands(CLI::App& app) {
-  add_duffing_command(app);
-  add_lambert_commands(app);
+void commands(scene::Commands& all) {
+  add_duffing_command(all);
+  add_lambert_commands(all);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

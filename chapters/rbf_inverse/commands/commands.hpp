@@ -2,11 +2,11 @@
 /// The chapter's commands: the user's own numbers.
 #pragma once
 
-#include "nlmech/scene/program/command_line.hpp"
+#include "nlmech/scene/program/options.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 
-void add_duffing_command(CLI::App& app);   ///< `rbf_inverse duffing`
-void add_lambert_commands(CLI::App& app);  ///< `rbf_inverse lambert`, `porkchop` and `merge`
+void add_duffing_command(scene::Commands& all);   ///< `rbf_inverse duffing`
+void add_lambert_commands(scene::Commands& all);  ///< `rbf_inverse lambert`, `porkchop` and `merge`
 
 }  // namespace nlmech::chapters::rbf_inverse

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -11,8 +11,6 @@
 #include "chapters/rbf_inverse/commands/commands.hpp"
 #include "nlmech/bvp/continuation.hpp"
 #include "nlmech/bvp/optimal_control/duffing.hpp"
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -20,65 +18,59 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string which, final_time, beta = "0.9", target, weights, bound;
-};
-
-Eigen::Vector2d pair(const char* option, const std::string& text) {
-  const std::size_t comma = text.find(',');
-  double first = 0, second = 0;
-  if (comma == std::string::npos || !scene::parse_number(text.substr(0, comma), first) ||
-      !scene::parse_number(text.substr(comma + 1), second))
-    throw InputError(fmt::format("{} {}: two finite numbers with a comma between are needed", option, text));
-  return {first, second};
-}
-
-bvp::DuffingCase case_of(const std::string& name) {
-  std::string names;
-  for (const bvp::DuffingCase which : bvp::duffing_cases()) {
-    if (to_string(which) == name) return which;
-    names += fmt::format("{}{}", names.empty() ? "" : " ", to_string(which));
-  }
-  throw InputError(fmt::format("--case {}: there are {}", name, names));
-}
-
-struct Request {
   bvp::DuffingSettings settings;
+  std::string which;
+  std::vector<double> target, weights;
   std::optional<double> bound;  ///< of |f|
 };
 
-Request understand(const Words& words) {
-  Request r;
-  r.settings.which = case_of(words.which);
-  r.settings.final_time = scene::typed_number("--final-time", words.final_time);
-  if (!(r.settings.final_time >= 1e-6 && r.settings.final_time <= 1000))
-    throw InputError(fmt::format("--final-time {}: must be from 1e-6 to 1000", words.final_time));
-  r.settings.beta = scene::typed_number("--beta", words.beta);
-  if (!(r.settings.beta >= 0 && r.settings.beta <= 1e6))
-    throw InputError(fmt::format("--beta {}: must be from 0 to 1e6", words.beta));
+void declare(scene::Options& options, Words& words) {
+  std::vector<std::string> cases;
+  for (const bvp::DuffingCase which : bvp::duffing_cases()) cases.emplace_back(to_string(which));
+  words.settings.beta = 0.9;
+  options
+      .add("--case", words.which,
+           "what is prescribed at both ends; harmonic has amplitudes 1.5, 2, 3 at 3 rad/s")
+      .one_of(cases)
+      .required();
+  options.add("--final-time", words.settings.final_time, "T, seconds").range(1e-6, 1000).required();
+  options.add("--beta", words.settings.beta, "nonlinearity").range(0, 1e6);
+  options.add("--target", words.target, "x1,x2 at T; 5,2 without it").range(-1e4, 1e4);
+  options.add("--weights", words.weights,
+              "s11,s22, 0 or more, of the miss that is not prescribed; 1,1 without it");
+  options.add("--bound", words.bound, "largest |f|; none without it").positive();
+}
+
+Eigen::Vector2d pair(const char* option, const std::vector<double>& typed) {
+  if (typed.size() != 2)
+    throw InputError(fmt::format("{} {}: two finite numbers with a comma between are needed", option,
+                                 fmt::join(typed, ",")));
+  return {typed[0], typed[1]};
+}
+
+bvp::DuffingSettings understand(const Words& words) {
+  using enum bvp::DuffingCase;
+  bvp::DuffingSettings s = words.settings;
+  s.which =
+      *std::ranges::find(bvp::duffing_cases(), words.which, [](bvp::DuffingCase c) { return to_string(c); });
   if (!words.target.empty()) {
-    if (r.settings.which == bvp::DuffingCase::harmonic)
-      throw InputError(
-          fmt::format("--target {}: --case harmonic has its own, by Eq. 5.34; leave it out", words.target));
-    r.settings.target = pair("--target", words.target);
-    if (r.settings.target.cwiseAbs().maxCoeff() > 1e4)
-      throw InputError(fmt::format("--target {}: larger than 1e4", words.target));
+    s.target = pair("--target", words.target);
+    if (s.which == harmonic)
+      throw InputError(fmt::format("--target {}: --case harmonic has its own, by Eq. 5.34; leave it out",
+                                   fmt::join(words.target, ",")));
   }
   if (!words.weights.empty()) {
-    using enum bvp::DuffingCase;
-    const bvp::DuffingCase c = r.settings.which;
-    if (c == fixed || c == harmonic || c == final_only)
-      throw InputError(
-          fmt::format("--weights {}: --case {} prescribes both states at the end, so there is no miss to "
-                      "weight; leave it out",
-                      words.weights, words.which));
-    r.settings.weights = pair("--weights", words.weights);
-    if (r.settings.weights.minCoeff() < 0)
-      throw InputError(fmt::format("--weights {}: must not be negative", words.weights));
+    s.weights = pair("--weights", words.weights);
+    const auto refuse = [&](const std::string& why) {
+      throw InputError(fmt::format("--weights {}: {}", fmt::join(words.weights, ","), why));
+    };
+    if (s.which == fixed || s.which == harmonic || s.which == final_only)
+      refuse(fmt::format(
+          "--case {} prescribes both states at the end, so there is no miss to weight; leave it out",
+          words.which));
+    if (s.weights.minCoeff() < 0) refuse("must not be negative");
   }
-  if (!words.bound.empty()) {
-    r.bound = scene::typed_positive("--bound", words.bound);
-  }
-  return r;
+  return s;
 }
 
 /// Two minutes, starts and the last solve included.
@@ -135,10 +127,10 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
 }
 
 std::string duffing(const Words& words) {
-  const Request r = understand(words);
-  const double unit = r.bound ? unit_of(*r.bound) : 1;
-  const bvp::Extremal e =
-      r.bound ? bounded(in_units(r.settings, unit), *r.bound / unit) : unbounded(r.settings).front().extremal;
+  const bvp::DuffingSettings settings = understand(words);
+  const double unit = words.bound ? unit_of(*words.bound) : 1;
+  const bvp::Extremal e = words.bound ? bounded(in_units(settings, unit), *words.bound / unit)
+                                      : unbounded(settings).front().extremal;
   const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
   // What is prescribed or vanishes comes out with the rounding of the solve.
   const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
@@ -151,24 +143,11 @@ std::string duffing(const Words& words) {
 
 }  // namespace
 
-void add_duffing_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* const command = app.add_subcommand(
-      "duffing",
-      "The cheapest force found that brings a Duffing oscillator to its end, as CSV: "
-      "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss; omega_n = 1, start 0,0 where prescribed");
-  command
-      ->add_option("--case", words->which,
-                   "free, fixed, x1x1, x1x2, x2x1, x2x2 (what is prescribed at both ends), final-only, or "
-                   "harmonic (amplitudes 1.5, 2, 3 at 3 rad/s)")
-      ->required();
-  command->add_option("--final-time", words->final_time, "T, seconds")->required();
-  command->add_option("--beta", words->beta, "nonlinearity")->capture_default_str();
-  command->add_option("--target", words->target, "x1,x2 at T; 5,2 without it");
-  command->add_option("--weights", words->weights,
-                      "s11,s22 of the miss that is not prescribed; 1,1 without it");
-  command->add_option("--bound", words->bound, "largest |f|; none without it");
-  command->callback([words] { scene::print_result(duffing(*words)); });
+void add_duffing_command(scene::Commands& all) {
+  all.add("duffing",
+          "The cheapest force found that brings a Duffing oscillator to its end, as CSV: "
+          "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss; omega_n = 1, start 0,0 where prescribed",
+          declare, duffing);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

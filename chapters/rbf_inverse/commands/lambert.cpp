@@ -1,10 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -15,7 +16,6 @@
 #include "chapters/rbf_inverse/lambert/porkchop_map.hpp"
 #include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/scene/gnuplot.hpp"
-#include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
@@ -23,79 +23,76 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// What was typed.
-struct Words {
-  std::string from, to, time, mu, revolutions = "0", branch, plane, zonal, radius, method = "izzo";
+/// `lambert`
+struct Arc {
+  Arc() { problem.gravity.mu = orbit::earth().mu; }
+  orbit::TransferProblem problem;
+  std::optional<double> zonal, radius;
+  std::vector<double> plane;
+  int revolutions = 0;
+  std::string branch, method = "izzo";
   bool long_way = false;
-  std::string file, grid, shard, threads = "0";
-  bool plot = false;
-  std::vector<std::string> parts;
 };
 
-/// Two texts with a mark between.
-std::pair<std::string, std::string> halves(const char* option, const std::string& text, char mark) {
-  const std::size_t place = text.find(mark);
-  if (place == std::string::npos)
-    throw InputError(fmt::format("{} {}: needs two numbers and '{}'", option, text, mark));
-  return {text.substr(0, place), text.substr(place + 1)};
+void declare_arc(scene::Options& options, Arc& a) {
+  options.add("--from", a.problem.from, "x,y,z from the centre, in any consistent units").required();
+  options.add("--to", a.problem.to, "x,y,z of the arrival").required();
+  options.add("--time", a.problem.time, "of flight").positive().required();
+  options.add("--mu", a.problem.gravity.mu, "gravitational parameter").positive();
+  options.add("--long-way", a.long_way, "by more than 180 degrees");
+  options.add("--revolutions", a.revolutions, "whole ones before the arrival").range(0, 1e6);
+  options.add("--branch", a.branch, "of one revolution or more; low is the smaller semi-major axis")
+      .one_of({"low", "high"});
+  options.add("--plane", a.plane, "nx,ny,nz: the normal of the plane, for opposite positions alone");
+  options.add("--zonal", a.zonal, "J2 of the centre, the axis along z");
+  options.add("--radius", a.radius, "that J2 refers to").positive();
+  options.add("--method", a.method, "collocation has 81 nodes, polynomials, and goes the short way")
+      .one_of({"izzo", "collocation"});
 }
 
-orbit::Vector3<double> vector(const char* option, const std::string& text) {
-  const std::vector<double> all = scene::typed_numbers(option, text);
-  if (all.size() != 3)
-    throw InputError(fmt::format("{} {}: {} numbers where x,y,z are needed", option, text, all.size()));
-  return {all[0], all[1], all[2]};
-}
+std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
-orbit::TransferProblem problem_of(const Words& words) {
-  orbit::TransferProblem p{
-      vector("--from", words.from),
-      vector("--to", words.to),
-      scene::typed_positive("--time", words.time),
-      {.mu = words.mu.empty() ? orbit::earth().mu : scene::typed_positive("--mu", words.mu)}};
-  for (const auto& [option, r] : {std::pair("--from " + words.from, p.from), {"--to " + words.to, p.to}}) {
-    if (r.isZero(0)) throw InputError(option + ": is the centre, from where no orbit leads on");
+orbit::TransferProblem problem_of(const Arc& a) {
+  orbit::TransferProblem p = a.problem;
+  for (const auto& [option, r] : {std::pair("--from", p.from), {"--to", p.to}}) {
+    if (r.isZero(0))
+      throw InputError(fmt::format("{} {}: is the centre, from where no orbit leads on", option, text_of(r)));
   }
-  if (!words.plane.empty()) {
-    p.normal = vector("--plane", words.plane);
-    if (p.normal->isZero(0)) throw InputError(fmt::format("--plane {}: a normal cannot be 0", words.plane));
+  if (!a.plane.empty()) {
+    const std::string typed = fmt::format("--plane {}", fmt::join(a.plane, ","));
+    if (a.plane.size() != 3)
+      throw InputError(fmt::format("{}: {} numbers where x,y,z are needed", typed, a.plane.size()));
+    p.normal = {a.plane[0], a.plane[1], a.plane[2]};
+    if (p.normal->isZero(0)) throw InputError(typed + ": a normal cannot be 0");
     if (!orbit::are_opposite({p.from, p.to, p.time, p.gravity.mu}))
-      throw InputError(fmt::format(
-          "--plane {}: the positions are not opposite and determine the plane; leave it out", words.plane));
+      throw InputError(typed + ": the positions are not opposite and determine the plane; leave it out");
   }
-  if (words.zonal.empty() != words.radius.empty())
-    throw InputError(words.zonal.empty()
-                         ? fmt::format("--radius {}: means nothing without --zonal J2", words.radius)
-                         : fmt::format("--zonal {}: needs --radius R", words.zonal));
-  if (!words.zonal.empty()) {
-    p.gravity.zonal[0] = scene::typed_number("--zonal", words.zonal);
-    p.gravity.radius = scene::typed_positive("--radius", words.radius);
+  if (a.radius && !a.zonal)
+    throw InputError(fmt::format("--radius {}: means nothing without --zonal J2", *a.radius));
+  if (a.zonal && !a.radius) throw InputError(fmt::format("--zonal {}: needs --radius R", *a.zonal));
+  if (a.zonal) {
+    p.gravity.zonal[0] = *a.zonal;
+    p.gravity.radius = *a.radius;
   }
   return p;
 }
 
-orbit::LambertArc arc_of(const Words& words) {
-  orbit::LambertArc arc{words.long_way, scene::typed_whole("--revolutions", words.revolutions, 0, 1'000'000),
-                        orbit::LambertBranch::low};
-  if (arc.revolutions > 0 && words.branch.empty())
-    throw InputError(fmt::format("--revolutions {}: needs --branch low or high", words.revolutions));
-  if (arc.revolutions == 0 && !words.branch.empty())
-    throw InputError(fmt::format("--branch {}: means nothing without revolutions", words.branch));
-  if (words.branch == "high")
-    arc.branch = orbit::LambertBranch::high;
-  else if (!words.branch.empty() && words.branch != "low")
-    throw InputError(fmt::format("--branch {}: there are low and high", words.branch));
-  return arc;
+orbit::LambertArc arc_of(const Arc& a) {
+  if (a.revolutions > 0 && a.branch.empty())
+    throw InputError(fmt::format("--revolutions {}: needs --branch low or high", a.revolutions));
+  if (a.revolutions == 0 && !a.branch.empty())
+    throw InputError(fmt::format("--branch {}: means nothing without revolutions", a.branch));
+  return {a.long_way, a.revolutions,
+          a.branch == "high" ? orbit::LambertBranch::high : orbit::LambertBranch::low};
 }
 
 /// Collocation with polynomials, from the guess that turns about the centre the short way.
-orbit::Transfer by_collocation(const orbit::TransferProblem& p, const Words& words,
-                               const orbit::LambertArc& arc) {
+orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
   if (arc.revolutions > 0)
     throw InputError(
         fmt::format("--method collocation --revolutions {}: no guess is known from which collocation "
                     "finds an arc of whole revolutions; use --method izzo",
-                    words.revolutions));
+                    arc.revolutions));
   if (arc.long_way)
     throw InputError(
         "--method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use "
@@ -115,25 +112,50 @@ orbit::Transfer by_collocation(const orbit::TransferProblem& p, const Words& wor
   return t;
 }
 
-std::string lambert(const Words& words) {
-  const orbit::TransferProblem p = problem_of(words);
-  const orbit::LambertArc arc = arc_of(words);
-  if (words.method != "izzo" && words.method != "collocation")
-    throw InputError(fmt::format("--method {}: there are izzo and collocation", words.method));
+std::string lambert(const Arc& a) {
+  const orbit::TransferProblem p = problem_of(a);
+  const orbit::LambertArc arc = arc_of(a);
   orbit::Transfer t;
   try {
-    t = words.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, words, arc);
+    t = a.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, arc);
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
   if (t.status.outcome() ==
       Outcome::outside_validity)  // positions that determine no plane, an impossible time
-    throw InputError(fmt::format("--from {} --to {} --time {}: {}", words.from, words.to, words.time,
+    throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
   return fmt::format(
       "vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
       t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
+}
+
+/// `porkchop`
+struct Grid {
+  std::string file, grid, shard;
+  int threads = 0;
+  bool plot = false;
+};
+
+void declare_grid(scene::Options& options, Grid& g) {
+  options.add("orbits", g.file, "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
+      .required();
+  options.add("--grid", g.grid, "NxM: departures and arrivals").required();
+  options.add("--shard", g.shard, "i/n: the i-th of n disjoint parts, for merge");
+  options.add("--threads", g.threads, "how many; 0: one a processor").range(0, 1024);
+  options.add("--plot", g.plot,
+              "also draws the grid: <name of the TOML file>.svg in this folder, over an older picture alone");
+  options.footer(porkchop_keys());
+}
+
+/// Two whole numbers from 1 with a mark between.
+std::pair<int, int> halves(const char* option, const std::string& text, char mark) {
+  const std::size_t place = text.find(mark);
+  if (place == std::string::npos)
+    throw InputError(fmt::format("{} {}: needs two numbers and '{}'", option, text, mark));
+  const auto whole = [&](const std::string& half) { return scene::typed_whole(option, half, 1, 1'000'000); };
+  return {whole(text.substr(0, place)), whole(text.substr(place + 1))};
 }
 
 /// A folder for the data of a drawing, gone with it.
@@ -177,21 +199,21 @@ PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
 constexpr std::string_view drawn_here = "<!-- drawn by rbf_inverse porkchop --plot -->\n";
 
 /// Where the picture goes: <name of the TOML file>.svg in the current folder.
-std::filesystem::path picture_of(const Words& words) {
-  return (words.file == "-" ? "porkchop" : std::filesystem::path(words.file).stem().string()) + ".svg";
+std::filesystem::path picture_of(const Grid& g) {
+  return (g.file == "-" ? "porkchop" : std::filesystem::path(g.file).stem().string()) + ".svg";
 }
 
 /// Everything about a picture that can be refused before there are numbers.
-void check_plot(const Words& words, const orbit::PorkchopProblem& p) {
-  if (!words.shard.empty())
-    throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", words.shard));
+void check_plot(const Grid& g, const orbit::PorkchopProblem& p) {
+  if (!g.shard.empty())
+    throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", g.shard));
   if (p.departures.count < 4 || p.arrivals.count < 4)
-    throw InputError(fmt::format("--grid {}: --plot needs 4x4 or more", words.grid));
+    throw InputError(fmt::format("--grid {}: --plot needs 4x4 or more", g.grid));
   for (const auto& [name, window] : {std::pair("departures", p.departures), {"arrivals", p.arrivals}}) {
     if (!(window.first < window.last))
-      throw InputError(fmt::format("{}: --plot needs a window of {} that has a width", words.file, name));
+      throw InputError(fmt::format("{}: --plot needs a window of {} that has a width", g.file, name));
   }
-  const std::filesystem::path picture = picture_of(words);
+  const std::filesystem::path picture = picture_of(g);
   std::error_code none;
   if (!std::filesystem::exists(std::filesystem::symlink_status(picture, none))) return;
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(picture, none)) ||
@@ -204,111 +226,70 @@ void check_plot(const Words& words, const orbit::PorkchopProblem& p) {
 }
 
 /// Draws the picture. The numbers have been printed: a failure leaves them where they are.
-void plot(const Words& words, const orbit::Porkchop& grid) {
+void plot(const Grid& g, const orbit::Porkchop& grid) {
   try {
     const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
     const Scratch folder;
     scene::write_whole(folder.path() / "data.csv", figure.data.csv());
     scene::write_whole(folder.path() / "map.gp", scene::gnuplot_script(figure, "data.csv"));
     scene::put_style(folder.path());
-    scene::write_whole(picture_of(words), scene::draw(folder.path(), "map.gp").append(drawn_here));
+    scene::write_whole(picture_of(g), scene::draw(folder.path(), "map.gp").append(drawn_here));
   } catch (const Failure& failure) {
     throw Failure(fmt::format("porkchop: all numbers are written, but {} is not drawn: {}",
-                              picture_of(words).string(), failure.what()));
+                              picture_of(g).string(), failure.what()));
   }
 }
 
-void porkchop(const Words& words) {
-  orbit::PorkchopProblem p = read_porkchop(scene::read_whole(words.file), words.file);
-  const auto [rows, columns] = halves("--grid", words.grid, 'x');
-  p.departures.count = scene::typed_whole("--grid", rows, 1, 1'000'000);
-  p.arrivals.count = scene::typed_whole("--grid", columns, 1, 1'000'000);
-  orbit::PorkchopWork work{.threads = scene::typed_whole("--threads", words.threads, 0, 1024)};
-  if (!words.shard.empty()) {
-    const auto [shard, shards] = halves("--shard", words.shard, '/');
-    work.shards = scene::typed_whole("--shard", shards, 1, 1'000'000);
-    work.shard = scene::typed_whole("--shard", shard, 1, work.shards);
+void porkchop(const Grid& g) {
+  orbit::PorkchopProblem p = read_porkchop(scene::read_whole(g.file), g.file);
+  std::tie(p.departures.count, p.arrivals.count) = halves("--grid", g.grid, 'x');
+  orbit::PorkchopWork work{.threads = g.threads};
+  if (!g.shard.empty()) {
+    std::tie(work.shard, work.shards) = halves("--shard", g.shard, '/');
+    if (work.shard > work.shards)
+      throw InputError(fmt::format("--shard {}: there are {} shards", g.shard, work.shards));
   }
-  if (words.plot) check_plot(words, p);
+  if (g.plot) check_plot(g, p);
   orbit::Porkchop grid;
   try {
     grid = orbit::porkchop(p, work);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", words.file, error.what()));
+    throw InputError(fmt::format("{}: {}", g.file, error.what()));
   }
   if (!grid.status.ok()) throw Failure(grid.status);
-  scene::print_result(words.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
-  if (words.plot) plot(words, grid);
+  scene::print_result(g.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
+  if (g.plot) plot(g, grid);
 }
 
-std::string merge(const Words& words) {
+/// `merge`
+struct Parts {
+  std::vector<std::string> files;
+};
+
+void declare_parts(scene::Options& options, Parts& parts) {
+  options.add("parts", parts.files, "files written by porkchop --shard").required();
+}
+
+std::string merge(const Parts& typed) {
   std::vector<PorkchopPart> parts;
-  for (const std::string& name : words.parts) parts.push_back({scene::read_whole(name), name});
+  for (const std::string& name : typed.files) parts.push_back({scene::read_whole(name), name});
   return merged(parts);
-}
-
-CLI::App* add(CLI::App& app, const char* name, const char* help, const std::shared_ptr<Words>& words,
-              std::string (*work)(const Words&)) {
-  CLI::App* command = app.add_subcommand(name, help);
-  command->callback([words, work] { scene::print_result(work(*words)); });
-  return command;
-}
-
-void add_lambert_command(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* command =
-      add(app, "lambert",
-          "The orbit from one position to another in a given time, as CSV: "
-          "vx0,vy0,vz0,vx1,vy1,vz1,miss_m. The departure is integrated by another method: a miss "
-          "beyond a millionth of the distance is a failure",
-          words, lambert);
-  command->add_option("--from", words->from, "x,y,z from the centre, in any consistent units")->required();
-  command->add_option("--to", words->to, "x,y,z of the arrival")->required();
-  command->add_option("--time", words->time, "of flight, positive")->required();
-  command->add_option("--mu", words->mu, "gravitational parameter; the Earth's 3.986004418e14 without it");
-  command->add_flag("--long-way", words->long_way, "by more than 180 degrees");
-  command->add_option("--revolutions", words->revolutions, "whole ones before the arrival")
-      ->capture_default_str();
-  command->add_option("--branch", words->branch,
-                      "of one revolution or more: low (smaller semi-major axis) or high");
-  command->add_option("--plane", words->plane,
-                      "nx,ny,nz: the normal of the plane, for opposite positions alone");
-  command->add_option("--zonal", words->zonal, "J2 of the centre, the axis along z");
-  command->add_option("--radius", words->radius, "that J2 refers to");
-  command
-      ->add_option("--method", words->method, "izzo, or collocation (81 nodes, polynomials, the short way)")
-      ->capture_default_str();
-}
-
-void add_porkchop_commands(CLI::App& app) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* command =
-      app.add_subcommand("porkchop",
-                         "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
-                         "departure,arrival,v_departure,v_arrival,revolutions");
-  command->callback([words] { porkchop(*words); });
-  command->footer(porkchop_keys());
-  command
-      ->add_option("orbits", words->file,
-                   "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
-      ->required();
-  command->add_option("--grid", words->grid, "NxM: departures and arrivals")->required();
-  command->add_option("--shard", words->shard, "i/n: the i-th of n disjoint parts, for merge");
-  command->add_option("--threads", words->threads, "how many; 0: one a processor")->capture_default_str();
-  command->add_flag(
-      "--plot", words->plot,
-      "also draws the grid: <name of the TOML file>.svg in this folder, over an older picture alone");
-  const auto others = std::make_shared<Words>();
-  add(app, "merge", "Joins all shards of one grid, given in any order, to what one run writes", others, merge)
-      ->add_option("parts", others->parts, "files written by porkchop --shard")
-      ->required();
 }
 
 }  // namespace
 
-void add_lambert_commands(CLI::App& app) {
-  add_lambert_command(app);
-  add_porkchop_commands(app);
+void add_lambert_commands(scene::Commands& all) {
+  all.add(
+      "lambert",
+      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss_m. The "
+      "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
+      declare_arc, lambert);
+  all.add("porkchop",
+          "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
+          "departure,arrival,v_departure,v_arrival,revolutions",
+          declare_grid, porkchop);
+  all.add("merge", "Joins all shards of one grid, given in any order, to what one run writes", declare_parts,
+          merge);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

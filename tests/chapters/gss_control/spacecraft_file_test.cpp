@@ -84,14 +84,13 @@ TEST(Words, Frequencies) {
 }
 
 TEST(Words, TimesEndWhereAsked) {
-  EXPECT_EQ(typed_times("2", ""), (std::vector<double>{0, 2}));
-  const auto times = typed_times("1", "0.3");
+  EXPECT_EQ(typed_times(2, {}), (std::vector<double>{0, 2}));
+  const auto times = typed_times(1, 0.3);
   ASSERT_EQ(times.size(), 5U);
   EXPECT_EQ(times[3], 3 * 0.3);
   EXPECT_EQ(times.back(), 1);
-  EXPECT_EQ(typed_times("0.3", "0.1").size(), 4U);  // 3 x 0.1 is above 0.3 by a rounding
-  for (const char* bad : {"0", "-1", "x", "nan"}) EXPECT_THROW((void)typed_times(bad, ""), InputError) << bad;
-  EXPECT_THROW((void)typed_times("1", "1e-9"), InputError);
+  EXPECT_EQ(typed_times(0.3, 0.1).size(), 4U);  // 3 x 0.1 is above 0.3 by a rounding
+  EXPECT_THROW((void)typed_times(1, 1e-9), InputError);
 }
 
 TEST(Words, PlacesLieOnTheAppendage) {
@@ -107,9 +106,11 @@ TEST(Words, PlacesLieOnTheAppendage) {
 
 TEST(Words, Loops) {
   const auto craft = spacecraft::table_3_1();
-  EXPECT_EQ(typed_loop(craft, "12,0,16").gains().k3, 16);
-  for (const char* bad : {"12,0", "12,0,16,1", "12,0,x", "12,-2,16", "-1,0,16", "12,0,nan"})
-    EXPECT_THROW((void)typed_loop(craft, bad), InputError) << bad;
+  EXPECT_EQ(typed_loop(craft, {12, 0, 16}).gains().k3, 16);
+  const double nan = std::nan("");
+  for (const std::vector<double>& bad :
+       std::vector<std::vector<double>>{{12, 0}, {12, 0, 16, 1}, {12, -2, 16}, {-1, 0, 16}, {12, 0, nan}})
+    EXPECT_THROW((void)typed_loop(craft, bad), InputError) << bad.size();
 }
 
 }  // namespace

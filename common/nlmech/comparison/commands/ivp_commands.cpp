@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/scene/program/command.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -19,53 +17,39 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string problem, initial, until, from, method, step, tolerance, absolute, nodes, shape, order, points,
-      every, limit = scene::usual_limit;
+  std::string problem, initial, method;
+  double until = 0;
+  std::optional<double> from, every;
+  ivp::Settings settings;
+  ivp::Limits limits{.seconds = 60};
   std::vector<std::string> set;
   bool no_verify = false;
 };
 
-std::optional<double> positive(const char* option, const std::string& text) {
-  if (text.empty()) return {};
-  return scene::typed_positive(option, text);
-}
-
-std::optional<int> whole(const char* option, const std::string& text, int least, int most) {
-  if (text.empty()) return {};
-  return scene::typed_whole(option, text, least, most);
-}
-
 Request understand(const Words& words, OwnProblem& problem) {
   apply_settings(problem, words.set);
-  Request r;
-  r.x0 = initial_state(problem, words.initial);
-  r.t0 = words.from.empty() ? problem.initial_time() : scene::typed_number("--from", words.from);
-  r.t1 = scene::typed_number("--until", words.until);
-  if (!words.step.empty() && !words.tolerance.empty())
-    throw InputError(fmt::format("--step {} --tolerance {}: give a step or a tolerance, not both", words.step,
-                                 words.tolerance));
-  r.settings = {.step = positive("--step", words.step),
-                .tolerance = positive("--tolerance", words.tolerance),
-                .absolute_tolerance = positive("--absolute-tolerance", words.absolute),
-                .nodes = whole("--nodes", words.nodes, 2, 200),
-                .shape = positive("--shape", words.shape),
-                .order = whole("--order", words.order, 2, 100),
-                .points = whole("--points", words.points, 1, 8)};
-  r.every = positive("--every", words.every);
+  Request r{.x0 = initial_state(problem, words.initial),
+            .t0 = words.from.value_or(problem.initial_time()),
+            .t1 = words.until,
+            .settings = words.settings,
+            .every = words.every,
+            .limits = words.limits,
+            .verify = !words.settings.step && !words.no_verify};
+  if (r.settings.step && r.settings.tolerance)
+    throw InputError(fmt::format("--step {} --tolerance {}: give a step or a tolerance, not both",
+                                 *r.settings.step, *r.settings.tolerance));
   if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
-    throw InputError(fmt::format("--every {}: more than 10 million rows", words.every));
-  r.limits.seconds = *positive("--limit", words.limit);
-  r.verify = !r.settings.step && !words.no_verify;
+    throw InputError(fmt::format("--every {}: more than 10 million rows", *r.every));
   return r;
 }
 
-void integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
+std::string integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_by_name(problems, words.problem);
   const Request r = understand(words, *problem);
   const AnyMethod method = about("--method", [&] { return any_method(words.method); });
   const Trajectory run = problem->trajectory(r, method);
   if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
-  scene::print_result(run.rows);
+  return run.rows;
 }
 
 std::string trimmed(std::string text) {
@@ -109,42 +93,48 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
   return all;
 }
 
-void compare(const Words& words, const OwnProblems& problems, const std::string& program) {
+std::string compare(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_by_name(problems, words.problem);
   const Request r = understand(words, *problem);
-  scene::print_result(problem->comparison(r, choices(words.method, r.settings), program));
+  return problem->comparison(r, choices(words.method, r.settings), program);
 }
 
-void add_common(CLI::App& command, Words& words) {
-  command.add_option("--problem", words.problem, "which equation: see below")->required();
-  command.add_option("--set", words.set, "name=value of a parameter; more of them with blanks between");
-  command.add_option("--initial", words.initial,
-                     "initial state: positions, then velocities, as in 1,-0.5; the problem's own without it");
-  command.add_option("--from", words.from, "time at which it begins; the problem's own without it");
-  command.add_option("--until", words.until, "time at which it ends; earlier runs backwards")->required();
-  command.add_option("--step", words.step, "length of a step, for methods of fixed step and series");
-  command.add_option("--tolerance", words.tolerance,
-                     "relative and absolute; 1e-9 without it. Methods of fixed step shorten their step until "
-                     "two runs agree with each other and with another method");
-  command.add_option("--absolute-tolerance", words.absolute,
-                     "for components that become small; --tolerance without it. Not for fixed steps");
+void declare_common(scene::Options& options, Words& words) {
+  options.add("--problem", words.problem, "which equation: see below").required();
+  options.add("--set", words.set, "name=value of a parameter; more of them with blanks between");
+  options.add("--initial", words.initial,
+              "initial state: positions, then velocities, as in 1,-0.5; the problem's own without it");
+  options.add("--from", words.from, "time at which it begins; the problem's own without it");
+  options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
+  ivp::Settings& s = words.settings;
+  options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
+  options
+      .add("--tolerance", s.tolerance,
+           "relative and absolute; 1e-9 without it. Methods of fixed step shorten their step until two runs "
+           "agree "
+           "with each other and with another method")
+      .positive();
+  options
+      .add("--absolute-tolerance", s.absolute_tolerance,
+           "for components that become small; --tolerance without it. Not for fixed steps")
+      .positive();
+  options.limit(words.limits.seconds);
 }
 
 /// What some methods have and others have not: options for those that at least one of @p methods has.
-void add_method_settings(CLI::App& command, Words& words, const std::vector<std::string>& methods) {
+void declare_settings(scene::Options& options, ivp::Settings& s, const std::vector<std::string>& methods) {
   const auto some = [&](bool AnyMethod::*has) {
     return std::any_of(methods.begin(), methods.end(),
                        [&](const auto& name) { return any_method(name).*has; });
   };
   if (some(&AnyMethod::has_nodes))
-    command.add_option("--nodes", words.nodes, "nodes a step of a collocation, 2 to 200");
+    options.add("--nodes", s.nodes, "nodes a step of a collocation").range(2, 200);
   if (some(&AnyMethod::has_shape))
-    command.add_option("--shape", words.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it");
+    options.add("--shape", s.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it").positive();
   if (some(&AnyMethod::has_order))
-    command.add_option("--order", words.order,
-                       "N of series, 2 to 100; by the tolerance without it, 20 with a step");
+    options.add("--order", s.order, "N of series; by the tolerance without it, 20 with a step").range(2, 100);
   if (some(&AnyMethod::has_points))
-    command.add_option("--points", words.points, "p of mtl, steps solved at once, 1 to 8; 3 without it");
+    options.add("--points", s.points, "p of mtl, steps solved at once; 3 without it").range(1, 8);
 }
 
 std::string describe_all(const OwnProblems& problems) {
@@ -153,53 +143,46 @@ std::string describe_all(const OwnProblems& problems) {
 
 }  // namespace
 
-void add_integrate_command(CLI::App& app, const OwnProblems& problems,
+void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
                            const std::vector<std::string>& methods) {
-  const auto words = std::make_shared<Words>();  // lives as long as the callback
-  CLI::App* command = app.add_subcommand("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...");
-  add_common(*command, *words);
-  if (methods.empty()) {
-    command->add_option("--method", words->method, "one of the methods below")->required();
-  } else {
-    words->method = methods.front();
-    if (methods.size() > 1)
-      command->add_option("--method", words->method, fmt::format("{}", fmt::join(methods, ", ")))
-          ->capture_default_str();
-  }
-  add_method_settings(*command, *words, methods.empty() ? any_method_names() : methods);
-  command->footer(methods.empty() ? describe_all(problems) : describe_problems(problems));
-  command->add_option("--every", words->every,
-                      "rows at this distance in time; without it the first and the last");
-  command->add_flag(
-      "--no-verify", words->no_verify,
-      "print the run without holding it to an independent one, which every run by a tolerance is");
-  command->add_option("--limit", words->limit, "wall time in seconds, at most")->capture_default_str();
-  const std::string program = app.get_name();
-  command->callback([words, problems, methods, program] {
-    if (!methods.empty() && std::find(methods.begin(), methods.end(), words->method) == methods.end())
-      throw InputError(fmt::format("--method {}: there is no such method here; there is {}", words->method,
-                                   fmt::join(methods, ", ")));
-    integrate(*words, problems, program);
-  });
+  const auto declare = [&](scene::Options& options, Words& words) {
+    declare_common(options, words);
+    if (methods.empty()) {
+      options.add("--method", words.method, "one of the methods below").required();
+    } else {
+      words.method = methods.front();
+      if (methods.size() > 1) options.add("--method", words.method, "one").one_of(methods);
+    }
+    declare_settings(options, words.settings, methods.empty() ? any_method_names() : methods);
+    options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
+        .positive();
+    options.add("--no-verify", words.no_verify,
+                "print the run without holding it to an independent one, which every run by a tolerance is");
+    options.footer(methods.empty() ? describe_all(problems) : describe_problems(problems));
+  };
+  commands.add<Words>("integrate", "A problem from begin to end, as CSV: t,x1,...,v1,...", declare,
+                      [problems, program = commands.program()](const Words& words) {
+                        return integrate(words, problems, program);
+                      });
 }
 
-void add_compare_command(CLI::App& app, const OwnProblems& problems, const std::string& program) {
-  const auto words = std::make_shared<Words>();
-  CLI::App* command = app.add_subcommand(
+void add_compare_command(scene::Commands& commands, const OwnProblems& problems) {
+  const auto declare = [&](scene::Options& options, Words& words) {
+    declare_common(options, words);
+    options
+        .add("--methods", words.method,
+             "methods with commas between: rbf-coll,ode45,cvode-adams; or all; they "
+             "share the limit")
+        .required();
+    declare_settings(options, words.settings, any_method_names());
+    options.footer(describe_all(problems));
+  };
+  commands.add<Words>(
       "compare",
-      "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations,controlled,note as CSV");
-  add_common(*command, *words);
-  command
-      ->add_option("--methods", words->method,
-                   "methods with commas between: rbf-coll,ode45,cvode-adams; or all")
-      ->required();
-  command
-      ->add_option("--limit", words->limit,
-                   "wall time in seconds, at most; each method gets its share of what those before it leave")
-      ->capture_default_str();
-  add_method_settings(*command, *words, any_method_names());
-  command->footer(describe_all(problems));
-  command->callback([words, problems, program] { compare(*words, problems, program); });
+      "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations,controlled,note as CSV",
+      declare, [problems, program = commands.program()](const Words& words) {
+        return compare(words, problems, program);
+      });
 }
 
 }  // namespace nlmech::comparison

@@ -17,7 +17,6 @@
 /// `tests`: names of all values, one a line.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -40,11 +39,12 @@ using namespace nlmech::scene;
 
 constexpr int passed = 0, failed = 1, skipped = 77;
 
-struct Options {
+/// What was typed.
+struct Words {
   std::string chapters, out = ".", page, name;
 };
 
-std::vector<std::string> read_built(const Options& options) {
+std::vector<std::string> read_built(const Words& options) {
   std::vector<std::string> built;
   std::istringstream lines(read_whole(options.chapters));
   for (std::string line; std::getline(lines, line);) {
@@ -54,7 +54,7 @@ std::vector<std::string> read_built(const Options& options) {
 }
 
 /// The chapter that owns a value, if it is built.
-std::vector<std::string> built_owner(const Options& options) {
+std::vector<std::string> built_owner(const Words& options) {
   const std::vector<Place> places = read_places(data_folder());
   std::vector<std::string> built = read_built(options);
   for (const PublishedValue& value : read_published(data_folder())) {
@@ -67,7 +67,7 @@ std::vector<std::string> built_owner(const Options& options) {
 
 bool fails(const Checked& c) { return c.judgement.verdict != Verdict::not_built && !c.judgement.passes; }
 
-int report(const Options& options) {
+int report(const Words& options) {
   const std::vector<Checked> values = collect_checks(read_built(options), data_folder(), options.out);
   if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
   const auto misses = std::count_if(values.begin(), values.end(), fails);
@@ -77,7 +77,7 @@ int report(const Options& options) {
 }
 
 /// Looks at the chapter that owns the value and at no other: they may not have been checked.
-int verdict(const Options& options) {
+int verdict(const Words& options) {
   const std::vector<Checked> values = collect_checks(built_owner(options), data_folder(), options.out);
   const auto c = std::find_if(values.begin(), values.end(),
                               [&](const Checked& other) { return other.value.name() == options.name; });
@@ -86,7 +86,7 @@ int verdict(const Options& options) {
   return fails(*c) ? failed : passed;
 }
 
-int completeness(const Options& options) {
+int completeness(const Words& options) {
   const std::vector<Shown> shown = collect_shown(read_built(options), data_folder(), options.out);
   if (!options.page.empty()) write_whole(options.page, completeness_page(shown));
   std::size_t incomplete = 0;
@@ -102,7 +102,7 @@ int completeness(const Options& options) {
   return incomplete == 0 ? passed : failed;
 }
 
-int claims(const Options& options) {
+int claims(const Words& options) {
   const std::vector<JudgedClaim> all = judge_claims(read_built(options), data_folder(), options.out);
   if (!options.page.empty()) write_whole(options.page, claims_page(all));
   std::size_t misses = 0;
@@ -119,7 +119,7 @@ int claims(const Options& options) {
 }
 
 /// A table for each chapter's page, and all of them on one.
-void errata(const Options& options) {
+void errata(const Words& options) {
   std::vector<Erratum> all = read_errata(data_folder());
   const std::vector<Place> places = read_places(data_folder());
   // Chapters in the order in which the sources come to them.
@@ -140,41 +140,41 @@ void errata(const Options& options) {
   print_result(fmt::format("{} errata\n", all.size()));
 }
 
-void list_names() {
-  std::string names;
-  for (const PublishedValue& value : read_published(data_folder())) names += value.name() + '\n';
-  print_result(names);
+std::string names() {
+  std::string all;
+  for (const PublishedValue& value : read_published(data_folder())) all += value.name() + '\n';
+  return all;
+}
+
+/// @tparam chapters, page which options a command has
+template <bool chapters, bool page>
+void declare(Options& options, Words& words) {
+  if (chapters)
+    options.add("--chapters", words.chapters, "file with the names of the chapters built").required();
+  if (chapters || page)
+    options.add("--out", words.out,
+                "folder with the chapters' results/, and that gets tables/<chapter>/errata.md");
+  if (page) options.add("--page", words.page, "write the Markdown page to this file too");
+  options.unlimited();
+}
+
+void declare_verdict(Options& options, Words& words) {
+  options.add("name", words.name, "source/place/row/quantity").required();
+  declare<true, false>(options, words);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Published beside reproduced, over all chapters", "reproduction");
-  app.require_subcommand(1);
-  Options options;
-  int code = passed;
-  CLI::App* reporter = app.add_subcommand("report", "all values; exit code 1 if one has another verdict");
-  reporter->add_option("--page", options.page, "write the Markdown page to this file too");
-  reporter->callback([&] { code = report(options); });
-  CLI::App* overview =
-      app.add_subcommand("completeness", "figures and tables; exit code 1 if one is lacking");
-  overview->callback([&] { code = completeness(options); });
-  CLI::App* prose =
-      app.add_subcommand("claims", "claims in prose; exit code 1 if one has another verdict than expected");
-  prose->callback([&] { code = claims(options); });
-  CLI::App* misprints = app.add_subcommand("errata", "misprints: a table a chapter, and all on one page");
-  misprints->callback([&] { errata(options); });
-  for (CLI::App* sub : {overview, prose, misprints})
-    sub->add_option("--page", options.page, "write the Markdown page to this file too");
-  misprints->add_option("--out", options.out, "folder that gets tables/<chapter>/errata.md");
-  CLI::App* judge = app.add_subcommand("verdict", "one value; exit code 77 if its chapter is not built");
-  judge->add_option("name", options.name, "source/place/row/quantity")->required();
-  judge->callback([&] { code = verdict(options); });
-  for (CLI::App* sub : {reporter, overview, prose, judge}) {
-    sub->add_option("--chapters", options.chapters, "file with the names of the chapters built")->required();
-    sub->add_option("--out", options.out, "folder in which the chapters' checks left results/");
-  }
-  CLI::App* names = app.add_subcommand("tests", "names of all values, one a line");
-  names->callback(list_names);
-  return run_command(app, argc, argv, code, {reporter, overview, prose, misprints, judge, names});
+  Commands commands("reproduction");
+  commands.add("report", "all values; exit code 1 if one has another verdict", declare<true, true>, report);
+  commands.add("completeness", "figures and tables; exit code 1 if one is lacking", declare<true, true>,
+               completeness);
+  commands.add("claims", "claims in prose; exit code 1 if one has another verdict than expected",
+               declare<true, true>, claims);
+  commands.add("errata", "misprints: a table a chapter, and all on one page", declare<false, true>, errata);
+  commands.add("verdict", "one value; exit code 77 if its chapter is not built", declare_verdict, verdict);
+  commands.add("tests", "names of all values, one a line", declare<false, false>,
+               [](const Words&) { return names(); });
+  return run_command(commands, "Published beside reproduced, over all chapters", argc, argv);
 }

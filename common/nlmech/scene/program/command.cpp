@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
+#include <list>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "nlmech/scene/build_info.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/time_limit.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -18,54 +20,75 @@ namespace nlmech::scene {
 namespace {
 
 constexpr int failed = 1, wrong_usage = 2;
-constexpr const char* limit_name = "--limit";
+constexpr const char *limit_name = "--limit", *usual_limit = "60";
 
 /// Seconds beyond the limit for commands that heed it by themselves.
 constexpr double usual_grace = 0.5;
 
-using Graces = std::map<const CLI::App*, double>;
+/// A command in the parser, and what was typed after each of its options.
+struct Parsed {
+  const Commands::Command* command;
+  CLI::App* app;
+  struct Typed {
+    const Option* option;
+    CLI::Option* parsed;
+    std::vector<std::string> texts;
+    bool is_given = false;  ///< of a flag
+  };
+  std::list<Typed> typed;  // the parser keeps pointers to its elements
+  std::string limit_text;
 
-/// Gives each subcommand its `--limit`. @returns how long to wait beyond it
-Graces add_limits(CLI::App& app, const std::set<const CLI::App*>& unlimited, std::string& typed) {
-  Graces graces;
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    if (command->get_option_no_throw(limit_name) != nullptr) {
-      graces[command] = usual_grace;
-      continue;
-    }
-    CLI::Option* const option = command->add_option(limit_name, typed, "wall time at most, s");
-    if (unlimited.contains(command))
-      option->description("wall time at most, s; without it as long as it takes");
-    else
-      option->default_str(usual_limit);
-    graces[command] = 0;
+  Parsed(CLI::App& program, const Commands::Command& declared)
+      : command(&declared), app(program.add_subcommand(declared.name, declared.help)) {
+    app->footer(declared.options.footer());
+    for (const Option& option : declared.options.all()) add(option);
+    if (!declared.options.heeds_limit()) add_limit();
   }
-  return graces;
+  void add(const Option& option);
+  void add_limit();
+  /// All options to their places. @throws InputError
+  void understand() const;
+  [[nodiscard]] TimeLimit::Command watched(const std::string& program) const;
+};
+
+void Parsed::add(const Option& option) {
+  Typed& t = typed.emplace_back(Typed{&option, nullptr, {}});
+  if (option.is_flag()) {
+    t.parsed = app->add_flag(option.name(), t.is_given, option.help());
+  } else {
+    t.parsed = app->add_option(option.name(), t.texts, option.help());
+    t.parsed->default_str(option.default_text());
+    t.parsed->type_name("");
+    // What is given twice is most often given by mistake: nothing is ignored in silence.
+    if (!option.takes_several()) t.parsed->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+  }
+  t.parsed->required(option.is_required());
 }
 
-/// What is given twice is most often given by mistake: nothing is ignored in silence.
-void refuse_repetition(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    for (CLI::Option* option : command->get_options()) {
-      if (option != command->get_help_ptr() && option->get_expected_max() <= 1)
-        option->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    }
-  }
+void Parsed::add_limit() {
+  const bool unlimited = command->options.is_unlimited();
+  const std::string help =
+      unlimited ? "wall time at most, s; without it as long as it takes" : "wall time at most, s";
+  CLI::Option* const limit = app->add_option(limit_name, limit_text, help);
+  limit->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+  if (!unlimited) limit->default_str(usual_limit);
 }
 
-/// Options without a text would be taken for options that are not there.
-void refuse_empty(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
-    const auto& texts = option->results();
-    if (std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return text.empty(); }))
+void Parsed::understand() const {
+  // An empty text would be taken for an option that is not there.
+  for (const CLI::Option* option : app->get_options()) {
+    if (std::ranges::any_of(option->results(), &std::string::empty))
       throw InputError(fmt::format("{}: an empty text", option->get_name()));
   }
+  for (const Typed& t : typed) {
+    if (t.parsed->count() > 0) t.option->understand(t.option->is_flag() ? t.parsed->results() : t.texts);
+  }
 }
 
-TimeLimit::Command watched(const CLI::App& app, const CLI::App& command, const Graces& graces) {
-  const CLI::Option* const limit = command.get_option(limit_name);
+TimeLimit::Command Parsed::watched(const std::string& program) const {
+  const CLI::Option* const limit = app->get_option(limit_name);
   const std::string text = limit->count() > 0 ? limit->results().back() : limit->get_default_str();
-  TimeLimit::Command watched{app.get_name(), command.get_name(), {}, graces.at(&command)};
+  TimeLimit::Command watched{program, command->name, {}, command->options.heeds_limit() ? usual_grace : 0};
   if (!text.empty()) watched.seconds = typed_positive(limit_name, text);
   return watched;
 }
@@ -93,20 +116,28 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   return wrong_usage;
 }
 
+/// The command that was named, its options understood and its time begun.
+int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const* argv,
+        std::optional<TimeLimit>& limit) {
+  app.parse(argc, argv);
+  const auto chosen = std::ranges::find_if(all, [](const Parsed& p) { return p.app->parsed(); });
+  const TimeLimit::Command watched = chosen->watched(app.get_name());
+  chosen->understand();
+  limit.emplace(watched);
+  const Answer answer = chosen->command->work();
+  if (const auto* const result = std::get_if<std::string>(&answer)) print_result(*result);
+  return std::holds_alternative<int>(answer) ? std::get<int>(answer) : 0;
+}
+
 }  // namespace
 
-int run_command(CLI::App& app, int argc, const char* const* argv, const int& code,
-                const std::set<const CLI::App*>& unlimited) {
-  std::string typed_limit;
-  const Graces graces = add_limits(app, unlimited, typed_limit);
-  refuse_repetition(app);
+int run_command(const Commands& commands, const std::string& title, int argc, const char* const* argv) {
+  CLI::App app(title, commands.program());
+  app.set_version_flag("--version", "nlmech " + build_info().version);
+  app.require_subcommand(1);
+  std::list<Parsed> all;
+  for (const Commands::Command& command : commands.all()) all.emplace_back(app, command);
   std::optional<TimeLimit> limit;
-  app.parse_complete_callback([&] {  // all is parsed, and no command has begun
-    for (const CLI::App* command : app.get_subcommands()) {
-      refuse_empty(*command);
-      limit.emplace(watched(app, *command, graces));
-    }
-  });
   // Nobody speaks but who has found the error: the watch ends first.
   const auto end = [&](int exit_code, const std::exception& error) {
     limit.reset();
@@ -114,18 +145,14 @@ int run_command(CLI::App& app, int argc, const char* const* argv, const int& cod
     return exit_code;
   };
   try {
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      limit.reset();
-      return end_of_parsing(app, error);
-    }
+    return run(app, all, argc, argv, limit);
+  } catch (const CLI::ParseError& error) {
+    return end_of_parsing(app, error);
   } catch (const InputError& error) {
     return end(wrong_usage, error);
   } catch (const std::exception& error) {
     return end(failed, error);
   }
-  return code;
 }
 
 }  // namespace nlmech::scene

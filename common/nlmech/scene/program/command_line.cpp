@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "nlmech/scene/build_info.hpp"
 #include "nlmech/scene/evidence/check.hpp"
 #include "nlmech/scene/program/command.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/terminal.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/publish.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -21,9 +21,15 @@ namespace {
 
 constexpr int failed = 1;
 
-struct Options {
+/// What `list` is told.
+struct Listing {
+  bool csv = false;
+};
+
+/// What `run` and `check` are told.
+struct Work {
   std::vector<std::string> scenes;
-  bool all = false, quick = false, no_plots = false, png = false, csv = false, draw = false, quiet = false;
+  bool all = false, quick = false, no_plots = false, png = false, draw = false, quiet = false;
   std::string out = ".";
 };
 
@@ -40,7 +46,7 @@ void list(const Chapter& chapter, bool csv) {
                        : fmt::format("{}\n\n{}", chapter.title(), table.markdown()));
 }
 
-std::vector<const Scene*> chosen(const Chapter& chapter, const Options& options) {
+std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
   std::vector<const Scene*> scenes;
   for (const Scene& s : chapter.scenes()) {
     if (options.all) scenes.push_back(&s);
@@ -72,7 +78,7 @@ std::string lines_of(const std::vector<std::filesystem::path>& files) {
 }
 
 /// Goes on after a scene that failed or could not be drawn: the others are not to suffer from it.
-int run(const Chapter& chapter, const Options& options) {
+int run(const Chapter& chapter, const Work& options) {
   if (options.no_plots && options.png)
     throw InputError("run: --png draws what --no-plots leaves out; give one of them");
   const std::vector<const Scene*> scenes = chosen(chapter, options);
@@ -96,7 +102,7 @@ int run(const Chapter& chapter, const Options& options) {
   return code;
 }
 
-int check(const Chapter& chapter, const Options& options) {
+int check(const Chapter& chapter, const Work& options) {
   std::optional<Publishing> how;
   if (options.draw) how = Publishing{options.out, true, false};
   const ChapterCheck result = check(chapter, data_folder(), options.quick, how);
@@ -113,43 +119,46 @@ int check(const Chapter& chapter, const Options& options) {
   return result.passes() ? 0 : failed;
 }
 
+void declare_list(Options& options, Listing& listing) {
+  options.add("--csv", listing.csv, "as CSV");
+  options.unlimited();
+}
+
+void declare_both(Options& options, Work& work) {
+  options.add("--out", work.out, "folder that gets figures/, tables/, results/");
+  options.add("--quick", work.quick, "fewer samples and shorter timings, never other methods");
+  options.unlimited();
+}
+
+void declare_run(Options& options, Work& work) {
+  options.add("scenes", work.scenes, "names of scenes");
+  options.add("--all", work.all, "every scene");
+  options.add("--no-plots", work.no_plots, "numbers and tables only");
+  options.add("--png", work.png, "a PNG image beside each SVG");
+  options.add("--quiet", work.quiet, "name no files");
+  declare_both(options, work);
+}
+
+void declare_check(Options& options, Work& work) {
+  options.add("--draw", work.draw, "also put every scene on disk, as run --all does");
+  declare_both(options, work);
+}
+
 }  // namespace
 
-int chapter_main(const Chapter& chapter, const Commands& commands, int argc, const char* const* argv) {
-  CLI::App app(chapter.title(), chapter.name());
-  app.set_version_flag("--version", "nlmech " + build_info().version);
-  app.require_subcommand(1);
-  Options options;
-  int code = 0;
-
-  CLI::App* lister = app.add_subcommand(
-      "list", "Scenes, what they show and need: columns on a terminal, Markdown in a pipe");
-  lister->add_flag("--csv", options.csv, "as CSV");
-  lister->callback([&] { list(chapter, options.csv); });
-
-  CLI::App* runner = app.add_subcommand(
+int chapter_main(const Chapter& chapter, void (*add_commands)(Commands&), int argc, const char* const* argv) {
+  Commands commands(chapter.name());
+  commands.add("list", "Scenes, what they show and need: columns on a terminal, Markdown in a pipe",
+               declare_list, [&](const Listing& listing) { list(chapter, listing.csv); });
+  commands.add(
       "run",
       "Compute scenes: numbers, tables and figures. Names the files that hold them, a line each, as seen "
-      "from --out");
-  runner->add_option("scenes", options.scenes, "names of scenes");
-  runner->add_flag("--all", options.all, "every scene");
-  runner->add_flag("--no-plots", options.no_plots, "numbers and tables only");
-  runner->add_flag("--png", options.png, "a PNG image beside each SVG");
-  runner->add_flag("--quiet", options.quiet, "name no files");
-  runner->callback([&] { code = run(chapter, options); });
-
-  CLI::App* checker =
-      app.add_subcommand("check", "Published beside reproduced; exit code 1 if a check fails");
-  checker->add_flag("--draw", options.draw, "also put every scene on disk, as run --all does");
-  checker->callback([&] { code = check(chapter, options); });
-
-  for (CLI::App* sub : {runner, checker}) {
-    sub->add_option("--out", options.out, "folder that gets figures/, tables/, results/")
-        ->capture_default_str();
-    sub->add_flag("--quick", options.quick, "fewer samples and shorter timings, never other methods");
-  }
-  commands(app);
-  return run_command(app, argc, argv, code, {lister, runner, checker});
+      "from --out",
+      declare_run, [&](const Work& work) { return run(chapter, work); });
+  commands.add("check", "Published beside reproduced; exit code 1 if a check fails", declare_check,
+               [&](const Work& work) { return check(chapter, work); });
+  add_commands(commands);
+  return run_command(commands, chapter.title(), argc, argv);
 }
 
 }  // namespace nlmech::scene

@@ -1,0 +1,135 @@
+#include "nlmech/scene/program/options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+/// One function for all kinds of destination.
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+constexpr int most_whole = 1'000'000'000;
+
+}  // namespace
+
+Option::Option(std::string name, Destination to, std::string help)
+    : name_(std::move(name)), help_(std::move(help)), to_(to) {}
+
+Option& Option::required() {
+  required_ = true;
+  return *this;
+}
+
+Option& Option::positive() {
+  positive_ = true;
+  return *this;
+}
+
+Option& Option::range(double least, double most) {
+  range_ = {least, most};
+  return *this;
+}
+
+Option& Option::one_of(std::vector<std::string> texts) {
+  texts_ = std::move(texts);
+  return *this;
+}
+
+void Option::check(double value, const std::string& text) const {
+  if (positive_ && !(value > 0))
+    throw InputError(fmt::format("{} {}: must be positive", name_, echoed(text)));
+  if (range_ && !(value >= range_->first && value <= range_->second))
+    throw InputError(
+        fmt::format("{} {}: must be from {:g} to {:g}", name_, echoed(text), range_->first, range_->second));
+}
+
+void Option::check_text(const std::string& text) const {
+  if (!texts_.empty() && std::ranges::find(texts_, text) == texts_.end())
+    throw InputError(fmt::format("{} {}: there is {}", name_, echoed(text), fmt::join(texts_, ", ")));
+}
+
+double Option::number(const std::string& text) const {
+  const double value = typed_number(name_, text);
+  check(value, text);
+  return value;
+}
+
+int Option::whole(const std::string& text) const {
+  const auto [least, most] = range_.value_or(std::pair<double, double>(-most_whole, most_whole));
+  return typed_whole(name_, text, static_cast<int>(least), static_cast<int>(most));
+}
+
+void Option::understand(const std::vector<std::string>& typed) const {
+  const std::string& text = typed.front();
+  const auto numbers = [&] {
+    std::vector<double> all = typed_numbers(name_, text);
+    for (const double value : all) check(value, text);
+    return all;
+  };
+  std::visit(
+      Overloaded{[](bool* to) { *to = true; },
+                 [&](std::string* to) {
+                   check_text(text);
+                   *to = text;
+                 },
+                 [&](std::vector<std::string>* to) { *to = typed; }, [&](double* to) { *to = number(text); },
+                 [&](std::optional<double>* to) { *to = number(text); }, [&](int* to) { *to = whole(text); },
+                 [&](std::optional<int>* to) { *to = whole(text); },
+                 [&](std::vector<double>* to) { *to = numbers(); },
+                 [&](const std::span<double>& to) {
+                   const std::vector<double> all = numbers();
+                   if (all.size() != to.size())
+                     throw InputError(fmt::format("{} {}: {} numbers where {} are needed", name_,
+                                                  echoed(text), all.size(), to.size()));
+                   std::ranges::copy(all, to.begin());
+                 }},
+      to_);
+}
+
+bool Option::is_flag() const { return std::holds_alternative<bool*>(to_); }
+
+bool Option::takes_several() const { return std::holds_alternative<std::vector<std::string>*>(to_); }
+
+std::string Option::help() const {
+  if (!texts_.empty()) return fmt::format("{}: {}", help_, fmt::join(texts_, ", "));
+  if (range_) return fmt::format("{}; from {:g} to {:g}", help_, range_->first, range_->second);
+  return positive_ ? help_ + "; positive" : help_;
+}
+
+std::string Option::default_text() const {
+  if (required_) return {};
+  return std::visit(
+      Overloaded{[](const std::string* to) { return *to; },
+                 [](const double* to) { return fmt::format("{}", *to); },
+                 [](const int* to) { return fmt::format("{}", *to); },
+                 [](const std::vector<double>* to) { return fmt::format("{}", fmt::join(*to, ",")); },
+                 [](const auto&) { return std::string(); }},
+      to_);
+}
+
+Option& Options::add(const std::string& name, Option::Destination to, const std::string& help) {
+  return all_.emplace_back(name, to, help);
+}
+
+void Options::limit(double& seconds) {
+  heeds_limit_ = true;
+  add("--limit", seconds, "wall time at most, s").positive();
+}
+
+Options& Commands::add(const std::string& name, const std::string& help, std::function<Answer()> work) {
+  return all_.emplace_back(Command{name, help, std::move(work), {}}).options;
+}
+
+}  // namespace nlmech::scene
