@@ -12,8 +12,8 @@
 #   OUT folder          instead of NLMECH_OUT
 #   DEPENDS targets...  built before, such as one that draws the figures
 #
-# The book is written to <build>/book/html/index.html. What it needs (Doxygen, its style sheet, MathJax) is
-# looked for when the target is built: a machine without them configures and builds everything else.
+# The book is written to <build>/book/html/index.html. What else it needs (Doxygen, its style sheet, MathJax) is
+# looked for when the target is built: a machine without them, or without Python, configures and builds everything else.
 include_guard(GLOBAL)
 
 set(_nlmech_book_scripts "${CMAKE_CURRENT_LIST_DIR}/../scripts/book")
@@ -37,26 +37,27 @@ function(nlmech_add_book)
   endif()
   get_filename_component(book_OUT "${book_OUT}" ABSOLUTE BASE_DIR "${PROJECT_SOURCE_DIR}")
 
-  # All that the scripts need to know, in a file, so that no list has to survive a command line.
   set(folder "${PROJECT_BINARY_DIR}/book")
-  set(settings "# Written by nlmech_add_book().\n")
-  foreach(pair "SOURCE_DIR|${PROJECT_SOURCE_DIR}" "BUILD_DIR|${PROJECT_BINARY_DIR}" "OUT|${book_OUT}" "FOLDER|${folder}"
-               "VERSION|${PROJECT_VERSION}" "CHAPTERS|${book_CHAPTERS}")
-    string(REPLACE "|" " [==[" pair "${pair}")
-    string(APPEND settings "set(BOOK_${pair}]==])\n")
-  endforeach()
-  file(CONFIGURE OUTPUT "${folder}/settings.cmake" CONTENT "${settings}" @ONLY)
+  find_package(Python3 3.9 QUIET COMPONENTS Interpreter)
+  if(NOT Python3_Interpreter_FOUND)
+    add_custom_target(book
+      COMMAND "${CMAKE_COMMAND}" -E echo "The book needs Python 3.9 or later. On Debian: apt-get install python3"
+      COMMAND "${CMAKE_COMMAND}" -E false
+      VERBATIM)
+    return()
+  endif()
 
   # The dependency file names what the last build read. The globs add what it cannot know: files that are new
   # since.
   get_filename_component(scripts "${_nlmech_book_scripts}" ABSOLUTE)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.cmake" "${scripts}/*.sed")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.py" "${scripts}/*.sed")
   file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/*")
   list(FILTER texts EXCLUDE REGEX "/gallery$")
   add_custom_command(
     OUTPUT "${folder}/book.stamp"
-    COMMAND "${CMAKE_COMMAND}" "-DBOOK_SETTINGS=${folder}/settings.cmake" -P "${scripts}/build.cmake"
-    DEPENDS "${folder}/settings.cmake" ${sources} ${texts} ${book_DEPENDS}
+    COMMAND "${Python3_EXECUTABLE}" -B "${scripts}"
+            "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}" "${book_OUT}" "${PROJECT_VERSION}" ${book_CHAPTERS}
+    DEPENDS ${sources} ${texts} ${book_DEPENDS}
     DEPFILE "${folder}/book.d"
     COMMENT "Book: ${folder}/html/index.html"
     VERBATIM)
@@ -65,7 +66,7 @@ function(nlmech_add_book)
     add_dependencies(book ${book_DEPENDS})
   endif()
   if(NLMECH_TESTS OR BUILD_TESTING)
-    add_test(NAME book.scripts COMMAND "${CMAKE_COMMAND}" "-DWORK=${folder}/test" -P "${scripts}/test.cmake")
+    add_test(NAME book.scripts COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/test.py")
     set_tests_properties(book.scripts PROPERTIES LABELS unit)
   endif()
 endfunction()

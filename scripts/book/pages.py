@@ -1,0 +1,235 @@
+"""A page of the book: Markdown that reads well by itself, made ready for Doxygen. What is replaced:
+
+  {{geodesy/fig-2.27: max latitude error | 3}}    a number of results/geodesy/fig-2.27.json
+  {{ratios: table-4.2, RK4-1 (P/10), ours | 2}}   a number of tables/ratios.json
+  [@elgohary2015, Eq. 2.45]                       a citation
+  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure
+  [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table
+  [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
+                                                  tables, pages, headers; any other file is copied
+  {{chapters}}, {{map}}, {{references}}  on a line of its own: the chapters; the map of chapters and components; the
+                                                  works cited on this page
+
+Line numbers are kept, from the end of each paragraph at the latest, so that Doxygen's warnings point into the source. Code, in
+fences or backticks, stays as it is.
+"""
+import html
+import os
+import re
+
+import components
+import references
+from book import Complaint
+from quantities import quantity_text
+
+FENCE = re.compile(r"[ \t]*(```|~~~)")
+OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
+FIGURE = re.compile(r"!\[(.*)\]\(([^() ]+)\)[ \t]*")
+TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
+SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)")
+MARK = re.compile(r"`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
+QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?\}\}", re.ASCII)
+CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
+WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
+WORKS_CITED = "@BOOK_WORKS_CITED@"  # stands for them until the whole page is read
+
+
+def advice(path):
+    """Who writes a file that is missing."""
+    if re.fullmatch(r"tables/([^/]+/errata|REPRODUCTION|COMPLETENESS|CLAIMS|ERRATA)\.md", path):
+        return "; `make check` writes it"
+    scene = re.fullmatch(r"(?:figures|tables)/([^/]+)/([^/]+)\.[a-z]+", path)
+    return f"; `{scene[1]} run {scene[2]}` writes it" if scene else ""
+
+
+def anchor(path):
+    """figures/geodesy/fig-2.27.svg -> figures_geodesy_fig_2_27, the name that links use."""
+    return re.sub("[^A-Za-z0-9_]", "_", re.sub(r"\.[a-z]+$", "", path))
+
+
+def plain_text(caption):
+    """A caption as the text that stands for the picture where it cannot be seen: no links, formulas or emphasis."""
+    text = re.sub(r'[@\\]ref [^ ]+ "([^"]*)"', r"\1", caption)
+    text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"\\f[][$]|[*`]|<[^<>]*>", "", text.replace("<sup>", "^"))
+    return html.escape(html.unescape(text).replace("\u00a0", " "), quote=False).replace('"', "&quot;")
+
+
+def in_formula(text):
+    r"""Is the end of the text inside \f$ \f$ or \f[ \f]?"""
+    return text.count("\\f$") % 2 == 1 or text.count("\\f[") > text.count("\\f]")
+
+
+def is_blank(line):
+    return line.strip(" \t") == ""
+
+
+def summary_of(page):
+    """The first paragraph under the title of a finished page; the start page shows it below the chapter's name."""
+    text = re.sub(r"^# .*\n(\\.*\n)?", "", page, count=1)
+    return text.strip().partition("\n\n")[0].replace("\n", " ")
+
+
+class Page:
+    """The page while it is made."""
+
+    def __init__(self, book, source, label):
+        self.book, self.source, self.label = book, source, label
+        self.lines = book.text(book.source / source).split("\n")
+        self.number = 0  # of lines that were read
+        self.made = []
+        self.owed = ""  # line breaks that joined lines had, given back at the end of the paragraph
+        self.cited = set()
+
+    def text(self):
+        """The page for Doxygen."""
+        in_fence = titled = False
+        while self.number < len(self.lines):
+            line = self.next_line()
+            if FENCE.match(line):
+                in_fence = not in_fence
+            elif in_fence:
+                pass
+            elif not titled and line.startswith("# "):
+                titled = True
+                line = self.title(line)
+            elif is_blank(line):
+                line += self.owed
+                self.owed = ""
+            else:
+                line = self.paragraph_line(line)
+            self.made.append(line + "\n")
+        if not titled:
+            self.book.complain(self.source, 1, "the page has no title (a line that begins with '# ')")
+        page = "".join(self.made)
+        self.book.summaries[self.source] = summary_of(page)
+        return page.replace(WORKS_CITED, references.list_works(self.book, self.cited))
+
+    def next_line(self):
+        self.number += 1
+        return self.lines[self.number - 1]
+
+    def next_is(self, blank):
+        """Is there a next line, and is it blank, or not?"""
+        return self.number < len(self.lines) and is_blank(self.lines[self.number]) == blank
+
+    def title(self, line):
+        """With the page's label. The blank line under it gives way to the list of sections."""
+        line = re.sub(r"[ \t]*\{#[^}]*\}[ \t]*$", "", line) + f" {{#{self.label}}}"
+        if self.label == "mainpage" or not self.next_is(blank=True):
+            return line
+        self.next_line()
+        if self.label in WIDE:
+            return line + "\n\\htmlonly[block]<style>html { --content-maxwidth: 1500px; }</style>\\endhtmlonly"
+        return line + "\n\\tableofcontents"
+
+    def paragraph_line(self, line):
+        """What stands for a line of text, joined with the next ones as long as a mark is open."""
+        first = self.number
+        while OPEN.search(line) and self.next_is(blank=False):
+            line += " " + self.next_line().strip(" \t")
+            self.owed += "\n"
+        try:
+            return self.list_or_picture(line, first) or self.inline(line, first)
+        except Complaint as complaint:
+            self.book.complain(self.source, first, complaint)
+            return line
+
+    def list_or_picture(self, line, number):
+        """What stands for a line that is a list, a figure or a table by itself; else None."""
+        mark = line.rstrip(" \t")
+        if mark == "{{chapters}}":
+            return self.list_of_chapters()
+        if mark == "{{map}}":
+            return components.map_of_the_house(self.book)
+        if mark == "{{references}}":
+            return WORKS_CITED
+        if match := FIGURE.fullmatch(line) or TABLE.fullmatch(line):
+            return self.picture(self.inline(match[1], number), match[2], is_table=line.startswith("["))
+        if match := SNIPPET.match(line):
+            self.book.reads(self.book.source / match[1])
+        return None
+
+    def list_of_chapters(self):
+        items = ""
+        for chapter in self.book.chapters:
+            summary = self.book.summaries.get(f"chapters/{chapter}/{chapter}.md", "")
+            items += f"<li>\\subpage chapter_{chapter} <br/>{summary}</li>"
+        return f'<ul class="chapters">{items}</ul>'
+
+    def resolved(self, path):
+        """A path written on the page: from the top of the project, and the file it stands for."""
+        path = os.path.normpath(os.path.join(os.path.dirname(self.source), path))
+        generated = re.match("(figures|tables)/[^/]+/", path)
+        return path, (self.book.out if generated else self.book.source) / path
+
+    def picture(self, caption, path, is_table):
+        r"""A figure or a table. \htmlonly around the frame, so that the caption itself is Doxygen's: formulas and links work in
+        it. (\image of Doxygen 1.9.4 takes no formula in a caption, and puts the pictures of all chapters under their bare names
+        into one folder.)"""
+        path, file = self.resolved(path)
+        if not file.exists():
+            raise Complaint(f"there is no {path}{advice(path)}")
+        self.book.shown.add(path)
+        if is_table:
+            before, after = '<div class="table-caption">', "</div>"
+        else:
+            self.book.copy(file, path)
+            image = f'<a href="{path}"><img src="{path}" alt="{plain_text(caption)}"/></a>'
+            before, after = f'<figure class="plate">{image}<figcaption>', "</figcaption></figure>"
+        text = (f"\\anchor {anchor(path)} \\htmlonly[block]{before}\\endhtmlonly {caption} "
+                f"\\htmlonly[block]{after}\\endhtmlonly")
+        return text + self.included(path, file) if is_table else text
+
+    def included(self, path, file):
+        """A table's text. Doxygen looks for formulas before it includes: a table that has some is put in whole, and the lines
+        of the page after it are counted from there."""
+        table = self.book.text(file)
+        return f" \n\n{table}" if "\\f$" in table else f" \\include{{doc}} {path}"
+
+    def inline(self, line, number):
+        """A line with its numbers, citations and links replaced. Of each that cannot be, it is said why."""
+        def replaced(mark):
+            try:
+                return self.replacement(mark[0], "".join(self.made) + line[:mark.start()])
+            except Complaint as complaint:
+                self.book.complain(self.source, number, complaint)
+                return mark[0]
+
+        if "{{" in MARK.sub("", line):
+            self.book.complain(self.source, number, "{{ without }} in the same paragraph")
+        return MARK.sub(replaced, line)
+
+    def replacement(self, mark, before):
+        """The text for one mark {{...}}, citation [@...] or end of a link ](...). `before` is the page up to there."""
+        if mark.startswith("{{"):
+            match = QUANTITY.fullmatch(mark)
+            if not match:
+                raise Complaint(f"{mark} is not of the form {{{{chapter/scene: quantity | digits}}}}")
+            return quantity_text(self.book, *match.groups(), in_formula(before))
+        if mark.startswith("[@"):
+            match = CITATION.fullmatch(mark)
+            if not match:
+                raise Complaint(f"{mark} is not of the form [@work] or [@work, place]")
+            self.cited.add(match[1])
+            return references.cite(self.book, *match.groups())
+        if mark.startswith("]("):
+            return f"]({self.target(mark[2:-1].partition('#')[0])})"
+        return mark  # code
+
+    def target(self, path):
+        """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a header's
+        reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
+        the chapters links to it."""
+        path, file = self.resolved(path)
+        if path in self.book.labels:
+            return f"@ref {self.book.labels[path]}"
+        may_be_shown = path in self.book.shown or self.source.startswith("chapters/")
+        if may_be_shown and re.fullmatch(r"(figures|tables)/[^/]+/[^/]+\.(svg|md)", path):
+            return f"#{anchor(path)}"
+        if not file.is_file():
+            raise Complaint(f"the link to {path} leads to no file")
+        if re.fullmatch(r"common/nlmech/[a-z]+/[a-z_0-9]+\.hpp", path):
+            return f"@ref {path.removeprefix('common/')}"
+        self.book.copy(file, f"sources/{path}")
+        return f"sources/{path}"

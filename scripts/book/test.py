@@ -1,0 +1,261 @@
+"""Tests of the page maker: python3 scripts/book/test.py"""
+import contextlib
+import decimal
+import io
+import pathlib
+import tempfile
+import unittest
+
+import components
+import references
+from book import Book, Complaint
+from pages import Page
+from quantities import formatted
+
+HOUSE = pathlib.Path(__file__).resolve().parent.parent.parent
+PAGE = "chapters/geodesy/geodesy.md"
+JSON = "results/geodesy/fig-2.27.json"
+QUANTITIES = """{"quantities":[
+  {"name":"max error","value":2.417e-11,"unit":"deg"}, {"name":"acceleration","value":9.80665,"unit":"m/s^2"},
+  {"name":"twice","value":1}, {"name":"twice","value":2}, {"name":"nothing","value":null}]}"""
+RATIOS = """{"quantities":[
+  {"name":"table-4.4, RK4-1 (0.1; 0.5), ours","value":0.0216,"unit":"1"},
+  {"name":"table-4.4, RK4-1 (0.1; 0.5), verdict","value":"does not hold","unit":""}]}"""
+WORKS = """% Words above the first
+@book{one2001,
+  author = {One, A. and Two, B.},
+  title = {T},
+  year = {2001},
+  isbn = {1-23},
+}
+@misc{old1900,
+  author = {Old, C.},
+  title = {U},
+  year = {1900},
+  doi = {10.1/x},
+}
+@misc{lost1800,
+  author = {Lost, D.},
+  title = {V},
+  year = {1800},
+}
+"""
+MAP = (r'<div class="map"><ul class="floor chapter-floor">'
+       r'<li>\ref chapter_one "First" <span class="uses">high</span></li>'
+       r'<li>\ref chapter_two_three "Two three" </li></ul>'
+       r'<ul class="floor"><li>\ref nlmech::high "high" <span class="uses">low, ground</span></li></ul>'
+       r'<ul class="floor"><li>\ref common/nlmech/low "low" <span class="uses">ground</span></li></ul>'
+       r'<ul class="floor"><li>\ref common/nlmech/ground "ground" </li></ul>'
+       r'<div class="note">Each box names what it stands on. '
+       r'Every chapter also stands on <span class="common">ground</span>.</div></div>')
+
+
+class Numbers(unittest.TestCase):
+    """Rounded by hand."""
+
+    def test_text(self):
+        for value, digits, tex, wanted in (
+                ("2.4169999999999999e-11", 3, True, r"2.42 \times 10^{-11}"),
+                ("2.4169999999999999e-11", 3, False, "2.42&nbsp;&times;&nbsp;10<sup>&minus;11</sup>"),
+                ("2.4169999999999999e-11", None, True, r"2.42 \times 10^{-11}"),
+                ("-1.5e-07", 2, True, r"-1.5 \times 10^{-7}"),
+                ("9.996e-8", 3, True, r"1.00 \times 10^{-7}"),
+                ("0.99999999999999989", 3, True, "1.00"),
+                ("0.00012349", 3, True, r"1.23 \times 10^{-4}"),
+                ("0.0012349", 3, True, "0.00123"),
+                ("46.82999999999999", None, True, "46.8"),
+                ("0.5", 3, True, "0.500"),
+                ("2.5", 1, True, "3"),
+                ("1424.4", 3, True, "1420"),
+                ("1424.4", 5, True, "1424.4"),
+                ("123456.7", 3, False, "123\u202f000"),
+                ("123456.7", 3, True, r"123\,000"),
+                ("6378137.0", None, False, "6\u202f378\u202f137"),
+                ("6378137", 3, True, r"6.38 \times 10^{6}"),
+                ("9999.0", None, False, "9999"),
+                ("12", None, False, "12"),
+                ("-12", None, False, "&minus;12"),
+                ("0.0", 3, True, "0"),
+                ("1.7976931348623157e+308", 17, True, r"1.7976931348623157 \times 10^{308}"),
+                ("5e-324", 1, True, r"5 \times 10^{-324}")):
+            with self.subTest(value=value, digits=digits, tex=tex):
+                self.assertEqual(formatted(decimal.Decimal(value), digits, tex), wanted)
+
+
+class InAHouse(unittest.TestCase):
+    """A small house of one scene, with what its page may name."""
+
+    def setUp(self):
+        top = tempfile.TemporaryDirectory()
+        self.addCleanup(top.cleanup)
+        top = pathlib.Path(top.name)
+        self.book = Book(top / "source", top / "build", top / "out", top / "book", [])
+        for file, text in ((f"out/{JSON}", QUANTITIES),
+                           ("out/figures/geodesy/fig-2.27.svg", "<svg/>"),
+                           ("out/figures/geodesy/fig-9.svg", "<svg/>"),
+                           ("out/tables/geodesy/table-2.6.md", "| a |\n| --- |\n"),
+                           ("out/tables/geodesy/table-2.7.md", "| \\f$a\\f$ |\n| --- |\n"),
+                           ("source/docs/references.bib", WORKS),
+                           ("source/docs/glossary.md", "# Words\n"),
+                           ("source/tables/ratios.json", RATIOS),
+                           ("source/tables/a.csv", "a\n"),
+                           ("source/common/nlmech/geodesy/a.hpp", "")):
+            self.write(top / file, text)
+        references.load(self.book, self.book.source / "docs/references.bib")
+        self.book.labels["docs/glossary.md"] = "glossary"
+
+    def write(self, file, text):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def made(self, body, source=PAGE, label="chapter_geodesy"):
+        """The page of this text under a title, without the title's two lines."""
+        self.write(self.book.source / source, f"# Title: more\n\n{body}\n")
+        self.book.complaints.clear()
+        with contextlib.redirect_stderr(io.StringIO()):
+            text = Page(self.book, source, label).text()
+        return text.replace(f"# Title: more {{#{label}}}\n\\tableofcontents\n", "").strip()
+
+    def expect_page(self, body, wanted):
+        with self.subTest(page=body):
+            self.assertEqual(self.made(body), wanted)
+            self.assertEqual(self.book.complaints, [])
+
+    def expect_complaint(self, body, wanted):
+        with self.subTest(page=body):
+            self.made(body)
+            self.assertEqual(self.book.complaints, [f"{PAGE}:{wanted}"])
+
+
+class Pages(InAHouse):
+
+    def test_quantities(self):
+        for body, wanted in (
+                ("is {{geodesy/fig-2.27: max error | 2}}.", "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg."),
+                ("{{ratios: table-4.4, RK4-1 (0.1; 0.5), ours | 2}} {{ratios: table-4.4, RK4-1 (0.1; 0.5), verdict | 3}}",
+                 "0.022 does not hold"),
+                ("is {{geodesy/fig-2.27: max error|2|no unit}}.", "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>."),
+                ("{{geodesy/fig-2.27: acceleration | 6}}; a [b]", "9.80665&nbsp;m/s<sup>2</sup>; a [b]"),
+                (r"\f$e < {{geodesy/fig-2.27: max error}}\f$", r"\f$e < 2.42 \times 10^{-11}\,\mathrm{deg}\f$"),
+                ("\\f[\ne < {{geodesy/fig-2.27: acceleration}}\n\\f]", "\\f[\ne < 9.81\\,\\mathrm{m/s^{2}}\n\\f]"),
+                (r"\f$a\f$ is {{geodesy/fig-2.27: acceleration | 1 | no unit}}", r"\f$a\f$ is 10"),
+                ("a {{geodesy/fig-2.27:\nacceleration}} b\n\nnext", "a 9.81&nbsp;m/s<sup>2</sup> b\n\n\nnext")):
+            self.expect_page(body, wanted)
+
+    def test_code_stays(self):
+        code = "```\n{{1}}\n```"
+        for body, wanted in (
+                ("```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```", "```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```"),
+                (f"{code}\n\n{code}\n\n{{{{geodesy/fig-2.27: acceleration | 2 | no unit}}}}", f"{code}\n\n{code}\n\n9.8"),
+                ("`{{1, 2}, {3}}` and `[@x]`", "`{{1, 2}, {3}}` and `[@x]`")):
+            self.expect_page(body, wanted)
+
+    def test_links(self):
+        for body, wanted in (
+                ("by [@one2001, Eq. 3]", r'by \ref work_one2001 "One &amp; Two (2001, Eq. 3)"'),
+                ("see [Figure 2.27](../../figures/geodesy/fig-2.27.svg).", "see [Figure 2.27](#figures_geodesy_fig_2_27)."),
+                ("see [values](../../tables/a.csv)", "see [values](sources/tables/a.csv)"),
+                ("see [words](../../docs/glossary.md#part)", "see [words](@ref glossary)"),
+                ("see [code](../../common/nlmech/geodesy/a.hpp)", "see [code](@ref nlmech/geodesy/a.hpp)"),
+                ("[a](https://b.org/c), [d](#e), [f](@ref g)", "[a](https://b.org/c), [d](#e), [f](@ref g)")):
+            self.expect_page(body, wanted)
+        self.assertTrue((self.book.folder / "html/sources/tables/a.csv").exists())
+
+    def test_tables(self):
+        frame = (r'\anchor tables_geodesy_table_2_{} \htmlonly[block]<div class="table-caption">\endhtmlonly *Cap* '
+                 r"\htmlonly[block]</div>\endhtmlonly ")
+        self.expect_page("[*Cap*](../../tables/geodesy/table-2.6.md)",
+                         frame.format(6) + r"\include{doc} tables/geodesy/table-2.6.md")
+        self.expect_page("[*Cap*](../../tables/geodesy/table-2.7.md)", frame.format(7) + "\n\n| \\f$a\\f$ |\n| --- |")
+
+    def test_figure(self):
+        page = self.made('![A "c"\nover two](../../figures/geodesy/fig-2.27.svg)')
+        self.assertIn(r'alt="A &quot;c&quot; over two"/></a><figcaption>\endhtmlonly A "c" over two ', page)
+        self.assertTrue((self.book.folder / "html/figures/geodesy/fig-2.27.svg").exists())
+
+    def test_works_cited(self):
+        self.expect_page("[@old1900]\n\n{{references}}", '\\ref work_old1900 "Old (1900)"\n\n<ul><li>Old, C. (1900). *U*. '
+                         '<a href="https://doi.org/10.1/x">doi:10.1/x</a></li></ul>')
+
+    def test_a_figure_that_no_chapter_shows_travels_with_the_book(self):
+        self.made("![a](../../figures/geodesy/fig-2.27.svg)")
+        page = self.made("| [a](../figures/geodesy/fig-2.27.svg) | [b](../figures/geodesy/fig-9.svg) |",
+                         "tables/ERRATA.md", "errata")
+        self.assertIn("[a](#figures_geodesy_fig_2_27) | [b](sources/figures/geodesy/fig-9.svg)", page)
+        self.assertTrue((self.book.folder / "html/sources/figures/geodesy/fig-9.svg").exists())
+
+    def test_what_is_refused_with_page_and_line(self):
+        known = "'max error', 'acceleration', 'twice', 'twice', 'nothing'"
+        for body, wanted in (
+                ("\n{{geodesy/fig-2.27: max eror}}", f"4: error: {JSON} has no quantity 'max eror'; it has {known}"),
+                ("{{geodesy/fig-9.9: a}}",
+                 "3: error: there is no results/geodesy/fig-9.9.json; `geodesy run fig-9.9` writes it"),
+                ("{{geodesy/fig-2.27: twice}}", f"3: error: {JSON} has several quantities 'twice'"),
+                ("{{geodesy/fig-2.27: nothing}}", f"3: error: 'nothing' of {JSON} has no value (null)"),
+                ("{{geodesy/fig-2.27: max error | 18}}",
+                 "3: error: '18' is neither a number of digits (1 to 17) nor 'no unit'"),
+                ("{{max error}}", "3: error: {{max error}} is not of the form {{chapter/scene: quantity | digits}}"),
+                ("{{geodesy/fig-2.27: max error", "3: error: {{ without }} in the same paragraph"),
+                ("[@two2002]", "3: error: docs/references.bib has no work 'two2002'"),
+                ("[@one 2001]", "3: error: [@one 2001] is not of the form [@work] or [@work, place]"),
+                ("a [b](../c.md)", "3: error: the link to chapters/c.md leads to no file"),
+                ("![a](../../figures/geodesy/fig-3.svg)",
+                 "3: error: there is no figures/geodesy/fig-3.svg; `geodesy run fig-3` writes it"),
+                ("[a](../../tables/geodesy/t.md)", "3: error: there is no tables/geodesy/t.md; `geodesy run t` writes it"),
+                ("[a](../../tables/geodesy/errata.md)",
+                 "3: error: there is no tables/geodesy/errata.md; `make check` writes it")):
+            self.expect_complaint(body, wanted)
+
+    def test_all_complaints_of_a_line_are_shown(self):
+        self.made("[@two2002] and {{geodesy/fig-2.27: twice}}")
+        self.assertEqual(len(self.book.complaints), 2)
+
+
+class House(InAHouse):
+
+    def setUp(self):
+        super().setUp()
+        self.write(self.book.build / "components.txt", "ground: \nhigh: low ground\nlow: ground\nlow: ground\n")
+        self.write(self.book.build / "chapter_uses.txt", "one: ground high\ntwo_three: ground\n")
+        self.write(self.book.source / "docs/chapters.txt", "# names\none: First\n")
+        self.write(self.book.source / "common/nlmech/high/a.hpp", "namespace nlmech::high {\n}\n")
+        self.book.chapters = ["one", "two_three"]
+
+    def test_map_has_floors_by_what_stands_on_what(self):
+        self.assertEqual(components.map_of_the_house(self.book), MAP)
+
+    def test_components_in_a_circle_are_refused(self):
+        with self.assertRaisesRegex(Complaint, "no floor for a, b: "):
+            components.floors_of({"a": ["b"], "b": ["a"], "c": []})
+
+
+class Bibliography(InAHouse):
+
+    def test_entries(self):
+        works = self.book.works
+        self.assertEqual(works["one2001"].text, "One, A., Two, B. (2001). *T*. ISBN 1-23.")
+        self.assertEqual(works["old1900"].text,
+                         'Old, C. (1900). *U*. <a href="https://doi.org/10.1/x">doi:10.1/x</a>')
+        self.assertEqual([key for key, work in works.items() if not work.linked], ["lost1800"])
+
+    def test_what_is_refused_with_its_line(self):
+        file = self.book.source / "docs/references.bib"
+        for entry, wanted in (("@misc{a b,\n}", "cannot read the entry that begins with: @misc{a b,\n}"),
+                              ("@misc{a,\n  year = {1},\n}", "'a' lacks author, title or year, each on one line"),
+                              (WORKS[WORKS.index("@misc"):].replace("10.1/x", "x"), "'old1900' has a DOI that is none: x")):
+            self.write(file, "% Words\n" + entry)
+            self.book.complaints.clear()
+            with contextlib.redirect_stderr(io.StringIO()):
+                references.load(self.book, file)
+            self.assertEqual(self.book.complaints, [f"docs/references.bib:2: error: {wanted}"])
+
+    def test_that_of_the_book(self):
+        book = Book(HOUSE, HOUSE, HOUSE, HOUSE, [])
+        references.load(book, HOUSE / "docs/references.bib")
+        self.assertEqual(book.complaints, [])
+        unlinked = [key for key, work in book.works.items() if not work.linked]
+        print("works of docs/references.bib without DOI, URL or ISBN:", *unlinked)
+
+
+if __name__ == "__main__":
+    unittest.main()
