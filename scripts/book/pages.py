@@ -229,7 +229,7 @@ class Page:
             return f"#{anchor(path)}"
         if not file.is_file():
             raise Complaint(f"the link to {path} leads to no file")
-        if re.fullmatch(r"common/nlmech/[a-z]+/[a-z_0-9]+\.hpp", path):
+        if re.fullmatch(r"common/nlmech/([a-z_]+/)+[a-z_0-9]+\.hpp", path):
             return f"@ref {path.removeprefix('common/')}"
         self.book.copy(file, f"sources/{path}")
         return f"sources/{path}"

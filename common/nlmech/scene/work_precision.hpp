@@ -55,7 +55,8 @@ struct ProblemLines {
 struct WorkPrecision {
   std::string heading = {};                                        ///< what to see
   std::string digits = "digits: -log_{10} of the relative error";  ///< label of the ordinate
-  double least_digits = 0, most_digits = 15;                       ///< ends of the ordinate
+  double least_digits = 0;                                         ///< low end of the ordinate
+  double most_digits = 15;                                         ///< high end of the ordinate
   std::string error = {};                                          ///< heading of a column; empty: digits
   std::string time = "median run time (s)";                        ///< label of the abscissa
   std::string unit = "ms";                                         ///< of time in the table: ms, µs or ns
