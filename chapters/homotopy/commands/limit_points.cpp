@@ -5,6 +5,7 @@
 
 #include "chapters/homotopy/commands/commands.hpp"
 #include "nlmech/frames/toggle_path.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {

@@ -17,6 +17,7 @@
 #include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
 
