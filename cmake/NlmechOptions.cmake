@@ -10,6 +10,7 @@ set(NLMECH_PEERS "all" CACHE STRING "Peers to compare with: all, none, or a list
 option(NLMECH_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(NLMECH_BOOK "Offer the target 'book'" ${PROJECT_IS_TOP_LEVEL})
 option(NLMECH_WARNINGS_ARE_ERRORS "Development: every warning is an error" OFF)
+option(NLMECH_UNITY "Compile some sources at a time: the headers that they share are read once" ON)
 set(NLMECH_SANITIZE "" CACHE STRING "Sanitizers, as for -fsanitize: address,undefined")
 
 # Turns "all" into the whole list, and refuses a name that is not in it.

@@ -6,7 +6,7 @@
 
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::bessel {
 namespace {
 
 using Real =
@@ -120,11 +120,11 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> bessel() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "bessel",
            .title = "Bessel's equation expanded about tau = 1: error against tau and terms",
            .place = "our own, for section 3.1",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::bessel

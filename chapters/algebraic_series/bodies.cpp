@@ -12,7 +12,7 @@
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::bodies {
 namespace {
 
 using problems::FourBodies;
@@ -115,7 +115,7 @@ void put_paths(const Orbits& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> bodies() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "four-bodies",
       "G T^2 = 1e-6 assumed, with the printed velocities in physical time; G, T, the order and the duration "
@@ -131,4 +131,4 @@ std::vector<scene::Scene> bodies() {
            .content = scene::Content(put_paths, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::bodies

@@ -10,7 +10,7 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::divergence {
 namespace {
 
 /// Forward Euler with one step.
@@ -85,7 +85,7 @@ void put(const std::vector<Euler>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> divergence() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "euler-ends", "departure: 10 % of the amplitude, 0.05; forward Euler from t = pi to 80 s later",
       compute);
@@ -95,4 +95,4 @@ std::vector<scene::Scene> divergence() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::divergence

@@ -6,7 +6,7 @@
 #include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::error_vs_time {
 namespace {
 
 using comparison::Contender;
@@ -50,11 +50,11 @@ scene::Scene scene_of(const comparison::Example<n>& (*example)(), const std::str
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   return {scene_of(lorenz_example, "lorenz", "Lorenz system to t = 20: digits against cost", 1e-9),
           scene_of(oscillator_example, "oscillator",
                    "Strongly nonlinear oscillator to 375 s: digits against cost", 1e-8),
           scene_of(bodies_example, "bodies", "Four bodies to t = 3000: digits against cost", 1e-9)};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::error_vs_time

@@ -15,7 +15,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::extremes {
 namespace {
 
 /// One case.
@@ -144,7 +144,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "extremes", "steps by the radius of convergence where none is given; at most 2 million steps",
       attempts);
@@ -153,4 +153,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::extremes

@@ -7,7 +7,7 @@
 #include "chapters/algebraic_series/examples.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::forced_duffing {
 namespace {
 
 Motion<2> compute() { return motion<2>(forced_duffing_example(), published_series(0.35, 20), 100, 0.05); }
@@ -136,7 +136,7 @@ void put_starts(const Starts& starts, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> forced_duffing() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "forced-duffing",
       "T = 0.35 and N = 20 as printed, beside order and steps by the radius of convergence; the figure's end "
@@ -157,4 +157,4 @@ std::vector<scene::Scene> forced_duffing() {
            .content = scene::Content(put_starts, starts)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::forced_duffing

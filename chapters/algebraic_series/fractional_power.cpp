@@ -8,7 +8,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/series/power_series.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::fractional_power {
 namespace {
 
 using Real =
@@ -124,7 +124,7 @@ void put(const std::vector<Sums>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> fractional_power() {
+std::vector<scene::Scene> scenes() {
   const scene::Result sums(
       "fifth-roots",
       "sums of the series of f^(1/5) at t = 1, the end of the paper's unit interval; 40 digits", compute);
@@ -134,4 +134,4 @@ std::vector<scene::Scene> fractional_power() {
            .content = scene::Content(put, sums)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::fractional_power

@@ -7,7 +7,7 @@
 #include "chapters/algebraic_series/examples.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::lorenz {
 namespace {
 
 using Path = std::vector<Both<3>>;
@@ -72,7 +72,7 @@ void put_phase(const Motion<3>& m, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> lorenz() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "lorenz", "T = 0.1 and N = 20 as printed, beside order and steps by the radius of convergence; t to 20",
       compute);
@@ -86,4 +86,4 @@ std::vector<scene::Scene> lorenz() {
            .content = scene::Content(put_phase, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::lorenz

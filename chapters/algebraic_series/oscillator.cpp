@@ -8,7 +8,7 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::oscillator {
 namespace {
 
 constexpr double euler_step = 0.01;  // the paper names the method, not the step
@@ -71,7 +71,7 @@ void put_phase(const Motions& m, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> oscillator() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "oscillator",
       "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest step whose departure "
@@ -87,4 +87,4 @@ std::vector<scene::Scene> oscillator() {
            .content = scene::Content(put_phase, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::oscillator

@@ -11,7 +11,7 @@
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::poincare {
 namespace {
 
 using problems::StrongOscillator;
@@ -90,7 +90,7 @@ void put_islands(const States& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> poincare() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "sections", "every pi from t = pi on; order and steps by the radius of convergence, dense output",
       [] { return sections({}, StrongOscillator::initial_state(), StrongOscillator::initial_time, many); });
@@ -103,4 +103,4 @@ std::vector<scene::Scene> poincare() {
            .content = scene::Content(put_islands, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::poincare

@@ -6,7 +6,7 @@
 #include "nlmech/problems/projectile.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::projectile {
 namespace {
 
 using problems::Projectile;
@@ -90,7 +90,7 @@ void put(const Flight& flight, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> projectile() {
+std::vector<scene::Scene> scenes() {
   const scene::Result flight(
       "projectile",
       "Eq. 58 corrected; initial velocity (4, 0, 0.5) read as one a step T = 0.01 s, 400 and 50 m/s; T and N "
@@ -102,4 +102,4 @@ std::vector<scene::Scene> projectile() {
            .content = scene::Content(put, flight)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::projectile

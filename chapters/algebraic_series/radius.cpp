@@ -14,7 +14,7 @@
 #include "chapters/algebraic_series/examples.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::radius {
 namespace {
 
 /// The radius of convergence along a solution.
@@ -195,7 +195,7 @@ void put(const std::vector<Problem>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> radius() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "radius",
       "radius from the decay of coefficients 40 to 100 along the solution; errors at the ends of steps, the "
@@ -206,4 +206,4 @@ std::vector<scene::Scene> radius() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::radius

@@ -6,7 +6,7 @@
 #include "nlmech/geodesy/ellipsoid.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::drawings {
 namespace {
 
 using nlmech::geodesy::Cartesian;
@@ -144,7 +144,7 @@ void draw_in_the_meridian(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> drawings() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-2.21",
            .title = "Cartesian and geodetic coordinates of a satellite (drawn)",
            .place = "Figure 2.21",
@@ -155,4 +155,4 @@ std::vector<scene::Scene> drawings() {
            .content = scene::Content(draw_in_the_meridian)}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::drawings

@@ -6,7 +6,7 @@
 
 #include "chapters/geodesy/error_map.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::error_maps {
 namespace {
 
 /// One of the two errors of a map.
@@ -58,7 +58,7 @@ scene::Scene scene_of(const Known& known) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_maps() {
+std::vector<scene::Scene> scenes() {
   static const Part latitude{"latitude", "deg", &ErrorMap::latitude_error_deg, &ErrorMap::latitude};
   static const Part height{"height", "m", &ErrorMap::height_error_m, &ErrorMap::height};
   // oracle: geodesy_series order 2: *, order 3: *, order 4: latitude, order 4: height
@@ -70,4 +70,4 @@ std::vector<scene::Scene> error_maps() {
   return scenes;
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::error_maps

@@ -13,7 +13,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::error_vs_time {
 namespace {
 
 using nlmech::geodesy::Ellipsoid;
@@ -121,7 +121,7 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   const scene::Result costs("times",
                             "4096 random points, half of them below 100 km, one thread, median of 31 passes; "
                             "errors over 40 000 points",
@@ -131,4 +131,4 @@ std::vector<scene::Scene> error_vs_time() {
            .content = scene::Content(put, costs)}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::error_vs_time

@@ -9,7 +9,7 @@
 #include "nlmech/geodesy/ellipsoid.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::height_study {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180, latitude_error = 1e-9, height = 400e3;
@@ -71,10 +71,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> height_study() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "height-study",
            .title = "Three formulas for the height at a latitude that is off by 1e-9 rad",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::height_study

@@ -6,7 +6,7 @@
 
 #include "chapters/geodesy/error_map.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::order_study {
 namespace {
 
 using Maps = std::vector<const ErrorMap*>;  // by order, from 1
@@ -137,7 +137,7 @@ std::vector<scene::Result<ErrorMap>> maps_of(Form form, int orders) {
 
 }  // namespace
 
-std::vector<scene::Scene> order_study() {
+std::vector<scene::Scene> scenes() {
   constexpr int highest = nlmech::geodesy::highest_order;
   return {{.name = "order-study",
            .title = "Largest error against the order: each order gains two digits; the printed table gains "
@@ -146,4 +146,4 @@ std::vector<scene::Scene> order_study() {
                                      maps_of(Form::projected, highest), maps_of(Form::printed, 4))}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::order_study

@@ -12,7 +12,7 @@
 #include "chapters/geodesy/reference.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::range {
 namespace {
 
 using nlmech::geodesy::Cartesian;
@@ -161,7 +161,7 @@ void put(const std::vector<Errors>& distance, const std::vector<Errors>& flatten
 
 }  // namespace
 
-std::vector<scene::Scene> range() {
+std::vector<scene::Scene> scenes() {
   const scene::Result distance("latitude-error-over-distance",
                                "WGS84, 45 rays; truth in extended precision for the doubles given",
                                over_distance);
@@ -173,4 +173,4 @@ std::vector<scene::Scene> range() {
            .content = scene::Content(put, distance, flattening)}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::range

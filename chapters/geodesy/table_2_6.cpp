@@ -6,7 +6,7 @@
 #include "nlmech/geodesy/derivation.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::table_2_6 {
 namespace {
 
 /// Derived and corrected tables are one and the same; tests/geodesy holds them to that.
@@ -28,7 +28,7 @@ void put(const nlmech::geodesy::SeriesTable& derived, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> table_2_6() {
+std::vector<scene::Scene> scenes() {
   const scene::Result derived("derived-series", "Eq. 2.46 solved in powers of p by exact rational arithmetic",
                               nlmech::geodesy::derive_series);
   return {{.name = "table-2.6",
@@ -37,4 +37,4 @@ std::vector<scene::Scene> table_2_6() {
            .content = scene::Content(put, derived)}};
 }
 
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::table_2_6

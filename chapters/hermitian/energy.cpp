@@ -8,7 +8,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::energy {
 namespace {
 
 constexpr double step = 0.2, end = 2000;
@@ -98,11 +98,11 @@ void put(const std::vector<Energy>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> energy() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result("energies", "x'' + x + x^3 = 0 from (1, 0.3), step 0.2, to t = 2000", energies);
   return {{.name = "energy",
            .title = "Energy of a free Duffing oscillator over 2000 units of time",
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::energy

@@ -10,7 +10,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::error_vs_time {
 namespace {
 
 using comparison::Contender;
@@ -57,11 +57,11 @@ scene::Scene scene_of(const Problem& problem, const std::string& heading, double
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   return {scene_of(problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50: digits against cost", 50,
                    0.4, 1e-8),
           scene_of(problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200: digits against cost",
                    200, 0.01, 1e-6)};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::error_vs_time

@@ -16,7 +16,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::extremes {
 namespace {
 
 using ivp::Hermitian;
@@ -167,7 +167,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "extremes",
       "van der Pol from (2, 0) to t = 40, 200, 2000; Duffing with omega = 1000 to t = 1; linear to t = 100",
@@ -177,4 +177,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::extremes

@@ -14,7 +14,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::orders {
 namespace {
 
 constexpr double end = 10;
@@ -118,7 +118,7 @@ void put(const std::vector<Error>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> orders() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "errors", "Duffing (11) from rest, van der Pol with 1.5 from (2, 0); error at t = 10", all_errors);
   return {{.name = "orders",
@@ -126,4 +126,4 @@ std::vector<scene::Scene> orders() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::orders

@@ -14,7 +14,7 @@
 #include "chapters/hermitian/peak_search.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::search {
 namespace {
 
 constexpr int surrogate_tables = 499;
@@ -200,7 +200,7 @@ void put_rows(const std::vector<Search>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> search() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result("peak-searches",
                              "one combination of start, load's timing, first step, iterations "
                              "and reading for all numbers of a table",
@@ -213,4 +213,4 @@ std::vector<scene::Scene> search() {
            .content = scene::Content(put_rows, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::search

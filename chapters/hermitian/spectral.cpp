@@ -10,7 +10,7 @@
 #include "nlmech/ivp/hermitian/hermitian_operators.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::spectral {
 namespace {
 
 using ivp::HermitianStep;
@@ -134,11 +134,11 @@ void put(const std::vector<Spectrum>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> spectral() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result("spectrum", "undamped linear oscillator, one step", spectrum);
   return {{.name = "spectral",
            .title = "Spectral radius and period error of the five pairs of operators",
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::spectral

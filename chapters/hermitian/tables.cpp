@@ -9,7 +9,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::tables {
 namespace {
 
 /// A number of Table 4 or 5.
@@ -127,7 +127,7 @@ void put_operators(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> tables() {
+std::vector<scene::Scene> scenes() {
   const scene::Result duffing(
       "duffing-peaks",
       "start: at rest, which the paper does not say; peak: zero of the velocity in the dense output",
@@ -150,4 +150,4 @@ std::vector<scene::Scene> tables() {
            .content = scene::Content(put_van_der_pol, van_der_pol)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::tables

@@ -8,7 +8,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::wrong_branch {
 namespace {
 
 constexpr double mu = 100, end = 200,
@@ -99,11 +99,11 @@ void put(const Branches& b, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> wrong_branch() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result("branches", "van der Pol, mu = 100, from (2, 0); Laier's operators", compute);
   return {{.name = "wrong-branch",
            .title = "Newton's iteration converges, and the solution is lost",
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::wrong_branch

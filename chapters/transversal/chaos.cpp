@@ -7,7 +7,7 @@
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::chaos {
 namespace {
 
 constexpr double compared = 200;  // how long errors are looked at
@@ -123,7 +123,7 @@ void put(const Regimes& r, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> chaos() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "regimes",
       "periodic: stand-in e1 = 0.25, e2 = 1, e3 = 0.5 from rest; chaotic: Ueda's oscillator "
@@ -134,4 +134,4 @@ std::vector<scene::Scene> chaos() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::chaos

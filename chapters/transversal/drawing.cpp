@@ -7,7 +7,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::drawing {
 namespace {
 
 constexpr int p = 4;
@@ -123,7 +123,7 @@ void put(const Block& b, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> drawing() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "block",
       "the drawing is a sketch; the defect below it is that of x'' + x + x^3 = cos t, p = 4, h = 0.4", block);
@@ -133,4 +133,4 @@ std::vector<scene::Scene> drawing() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::drawing

@@ -7,7 +7,7 @@
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::error_vs_time {
 namespace {
 
 using comparison::Contender;
@@ -51,7 +51,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   return {comparison::cost_scene({.name = "",
                                   .heading = "Driven Duffing oscillator to t = 50: digits against cost",
                                   .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, "
@@ -64,4 +64,4 @@ std::vector<scene::Scene> error_vs_time() {
                                   .check = check})};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::error_vs_time

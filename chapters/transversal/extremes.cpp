@@ -13,7 +13,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::extremes {
 namespace {
 
 using ivp::Mtl;
@@ -174,7 +174,7 @@ void put(const std::vector<RunEnd>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result("extremes", "van der Pol from (2, 0); Duffing x'' + 1e6 x + m x^3 = cos t",
                              run_ends);
   return {{.name = "extremes",
@@ -182,4 +182,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::extremes

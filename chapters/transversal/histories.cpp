@@ -8,7 +8,7 @@
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::histories {
 namespace {
 
 constexpr double end = 8;
@@ -79,7 +79,7 @@ void put(const Histories& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> histories() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "histories",
       "neither equation nor parameters are printed: stand-in e1 = 0.25, e2 = 0.5, e3 = 0.5 "
@@ -91,4 +91,4 @@ std::vector<scene::Scene> histories() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::histories

@@ -9,7 +9,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::orders {
 namespace {
 
 constexpr double end = 12;
@@ -76,7 +76,7 @@ void put(const std::vector<Fall>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> orders() {
+std::vector<scene::Scene> scenes() {
   const scene::Result falls(
       "falls", "x'' + 0.1 x' + x + x^3 = cos t from (1, 0) to t = 12, K = 1, C = 0.1, the load exact",
       all_falls);
@@ -85,4 +85,4 @@ std::vector<scene::Scene> orders() {
            .content = scene::Content(put, falls)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::orders

@@ -12,7 +12,7 @@
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::overflow {
 namespace {
 
 constexpr double end = 40;
@@ -167,11 +167,11 @@ scene::Result<Fates> fates_of(double e2) {
 
 }  // namespace
 
-std::vector<scene::Scene> overflow() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "overflow",
            .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
            .place = "our own, for Figure 2",
            .content = scene::Content(put, fates_of(0.5), fates_of(1))}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::overflow

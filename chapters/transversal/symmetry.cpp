@@ -9,7 +9,7 @@
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::symmetry {
 namespace {
 
 constexpr double end = 600, step = 0.1, window = 20;
@@ -100,7 +100,7 @@ void put(const std::vector<Long>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> symmetry() {
+std::vector<scene::Scene> scenes() {
   const scene::Result runs(
       "long-runs", "x'' + x + x^3 = 0 from (1, 0), h = 0.1, to t = 600; K = 1; the determinant at (1, 0.3)",
       all_runs);
@@ -109,4 +109,4 @@ std::vector<scene::Scene> symmetry() {
            .content = scene::Content(put, runs)}};
 }
 
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::symmetry

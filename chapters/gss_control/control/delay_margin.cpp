@@ -13,7 +13,7 @@
 #include "nlmech/spacecraft/control/margins.hpp"
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::delay_margin {
 namespace {
 
 using spacecraft::ClosedLoop;
@@ -51,7 +51,7 @@ Fragile measure(const std::string& name, const spacecraft::Gains& gains, int pea
 }
 
 std::vector<Fragile> measure_all(bool quick) {
-  const auto optimum = optimal_gains(craft(true), {100, 1 / 144.}).gains;
+  const auto optimum = spacecraft::optimal_gains(craft(true), {100, 1 / 144.}).gains;
   const auto pd = optimal_pd_gains(craft(true), {100, 1 / 144.}).gains;
   const int peaks = quick ? 9 : 20;
   return {measure("unit gains", unit_gains, peaks), measure("designed gains", designed_gains, peaks),
@@ -113,7 +113,7 @@ void put(const std::vector<Fragile>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> delay_margin() {
+std::vector<scene::Scene> scenes() {
   const scene::Result loops(
       "delays", "the torque loop with a delay; each pole is followed from that without; theta_f = 1 rad",
       measure_all);
@@ -122,4 +122,4 @@ std::vector<scene::Scene> delay_margin() {
            .content = scene::Content(put, loops)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::delay_margin

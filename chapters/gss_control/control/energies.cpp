@@ -19,7 +19,7 @@
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::energies {
 namespace {
 
 using Eigen::Index;
@@ -257,10 +257,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> energies() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "energies",
            .title = "Energies of the hub and of the beams by the gain on the root load",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::energies

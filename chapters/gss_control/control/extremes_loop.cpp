@@ -16,7 +16,7 @@
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::extremes_loop {
 namespace {
 
 using spacecraft::Complex;
@@ -215,10 +215,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes_loop() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "extremes-loop",
            .title = "Extreme closed loops: gains, stiff beams, delays",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::extremes_loop

@@ -9,7 +9,7 @@
 #include "chapters/gss_control/grids.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::lyapunov {
 namespace {
 
 using spacecraft::LyapunovHistory;
@@ -77,7 +77,7 @@ void put(const std::vector<Motion>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> lyapunov() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "lyapunov-histories",
       "V along the motion of ten assumed modes from rest to theta_f = 1 rad, by the matrix exponential; "
@@ -88,4 +88,4 @@ std::vector<scene::Scene> lyapunov() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::lyapunov

@@ -12,7 +12,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::manoeuvres {
 namespace {
 
 using spacecraft::ExponentialSum;
@@ -154,7 +154,7 @@ scene::Result<TimeResponse> manoeuvre(const std::string& name, const spacecraft:
 
 }  // namespace
 
-std::vector<scene::Scene> manoeuvres() {
+std::vector<scene::Scene> scenes() {
   const auto designed = manoeuvre("manoeuvre-designed", designed_gains),
              unit = manoeuvre("manoeuvre-unit", unit_gains);
   std::vector<scene::Scene> all;
@@ -171,4 +171,4 @@ std::vector<scene::Scene> manoeuvres() {
   return all;
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::manoeuvres

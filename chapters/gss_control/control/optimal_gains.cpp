@@ -12,7 +12,7 @@
 #include "nlmech/spacecraft/control/parseval.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::optimal_gains {
 namespace {
 
 using spacecraft::CostWeights;
@@ -65,7 +65,7 @@ double best_k1(const spacecraft::Parameters& p, double k2, double k3, const Cost
 
 void draw(const spacecraft::Parameters& p, const CostWeights& w, scene::Show& show) {
   scene::Table data({{"k2", 3, true}, {"k3"}, {"excess"}});
-  const OptimalGains full = optimal_gains(p, w), pd = optimal_pd_gains(p, w);
+  const OptimalGains full = spacecraft::optimal_gains(p, w), pd = optimal_pd_gains(p, w);
   const int n = show.quick() ? 41 : 81;
   for (int i = 0; i < n; ++i) {
     const double k2 = -1.9 + 16.9 * i / (n - 1);
@@ -110,7 +110,7 @@ struct Row {
 /// Checks against what is known, and gives rows of the table.
 std::vector<Row> check(const Known& k, const spacecraft::Parameters& p, scene::Show& show) {
   const CostWeights weights{k.w, 1 / 144.};
-  const OptimalGains full = optimal_gains(p, weights), pd = optimal_pd_gains(p, weights);
+  const OptimalGains full = spacecraft::optimal_gains(p, weights), pd = optimal_pd_gains(p, weights);
   const auto row = [&, pairs = show.quick() ? 32 : 64](const char* name, const Gains& gains) {
     return Row(p, weights, name, gains, pairs);
   };
@@ -153,7 +153,7 @@ void put(scene::Show& show) {
                     {"int u^2", &Row::torque, 6},
                     {"cost", &Row::cost, 9},
                     {"cost by quadrature", &Row::quadrature, 9}});
-  const OptimalGains full = optimal_gains(p, hundred);
+  const OptimalGains full = spacecraft::optimal_gains(p, hundred);
   // oracle: gss_control_loop optimum k* at W = 100
   const char* digits = "tools/oracles/gss_control_loop.py, twelve digits";
   show.near("optimal k1, W = 100", full.gains.k1, 12, 1e-11, digits);
@@ -164,8 +164,8 @@ void put(scene::Show& show) {
   show.near("excess of the PD optimum, W = 100", optimal_pd_gains(p, hundred).cost / full.cost - 1,
             2.81953458248 / 2.66069488543 - 1, 1e-9, "the two costs above");
   show.near("excess of the designed gains, W = 0",
-            cost(p, designed_gains, none) / optimal_gains(p, none).cost - 1, 1.797672917 / 1.73666826615 - 1,
-            1e-6, "the two costs above");
+            cost(p, designed_gains, none) / spacecraft::optimal_gains(p, none).cost - 1,
+            1.797672917 / 1.73666826615 - 1, 1e-6, "the two costs above");
   // The text's own gains as the best for some weights: k2 = 0 is optimal only for W = 0.
   const auto response = step_response(spacecraft::ClosedLoop(p, full.gains), 1, std::array{p.length});
   show.between("overshoot of the optimum, W = 100", extremes(response.theta, 0, 60).largest.value - 1, 0, 0.3,
@@ -174,10 +174,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> optimal_gains() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "optimal-gains",
            .title = "The cost over the gains: designed, unit, optimal, PD",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::optimal_gains

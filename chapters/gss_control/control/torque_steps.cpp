@@ -13,7 +13,7 @@
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::torque_steps {
 namespace {
 
 using spacecraft::TimeResponse;
@@ -75,7 +75,7 @@ void put(const Figure& f, const TimeResponse& response, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> torque_steps() {
+std::vector<scene::Scene> scenes() {
   const scene::Result motion("torque-step",
                              "unit torque from t = 0, from rest; residues over the exact poles", respond);
   std::vector<scene::Scene> all;
@@ -89,4 +89,4 @@ std::vector<scene::Scene> torque_steps() {
   return all;
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::torque_steps

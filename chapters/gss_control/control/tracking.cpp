@@ -10,7 +10,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::tracking {
 namespace {
 
 using spacecraft::SmoothTurn;
@@ -109,10 +109,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> tracking() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "tracking",
            .title = "Following a smooth target: the text's controller, and torque fed forward",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::tracking

@@ -15,7 +15,7 @@
 #include "nlmech/spacecraft/plant/finite_elements.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::error_vs_time_response {
 namespace {
 
 constexpr double place = 2;
@@ -124,7 +124,7 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time_response() {
+std::vector<scene::Scene> scenes() {
   const scene::Result times(
       "response-times",
       "theta/u and y(2 ft)/u at frequencies from 0.01 to 1000 rad/s, logarithmically spaced, with tips; "
@@ -135,4 +135,4 @@ std::vector<scene::Scene> error_vs_time_response() {
            .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::error_vs_time_response

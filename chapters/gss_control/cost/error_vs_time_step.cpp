@@ -17,7 +17,7 @@
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::error_vs_time_step {
 namespace {
 
 using spacecraft::Complex;
@@ -221,7 +221,7 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time_step() {
+std::vector<scene::Scene> scenes() {
   const scene::Result times(
       "step-times",
       "designed gains, from rest to 1 rad; theta and y(2 ft) at 16 instants from 3 to 6 s; error against 400 "
@@ -232,4 +232,4 @@ std::vector<scene::Scene> error_vs_time_step() {
            .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::error_vs_time_step

@@ -12,7 +12,7 @@
 #include "chapters/gss_control/plant/response_forms.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::accuracy {
 namespace {
 
 /// Errors of all forms at one frequency, relative: theta/u, y(L/2)/u, y(L)/u.
@@ -142,7 +142,7 @@ void put(const Samples& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> accuracy() {
+std::vector<scene::Scene> scenes() {
   const scene::Result errors(
       "errors-of-evaluations",
       "theta/u and y/u at s = j omega in double precision against decaying waves and an elimination in 100 "
@@ -153,4 +153,4 @@ std::vector<scene::Scene> accuracy() {
            .content = scene::Content(put, errors)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::accuracy

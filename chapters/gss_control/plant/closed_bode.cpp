@@ -11,7 +11,7 @@
 #include "chapters/gss_control/grids.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::closed_bode {
 namespace {
 
 using spacecraft::ClosedLoop;
@@ -131,7 +131,7 @@ void put(const Figure& f, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> closed_bode() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const Figure& f : figures)
     all.push_back({.name = f.name,
@@ -141,4 +141,4 @@ std::vector<scene::Scene> closed_bode() {
   return all;
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::closed_bode

@@ -7,7 +7,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/parameters.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::drawings {
 namespace {
 
 /// A hub that has turned by an angle, and the deflections drawn too large.
@@ -120,7 +120,7 @@ void draw_appendage_axes(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> drawings() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-3.1",
            .title = "The symmetric rotating spacecraft (drawn)",
            .place = "Figure 3.1",
@@ -131,4 +131,4 @@ std::vector<scene::Scene> drawings() {
            .content = scene::Content(draw_appendage_axes)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::drawings

@@ -10,7 +10,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::extremes {
 namespace {
 
 using spacecraft::Complex;
@@ -104,10 +104,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "extremes",
            .title = "Extreme spacecraft: poles, and errors against 100 digits",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::extremes

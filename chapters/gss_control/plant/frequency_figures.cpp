@@ -13,7 +13,7 @@
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::frequency_figures {
 namespace {
 
 using spacecraft::Plant;
@@ -165,7 +165,7 @@ scene::Scene scene_of(const std::string& name, const std::string& title, scene::
 
 }  // namespace
 
-std::vector<scene::Scene> frequency_figures() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const bool tip : {false, true}) {
     for (const double x : {2.0, 4.0})
@@ -183,4 +183,4 @@ std::vector<scene::Scene> frequency_figures() {
   return all;
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::frequency_figures

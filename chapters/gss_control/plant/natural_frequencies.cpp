@@ -12,7 +12,7 @@
 #include "nlmech/spacecraft/plant/finite_elements.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::natural_frequencies {
 namespace {
 
 constexpr int ten = 10;
@@ -145,10 +145,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> natural_frequencies() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "natural-frequencies",
            .title = "Poles and hub-locked frequencies, exact and by truncated models",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::natural_frequencies

@@ -6,7 +6,7 @@
 #include "chapters/gss_control/craft.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::parameters {
 namespace {
 
 using spacecraft::Parameters;
@@ -59,11 +59,11 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> parameters() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "table-3.1",
            .title = "Parameters of the spacecraft",
            .place = "Table 3.1",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::parameters

@@ -10,7 +10,7 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/plant/timoshenko.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::timoshenko {
 namespace {
 
 constexpr int modes = 10;
@@ -112,10 +112,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> timoshenko() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "timoshenko",
            .title = "Timoshenko's beam for the appendages: how much the modes move",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::timoshenko

@@ -15,7 +15,7 @@
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::elastica {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -164,7 +164,7 @@ void check(const Convergence& c, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> elastica() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "elastica-convergence",
       "limit loads for heights of 0.38 and 0.44 in, and the drop under 44 lb, by 1 to 128 elements a member "
@@ -181,4 +181,4 @@ std::vector<scene::Scene> elastica() {
                result)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::elastica

@@ -2,7 +2,7 @@
 
 #include "chapters/homotopy/solvers/results.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::element_results {
 namespace {
 
 /// @param cycle relative residual after Newton's iterations with A_nd as printed
@@ -25,7 +25,7 @@ void check_last_load(const Results& all, scene::Show& show) { check(all, 39, 40,
 
 }  // namespace
 
-std::vector<scene::Scene> element_results() {
+std::vector<scene::Scene> scenes() {
   // oracle: homotopy_frames toggle 0.44 of 1 drop under *
   constexpr double near_root = 0.621922545486, last_root = 0.623070489;
   using enum Scheme;
@@ -50,4 +50,4 @@ std::vector<scene::Scene> element_results() {
                40})};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::element_results

@@ -10,7 +10,7 @@
 #include "chapters/homotopy/toggle/load_curves.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::load_deflection {
 namespace {
 
 /// What load stepping finds on both models at one height.
@@ -163,7 +163,7 @@ void published_loads(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> load_deflection() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const double height : heights) {
     const scene::Result steps(
@@ -187,4 +187,4 @@ std::vector<scene::Scene> load_deflection() {
   return all;
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::load_deflection

@@ -9,7 +9,7 @@
 #include "nlmech/frames/stability_functions.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::member_drawing {
 namespace {
 
 /// Hermite's cubic with these end slopes: the deflection of a beam without axial force, over its length.
@@ -89,11 +89,11 @@ void draw_member(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> member_drawing() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-2.12",
            .title = "Kinematics and sign convention of a beam-column (drawn)",
            .place = "Figure 2.12",
            .content = scene::Content(draw_member)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::member_drawing

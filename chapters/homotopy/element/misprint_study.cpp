@@ -9,7 +9,7 @@
 #include "nlmech/scene/evidence/printed.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::misprint_study {
 namespace {
 
 /// Half span and member length read into Table 2.1, and loads.
@@ -139,7 +139,7 @@ void put(const std::vector<Cycle>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> misprint_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result cycles(
       "cycles", "Newton from rest for 1000 iterations, one element a member, A_nd of Eq. 2.35 as printed",
       all_cycles);
@@ -148,4 +148,4 @@ std::vector<scene::Scene> misprint_study() {
            .content = scene::Content(put, cycles)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::misprint_study

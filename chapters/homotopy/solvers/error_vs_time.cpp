@@ -15,7 +15,7 @@
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::error_vs_time {
 namespace {
 
 using Extended = long double;
@@ -214,7 +214,7 @@ void put(const std::vector<Toggle>& toggles, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   const scene::Result times(
       "solver-times",
       "half toggle from rest; tolerances on |F| over the load, the same for all, 2500 iterations at most; "
@@ -227,4 +227,4 @@ std::vector<scene::Scene> error_vs_time() {
            .content = scene::Content(put, times)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::error_vs_time

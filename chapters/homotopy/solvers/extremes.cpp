@@ -18,7 +18,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::extremes {
 namespace {
 
 using Eigen::VectorXd;
@@ -258,7 +258,7 @@ void put(const Extremes& x, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "extreme-toggles",
       "half a toggle 0.44 in high where members hardly shorten, with very many elements, at the limit load, "
@@ -270,4 +270,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::extremes

@@ -12,7 +12,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::iteration_study {
 namespace {
 
 constexpr int limit = 2500;
@@ -220,7 +220,7 @@ void put(const Study& s, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> iteration_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result counts("counts",
                              "the rows of Tables 2.2 to 2.5 from rest for equally spaced Euler steps, Newton "
                              "for equally spaced starts",
@@ -230,4 +230,4 @@ std::vector<scene::Scene> iteration_study() {
            .content = scene::Content(put, counts)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::iteration_study

@@ -13,7 +13,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::load_stepping_study {
 namespace {
 
 std::string name_of(const Stepping& how) {
@@ -273,7 +273,7 @@ void put(const Study& s, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> load_stepping_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "load-stepping",
       "loads 1 or 0.5 lb apart up to 50 lb and back, each from the solution before, by the fixed-point "
@@ -284,4 +284,4 @@ std::vector<scene::Scene> load_stepping_study() {
            .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::load_stepping_study

@@ -17,7 +17,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::newton_cost {
 namespace {
 
 using Eigen::Index;
@@ -357,7 +357,7 @@ void put(const Costs& c, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> newton_cost() {
+std::vector<scene::Scene> scenes() {
   const scene::Result costs(
       "operations-of-newton",
       "F and B counted at an equilibrium of the half toggle 0.44 in high under 36 lb and of a square lattice "
@@ -368,4 +368,4 @@ std::vector<scene::Scene> newton_cost() {
            .content = scene::Content(put, costs)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::newton_cost

@@ -16,7 +16,7 @@
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::solvers {
 namespace {
 
 constexpr std::int64_t limit = 2500;  // of steps, rejected ones included
@@ -246,7 +246,7 @@ void put(const Solvers& s, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> solvers() {
+std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "solvers-on-loads",
       "half a toggle of one and four beam-columns a member from rest, under loads next to the limit load and "
@@ -255,4 +255,4 @@ std::vector<scene::Scene> solvers() {
   return {{.name = "solvers", .title = "Every solver on every load", .content = scene::Content(put, result)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::solvers

@@ -5,7 +5,7 @@
 #include "nlmech/frames/williams.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::parameters {
 namespace {
 
 struct Parameter {
@@ -38,11 +38,11 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> parameters() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "table-2.1",
            .title = "Parameters of Williams' toggle",
            .place = "Table 2.1",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::parameters

@@ -10,7 +10,7 @@
 #include "chapters/homotopy/solvers/iterations.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::tangents {
 namespace {
 
 // ------------------------------------------------------ figure 2.1: Newton's iteration and a flat slope
@@ -143,7 +143,7 @@ void limit_point(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> tangents() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-2.1",
            .title = "Newton's iteration where the slope vanishes (drawn)",
            .place = "Figure 2.1",
@@ -158,4 +158,4 @@ std::vector<scene::Scene> tangents() {
            .content = scene::Content(limit_point)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::tangents

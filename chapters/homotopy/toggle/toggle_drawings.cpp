@@ -7,7 +7,7 @@
 #include "nlmech/frames/stability_functions.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::toggle_drawings {
 namespace {
 
 /// A base that holds a member's end, hatched below.
@@ -119,7 +119,7 @@ void draw_deflected(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> toggle_drawings() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-2.4",
            .title = "Williams' toggle (drawn)",
            .place = "Figure 2.4",
@@ -130,4 +130,4 @@ std::vector<scene::Scene> toggle_drawings() {
            .content = scene::Content(draw_deflected)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::toggle_drawings

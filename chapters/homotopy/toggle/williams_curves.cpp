@@ -8,7 +8,7 @@
 #include "chapters/homotopy/toggle/load_curves.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::williams_curves {
 namespace {
 
 /// A curve of each height.
@@ -60,7 +60,7 @@ void three_slopes(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> williams_curves() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-2.6",
            .title = "Williams' equation: load against deflection for three heights",
            .place = "Figure 2.6",
@@ -71,4 +71,4 @@ std::vector<scene::Scene> williams_curves() {
            .content = scene::Content(three_slopes)}};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::williams_curves

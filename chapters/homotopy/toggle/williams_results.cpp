@@ -2,7 +2,7 @@
 
 #include "chapters/homotopy/solvers/results.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::williams_results {
 namespace {
 
 const char* const recorded = "recorded";
@@ -24,7 +24,7 @@ void check_near_load(const Results& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> williams_results() {
+std::vector<scene::Scene> scenes() {
   // oracle: homotopy_williams Williams 0.32 drop under 27.11, Williams 0.44 drop under 43.79
   constexpr double low = 0.266690787315, near_root = 0.635331561089;
   using enum Scheme;
@@ -44,4 +44,4 @@ std::vector<scene::Scene> williams_results() {
                150, near_root, 40})};
 }
 
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::williams_results

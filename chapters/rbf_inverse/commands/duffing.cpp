@@ -51,8 +51,9 @@ Eigen::Vector2d pair(const char* option, const std::vector<double>& typed) {
 bvp::DuffingSettings understand(const Words& words) {
   using enum bvp::DuffingCase;
   bvp::DuffingSettings s = words.settings;
-  s.which =
-      *std::ranges::find(bvp::duffing_cases(), words.which, [](bvp::DuffingCase c) { return to_string(c); });
+  for (const bvp::DuffingCase which : bvp::duffing_cases()) {
+    if (to_string(which) == words.which) s.which = which;
+  }
   if (!words.target.empty()) {
     s.target = pair("--target", words.target);
     if (s.which == harmonic)

@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::basin {
 namespace {
 
 /// A method that gets the same guesses as the others.
@@ -146,7 +146,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> basin() {
+std::vector<scene::Scene> scenes() {
   const scene::Result rows(
       "random-guesses",
       "the same guesses for all methods, half of them independent at 40 nodes, in +-1, half constant, in "
@@ -158,4 +158,4 @@ std::vector<scene::Scene> basin() {
            .content = scene::Content(put, rows)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::basin

@@ -6,7 +6,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::boundary_errors {
 namespace {
 
 using Cases = std::vector<const FromGuesses*>;                        // by final time, then by case
@@ -117,7 +117,7 @@ void put(const Cases& cases, const Variants& variants, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> boundary_errors() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Result<std::vector<bvp::GlobalResult>>> all_variants;
   for (const DuffingSubject& subject : duffing_subjects()) all_variants.push_back(variants(subject));
   return {{.name = "table-5.3",
@@ -126,4 +126,4 @@ std::vector<scene::Scene> boundary_errors() {
            .content = scene::Content(put, all_printed_results(), all_variants)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::boundary_errors

@@ -11,7 +11,7 @@
 #include "nlmech/bvp/continuation.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::constraints {
 namespace {
 
 using bvp::DuffingCase;
@@ -158,7 +158,7 @@ void put_through(const std::vector<Through>& all, const bvp::Multistart& free, s
 
 }  // namespace
 
-std::vector<scene::Scene> constraints() {
+std::vector<scene::Scene> scenes() {
   const scene::Result<bvp::Multistart> free = extremals(DuffingCase::fixed);
   const scene::Result bounds(
       "bounded-force",
@@ -174,4 +174,4 @@ std::vector<scene::Scene> constraints() {
            .content = scene::Content(put_through, points, free)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::constraints

@@ -9,7 +9,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::continuation {
 namespace {
 
 using bvp::DuffingCase;
@@ -110,7 +110,7 @@ void put(const std::vector<Line>& lines, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> continuation() {
+std::vector<scene::Scene> scenes() {
   const scene::Result lines(
       "branches", "from the cheapest extremals at T = 2 upward in T, and in beta; four folds at most",
       compute, extremals(DuffingCase::free), extremals(DuffingCase::fixed));
@@ -119,4 +119,4 @@ std::vector<scene::Scene> continuation() {
            .content = scene::Content(put, lines)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::continuation

@@ -13,7 +13,7 @@
 #include "nlmech/peers/bvp/ipopt.hpp"
 #include "nlmech/scene/work_precision.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::error_vs_time_control {
 namespace {
 
 using bvp::DerivativeMatrix;
@@ -152,7 +152,7 @@ void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time_control() {
+std::vector<scene::Scene> scenes() {
   const scene::Result rows(
       "times-control",
       "T = 2, S = I; all begin at the trajectory of a direct method of 40 pieces, which is not timed; direct "
@@ -163,4 +163,4 @@ std::vector<scene::Scene> error_vs_time_control() {
            .content = scene::Content(put, rows)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::error_vs_time_control

@@ -8,7 +8,7 @@
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::extremal_list {
 namespace {
 
 using bvp::DuffingCase;
@@ -130,7 +130,7 @@ void put(const std::vector<const bvp::Multistart*>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremal_list() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Result<bvp::Multistart>> all;
   for (const double time : final_times)
     for (const DuffingCase which : bvp::duffing_cases()) all.push_back(extremals(which, time));
@@ -139,4 +139,4 @@ std::vector<scene::Scene> extremal_list() {
            .content = scene::Content(put, all)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::extremal_list

@@ -12,7 +12,7 @@
 #include "nlmech/bvp/optimal_control/dual_problem.hpp"
 #include "nlmech/bvp/solve.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::extremes_control {
 namespace {
 
 using bvp::DuffingCase;
@@ -153,7 +153,7 @@ void put(const Extremes& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes_control() {
+std::vector<scene::Scene> scenes() {
   const scene::Result all("extremes-control",
                           "fixed cases from pumps and descents from them, free ones from "
                           "the direct method",
@@ -163,4 +163,4 @@ std::vector<scene::Scene> extremes_control() {
            .content = scene::Content(put, all)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::extremes_control

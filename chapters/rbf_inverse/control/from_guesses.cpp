@@ -5,7 +5,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::from_guesses {
 namespace {
 
 /// What one case makes of its guesses at one final time.
@@ -68,10 +68,10 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> from_guesses() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "from-guesses",
            .title = "What the printed method finds from zeros and ten random guesses, and at what cost",
            .content = scene::Content(put, all_printed_results())}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::from_guesses

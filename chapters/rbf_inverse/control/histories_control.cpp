@@ -9,7 +9,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::histories_control {
 namespace {
 
 using bvp::DuffingCase;
@@ -178,7 +178,7 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
 
 }  // namespace
 
-std::vector<scene::Scene> histories_control() {
+std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const DuffingSubject& subject : duffing_subjects()) {
     all.push_back(
@@ -201,4 +201,4 @@ std::vector<scene::Scene> histories_control() {
   return all;
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::histories_control

@@ -10,7 +10,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::scalar_homotopy {
 namespace {
 
 using algebraic::ScalarHomotopy;
@@ -189,7 +189,7 @@ void put(const std::vector<Flow>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> scalar_homotopy() {
+std::vector<scene::Scene> scenes() {
   const scene::Result flows(
       "scalar-flows",
       "40 nodes, c T = 7.5, from zero; Euler's rule, step 1; the tolerance is 1e-8 of |F| at the start",
@@ -199,4 +199,4 @@ std::vector<scene::Scene> scalar_homotopy() {
            .content = scene::Content(put, flows)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::scalar_homotopy

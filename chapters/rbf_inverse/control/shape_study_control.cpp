@@ -7,7 +7,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::shape_study_control {
 namespace {
 
 using bvp::DerivativeMatrix;
@@ -172,7 +172,7 @@ void put(const std::vector<Row>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> shape_study_control() {
+std::vector<scene::Scene> scenes() {
   const scene::Result all(
       "shapes-and-rows", "begun at the cheapest extremal; largest error of states and co-states at the nodes",
       compute, extremals(DuffingCase::fixed, 1), extremals(DuffingCase::free), extremals(DuffingCase::fixed));
@@ -181,4 +181,4 @@ std::vector<scene::Scene> shape_study_control() {
            .content = scene::Content(put, all)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::shape_study_control

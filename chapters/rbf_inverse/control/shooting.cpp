@@ -11,7 +11,7 @@
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "chapters/rbf_inverse/control/shooting_methods.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::shooting {
 namespace {
 
 /// Final times that are tried, 0.5 to 3.5.
@@ -215,7 +215,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> shooting() {
+std::vector<scene::Scene> scenes() {
   const scene::Result rows(
       "single-shooting",
       "fixed final state, S = I; T from 0.5 to 3.5, beta from 0 to 1.2; Newton's iteration on x(0) and "
@@ -227,4 +227,4 @@ std::vector<scene::Scene> shooting() {
            .content = scene::Content(put, rows)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::shooting

@@ -5,7 +5,7 @@
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::tables_control {
 namespace {
 
 using bvp::DuffingCase;
@@ -117,7 +117,7 @@ void put_parameters(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> tables_control() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "table-5.1",
            .title = "End conditions of the co-states for each set of prescribed states",
            .place = "Table 5.1",
@@ -128,4 +128,4 @@ std::vector<scene::Scene> tables_control() {
            .content = scene::Content(put_parameters)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::tables_control

@@ -8,7 +8,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::error_vs_time_lambert {
 namespace {
 
 using orbit::TransferEquations;
@@ -77,7 +77,7 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time_lambert() {
+std::vector<scene::Scene> scenes() {
   const scene::Result lines(
       "lambert-times", "the printed transfer; polynomials, starts from an arc; medians of single threads",
       measure);
@@ -86,4 +86,4 @@ std::vector<scene::Scene> error_vs_time_lambert() {
            .content = scene::Content(put, lines)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::error_vs_time_lambert

@@ -14,7 +14,7 @@
 #include "nlmech/orbit/transfer/lambert.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::extremes_lambert {
 namespace {
 
 using orbit::LambertArc;
@@ -184,10 +184,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> extremes_lambert() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "extremes-lambert",
            .title = "Lambert's problem at its edges: angles, times, revolutions, units",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::extremes_lambert

@@ -6,7 +6,7 @@
 #include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::guesses {
 namespace {
 
 using orbit::TransferBasis;
@@ -85,7 +85,7 @@ void put(const std::vector<Row>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> guesses() {
+std::vector<scene::Scene> scenes() {
   const scene::Result all("lambert-guesses",
                           "47 LGL nodes, 6N equations, Newton's iteration with full steps, at most 60",
                           try_all);
@@ -94,4 +94,4 @@ std::vector<scene::Scene> guesses() {
            .content = scene::Content(put, all)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::guesses

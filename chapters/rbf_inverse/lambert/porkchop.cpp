@@ -10,7 +10,7 @@
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/transfer/porkchop.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::porkchop {
 namespace {
 
 using orbit::Porkchop;
@@ -152,7 +152,7 @@ void put_low_to_geostationary(const Porkchop& grid, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> porkchop() {
+std::vector<scene::Scene> scenes() {
   const scene::Result mars("porkchop-mars",
                            "conics of the mean elements at J2000; short and long way, no revolution",
                            [](bool quick) { return orbit::porkchop(earth_to_mars(quick)); });
@@ -167,4 +167,4 @@ std::vector<scene::Scene> porkchop() {
            .content = scene::Content(put_low_to_geostationary, geostationary)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::porkchop

@@ -6,7 +6,7 @@
 #include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::shape_study_lambert {
 namespace {
 
 using orbit::TransferBasis;
@@ -71,7 +71,7 @@ void put(const Study& s, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> shape_study_lambert() {
+std::vector<scene::Scene> scenes() {
   const scene::Result misses("lambert-shapes",
                              "equations for positions alone, Newton's iteration from an arc about the centre",
                              study);
@@ -80,4 +80,4 @@ std::vector<scene::Scene> shape_study_lambert() {
            .content = scene::Content(put, misses)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::shape_study_lambert

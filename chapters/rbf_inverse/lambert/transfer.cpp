@@ -10,7 +10,7 @@
 #include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::transfer {
 namespace {
 
 using orbit::CollocatedTransfer;
@@ -237,7 +237,7 @@ std::vector<CollocatedTransfer> in_other_units(const CollocatedTransfer& in_seco
 
 }  // namespace
 
-std::vector<scene::Scene> transfer() {
+std::vector<scene::Scene> scenes() {
   const auto collocated = [](const char* name, const char* reading, TransferBasis basis, double shape,
                              double unit) {
     return scene::Result(name, reading, [=] { return collocate(basis, shape, unit, unit); });
@@ -281,4 +281,4 @@ std::vector<scene::Scene> transfer() {
            .content = scene::Content(put_errors, printed, printed_shape, stable, polynomial, izzo)}};
 }
 
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::transfer

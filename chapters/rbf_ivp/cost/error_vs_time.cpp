@@ -5,7 +5,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::error_vs_time {
 namespace {
 
 using comparison::Costs;
@@ -44,7 +44,7 @@ scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), co
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   return {against_all<2>({"duffing", "Free Duffing oscillator to t = 500: digits against cost", 2e-7, 2e-5,
                           "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
                          free_duffing_case, free_duffing_steps()),
@@ -58,4 +58,4 @@ std::vector<scene::Scene> error_vs_time() {
                          three_mass_case, three_mass_steps())};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::error_vs_time

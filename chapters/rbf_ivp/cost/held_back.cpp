@@ -5,7 +5,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::held_back {
 namespace {
 
 using comparison::Costs;
@@ -19,7 +19,7 @@ Costs measure_held_back(bool quick) {
 
 }  // namespace
 
-std::vector<scene::Scene> held_back() {
+std::vector<scene::Scene> scenes() {
   return {comparison::cost_scene(
       {.name = "held-back",
        .heading = "Parameters held back while tuning (eta = 10, x = 2): digits against cost",
@@ -32,4 +32,4 @@ std::vector<scene::Scene> held_back() {
        }})};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::held_back

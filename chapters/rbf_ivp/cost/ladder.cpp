@@ -13,7 +13,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::ladder {
 namespace {
 
 using comparison::Cost;
@@ -149,7 +149,7 @@ void put(const Ladders& ladders, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> ladder() {
+std::vector<scene::Scene> scenes() {
   const scene::Result run(
       "times-ladder",
       "the cheapest of a few steps or of the tolerances 1e-4 to 1e-13 with nine digits, the most accurate "
@@ -163,4 +163,4 @@ std::vector<scene::Scene> ladder() {
            .content = scene::Content(put, run)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::ladder

@@ -17,7 +17,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::chaos {
 namespace {
 
 constexpr double half = 50, end = 100;
@@ -283,7 +283,7 @@ void put(const std::vector<Runs>& motions, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> chaos() {
+std::vector<scene::Scene> scenes() {
   const scene::Result runs(
       "chaos",
       "u'' + 0.05 u' + u^3 = 7.5 cos t, chaotic, and without the force, a transient, from (3, 4) to t = 100; "
@@ -298,4 +298,4 @@ std::vector<scene::Scene> chaos() {
            .content = scene::Content(put, runs)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::chaos

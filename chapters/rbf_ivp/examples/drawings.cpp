@@ -8,7 +8,7 @@
 #include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::drawings {
 namespace {
 
 // ------------------------------------------------------------------------------ figure 4.1, the flow chart
@@ -158,7 +158,7 @@ void draw_chain(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> drawings() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-4.1",
            .title = "Modified Chebyshev-Picard iteration, step by step (flow chart)",
            .place = "Figure 4.1",
@@ -169,4 +169,4 @@ std::vector<scene::Scene> drawings() {
            .content = scene::Content(draw_chain)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::drawings

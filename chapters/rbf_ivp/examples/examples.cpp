@@ -10,7 +10,7 @@
 #include "chapters/rbf_ivp/examples/rows.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::examples {
 namespace {
 
 using Scenes = std::vector<scene::Scene>;
@@ -111,7 +111,7 @@ void add_three_masses(Scenes& scenes) {
 
 }  // namespace
 
-std::vector<scene::Scene> examples() {
+std::vector<scene::Scene> scenes() {
   Scenes scenes;
   add_free_duffing(scenes);
   add_impact(scenes);
@@ -119,4 +119,4 @@ std::vector<scene::Scene> examples() {
   return scenes;
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::examples

@@ -8,7 +8,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::parameter_tables {
 namespace {
 
 constexpr const char* digits60 = "tools/oracles/rbf_ivp_ends.py, 40 digits; two roundings";
@@ -123,7 +123,7 @@ scene::Scene table(const std::string& number, const std::string& title, void (*s
 
 }  // namespace
 
-std::vector<scene::Scene> parameter_tables() {
+std::vector<scene::Scene> scenes() {
   return {
       table("4.1", "Free Duffing oscillator: parameters as printed and as used", free_duffing_parameters),
       table("4.3", "Duffing oscillator under an impact: parameters as printed and as used",
@@ -131,4 +131,4 @@ std::vector<scene::Scene> parameter_tables() {
       table("4.5", "Three masses: parameters as printed, and the two that are missing", chain_parameters)};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::parameter_tables

@@ -9,7 +9,7 @@
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::fixed_step_more_nodes {
 namespace {
 
 /// Errors of the three methods with a number of nodes; nothing where a step was not solved.
@@ -103,7 +103,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> fixed_step_more_nodes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result rows(
       "error-against-nodes",
       "free Duffing with h = P to 10 P, three masses with h = 20 s to 200 s; root mean square of x1's error "
@@ -114,4 +114,4 @@ std::vector<scene::Scene> fixed_step_more_nodes() {
            .content = scene::Content(put, rows)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::fixed_step_more_nodes

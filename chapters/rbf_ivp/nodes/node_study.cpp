@@ -11,7 +11,7 @@
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::node_study {
 namespace {
 
 using collocation::NodeFamily;
@@ -374,7 +374,7 @@ void put(const Study& study, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> node_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result study("placed-nodes",
                             "one interval; Gaussians by algebra of 50 digits, rounded to double afterwards; "
                             "errors of components by "
@@ -385,4 +385,4 @@ std::vector<scene::Scene> node_study() {
            .content = scene::Content(put, study)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::node_study

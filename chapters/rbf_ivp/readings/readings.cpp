@@ -9,7 +9,7 @@
 
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::readings {
 namespace {
 
 using Questions = std::vector<Question>;
@@ -128,7 +128,7 @@ void put(const Questions& questions, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> readings() {
+std::vector<scene::Scene> scenes() {
   const scene::Result tried(
       "readings-tried", "every option of every question that the text leaves open, one question at a time",
       try_readings);
@@ -137,4 +137,4 @@ std::vector<scene::Scene> readings() {
            .content = scene::Content(put, tried)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::readings

@@ -13,7 +13,7 @@
 #include "nlmech/collocation/radial/radial_basis.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::conditioning {
 namespace {
 
 using collocation::Inversion;
@@ -235,7 +235,7 @@ void put(const std::vector<Study>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> conditioning() {
+std::vector<scene::Scene> scenes() {
   const scene::Result scans(
       "differentiation-against-shape",
       "Gaussians at Legendre-Gauss-Lobatto nodes on an arc of the free Duffing oscillator from t = 1.1 s; "
@@ -246,4 +246,4 @@ std::vector<scene::Scene> conditioning() {
            .content = scene::Content(put, scans)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::conditioning

@@ -11,7 +11,7 @@
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::contour {
 namespace {
 
 /// Largest |D - D of polynomials| relative to the largest entry of the latter, for n nodes on the unit
@@ -65,7 +65,7 @@ void put(const std::vector<Point>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> contour() {
+std::vector<scene::Scene> scenes() {
   const scene::Result runs(
       "flat-limit",
       "differentiation matrices of Gaussians at Legendre-Gauss-Lobatto nodes by the stable basis and by LU "
@@ -76,4 +76,4 @@ std::vector<scene::Scene> contour() {
            .content = scene::Content(put, runs)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::contour

@@ -10,7 +10,7 @@
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::kernels {
 namespace {
 
 using collocation::Kernel;
@@ -93,10 +93,10 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> kernels() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "kernels",
            .title = "The four radial functions of Eq. 4.8 and their derivatives",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::kernels

@@ -13,7 +13,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::shape_study {
 namespace {
 
 using collocation::Inversion;
@@ -284,7 +284,7 @@ void put(const std::vector<Study>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> shape_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result runs(
       "shape-study",
       "Gaussians at Legendre-Gauss-Lobatto nodes on an arc of the free Duffing oscillator from t = 1.1 s: D "
@@ -297,4 +297,4 @@ std::vector<scene::Scene> shape_study() {
            .content = scene::Content(put, runs)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::shape_study

@@ -13,7 +13,7 @@
 #include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::mcpi_limit {
 namespace {
 
 constexpr std::array orders = {8, 16, 32, 100, 500};
@@ -315,7 +315,7 @@ void put(const Limits& limits, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> mcpi_limit() {
+std::vector<scene::Scene> scenes() {
   const scene::Result limits(
       "mcpi-largest-steps",
       "free Duffing: one step from each of many phases of the orbit, by 0.01 P; the others: all steps of the "
@@ -326,4 +326,4 @@ std::vector<scene::Scene> mcpi_limit() {
            .content = scene::Content(put, limits)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::mcpi_limit

@@ -11,7 +11,7 @@
 #include "chapters/rbf_ivp/solvers/solvers.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::solver_study {
 namespace {
 
 using collocation::Basis;
@@ -300,7 +300,7 @@ void put(const std::vector<Row>& rows, const Trials& trials, scene::Show& show) 
 
 }  // namespace
 
-std::vector<scene::Scene> solver_study() {
+std::vector<scene::Scene> scenes() {
   const scene::Result rows(
       "solvers-on-rows",
       "rows of intervals with the steps and shapes of Tables 4.2, 4.4 and 4.6, from the constant state of "
@@ -317,4 +317,4 @@ std::vector<scene::Scene> solver_study() {
            .content = scene::Content(put, rows, trials)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::solver_study

@@ -75,8 +75,8 @@ std::complex<double> stability_function(const Eigen::MatrixXd& derivative, std::
   return x[s - 1];
 }
 
-std::vector<Window> instability_windows(const Eigen::MatrixXd& derivative, double last, double threshold,
-                                        int per_unit) {
+std::vector<Window> windows_above(const Eigen::MatrixXd& derivative, double last, double threshold,
+                                  int per_unit) {
   const auto growth = [&](double y) { return std::abs(stability_function(derivative, {0, y})); };
   std::vector<Window> windows;
   bool inside = false;

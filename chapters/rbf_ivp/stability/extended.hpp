@@ -55,7 +55,7 @@ struct Window {
 };
 
 /// The windows in 0 < y <= last with |R(iy)| > threshold, sampled @p per_unit times a unit of y.
-[[nodiscard]] std::vector<Window> instability_windows(const Eigen::MatrixXd& derivative, double last,
-                                                      double threshold, int per_unit);
+[[nodiscard]] std::vector<Window> windows_above(const Eigen::MatrixXd& derivative, double last,
+                                                double threshold, int per_unit);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -15,7 +15,7 @@
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::extremes {
 namespace {
 
 /// A linear oscillator whose force is no number from a time on.
@@ -208,7 +208,7 @@ void put(const std::vector<Ends>& all, const std::vector<Odd>& odd, scene::Show&
 
 }  // namespace
 
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result ends("extreme-ends",
                            "steps 1e-3, 0.01, 0.01, 0.5, 0.01, P/1000; tolerance 1e-6 for methods that "
                            "choose; at most 100000 steps",
@@ -220,4 +220,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, ends, odd)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::extremes

@@ -14,7 +14,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::instability_windows {
 namespace {
 
 using collocation::NodeFamily;
@@ -200,8 +200,7 @@ void put(const std::vector<Growth>& growths, scene::Show& show) {
   std::vector<Extent> extents;
   for (const Scheme& s : schemes) {
     const Eigen::MatrixXd derivative = s.derivative();
-    extents.push_back(
-        {s, derivative, instability_windows(derivative, 300, threshold, show.quick() ? 10 : 20)});
+    extents.push_back({s, derivative, windows_above(derivative, 300, threshold, show.quick() ? 10 : 20)});
   }
   draw(extents, growths, show);
   show.table(extents, {{"nodes", &Extent::name},
@@ -215,7 +214,7 @@ void put(const std::vector<Growth>& growths, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> instability_windows() {
+std::vector<scene::Scene> scenes() {
   const scene::Result growths(
       "stiff-chain-growth",
       "three masses with k1 = 1e8, x1(0) = 1e-9, 150 steps; amplitude of the first mass, "
@@ -227,4 +226,4 @@ std::vector<scene::Scene> instability_windows() {
            .content = scene::Content(put, growths)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::instability_windows

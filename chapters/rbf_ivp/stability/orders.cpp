@@ -19,7 +19,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::orders {
 namespace {
 
 using collocation::NodeFamily;
@@ -190,7 +190,7 @@ void put(const Groups& groups, const std::vector<Order>& linear, scene::Show& sh
 
 }  // namespace
 
-std::vector<scene::Scene> orders() {
+std::vector<scene::Scene> scenes() {
   const scene::Result series("errors-against-step", "three masses to 8 s; largest error of a state component",
                              all_series);
   const scene::Result linear(
@@ -201,4 +201,4 @@ std::vector<scene::Scene> orders() {
            .content = scene::Content(put, series, linear)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::orders

@@ -12,7 +12,7 @@
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::stability {
 namespace {
 
 constexpr double tolerance = 1e-6;        // of methods that choose their steps
@@ -221,7 +221,7 @@ void put(const std::vector<Ending>& endings, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> stability() {
+std::vector<scene::Scene> scenes() {
   const scene::Result endings(
       "stiff-ends",
       "fixed steps: the largest of end/2^(k/4) that ends well with a digit or more, as does its half (for "
@@ -233,4 +233,4 @@ std::vector<scene::Scene> stability() {
            .content = scene::Content(put, endings)}};
 }
 
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::stability

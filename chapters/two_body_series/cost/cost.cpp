@@ -15,7 +15,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::cost {
 namespace {
 
 constexpr double eccentricity = 0.1;
@@ -199,7 +199,7 @@ void put(const Outcome& m, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> cost() {
+std::vector<scene::Scene> scenes() {
   const scene::Result outcome("cost",
                               "e = 0.1, 25 steps an orbit, order from 6 to 40; runs of the adaptive method "
                               "in its default setting and Kepler's solution of the same end; one thread, "
@@ -212,4 +212,4 @@ std::vector<scene::Scene> cost() {
            .content = scene::Content(put, outcome)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::cost

@@ -11,7 +11,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::error_vs_time {
 namespace {
 
 using comparison::Cost;
@@ -153,7 +153,7 @@ scene::Scene scene_of(const Subject& subject) {
 
 }  // namespace
 
-std::vector<scene::Scene> error_vs_time() {
+std::vector<scene::Scene> scenes() {
   return {scene_of({.name = "leo",
                     .heading = "Twenty orbits, e = 0.1: digits against cost",
                     .eccentricity = 0.1,
@@ -180,4 +180,4 @@ std::vector<scene::Scene> error_vs_time() {
                     .high = 0})};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::error_vs_time

@@ -8,7 +8,7 @@
 #include "chapters/two_body_series/orbits/orbits.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::elements {
 namespace {
 
 using nlmech::orbit::Elements;
@@ -105,11 +105,11 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> elements() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "elements",
            .title = "Elements of both orbits from the printed states",
            .place = "Equations 3.72 and 3.74",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::elements

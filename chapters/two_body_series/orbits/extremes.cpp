@@ -20,9 +20,29 @@
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::two_body_series {
-namespace {
 
-const double low_orbit_time = 20 * 6218.7281;
+static const double low_orbit_time = 20 * 6218.7281;
+
+double canonical_time(double length) { return std::sqrt(length * length * length / earth_mu); }
+
+double difference_between_units(double length, double time) {
+  const orbit::State si = low_orbit().start, scaled{si.position / length, si.velocity / (length / time)};
+  const auto mu = earth_mu / (length * length * length) * (time * time);
+  const auto a = orbit::propagate(si, 0, low_orbit_time, {.mu = earth_mu}, orbit::AnalyticContinuation{}),
+             b = orbit::propagate(scaled, 0, low_orbit_time / time, {.mu = mu},
+                                  orbit::AnalyticContinuation{});
+  return (b.state.position * length - a.state.position).norm() / a.state.position.norm();
+}
+
+double rounding_between_units() {
+  return orbit::kepler_condition(low_orbit().start, low_orbit_time, earth_mu).position *
+         std::numeric_limits<double>::epsilon() / 2;
+}
+
+}  // namespace nlmech::chapters::two_body_series
+
+namespace nlmech::chapters::two_body_series::extremes {
+namespace {
 
 /// A method with its setting.
 struct Method {
@@ -199,23 +219,7 @@ void put(const Outcome& m, scene::Show& show) {
 
 }  // namespace
 
-double canonical_time(double length) { return std::sqrt(length * length * length / earth_mu); }
-
-double difference_between_units(double length, double time) {
-  const orbit::State si = low_orbit().start, scaled{si.position / length, si.velocity / (length / time)};
-  const auto mu = earth_mu / (length * length * length) * (time * time);
-  const auto a = orbit::propagate(si, 0, low_orbit_time, {.mu = earth_mu}, orbit::AnalyticContinuation{}),
-             b = orbit::propagate(scaled, 0, low_orbit_time / time, {.mu = mu},
-                                  orbit::AnalyticContinuation{});
-  return (b.state.position * length - a.state.position).norm() / a.state.position.norm();
-}
-
-double rounding_between_units() {
-  return orbit::kepler_condition(low_orbit().start, low_orbit_time, earth_mu).position *
-         std::numeric_limits<double>::epsilon() / 2;
-}
-
-std::vector<scene::Scene> extremes() {
+std::vector<scene::Scene> scenes() {
   const scene::Result outcome(
       "extremes",
       "mu = 1; tolerance 1e-15 where none is given; errors against Kepler's equation in 50 digits; at most 2 "
@@ -226,4 +230,4 @@ std::vector<scene::Scene> extremes() {
            .content = scene::Content(put, outcome)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::extremes

@@ -7,7 +7,7 @@
 
 #include "chapters/two_body_series/orbits/published_runs.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::histories {
 namespace {
 
 double greatest(const EnergyRecord& record) { return std::ranges::max(record.error); }
@@ -99,8 +99,6 @@ scene::Scene history(const Orbit& orbit, const std::string& number) {
 
 }  // namespace
 
-std::vector<scene::Scene> histories() {
-  return {history(low_orbit(), "3.22"), history(high_orbit(), "3.23")};
-}
+std::vector<scene::Scene> scenes() { return {history(low_orbit(), "3.22"), history(high_orbit(), "3.23")}; }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::histories

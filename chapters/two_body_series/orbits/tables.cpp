@@ -8,7 +8,7 @@
 #include "chapters/printed_values.hpp"
 #include "chapters/two_body_series/orbits/published_runs.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::tables {
 namespace {
 
 using Records = std::vector<const EnergyRecord*>;  // by orbits, then by propagator
@@ -202,6 +202,6 @@ scene::Scene table(const Orbit& orbit) {
 
 }  // namespace
 
-std::vector<scene::Scene> tables() { return {table(low_orbit()), table(high_orbit())}; }
+std::vector<scene::Scene> scenes() { return {table(low_orbit()), table(high_orbit())}; }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::tables

@@ -11,7 +11,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::algorithm {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -103,11 +103,11 @@ void put(scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> algorithm() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "fig-3.21",
            .title = "The analytic continuation algorithm (drawn, with Eq. 3.66 corrected)",
            .place = "Figure 3.21",
            .content = scene::Content(put)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::algorithm

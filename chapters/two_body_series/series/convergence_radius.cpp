@@ -13,7 +13,7 @@
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::convergence_radius {
 namespace {
 
 /// Radii of convergence along an ellipse, in mean anomaly.
@@ -189,7 +189,7 @@ void put(const Outcome& m, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> convergence_radius() {
+std::vector<scene::Scene> scenes() {
   const scene::Result outcome(
       "convergence-radius",
       "units a = 1, mu = 1; positions to the order, velocities one less; errors |dr|/a from the periapsis",
@@ -199,4 +199,4 @@ std::vector<scene::Scene> convergence_radius() {
            .content = scene::Content(put, outcome)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::convergence_radius

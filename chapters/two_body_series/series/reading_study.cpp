@@ -11,7 +11,7 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/convergence.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::reading_study {
 namespace {
 
 using Norms = std::array<double, 3>;  ///< over 5, 10 and 20 orbits
@@ -296,7 +296,7 @@ std::vector<scene::Result<EnergyRecord>> ode45_of(const Orbit& orbit) {
 
 }  // namespace
 
-std::vector<scene::Scene> reading_study() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "reading-study",
            .title = "Which degrees and steps the printed energy errors fit",
            .place = "our own, for Tables 3.2 and 3.3",
@@ -305,4 +305,4 @@ std::vector<scene::Scene> reading_study() {
                                      ode45_of(high_orbit()))}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::reading_study

@@ -17,7 +17,7 @@
 #include "nlmech/series/dual.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::zonal {
 namespace {
 
 /// The attraction for integrators in general: the gradient of the potential by dual numbers, with
@@ -226,7 +226,7 @@ void put(const std::vector<Study>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> zonal() {
+std::vector<scene::Scene> scenes() {
   const scene::Result days("zonal-days",
                            "R = 6378137 m, J2 = 1.08262668e-3; adaptive continuation in its default setting; "
                            "in quadruple precision order 30 and tolerance 1e-21",
@@ -236,4 +236,4 @@ std::vector<scene::Scene> zonal() {
            .content = scene::Content(put, days)}};
 }
 
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::zonal

@@ -15,7 +15,9 @@
 namespace nlmech::chapters::rbf_inverse {
 
 scene::Chapter chapter();
-std::vector<scene::Scene> histories_control();
+namespace histories_control {
+std::vector<scene::Scene> scenes();
+}
 
 namespace {
 
@@ -103,7 +105,7 @@ double time_of_results() {
 
 /// Of the figure, with nothing computed before.
 double time_of_figure(std::vector<std::string>& used) {
-  const scene::Chapter figures("b", "figures", {histories_control()});
+  const scene::Chapter figures("b", "figures", {histories_control::scenes()});
   scene::Results results(true);
   return processor_time([&] {
     used.clear();

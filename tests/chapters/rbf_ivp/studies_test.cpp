@@ -83,7 +83,7 @@ TEST(Gaussians, DoNotReproduceConstants) {
 TEST(Windows, OfSevenLobattoNodes) {
   const Eigen::MatrixXd derivative =
       polynomial_derivative(NodeFamily::legendre_gauss_lobatto, 7).cast<double>();
-  const auto windows = instability_windows(derivative, 100, 1.001, 20);
+  const auto windows = windows_above(derivative, 100, 1.001, 20);
   ASSERT_EQ(windows.size(), 1U);
   EXPECT_NEAR(windows[0].begin, 5.4, 0.1);  // recorded: [5.4, 9.5], 1.33
   EXPECT_NEAR(windows[0].end, 9.5, 0.05);
@@ -97,7 +97,7 @@ TEST(Windows, RadauNodesHaveNone) {
   for (const int nodes : {3, 7, 20}) {
     const Eigen::MatrixXd derivative =
         polynomial_derivative(NodeFamily::left_end_and_radau, nodes).cast<double>();
-    EXPECT_TRUE(instability_windows(derivative, 200, 1 + 1e-12, 5).empty()) << nodes;
+    EXPECT_TRUE(windows_above(derivative, 200, 1 + 1e-12, 5).empty()) << nodes;
   }
 }
 

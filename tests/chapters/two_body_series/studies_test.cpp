@@ -9,7 +9,7 @@
 #include "chapters/two_body_series/orbits/ellipses.hpp"
 #include "chapters/two_body_series/orbits/extremes.hpp"
 #include "chapters/two_body_series/orbits/propagators.hpp"
-#include "chapters/two_body_series/zonal/drift.hpp"
+#include "chapters/two_body_series/zonal/drift_runs.hpp"
 #include "chapters/two_body_series/zonal/zonal.hpp"
 #include "nlmech/orbit/convergence.hpp"
 #include "nlmech/orbit/kepler.hpp"
@@ -34,10 +34,10 @@ TEST(Drift, SlopeOfPowers) {
 TEST(Drift, DivisionWalksAndReciprocalsDrift) {
   DriftTask task{"", 0.1, 22, 30};
   task.phases = 16;
-  const Drift walk = drift(task, 1000);
+  const Drift walk = drift_of(task, 1000);
   task.true_division = false;
   task.phases = 2;
-  const Drift line = drift(task, 1000);
+  const Drift line = drift_of(task, 1000);
   EXPECT_LT(walk.energy.back(), 2e-14);
   EXPECT_GT(line.energy.back(), 3 * walk.energy.back());
   EXPECT_LT(energy_slope(walk), 0.8);
@@ -48,9 +48,9 @@ TEST(Drift, DivisionWalksAndReciprocalsDrift) {
 TEST(Drift, CompensationHelps) {
   DriftTask task{"", 0.1, 22, 30, false};
   task.phases = 16;
-  const double plain = drift(task, 300).energy.back();
+  const double plain = drift_of(task, 300).energy.back();
   task.compensated = true;
-  EXPECT_LT(drift(task, 300).energy.back(), plain);
+  EXPECT_LT(drift_of(task, 300).energy.back(), plain);
 }
 
 TEST(Drift, AdaptiveWalks) {
@@ -58,7 +58,7 @@ TEST(Drift, AdaptiveWalks) {
   task.tolerance = 1e-17;
   task.phases = 8;
   // 30 orbits to 1000: a walk of some twenty steps an orbit, each rounding |v|^2/2, up to six times |E|.
-  EXPECT_LT(drift(task, 1000).energy.back(), 6 * eps * std::sqrt(20 * 1000));
+  EXPECT_LT(drift_of(task, 1000).energy.back(), 6 * eps * std::sqrt(20 * 1000));
 }
 
 TEST(Zonal, EndsOfADay) {

@@ -3,7 +3,7 @@
 
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::chapters::series {
+namespace nlmech::chapters::series::basel {
 namespace {
 
 /// The sum of 1/k^2 over so many terms.
@@ -31,10 +31,10 @@ void put(const std::vector<Sum>& all, scene::Show& show) {
 
 }  // namespace
 
-std::vector<scene::Scene> basel() {
+std::vector<scene::Scene> scenes() {
   return {{.name = "basel",
            .title = "What partial sums of the reciprocal squares leave",
            .content = scene::Content(put, scene::Result("sums", "as Euler states it", sums))}};
 }
 
-}  // namespace nlmech::chapters::series
+}  // namespace nlmech::chapters::series::basel

@@ -33,6 +33,6 @@ struct Drift {
 
 /// Runs it to @p orbits. Energies in long double; positions against Kepler's solution in long double.
 /// @throws Failure if a run fails
-[[nodiscard]] Drift drift(const DriftTask& task, int orbits);
+[[nodiscard]] Drift drift_of(const DriftTask& task, int orbits);
 
 }  // namespace nlmech::chapters::two_body_series
