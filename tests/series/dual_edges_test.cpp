@@ -76,6 +76,22 @@ TEST(DualEdges, TanhKeepsItsSlopeWhereItIsAlmostOne) {
   EXPECT_EQ(tanh(D::variable(-800, 0)).partial[0], 0);
 }
 
+TEST(DualEdges, AnglesKeepTheirDerivativesInAllQuadrantsAndAtAllSizes) {
+  for (const double size : {1e-300, 1.0, 1e300}) {
+    for (const double x : {-3 * size, 3 * size}) {
+      for (const double y : {-4 * size, 4 * size}) {
+        const D angle = atan2(D::variable(y, 0), D::variable(x, 1));
+        EXPECT_EQ(angle.value, std::atan2(y, x));
+        // Four operations of half a unit each: within four units.
+        EXPECT_NEAR(angle.partial[0], x / size / 25 / size, 4 * epsilon / size);
+        EXPECT_NEAR(angle.partial[1], -y / size / 25 / size, 4 * epsilon / size);
+      }
+    }
+  }
+  EXPECT_FALSE(std::isfinite(atan2(D::variable(0, 0), D(0.0)).partial[0]));
+  EXPECT_EQ(asin(D::variable(1, 0)).partial[0], HUGE_VAL);
+}
+
 TEST(DualEdges, NaNIsPassedOn) {
   const D x = D::variable(std::nan(""), 0);
   EXPECT_TRUE(std::isnan((x + 1).value));

@@ -1,6 +1,9 @@
 /// Every function of a dual number against its derivative in closed form, in 50 digits.
 #include <gtest/gtest.h>
 
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/erf.hpp>
+
 #include "nlmech/series/dual.hpp"
 #include "tests/series/numbers.hpp"
 
@@ -38,6 +41,21 @@ const Function functions[] = {
      [](const Real& x) { return Real(sinh(x)); }, -20, 20},
     {"tanh", [](const D& x) { return tanh(x); }, [](const Real& x) { return Real(tanh(x)); },
      [](const Real& x) { return Real(1 / (cosh(x) * cosh(x))); }, -20, 20},
+    {"asin", [](const D& x) { return asin(x); }, [](const Real& x) { return Real(asin(x)); },
+     [](const Real& x) { return Real(1 / sqrt(1 - x * x)); }, -1, 1},
+    {"acos", [](const D& x) { return acos(x); }, [](const Real& x) { return Real(acos(x)); },
+     [](const Real& x) { return Real(-1 / sqrt(1 - x * x)); }, -1, 0.9},
+    {"atan", [](const D& x) { return atan(x); }, [](const Real& x) { return Real(atan(x)); },
+     [](const Real& x) { return Real(1 / (1 + x * x)); }, -50, 50},
+    {"erf", [](const D& x) { return erf(x); }, [](const Real& x) { return Real(boost::math::erf(x)); },
+     [](const Real& x) { return Real(2 / sqrt(Real(boost::math::constants::pi<Real>())) * exp(-x * x)); }, -2,
+     2},
+    {"atan2(x, 2)", [](const D& x) { return atan2(x, 2); },
+     [](const Real& x) { return Real(atan2(x, Real(2))); },
+     [](const Real& x) { return Real(2 / (x * x + 4)); }, -9, 9},
+    {"atan2(2, x)", [](const D& x) { return atan2(2.0, x); },
+     [](const Real& x) { return Real(atan2(Real(2), x)); },
+     [](const Real& x) { return Real(-2 / (x * x + 4)); }, -9, 9},
     {"abs", [](const D& x) { return abs(x); }, [](const Real& x) { return Real(abs(x)); },
      [](const Real& x) { return Real(x < 0 ? -1 : 1); }, -2, 2},
     {"x^7", [](const D& x) { return pow(x, 7); }, [](const Real& x) { return Real(pow(x, 7)); },

@@ -257,6 +257,66 @@ template <class T, int n>
   return Dual<T, n>::chained(tanh(x.value), secant * secant, x);
 }
 
+/// Arc sine. Its slope is formed from (1 - x)(1 + x), which keeps all digits near the ends; at the ends see
+/// Dual.
+template <class T, int n>
+[[nodiscard]] Dual<T, n> asin(const Dual<T, n>& x) {
+  using std::asin;
+  using std::sqrt;
+  return Dual<T, n>::chained(asin(x.value), 1 / sqrt((1 - x.value) * (1 + x.value)), x);
+}
+
+/// Arc cosine; as asin().
+template <class T, int n>
+[[nodiscard]] Dual<T, n> acos(const Dual<T, n>& x) {
+  using std::acos;
+  using std::sqrt;
+  return Dual<T, n>::chained(acos(x.value), -1 / sqrt((1 - x.value) * (1 + x.value)), x);
+}
+
+/// Arc tangent.
+template <class T, int n>
+[[nodiscard]] Dual<T, n> atan(const Dual<T, n>& x) {
+  using std::atan;
+  return Dual<T, n>::chained(atan(x.value), 1 / (1 + x.value * x.value), x);
+}
+
+/// Angle of the point (x, y), from -pi to pi. At the origin, where there is no derivative, those that are
+/// asked for are not finite.
+template <class T, int n>
+[[nodiscard]] Dual<T, n> atan2(const Dual<T, n>& y, const Dual<T, n>& x) {
+  using std::abs;
+  using std::atan2;
+  // In units of the larger coordinate, so that no square leaves the range of T.
+  const T unit = abs(value_of(x)) < abs(value_of(y)) ? T(abs(y.value)) : T(abs(x.value));
+  const T a = x.value / unit, b = y.value / unit, square = (a * a + b * b) * unit;
+  return Dual<T, n>::chained(atan2(y.value, x.value), a / square, y) +
+         Dual<T, n>::chained(T(0), -b / square, x);
+}
+/// The same on a line parallel to an axis.
+template <class T, int n, class S>
+requires std::convertible_to<S, T>
+[[nodiscard]] Dual<T, n> atan2(const Dual<T, n>& y, const S& x) {
+  return atan2(y, Dual<T, n>(static_cast<T>(x)));
+}
+/// The same on a line parallel to an axis.
+template <class T, int n, class S>
+requires std::convertible_to<S, T>
+[[nodiscard]] Dual<T, n> atan2(const S& y, const Dual<T, n>& x) {
+  return atan2(Dual<T, n>(static_cast<T>(y)), x);
+}
+
+/// Error function.
+template <class T, int n>
+[[nodiscard]] Dual<T, n> erf(const Dual<T, n>& x) {
+  using std::atan;
+  using std::erf;
+  using std::exp;
+  using std::sqrt;
+  const T slope = exp(-x.value * x.value) / sqrt(atan(T(1)));  // 2/sqrt(pi) = 1/sqrt(pi/4)
+  return Dual<T, n>::chained(erf(x.value), slope, x);
+}
+
 /// Absolute value; at 0 the derivative from the right.
 template <class T, int n>
 [[nodiscard]] constexpr Dual<T, n> abs(const Dual<T, n>& x) {
