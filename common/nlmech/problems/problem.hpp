@@ -78,8 +78,11 @@ template <class Problem>
   } else {
     std::vector<std::string> names;
     const int positions = SecondOrder<Problem> ? Problem::dimension / 2 : Problem::dimension;
-    for (int i = 1; i <= positions; ++i) names.push_back("x" + std::to_string(i));
-    for (int i = 1; i <= Problem::dimension - positions; ++i) names.push_back("v" + std::to_string(i));
+    const auto add = [&names](char letter, int count) {
+      for (int i = 1; i <= count; ++i) names.push_back(std::to_string(i).insert(0, 1, letter));
+    };
+    add('x', positions);
+    add('v', Problem::dimension - positions);
     return names;
   }
 }
