@@ -136,8 +136,8 @@ TEST(LambertCommand, WrongWordsAreNamed) {
   expect(printed + " --revolutions 1 --branch middle", "--branch middle");
   expect(printed + " --plane 0,0,0", "--plane 0,0,0");
   expect(printed + " --plane 0,0,1", "--plane 0,0,1");  // the positions determine the plane
-  expect(printed + " --zonal 1e-3", "--zonal 1e-3");
-  expect(printed + " --radius 6e6", "--radius 6e6");
+  expect(printed + " --zonal 1e-3", "--zonal 0.001");
+  expect(printed + " --radius 6e6", "--radius 6000000");
   expect(printed + " --zonal 1e-3 --radius -1", "--radius -1");
   expect(printed + " --method shooting", "--method shooting");
   expect(printed + " --method collocation --long-way", "--long-way");

@@ -201,7 +201,7 @@ TEST(OwnWork, BadInputIsNamed) {
        {"--absolute-tolerance 1e-09", "rk4,radau-coll"}},
       {"integrate --problem robertson --until 1 --method newmark", {"newmark", "velocities"}},
       {"integrate --method rk4 --step 0.1 --tolerance 1e-9" + good,
-       {"--step 0.1", "--tolerance 1e-9", "not both"}},
+       {"--step 0.1", "--tolerance 1e-09", "not both"}},
       {"integrate --method rk4 --every 0" + good, {"--every 0", "positive"}},
       {"integrate --method rk4 --every 1e-12" + good, {"--every 1e-12", "rows"}},
       {"integrate --method rbf-coll --nodes 1" + good, {"--nodes 1", "2 to 200"}},

@@ -234,21 +234,21 @@ TEST(OwnWork, BadInputIsNamed) {
   const std::string run = "propagate " + start;
   const std::vector<Bad> cases = {
       {"propagate --position 0,0,0 --velocity 0,1,0 --until 1", {"--position 0,0,0", "centre"}},
-      {"propagate --position 1,0 --velocity 0,1,0 --until 1", {"--position 1,0", "x,y,z"}},
+      {"propagate --position 1,0 --velocity 0,1,0 --until 1", {"--position 1,0", "3 are needed"}},
       {"propagate --position 1,0,0 --velocity 0,one,0 --until 1", {"--velocity 0,one,0", "'one'"}},
       {"propagate --position 1,0,0 --velocity 0,1,inf --until 1", {"--velocity", "inf"}},
       {"propagate --position 1,0,0 --until 1", {"--velocity"}},
       {run, {"--until"}},
       {run + "--until soon", {"--until soon"}},
       {run + "--until 1 --every 0", {"--every 0"}},
-      {run + "--until 1 --every 1e-9", {"--every 1e-9", "10 million"}},
+      {run + "--until 1 --every 1e-9", {"--every 1e-09", "10 million"}},
       {run + "--until 1 --mu -1", {"--mu -1"}},
       {run + "--until 1 --method euler", {"--method euler", "kepler"}},
       {run + "--until 1 --tolerance 0", {"--tolerance 0", "1e-18"}},
       {run + "--until 1 --tolerance 1", {"--tolerance 1"}},
-      {run + "--until 1 --tolerance 1e-9 --method kepler", {"--tolerance 1e-9", "kepler"}},
-      {run + "--until 1 --zonal 1e-3 --radius 1 --method kepler", {"--zonal 1e-3", "kepler"}},
-      {run + "--until 1 --zonal 1e-3", {"--zonal 1e-3", "--radius"}},
+      {run + "--until 1 --tolerance 1e-9 --method kepler", {"--tolerance 1e-09", "kepler"}},
+      {run + "--until 1 --zonal 1e-3 --radius 1 --method kepler", {"--zonal 0.001", "kepler"}},
+      {run + "--until 1 --zonal 1e-3", {"--zonal 0.001", "--radius"}},
       {run + "--until 1 --radius 1", {"--radius 1", "--zonal"}},
       {run + "--until 1 --zonal 1,2,3,4,5,6 --radius 1", {"--zonal 1,2,3,4,5,6", "J6"}},
       {run + "--until 1 --zonal 1,,2 --radius 1", {"--zonal 1,,2"}},
@@ -269,7 +269,7 @@ TEST(OwnWork, BadInputIsNamed) {
       {"state --a 1 --e 0.1 --raan x", {"--raan x"}},
       {"state --a 1 --e 0.1 --nu 1e20", {"--nu 1e20", "360"}},
       // Finite numbers that lead to no finite ones.
-      {"state --p 7e6 --e 1e308", {"--e 1e308", "range of doubles"}},
+      {"state --p 7e6 --e 1e308", {"--e 1e+308", "range of doubles"}},
       {"elements --position 7e6,0,0 --velocity 0,7500,0 --mu 1e-300", {"--mu 1e-300", "eccentricity"}},
       {"elements --position 1e308,0,0 --velocity 1,1e-5,0 --mu 1e308", {"--mu 1e+308", "doubles"}}};
   for (const Bad& bad : cases) {

@@ -59,9 +59,10 @@ void Parsed::add(const Option& option) {
     t.parsed = app->add_option(option.name(), t.texts, option.help());
     t.parsed->default_str(option.default_text());
     t.parsed->type_name("");
-    // What is given twice is most often given by mistake: nothing is ignored in silence.
-    if (!option.takes_several()) t.parsed->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    if (!option.takes_several()) t.parsed->expected(1)->allow_extra_args(false);
   }
+  // What is given twice is most often given by mistake: nothing is ignored in silence.
+  if (!option.takes_several()) t.parsed->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   t.parsed->required(option.is_required());
 }
 
@@ -119,7 +120,11 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
 /// The command that was named, its options understood and its time begun.
 int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const* argv,
         std::optional<TimeLimit>& limit) {
-  app.parse(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return end_of_parsing(app, error);
+  }
   const auto chosen = std::ranges::find_if(all, [](const Parsed& p) { return p.app->parsed(); });
   const TimeLimit::Command watched = chosen->watched(app.get_name());
   chosen->understand();
@@ -146,8 +151,6 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   };
   try {
     return run(app, all, argc, argv, limit);
-  } catch (const CLI::ParseError& error) {
-    return end_of_parsing(app, error);
   } catch (const InputError& error) {
     return end(wrong_usage, error);
   } catch (const std::exception& error) {
