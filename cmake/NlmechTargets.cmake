@@ -23,7 +23,8 @@ function(nlmech_component name)
   cmake_parse_arguments(arg "INTERNAL" "" "SOURCES;USES;LINKS" ${ARGN})
   add_library(nlmech_${name} STATIC ${arg_SOURCES})
   add_library(nlmech::${name} ALIAS nlmech_${name})
-  set_target_properties(nlmech_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(nlmech_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+                                                   UNITY_BUILD ${NLMECH_UNITY} UNITY_BUILD_BATCH_SIZE 4)
   target_include_directories(nlmech_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/common>
                                                    $<INSTALL_INTERFACE:include>)
   list(TRANSFORM arg_USES PREPEND nlmech::)

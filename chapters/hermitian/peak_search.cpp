@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
 #include "chapters/printed_values.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::chapters::hermitian {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double unit = 1e-4, latest = 20;
 
 /// A step of two operators whose iteration may be cut short, which the library's may not.

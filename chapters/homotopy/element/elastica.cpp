@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,11 +13,11 @@
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::chapters::homotopy::elastica {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double snap_load = 44;
 
 /// What is compared for one height.

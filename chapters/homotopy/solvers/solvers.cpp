@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::chapters::homotopy::solvers {
 namespace {
@@ -84,7 +84,6 @@ LimitPoint limit_point(int elements) {
     if (status.ok() && path.has_passed_fold() && path.fold(fold) == Outcome::success)
       return {fold.load, -fold.x[toggle.apex]};
   }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return {nan, nan};
 }
 

@@ -7,10 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "nlmech/support/doubles.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 using Sparse = Eigen::SparseMatrix<double>;
 
 bool has_pattern_of(const Sparse& a, const Sparse& b) {

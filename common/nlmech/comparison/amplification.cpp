@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "nlmech/support/doubles.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int rounding = 16;  // roundings of a state that steps leave, about the square root of some hundred
 
 double weight(double t, double x, double f, double size, const Tolerance& tolerance) {

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/doubles.hpp"
+
 namespace nlmech::frames {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void require_load(double load) {
   if (!std::isfinite(load))

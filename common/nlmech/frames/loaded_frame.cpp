@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/doubles.hpp"
+
 namespace nlmech::frames {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 LoadedFrame::LoadedFrame(const Frame& frame, Eigen::VectorXd direction)
     : frame_(frame), direction_(std::move(direction)) {

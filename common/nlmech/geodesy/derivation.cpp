@@ -126,8 +126,8 @@ Series compose(const std::vector<Rational>& c, const Series& x) {
 }
 
 // Taylor coefficients up to x^6 of the functions that occur.
-const std::vector<Rational> sine = {0, 1, 0, {-1, 6}, 0, {1, 120}, 0};
-const std::vector<Rational> cosine = {1, 0, {-1, 2}, 0, {1, 24}, 0, {-1, 720}};
+const std::vector<Rational> sine_series = {0, 1, 0, {-1, 6}, 0, {1, 120}, 0};
+const std::vector<Rational> cosine_series = {1, 0, {-1, 2}, 0, {1, 24}, 0, {-1, 720}};
 const std::vector<Rational> arcsine = {0, 1, 0, {1, 6}, 0, {3, 40}, 0};
 const std::vector<Rational> inverse_root = {1,         {-1, 2},    {3, 8},     {-5, 16},
                                             {35, 128}, {-63, 256}, {231, 1024}};  // (1+x)^(-1/2)
@@ -144,7 +144,7 @@ Expansions expand() {
   //! [order by order]
   Series d;
   for (int order = 1; order <= highest_order; ++order) {
-    const Series s = compose(sine, d), c = compose(cosine, d);
+    const Series s = compose(sine_series, d), c = compose(cosine_series, d);
     const Series sin_2d = Series(2) * s * c, cos_2d = Series(1) - Series(2) * s * s;
     const Series sin_2phi = S * cos_2d + cos_2phi0 * sin_2d;  // sin(2 phi_0 + 2 d)
     const Series cos_phi0_sin_phi = half * S * c + w * s;     // cos(phi_0) sin(phi_0 + d)
@@ -153,7 +153,7 @@ Expansions expand() {
   //! [order by order]
 
   // h = [ r cos(phi) + (1+p) z sin(phi) - (1+p) b ] / sqrt(cos^2 + (1+p)^2 sin^2), over R
-  const Series s = compose(sine, d), c = compose(cosine, d), sin2_phi0 = Series(1) - w;
+  const Series s = compose(sine_series, d), c = compose(cosine_series, d), sin2_phi0 = Series(1) - w;
   const Series sin_phi0_sin_phi = sin2_phi0 * c + half * S * s;
   const Series sin2_phi = sin2_phi0 * c * c + S * c * s + w * s * s;
   const Series numerator = c + p * sin_phi0_sin_phi - (Series(1) + p) * q;

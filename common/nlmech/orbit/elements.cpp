@@ -44,9 +44,6 @@ constexpr double largest_angle = 1 / std::numeric_limits<double>::epsilon();
 /// The angle at which @p x lies in the plane, from -pi to pi.
 double angle(const Axes& axes, const Vec& x) { return std::atan2(axes.second.dot(x), axes.first.dot(x)); }
 
-/// More than that many times the circular speed, and e^2 is no double.
-constexpr double fastest = 1e150;
-
 /// The elements in units in which squares are doubles.
 Elements elements_in_range(const State& state, double mu) {
   const Vec h = angular_momentum(state);
@@ -116,7 +113,7 @@ Elements elements_of(const State& state, double mu) {
       detail::is_extreme(detail::extent(state.velocity))) {
     units = detail::PowerUnits(size, mu);
     const State own = units.own(state);
-    if (!(detail::extent(own.velocity) < fastest)) {
+    if (!(detail::extent(own.velocity) < detail::fastest)) {
       throw std::invalid_argument(fmt::format(
           "elements_of: at the distance {:.6g} and the speed {:.6g} with mu = {:.6g} the eccentricity is "
           "beyond 1e300",

@@ -74,9 +74,6 @@ double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]
   return sum < std::numeric_limits<double>::infinity() ? sum : std::numeric_limits<double>::infinity();
 }
 
-/// Above it (times the circular speed) gravity is nothing that doubles could tell, and squares overflow.
-constexpr double fastest = 1e150;
-
 /// A problem with |r| and mu near 1.
 struct Scaled {
   State start;
@@ -92,7 +89,7 @@ struct Scaled {
       mu = units.own_mu(m);
       time = std::ldexp(t, -units.time);
     }
-    possible = detail::extent(start.velocity) < fastest && std::isfinite(time);
+    possible = detail::extent(start.velocity) < detail::fastest && std::isfinite(time);
   }
 };
 

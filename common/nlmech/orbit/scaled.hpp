@@ -9,6 +9,9 @@
 
 namespace nlmech::orbit::detail {
 
+/// Above it (times the circular speed) gravity is nothing that doubles could tell, and e^2 is none.
+inline constexpr double fastest = 1e150;
+
 /// Is a number so far from 1 that powers of it may not be doubles?
 [[nodiscard]] inline bool is_extreme(double size) { return !(size > 1e-60 && size < 1e60); }
 

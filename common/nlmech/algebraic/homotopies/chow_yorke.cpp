@@ -8,9 +8,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double shortest = 1e-10;  // of steps
-constexpr int corrections = 6;      // of a step; more mean that it is too long
-constexpr const char* name = "chow-yorke";
+constexpr int corrections = 6;  // of a step; more mean that it is too long
+constexpr const char* chow_yorke = "chow-yorke";
 
 /// The path in z = (x, t). All vectors of it are of n + 1 components.
 class AugmentedPath {
@@ -33,7 +32,7 @@ class AugmentedPath {
       if (outcome != Outcome::success) return outcome;
       has_tangent_ = true;
     }
-    if (step_ < shortest) return Outcome::step_underflow;
+    if (step_ < shortest_) return Outcome::step_underflow;
     next_ = z_ + step_ * tangent_;
     const int used = return_to_path();
     const bool is_near = used < corrections && follow(next_, tangent_, turned_) == Outcome::success &&
@@ -45,6 +44,8 @@ class AugmentedPath {
   }
 
  private:
+  static constexpr double shortest_ = 1e-10;  // of steps
+
   Outcome refuse() {
     step_ /= 2;
     run_.reject();
@@ -157,13 +158,13 @@ class AugmentedPath {
 };
 
 void check(const ChowYorke& m) {
-  require_option(name, m.step > 0 && std::isfinite(m.step), "step", m.step, "positive");
-  require_option(name, m.longest > 0 && std::isfinite(m.longest), "longest", m.longest, "positive");
-  require_option(name, m.turn > 0 && m.turn <= 1, "turn", m.turn, "above 0 and at most 1");
-  require_option(name, m.accuracy > 0 && std::isfinite(m.accuracy), "accuracy", m.accuracy, "positive");
+  require_option(chow_yorke, m.step > 0 && std::isfinite(m.step), "step", m.step, "positive");
+  require_option(chow_yorke, m.longest > 0 && std::isfinite(m.longest), "longest", m.longest, "positive");
+  require_option(chow_yorke, m.turn > 0 && m.turn <= 1, "turn", m.turn, "above 0 and at most 1");
+  require_option(chow_yorke, m.accuracy > 0 && std::isfinite(m.accuracy), "accuracy", m.accuracy, "positive");
 }
 
-std::string_view advice(Outcome outcome) {
+std::string_view after_path(Outcome outcome) {
   switch (outcome) {
     case Outcome::singular_matrix:
       return "the matrix of dH/dx and dH/dt has no full rank here; start elsewhere";
@@ -181,11 +182,11 @@ std::string_view advice(Outcome outcome) {
 
 Report find_root(const ChowYorke& method, Equations& equations, VectorXd& x, const Observer& observer) {
   check(method);
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
+  SolverRun run(chow_yorke, equations, x, observer, method.tolerance, method.iterations);
   Outcome outcome = run.begin();
   AugmentedPath path(method, run);
   while (run.go_on(outcome)) outcome = path.step();
-  return run.finish(outcome, x, advice(outcome));
+  return run.finish(outcome, x, after_path(outcome));
 }
 
 }  // namespace nlmech::algebraic

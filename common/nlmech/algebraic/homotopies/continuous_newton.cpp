@@ -9,18 +9,18 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double shortest = 1e-12;  // of chosen steps
-constexpr const char* name = "continuous-newton";
+constexpr const char* continuous_newton = "continuous-newton";
 
 void check(const ContinuousNewton& m) {
-  require_option(name, m.step > 0 && std::isfinite(m.step), "step", m.step, "positive");
-  require_option(name, m.turn >= 0 && std::isfinite(m.turn), "turn", m.turn, "0 or positive");
-  require_option(name, m.longest > 0 && std::isfinite(m.longest), "longest", m.longest, "positive");
+  require_option(continuous_newton, m.step > 0 && std::isfinite(m.step), "step", m.step, "positive");
+  require_option(continuous_newton, m.turn >= 0 && std::isfinite(m.turn), "turn", m.turn, "0 or positive");
+  require_option(continuous_newton, m.longest > 0 && std::isfinite(m.longest), "longest", m.longest,
+                 "positive");
 }
 
-class Flow {
+class NewtonFlow {
  public:
-  Flow(const ContinuousNewton& method, SolverRun& run)
+  NewtonFlow(const ContinuousNewton& method, SolverRun& run)
       : method_(method),
         run_(run),
         solver_(run.equations()),
@@ -38,6 +38,8 @@ class Flow {
   }
 
  private:
+  static constexpr double shortest_ = 1e-12;  // of chosen steps
+
   // Eq. 2.3.
   Outcome velocity(const Eigen::VectorXd& x, const Eigen::VectorXd& f, Eigen::VectorXd& v) {
     run_.linearise(x);
@@ -60,7 +62,7 @@ class Flow {
 
   // The local error of Euler's rule is half the change of the velocity, times the step.
   Outcome chosen_step() {
-    if (step_ < shortest) return Outcome::step_underflow;
+    if (step_ < shortest_) return Outcome::step_underflow;
     run_.trial = run_.x + step_ * velocity_;
     run_.evaluate_trial();
     double fraction = HUGE_VAL;
@@ -91,8 +93,8 @@ class Flow {
 Report find_root(const ContinuousNewton& method, Equations& equations, Eigen::VectorXd& x,
                  const Observer& observer) {
   check(method);
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  Flow flow(method, run);
+  SolverRun run(continuous_newton, equations, x, observer, method.tolerance, method.iterations);
+  NewtonFlow flow(method, run);
   const Outcome outcome = make_steps(run, [&] { return flow.step(); });
   return run.finish(outcome, x,
                     outcome == Outcome::step_underflow

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr const char* name = "scalar-homotopy";
+constexpr const char* first_homotopy = "scalar-homotopy";
 
 class Pass {
  public:
@@ -76,10 +76,10 @@ class Pass {
 
 Report find_root(const FirstScalarHomotopy& method, Equations& equations, VectorXd& x,
                  const Observer& observer) {
-  require_option(name, method.steps >= 1, "steps", method.steps, "at least 1");
-  require_option(name, method.weight >= 0 && std::isfinite(method.weight), "weight", method.weight,
+  require_option(first_homotopy, method.steps >= 1, "steps", method.steps, "at least 1");
+  require_option(first_homotopy, method.weight >= 0 && std::isfinite(method.weight), "weight", method.weight,
                  "0 or positive");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
+  SolverRun run(first_homotopy, equations, x, observer, method.tolerance, method.iterations);
   Pass pass(method, run);
   const Outcome outcome = make_steps(run, [&] { return pass.step(); });
   return run.finish(outcome, x,

@@ -8,8 +8,6 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double shortest = 1e-12;  // of chosen steps
-
 const char* name_of(const ScalarHomotopy& method) {
   return method.function == ScalarHomotopy::Function::fixed_point ? "fixed-point homotopy"
                                                                   : "newton homotopy";
@@ -36,9 +34,9 @@ struct Point {
   double norm = 0;  // |F|
 };
 
-class Flow {
+class HomotopyFlow {
  public:
-  Flow(const ScalarHomotopy& method, Equations& equations, const Eigen::VectorXd& x)
+  HomotopyFlow(const ScalarHomotopy& method, Equations& equations, const Eigen::VectorXd& x)
       : method_(method),
         equations_(equations),
         origin_(x),
@@ -70,6 +68,8 @@ class Flow {
   [[nodiscard]] const Eigen::VectorXd& x() const { return now_.x; }
 
  private:
+  static constexpr double shortest_ = 1e-12;  // of chosen steps
+
   Outcome residual(Point& p) {
     equations_.residual(p.x, p.f);
     ++report_.statistics.right_hand_sides;
@@ -137,7 +137,7 @@ class Flow {
   Outcome chosen_step(double& step) {
     for (;;) {
       if (is_spent()) return Outcome::step_limit;
-      if (step < shortest) return Outcome::step_underflow;
+      if (step < shortest_) return Outcome::step_underflow;
       const Outcome outcome = advance(step);
       const bool is_root = outcome == Outcome::success && next_.norm <= method_.tolerance;
       double fraction = HUGE_VAL;
@@ -186,7 +186,7 @@ Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::Vect
                  const Observer& observer) {
   check(method);
   require_size(name_of(method), equations, x);
-  Flow flow(method, equations, x);
+  HomotopyFlow flow(method, equations, x);
   Report report = flow.run(observer);
   x = flow.x();
   return report;

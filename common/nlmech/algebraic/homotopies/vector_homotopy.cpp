@@ -10,13 +10,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double shortest = 1e-10;  // of chosen steps
-constexpr double off_path = 100;    // a path's global error, in parts of what a step is allowed
-constexpr const char* name = "vector-homotopy";
+constexpr double off_path = 100;  // a path's global error, in parts of what a step is allowed
+constexpr const char* vector_name = "vector-homotopy";
 
-class Path {
+class HomotopyPath {
  public:
-  Path(const VectorHomotopy& method, SolverRun& run)
+  HomotopyPath(const VectorHomotopy& method, SolverRun& run)
       : method_(method),
         run_(run),
         h_(method.function, run.x, run.f),
@@ -36,6 +35,8 @@ class Path {
   }
 
  private:
+  static constexpr double shortest_ = 1e-10;  // of chosen steps
+
   // Eq. 2.10, where F is known.
   Outcome velocity(const VectorXd& x, double t, const VectorXd& f, VectorXd& v) {
     run_.linearise(x);
@@ -98,7 +99,7 @@ class Path {
   }
 
   Outcome chosen_step() {
-    if (step_ < shortest) return Outcome::step_underflow;
+    if (step_ < shortest_) return Outcome::step_underflow;
     const double h = std::min(step_, 1 - t_), error = error_of(h);
     step_ = h * std::clamp(0.9 / std::cbrt(error), 0.2, 4.0);
     if (error > 1) {
@@ -126,7 +127,7 @@ class Path {
   bool has_k1_ = false;
 };
 
-std::string_view advice(Outcome outcome) {
+std::string_view along_path(Outcome outcome) {
   switch (outcome) {
     case Outcome::singular_matrix:
     case Outcome::step_underflow:
@@ -141,15 +142,15 @@ std::string_view advice(Outcome outcome) {
 }  // namespace
 
 Report find_root(const VectorHomotopy& method, Equations& equations, VectorXd& x, const Observer& observer) {
-  require_option(name, method.accuracy >= 0 && std::isfinite(method.accuracy), "accuracy", method.accuracy,
-                 "0 or positive");
-  require_option(name, method.steps >= 1, "steps", method.steps, "at least 1");
-  require_option(name, method.corrections >= 0, "corrections", method.corrections, "0 or positive");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.limit);
+  require_option(vector_name, method.accuracy >= 0 && std::isfinite(method.accuracy), "accuracy",
+                 method.accuracy, "0 or positive");
+  require_option(vector_name, method.steps >= 1, "steps", method.steps, "at least 1");
+  require_option(vector_name, method.corrections >= 0, "corrections", method.corrections, "0 or positive");
+  SolverRun run(vector_name, equations, x, observer, method.tolerance, method.limit);
   Outcome outcome = run.begin();
-  Path path(method, run);
+  HomotopyPath path(method, run);
   while (run.go_on(outcome)) outcome = path.step();
-  return run.finish(outcome, x, advice(outcome));
+  return run.finish(outcome, x, along_path(outcome));
 }
 
 }  // namespace nlmech::algebraic

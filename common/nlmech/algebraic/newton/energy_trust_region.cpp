@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "nlmech/algebraic/newton/trust_region_step.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double shortest = 1e-15;  // radius over |S x|, or over the first one
+constexpr double shortest_radius = 1e-15;  // radius over |S x|, or over the first one
 
 void check(const EnergyTrustRegion& method, const Equations& equations, const Eigen::VectorXd& x) {
   require_size("energy-trust-region", equations, x);
@@ -139,7 +138,7 @@ class Minimisation {
     ++report_.statistics.rejected;
     rejected_at_ = report_.statistics.steps;
     radius_ = 0.25 * planned_.length;
-    if (!(radius_ > shortest * std::max(size, 1e-6 * first_radius_)))
+    if (!(radius_ > shortest_radius * std::max(size, 1e-6 * first_radius_)))
       return std::isfinite(energy) ? Outcome::not_converged : Outcome::non_finite;
     plan();
     return Outcome::success;

@@ -13,8 +13,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-constexpr int halvings = 60;
-
 class GaussNewton {
  public:
   GaussNewton(const LeastSquares& method, SolverRun& run)
@@ -35,6 +33,8 @@ class GaussNewton {
   }
 
  private:
+  static constexpr int halvings_ = 60;
+
   // The update, to be subtracted.
   Outcome solve() {
     const SparseMatrix* const sparse = run_.equations().sparse();
@@ -71,7 +71,7 @@ class GaussNewton {
 
   Outcome search(double reach) {
     double part = 1;
-    for (int k = 0; k < halvings; ++k, part /= 2) {
+    for (int k = 0; k < halvings_; ++k, part /= 2) {
       run_.trial = run_.x - part * update_;
       run_.evaluate_trial();
       if (run_.trial_norm <= (1 - 1e-4 * part * reach) * run_.norm) return run_.accept();

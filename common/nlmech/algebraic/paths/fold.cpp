@@ -1,12 +1,11 @@
 #include "nlmech/algebraic/paths/fold.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// The derivative of g by (y, m), by central differences of K v.
 PathVector gradient(PathSystem& system, const PathVector& at, const Eigen::VectorXd& v) {

@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "nlmech/algebraic/paths/fold.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/algebraic/rounding.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
-namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-}  // namespace
+namespace {}  // namespace
 
 PathVector between_by_cubic(const PathPoint& begin, const PathPoint& end, double part) {
   const PathVector &a = begin.at, &b = end.at, &s = begin.tangent, &t = end.tangent;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 const char* name_of(const PathMethod& method) {
   switch (method.kind) {

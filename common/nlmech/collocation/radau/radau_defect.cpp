@@ -77,7 +77,7 @@ typename RadauDefect<s>::Weights fractions(const std::vector<Complex>& upper, P 
 }
 
 template <int s>
-RadauDefect<s> make() {
+RadauDefect<s> make_defect() {
   const Vector<Real> nodes = (radau_right<Real>(s).array() + 1) / 2;
   // The node polynomial is large enough there to be divided by, and the end is near.
   const Real inner = (nodes[s - 3] + nodes[s - 2]) / 2;
@@ -100,7 +100,7 @@ RadauDefect<s> make() {
 
 template <int s>
 const RadauDefect<s>& radau_defect() {
-  static const RadauDefect<s> tables = make<s>();
+  static const RadauDefect<s> tables = make_defect<s>();
   return tables;
 }
 

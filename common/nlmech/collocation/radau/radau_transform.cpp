@@ -14,7 +14,7 @@ namespace {
 /// Real vectors and the parts of complex ones as columns: the real eigenvalue first, then the pairs by
 /// growing imaginary part.
 template <int s>
-RadauTransform<s> make() {
+RadauTransform<s> make_transform() {
   // Of dynamic size: one eigenvalue solver is compiled for all s.
   using Square = Matrix<long double>;
   const Square inverse = (integration_matrix(radau_right<long double>(s)) / 2).inverse();
@@ -52,7 +52,7 @@ RadauTransform<s> make() {
 
 template <int s>
 const RadauTransform<s>& radau_transform() {
-  static const RadauTransform<s> tables = make<s>();
+  static const RadauTransform<s> tables = make_transform<s>();
   return tables;
 }
 

@@ -100,6 +100,13 @@ Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& 
   return status;
 }
 
+template <int n>
+Candidate candidate_of(const Judge& judge, const ivp::System<n>& system, const Needed& needed, double work) {
+  return {std::string(judge.name), "", false, [=](const Way& way, double seconds, StatesAt& states) {
+            return by_judge<n>(judge, system, needed, work, way, seconds, states);
+          }};
+}
+
 }  // namespace
 
 template <int n>
@@ -107,11 +114,8 @@ std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Nee
                                          const Effort& effort) {
   std::vector<Candidate> all;
   for (const Judge& judge : judges) {
-    if (!is_here(judge, system.second_order())) continue;
-    all.push_back({std::string(judge.name), "", false,
-                   [=, work = effort.work](const Way& way, double seconds, StatesAt& states) {
-                     return by_judge<n>(judge, system, needed, work, way, seconds, states);
-                   }});
+    if (is_here(judge, system.second_order()))
+      all.push_back(candidate_of(judge, system, needed, effort.work));
   }
   return all;
 }

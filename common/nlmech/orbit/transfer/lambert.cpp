@@ -46,14 +46,14 @@ void check_problem(const LambertProblem& problem) {
 }
 
 /// A problem in units in which its squares and cubes are doubles: powers of two, which change no digit.
-struct Scaled {
+struct ScaledChord {
   Chord chord;
   Span span = Span::plane;
   double wanted = 0;     ///< T
   double time_unit = 1;  ///< user's time over the scaled one
   double unit = 1;       ///< user's length over the scaled one
 
-  Scaled(const LambertProblem& problem, bool long_way) {
+  ScaledChord(const LambertProblem& problem, bool long_way) {
     const double size1 = problem.from.cwiseAbs().maxCoeff(), size2 = problem.to.cwiseAbs().maxCoeff();
     const double largest = std::max({size1, size2, problem.mu}), least = std::min({size1, size2, problem.mu});
     Vector3<double> normal(0, 0, 0);
@@ -150,7 +150,7 @@ constexpr double largest_without_side = 1e-6;
                   problem.time, kappa, wanted > 1 ? "shorter" : "longer"));
 }
 
-[[nodiscard]] LambertSolution solve(const LambertProblem& problem, const Scaled& scaled,
+[[nodiscard]] LambertSolution solve(const LambertProblem& problem, const ScaledChord& scaled,
                                     const LambertArc& arc) {
   LambertSolution solution;
   detail::Found found;
@@ -198,7 +198,7 @@ LambertSolution solve_lambert(const LambertProblem& problem, const LambertArc& a
   if (arc.revolutions < 0)
     throw std::invalid_argument(
         fmt::format("lambert: the number of revolutions must be 0 or more, not {}", arc.revolutions));
-  const Scaled scaled(problem, arc.long_way);
+  const ScaledChord scaled(problem, arc.long_way);
   if (scaled.span == Span::same || (scaled.span == Span::opposite && !problem.normal)) {
     LambertSolution refused;
     refused.status = no_plane(problem, scaled.span);
@@ -215,7 +215,7 @@ double least_time(const LambertProblem& problem, bool long_way, int revolutions)
   }
   LambertProblem timeless = problem;
   timeless.time = 1;
-  const Scaled scaled(timeless, long_way);
+  const ScaledChord scaled(timeless, long_way);
   if (scaled.span == Span::same) return std::numeric_limits<double>::quiet_NaN();
   const detail::TimeCurve curve{scaled.chord.lambda, scaled.chord.complement, revolutions * std::numbers::pi};
   detail::TimeCurve::At a;
@@ -225,7 +225,7 @@ double least_time(const LambertProblem& problem, bool long_way, int revolutions)
 
 bool are_opposite(const LambertProblem& problem) {
   check_problem(problem);
-  return Scaled({problem.from, problem.to, 1, problem.mu}, false).span == Span::opposite;
+  return ScaledChord({problem.from, problem.to, 1, problem.mu}, false).span == Span::opposite;
 }
 
 std::vector<SolvedArc> lambert_arcs(const LambertProblem& problem, int most_revolutions) {

@@ -83,7 +83,7 @@ std::string verdict_text(const Checked& c) {
 }
 
 /// "0.1: two steps of the scan": a tolerance and why.
-std::string within(const PublishedValue& value) {
+std::string tolerance_of(const PublishedValue& value) {
   return value.tolerance + (value.because.empty() ? "" : ": " + value.because);
 }
 
@@ -227,7 +227,7 @@ std::string reproduction_page(const std::vector<Checked>& values) {
     if (c.value.source != source) flush();
     source = c.value.source;
     table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit,
-               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), within(c.value),
+               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), tolerance_of(c.value),
                reading(c.value)});
   }
   flush();

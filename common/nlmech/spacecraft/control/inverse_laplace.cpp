@@ -15,12 +15,12 @@ namespace {
 
 using std::numbers::pi;
 
-void require(bool right, const char* method, const char* what, double value) {
+void demand(bool right, const char* method, const char* what, double value) {
   if (!right) throw std::invalid_argument(fmt::format("{}: {} = {:g}", method, what, value));
 }
 
 void require_time(const char* method, double time) {
-  require(std::isfinite(time) && time > 0, method, "the time must be positive and finite; time", time);
+  demand(std::isfinite(time) && time > 0, method, "the time must be positive and finite; time", time);
 }
 
 Inverted not_finite(const char* method, double time, Complex s) {
@@ -143,22 +143,22 @@ Inverted talbot_by(const Transform& transform, double time, int nodes) {
 
 void require_nodes(double time, int nodes) {
   require_time("talbot", time);
-  require(nodes >= 2 && nodes <= 200, "talbot", "2 to 200 nodes are possible; nodes", nodes);
+  demand(nodes >= 2 && nodes <= 200, "talbot", "2 to 200 nodes are possible; nodes", nodes);
 }
 
 void require_options(double time, const DeHoogOptions& options) {
   require_time("de_hoog", time);
-  require(options.degree >= 1 && options.degree <= 1000, "de_hoog", "the degree must be 1 to 1000; degree",
-          options.degree);
-  require(options.tolerance > 0 && options.tolerance < 1, "de_hoog",
-          "the tolerance must be between 0 and 1; tolerance", options.tolerance);
-  require(std::isfinite(options.abscissa), "de_hoog", "the abscissa must be finite; abscissa",
-          options.abscissa);
-  require(std::isfinite(options.scale) && options.scale > 0.5, "de_hoog",
-          "the scale must be above 1/2; scale", options.scale);
-  require(options.agreement > 0, "de_hoog", "the agreement must be positive; agreement", options.agreement);
-  require(options.negligible >= 0, "de_hoog", "what is negligible must not be below zero; negligible",
-          options.negligible);
+  demand(options.degree >= 1 && options.degree <= 1000, "de_hoog", "the degree must be 1 to 1000; degree",
+         options.degree);
+  demand(options.tolerance > 0 && options.tolerance < 1, "de_hoog",
+         "the tolerance must be between 0 and 1; tolerance", options.tolerance);
+  demand(std::isfinite(options.abscissa), "de_hoog", "the abscissa must be finite; abscissa",
+         options.abscissa);
+  demand(std::isfinite(options.scale) && options.scale > 0.5, "de_hoog", "the scale must be above 1/2; scale",
+         options.scale);
+  demand(options.agreement > 0, "de_hoog", "the agreement must be positive; agreement", options.agreement);
+  demand(options.negligible >= 0, "de_hoog", "what is negligible must not be below zero; negligible",
+         options.negligible);
 }
 
 /// The first sum, with the status of both and of what lies beyond them.
@@ -185,9 +185,9 @@ double talbot_sum(const Transform& transform, double time, int nodes) {
 
 Inverted talbot(const Transform& transform, double time, const TalbotOptions& options) {
   require_nodes(time, options.nodes);
-  require(options.agreement > 0, "talbot", "the agreement must be positive; agreement", options.agreement);
-  require(options.negligible >= 0, "talbot", "what is negligible must not be below zero; negligible",
-          options.negligible);
+  demand(options.agreement > 0, "talbot", "the agreement must be positive; agreement", options.agreement);
+  demand(options.negligible >= 0, "talbot", "what is negligible must not be below zero; negligible",
+         options.negligible);
   Inverted first = talbot_by(transform, time, options.nodes);
   if (!first.status.ok()) return first;
   // Of other nodes, and on a contour that is wider by a quarter.
@@ -219,15 +219,15 @@ Inverted de_hoog(const Transform& transform, double time, const DeHoogOptions& o
 std::vector<Inverted> bromwich(const Transform& transform, std::span<const double> times,
                                const BromwichOptions& options) {
   const double half_period = options.half_period;
-  require(std::isfinite(half_period) && half_period > 0, "bromwich",
-          "the half period must be positive; half period", half_period);
-  require(std::isfinite(options.shift), "bromwich", "the shift must be finite; shift", options.shift);
-  require(options.frequency * half_period >= pi && options.frequency * half_period < 1e9, "bromwich",
-          "the highest frequency must hold 1 to 3e8 multiples of pi/T; frequency", options.frequency);
-  require(options.agreement > 0, "bromwich", "the agreement must be positive; agreement", options.agreement);
+  demand(std::isfinite(half_period) && half_period > 0, "bromwich",
+         "the half period must be positive; half period", half_period);
+  demand(std::isfinite(options.shift), "bromwich", "the shift must be finite; shift", options.shift);
+  demand(options.frequency * half_period >= pi && options.frequency * half_period < 1e9, "bromwich",
+         "the highest frequency must hold 1 to 3e8 multiples of pi/T; frequency", options.frequency);
+  demand(options.agreement > 0, "bromwich", "the agreement must be positive; agreement", options.agreement);
   for (const double t : times)
-    require(t > 0 && t < 2 * half_period, "bromwich", "times lie between 0 and twice the half period; time",
-            t);
+    demand(t > 0 && t < 2 * half_period, "bromwich", "times lie between 0 and twice the half period; time",
+           t);
   const auto terms = static_cast<long>(options.frequency * half_period / pi);
   // Every second term makes a sum of half the period, whose aliasing is the root of that of the whole.
   std::vector<double> sums(times.size(), 0), halves(times.size(), 0);

@@ -18,7 +18,7 @@ namespace {
 
 using Three = std::array<double, 3>;  // error, torque, deflection
 
-void require_positive(const char* name, double value) {
+void require_gain(const char* name, double value) {
   if (!(value > 0))
     throw std::invalid_argument(fmt::format("costs: {} = {:g}; it must be positive", name, value));
 }
@@ -44,9 +44,9 @@ void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, dou
   if (!(b > a)) return;
   const double width = std::max(std::abs(pole.real()), 1e-13 * std::abs(pole)), centre = pole.imag();
   const double first = std::asinh((a - centre) / width), last = std::asinh((b - centre) / width);
-  const int pieces = std::max(1, static_cast<int>(std::ceil((last - first) / 0.5)));
-  const double half = (last - first) / pieces / 2;
-  for (int i = 0; i < pieces; ++i) {
+  const int count = std::max(1, static_cast<int>(std::ceil((last - first) / 0.5)));
+  const double half = (last - first) / count / 2;
+  for (int i = 0; i < count; ++i) {
     const double middle = first + (2 * i + 1) * half;
     for (std::size_t k = 0; k < 10; ++k) {
       const GaussPair& g = gauss_rule[k % 5];
@@ -71,8 +71,8 @@ double limit(const std::array<double, 4>& h, std::array<double, 4> s) {
 
 StepCosts step_costs(const Parameters& parameters, const Gains& gains, double x) {
   const ClosedLoop loop(parameters, gains);
-  require_positive("k1", gains.k1);
-  require_positive("k3", gains.k3);
+  require_gain("k1", gains.k1);
+  require_gain("k3", gains.k3);
   const Statics s = statics(parameters, x);
   const double hub = parameters.hub_inertia, inertia = parameters.appendage_inertia(), kappa = loop.kappa();
   const double half = gains.k1 * gains.k1 / (2 * gains.k3);
@@ -88,8 +88,8 @@ StepCosts step_costs(const Parameters& parameters, const Gains& gains, double x)
 
 QuadratureCosts costs_by_quadrature(const Parameters& parameters, const Gains& gains, double x, int modes) {
   const ClosedLoop loop(parameters, gains);
-  require_positive("k1", gains.k1);
-  require_positive("k3", gains.k3);
+  require_gain("k1", gains.k1);
+  require_gain("k3", gains.k3);
   loop.plant().appendage().require_place(x);
   if (modes < 16 || modes > 2000)
     throw std::invalid_argument(

@@ -11,11 +11,10 @@
 #include <utility>
 
 #include "nlmech/spacecraft/plant/zero_cluster.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
-
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Of one region: more than hundred times what a dozen zeros of a closed loop take.
 constexpr std::size_t most_evaluations = 400'000;

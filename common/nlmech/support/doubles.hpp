@@ -1,0 +1,15 @@
+/// @file
+/// Two constants of double precision that most sources need.
+#pragma once
+
+#include <limits>
+
+namespace nlmech {
+
+/// The spacing of doubles at 1, 2^-52.
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Not a number: what stands where there is no result.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace nlmech
