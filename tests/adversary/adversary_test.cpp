@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::adversary_test {
 namespace {
 
 TEST(Adversary, FindsTheOneWrongCaseOfAHundred) {
@@ -61,4 +61,4 @@ TEST(Adversary, DrawsTheCornersAndStaysWithinTheRange) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::adversary_test

@@ -16,7 +16,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/adversary/adversary.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::algebraic_test {
 namespace {
 
 using algebraic::NamedSolver;
@@ -221,4 +221,4 @@ TEST(AdversaryAlgebraic, TheEnergyEndsInAMinimum) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::algebraic_test

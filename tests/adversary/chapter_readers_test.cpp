@@ -9,7 +9,7 @@
 #include "nlmech/scene/program/csv.hpp"
 #include "tests/adversary/mutation.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::chapter_readers_test {
 namespace {
 
 constexpr std::int64_t all_of_them = 1'000'000;
@@ -116,4 +116,4 @@ TEST(AdversaryReaders, RowsThatAreNoTransfer) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::chapter_readers_test

@@ -17,7 +17,7 @@
 #include "nlmech/frames/toggle_path.hpp"
 #include "tests/adversary/adversary.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::frames_test {
 namespace {
 
 using algebraic::CriticalPoint;
@@ -262,4 +262,4 @@ TEST(AdversaryFrames, LimitPointsOfWilliamsEquation) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::frames_test

@@ -15,7 +15,7 @@
 #include "tests/adversary/adversary.hpp"
 #include "tests/geodesy/exact_reverse.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::geodesy_test {
 namespace {
 
 using adversary::Case;
@@ -229,4 +229,4 @@ TEST(AdversaryGeodesy, ForwardOnEveryEllipsoid) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::geodesy_test

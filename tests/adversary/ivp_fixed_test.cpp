@@ -20,7 +20,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/adversary/adversary.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::ivp_fixed_test {
 namespace {
 
 using ivp::Controlled;
@@ -284,4 +284,4 @@ TEST(AdversaryFixedSteps, LoadsThatNobodyAnnounces) {
 TEST(AdversaryFixedSteps, LinearSystems) { hunt({.quick = 12, .full = 3000, .least_right = 0.1}, system); }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::ivp_fixed_test

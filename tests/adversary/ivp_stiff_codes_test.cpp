@@ -12,7 +12,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/adversary/adversary.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::ivp_stiff_codes_test {
 namespace {
 
 using adversary::Case;
@@ -110,4 +110,4 @@ TEST(AdversaryStiffCodes, Hires) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::ivp_stiff_codes_test

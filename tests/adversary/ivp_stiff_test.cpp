@@ -14,7 +14,7 @@
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "tests/adversary/adversary.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::ivp_stiff_test {
 namespace {
 
 using adversary::Case;
@@ -212,4 +212,4 @@ TEST(AdversaryStiff, KapsProblem) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::ivp_stiff_test

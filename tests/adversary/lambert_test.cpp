@@ -12,7 +12,7 @@
 #include "nlmech/orbit/transfer/transfer.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
 
-namespace nlmech::orbit::adversary {
+namespace nlmech::orbit::adversary::lambert_test {
 namespace {
 
 using nlmech::adversary::Case;
@@ -170,4 +170,4 @@ TEST(AdversaryTransfer, EverySuccessArrives) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit::adversary
+}  // namespace nlmech::orbit::adversary::lambert_test

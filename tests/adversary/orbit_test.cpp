@@ -13,7 +13,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
 
-namespace nlmech::orbit::adversary {
+namespace nlmech::orbit::adversary::orbit_test {
 namespace {
 
 using nlmech::adversary::Case;
@@ -274,4 +274,4 @@ TEST(AdversaryContinuation, ZonalInvariantsAreKept) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit::adversary
+}  // namespace nlmech::orbit::adversary::orbit_test

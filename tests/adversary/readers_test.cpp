@@ -21,7 +21,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/adversary/mutation.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::readers_test {
 namespace {
 
 constexpr std::int64_t all_of_them = 1'000'000;
@@ -238,4 +238,4 @@ TEST(AdversaryReaders, CommandLines) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::readers_test

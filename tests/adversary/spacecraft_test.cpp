@@ -18,7 +18,7 @@
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/time_oracle.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::spacecraft_test {
 namespace {
 
 using adversary::Case;
@@ -304,4 +304,4 @@ TEST(AdversaryInverseLaplace, BromwichIsRightOrRefuses) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::spacecraft_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::energy_trust_region_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -135,4 +135,4 @@ TEST(EnergyTrustRegion, SaysWhyItFails) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::energy_trust_region_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::equations_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -100,4 +100,4 @@ TEST(FindRoot, NewtonNeedsAMatrix) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::equations_test

@@ -9,7 +9,7 @@
 #include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
 #include "tests/algebraic/classics.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::homotopies_test {
 namespace {
 
 using namespace classics;
@@ -290,4 +290,4 @@ TEST(Homotopies, OptionsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::homotopies_test

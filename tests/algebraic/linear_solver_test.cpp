@@ -9,7 +9,7 @@
 
 #include "tests/algebraic/classics.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::linear_solver_test {
 namespace {
 
 using namespace classics;
@@ -96,4 +96,4 @@ TEST(LinearSolver, SingularAndNonFiniteMatricesAreReported) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::linear_solver_test

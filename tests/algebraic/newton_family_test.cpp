@@ -14,7 +14,7 @@
 #include "nlmech/algebraic/newton/least_squares.hpp"
 #include "tests/algebraic/classics.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::newton_family_test {
 namespace {
 
 using namespace classics;
@@ -368,4 +368,4 @@ TEST(NewtonFamily, OptionsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::newton_family_test

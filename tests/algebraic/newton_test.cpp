@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::newton_test {
 namespace {
 
 using Eigen::Matrix2d;
@@ -108,4 +108,4 @@ TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::newton_test

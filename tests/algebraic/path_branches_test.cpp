@@ -5,7 +5,7 @@
 
 #include "tests/algebraic/paths.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::path_branches_test {
 namespace {
 
 using namespace paths;
@@ -200,4 +200,4 @@ TEST(Path, ListsTwoBifurcationsThatUndoEachOtherInAStep) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::path_branches_test

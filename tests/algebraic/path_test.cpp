@@ -12,7 +12,7 @@
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "tests/algebraic/paths.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::path_test {
 namespace {
 
 using namespace paths;
@@ -221,4 +221,4 @@ TEST(ArcLength, SaysWhyItFails) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::path_test

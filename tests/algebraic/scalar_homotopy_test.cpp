@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::scalar_homotopy_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -357,4 +357,4 @@ TEST(ScalarHomotopy, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::scalar_homotopy_test

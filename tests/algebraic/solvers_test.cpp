@@ -11,7 +11,7 @@
 #include "nlmech/algebraic/newton/potential.hpp"
 #include "tests/algebraic/classics.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::solvers_test {
 namespace {
 
 using namespace classics;
@@ -352,4 +352,4 @@ TEST(NamedSolver, UnknownNamesAndBadOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::solvers_test

@@ -11,7 +11,7 @@
 
 #include "nlmech/algebraic/newton/trust_region_step.hpp"
 
-namespace nlmech::algebraic {
+namespace nlmech::algebraic::symmetric_solver_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -179,4 +179,4 @@ TEST(TrustRegionStep, LeavesASaddle) {
 }
 
 }  // namespace
-}  // namespace nlmech::algebraic
+}  // namespace nlmech::algebraic::symmetric_solver_test

@@ -9,7 +9,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::browser_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(Summary, SaysOnHowManyPages) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::browser_test

@@ -5,7 +5,7 @@
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/bvp/problems.hpp"
 
-namespace nlmech::bvp {
+namespace nlmech::bvp::continuation_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -123,4 +123,4 @@ TEST(Continuation, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace nlmech::bvp
+}  // namespace nlmech::bvp::continuation_test

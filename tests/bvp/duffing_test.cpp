@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace nlmech::bvp {
+namespace nlmech::bvp::duffing_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -224,4 +224,4 @@ TEST(Duffing, NamesAndTargets) {
 }
 
 }  // namespace
-}  // namespace nlmech::bvp
+}  // namespace nlmech::bvp::duffing_test

@@ -10,7 +10,7 @@
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/bvp/problems.hpp"
 
-namespace nlmech::bvp {
+namespace nlmech::bvp::extremal_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -156,4 +156,4 @@ TEST(Extremal, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace nlmech::bvp
+}  // namespace nlmech::bvp::extremal_test

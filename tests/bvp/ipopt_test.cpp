@@ -6,7 +6,7 @@
 
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::ipopt_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -59,4 +59,4 @@ TEST(Ipopt, FindsNothingCheaper) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::ipopt_test

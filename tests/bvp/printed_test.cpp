@@ -7,7 +7,7 @@
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::bvp {
+namespace nlmech::bvp::printed_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -171,4 +171,4 @@ TEST(Printed, RefusesRowsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace nlmech::bvp
+}  // namespace nlmech::bvp::printed_test

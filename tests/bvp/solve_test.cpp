@@ -5,7 +5,7 @@
 
 #include "tests/bvp/problems.hpp"
 
-namespace nlmech::bvp {
+namespace nlmech::bvp::solve_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -218,4 +218,4 @@ TEST(Solve, ReportsWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace nlmech::bvp
+}  // namespace nlmech::bvp::solve_test

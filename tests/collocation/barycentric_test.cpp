@@ -7,7 +7,7 @@
 
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::barycentric_test {
 namespace {
 
 using oracle::eps;
@@ -181,4 +181,4 @@ TEST(Barycentric, RefusesWhatIsNoSetOfNodes) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::barycentric_test

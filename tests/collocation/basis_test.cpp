@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::basis_test {
 namespace {
 
 constexpr double eps = 2.220446049250313e-16;
@@ -61,4 +61,4 @@ TEST(Basis, RefusesCountsAndShapes) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::basis_test

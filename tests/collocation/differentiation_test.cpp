@@ -8,7 +8,7 @@
 #include "nlmech/collocation/barycentric.hpp"
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::differentiation_test {
 namespace {
 
 using oracle::eps;
@@ -227,4 +227,4 @@ TEST(Differentiation, DependsOnShapeTimesLengthAlone) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::differentiation_test

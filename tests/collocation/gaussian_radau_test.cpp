@@ -9,7 +9,7 @@
 
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::gaussian_radau_test {
 namespace {
 
 using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<150>>;
@@ -67,4 +67,4 @@ TEST(GaussianRadau, RefusesShapesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::gaussian_radau_test

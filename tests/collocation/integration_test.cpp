@@ -7,7 +7,7 @@
 
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::integration_test {
 namespace {
 
 using oracle::eps;
@@ -179,4 +179,4 @@ TEST(Integration, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::integration_test

@@ -5,7 +5,7 @@
 
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::kernels_test {
 namespace {
 
 using oracle::eps;
@@ -72,4 +72,4 @@ TEST(Kernels, HaveNames) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::kernels_test

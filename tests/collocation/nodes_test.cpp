@@ -9,7 +9,7 @@
 
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::nodes_test {
 namespace {
 
 using oracle::legendre;
@@ -112,4 +112,4 @@ TEST(Nodes, AreRefusedOutsideTheirRange) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::nodes_test

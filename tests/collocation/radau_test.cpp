@@ -14,7 +14,7 @@
 #include "nlmech/collocation/radau/radau_defect.hpp"
 #include "nlmech/collocation/radau/radau_transform.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::radau_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -131,4 +131,4 @@ TEST(Transforms3, CharacteristicPolynomial) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::radau_test

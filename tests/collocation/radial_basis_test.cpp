@@ -7,7 +7,7 @@
 #include "nlmech/collocation/differentiation.hpp"
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::radial_basis_test {
 namespace {
 
 using oracle::eps;
@@ -137,4 +137,4 @@ TEST(RadialBasis, RefusesWhatIsNoBasis) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::radial_basis_test

@@ -8,7 +8,7 @@
 #include "nlmech/collocation/radial/shape.hpp"
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::shape_choice_test {
 namespace {
 
 using oracle::eps;
@@ -102,4 +102,4 @@ TEST(ExactLeaveOneOutCost, HasNoMinimumAtTheWideEnd) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::shape_choice_test

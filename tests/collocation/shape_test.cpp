@@ -7,7 +7,7 @@
 #include "nlmech/collocation/radial/radial_basis.hpp"
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::shape_test {
 namespace {
 
 using oracle::eps;
@@ -79,4 +79,4 @@ TEST(LeaveOneOutCost, RefusesWhatIsNoBasis) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::shape_test

@@ -10,7 +10,7 @@
 #include "nlmech/collocation/radial/radial_basis.hpp"
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::stable_gaussian_test {
 namespace {
 
 using oracle::eps;
@@ -270,4 +270,4 @@ TEST(StableGaussian, RefusesWhatIsNoBasis) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::stable_gaussian_test

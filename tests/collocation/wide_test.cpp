@@ -5,7 +5,7 @@
 
 #include "tests/collocation/real.hpp"
 
-namespace nlmech::collocation {
+namespace nlmech::collocation::wide_test {
 namespace {
 
 using oracle::eps;
@@ -54,4 +54,4 @@ TEST(Wide, Exponential) {
 }
 
 }  // namespace
-}  // namespace nlmech::collocation
+}  // namespace nlmech::collocation::wide_test

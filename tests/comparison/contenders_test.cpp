@@ -5,7 +5,7 @@
 
 #include "nlmech/peers/ivp/registry.hpp"
 
-namespace nlmech::comparison {
+namespace nlmech::comparison::contenders_test {
 namespace {
 
 std::vector<std::string> texts(const Contender& contender) {
@@ -62,4 +62,4 @@ TEST(Contenders, AreAllPeersExplicitOnesFirst) {
 }
 
 }  // namespace
-}  // namespace nlmech::comparison
+}  // namespace nlmech::comparison::contenders_test

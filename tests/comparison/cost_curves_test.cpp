@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace nlmech::comparison {
+namespace nlmech::comparison::cost_curves_test {
 namespace {
 
 /// x' = x, y' = -y.
@@ -153,4 +153,4 @@ TEST(MethodLines, AreThoseOfADiagram) {
 }
 
 }  // namespace
-}  // namespace nlmech::comparison
+}  // namespace nlmech::comparison::cost_curves_test

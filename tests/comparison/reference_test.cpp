@@ -11,7 +11,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::comparison {
+namespace nlmech::comparison::reference_test {
 namespace {
 
 /// A computation that gives these states, or none.
@@ -129,4 +129,4 @@ TEST(ReferenceOf, GivesUpWithinItsWork) {
 }
 
 }  // namespace
-}  // namespace nlmech::comparison
+}  // namespace nlmech::comparison::reference_test

@@ -11,7 +11,7 @@
 #include "nlmech/problems/lorenz.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::comparison {
+namespace nlmech::comparison::verification_test {
 namespace {
 
 using Verdict = Verification::Verdict;
@@ -164,4 +164,4 @@ TEST(Remark, NamesWhatToChange) {
 }
 
 }  // namespace
-}  // namespace nlmech::comparison
+}  // namespace nlmech::comparison::verification_test

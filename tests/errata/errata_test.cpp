@@ -20,7 +20,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::errata_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,4 +139,4 @@ TEST(Errata, EveryChapterHasAList) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::errata_test

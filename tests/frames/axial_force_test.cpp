@@ -5,7 +5,7 @@
 
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::axial_force_test {
 namespace {
 
 using namespace oracle;
@@ -96,4 +96,4 @@ TEST(AxialForce, AtThePoleAndWithoutNumbers) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::axial_force_test

@@ -5,7 +5,7 @@
 
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::beam_column_test {
 namespace {
 
 using namespace oracle;
@@ -130,4 +130,4 @@ TEST(BeamColumn, EndsThatMeetHaveNoChord) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::beam_column_test

@@ -6,7 +6,7 @@
 #include "nlmech/frames/loaded_frame.hpp"
 #include "tests/frames/random_equilibria.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::equilibria_test {
 namespace {
 
 using algebraic::ArcLength;
@@ -91,4 +91,4 @@ TEST(Equilibria, OfAThousandElements) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::equilibria_test

@@ -5,7 +5,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::errata_test {
 namespace {
 
 using namespace oracle;
@@ -180,4 +180,4 @@ TEST(Errata, MomentOfTheSecondEnd) {  // 2.37, row 6
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::errata_test

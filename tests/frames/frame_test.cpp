@@ -8,7 +8,7 @@
 #include "tests/frames/control.hpp"
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::frame_test {
 namespace {
 
 using namespace oracle;
@@ -129,4 +129,4 @@ TEST(Frame, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::frame_test

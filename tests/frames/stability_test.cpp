@@ -7,7 +7,7 @@
 
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::stability_test {
 namespace {
 
 using namespace oracle;
@@ -115,4 +115,4 @@ TEST(StabilityFunctions, LargeTension) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::stability_test

@@ -12,7 +12,7 @@
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::structures_test {
 namespace {
 
 using algebraic::Path;
@@ -252,4 +252,4 @@ TEST(Structures, RefuseWhatTheyCannotBuild) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::structures_test

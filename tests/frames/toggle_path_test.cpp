@@ -13,7 +13,7 @@
 #include "nlmech/frames/equilibrium.hpp"
 #include "tests/frames/control.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::toggle_path_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -184,4 +184,4 @@ TEST(TogglePath, OfWilliamsEquation) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::toggle_path_test

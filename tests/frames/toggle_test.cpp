@@ -9,7 +9,7 @@
 #include "tests/frames/control.hpp"
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::toggle_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -105,4 +105,4 @@ TEST(Toggle, RefusesWhatItCannotBuild) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::toggle_test

@@ -6,7 +6,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/frames/oracle.hpp"
 
-namespace nlmech::frames {
+namespace nlmech::frames::williams_test {
 namespace {
 
 using namespace oracle;
@@ -135,4 +135,4 @@ TEST(Williams, PastThePole) {
 }
 
 }  // namespace
-}  // namespace nlmech::frames
+}  // namespace nlmech::frames::williams_test

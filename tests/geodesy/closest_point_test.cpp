@@ -11,7 +11,7 @@
 #include "nlmech/peers/geodesy/geographiclib.hpp"
 #include "tests/geodesy/exact_reverse.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::closest_point_test {
 namespace {
 
 using std::numbers::pi;
@@ -179,4 +179,4 @@ TEST(ClosestPoint, ReportsWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::closest_point_test

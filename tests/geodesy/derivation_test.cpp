@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::derivation_test {
 namespace {
 
 TEST(Derivation, GivesTheTabulatedSeries) {
@@ -21,4 +21,4 @@ TEST(Derivation, FirstTermsAsPrinted) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::derivation_test

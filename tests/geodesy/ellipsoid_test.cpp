@@ -7,7 +7,7 @@
 
 #include "tests/geodesy/oracle.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::ellipsoid_test {
 namespace {
 
 using oracle::Real;
@@ -65,4 +65,4 @@ TEST(Oracle, InvertsForwardTo40Digits) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::ellipsoid_test

@@ -7,7 +7,7 @@
 #include "nlmech/geodesy/perturbation.hpp"
 #include "tests/geodesy/oracle.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::perturbation_accuracy_test {
 namespace {
 
 using oracle::Real;
@@ -161,4 +161,4 @@ RC_GTEST_PROP(PerturbationSeries, AnyEllipsoid, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::perturbation_accuracy_test

@@ -5,7 +5,7 @@
 
 #include "nlmech/geodesy/perturbation.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::perturbation_edges_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(PerturbationEdges, OrderOutOfRangeThrowsWithItsValue) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::perturbation_edges_test

@@ -28,7 +28,7 @@ std::size_t allocations = 0;  // counted by the replaced operator new below
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::reverse_transform_test {
 namespace {
 
 using std::numbers::pi;
@@ -348,4 +348,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, EverySet, testing::ValuesIn(available_sets()),
                          [](const auto& set) { return std::string(to_string(set.param)); });
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::reverse_transform_test

@@ -8,7 +8,7 @@
 #include "nlmech/geodesy/kernels/arctangent.hpp"
 #include "tests/geodesy/exact_reverse.hpp"
 
-namespace nlmech::geodesy {
+namespace nlmech::geodesy::tangent_fit_test {
 namespace {
 
 using reference::Real;
@@ -86,4 +86,4 @@ TEST(Arctangent, PolynomialHasItsStatedError) {
 }
 
 }  // namespace
-}  // namespace nlmech::geodesy
+}  // namespace nlmech::geodesy::tangent_fit_test

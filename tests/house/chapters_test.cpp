@@ -10,7 +10,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::chapters_test {
 namespace {
 
 using Files = std::map<std::string, std::string>;
@@ -213,4 +213,4 @@ INSTANTIATE_TEST_SUITE_P(House, EveryChapter, ::testing::ValuesIn(chapters()),
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EveryChapter);
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::chapters_test

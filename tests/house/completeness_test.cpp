@@ -11,7 +11,7 @@
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::completeness_test {
 namespace {
 
 /// The scenes of all chapters of this build, by chapter.
@@ -62,4 +62,4 @@ TEST(Completeness, EveryNumberedSceneStandsInASource) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::completeness_test

@@ -6,7 +6,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::configure_test {
 namespace {
 
 class Configure : public ::testing::Test {
@@ -77,4 +77,4 @@ TEST(Packages, ThatTheBuildNamesAreListed) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::configure_test

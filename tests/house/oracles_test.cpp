@@ -7,7 +7,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::oracles_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST_F(OraclesScript, NamesATagWithoutARow) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::oracles_test

@@ -9,7 +9,7 @@
 #include "nlmech/scene/evidence/published.hpp"
 #include "tests/house/house.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::printed_numbers_test {
 namespace {
 
 /// Digits of a number, without zeros at its ends: "4.2894" has five, "1000" one.
@@ -56,4 +56,4 @@ TEST(PrintedNumbers, AreNoLiterals) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::printed_numbers_test

@@ -9,7 +9,7 @@
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::sources_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST(Programs, LinkOnlyWhatTheyUse) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::sources_test

@@ -8,7 +8,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::backward_euler_test {
 namespace {
 
 using namespace testing;
@@ -71,4 +71,4 @@ TEST(BackwardEuler, RespectsJumps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::backward_euler_test

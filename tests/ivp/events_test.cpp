@@ -10,7 +10,7 @@
 #include "nlmech/ivp/series/series.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::events_test {
 namespace {
 
 using testing::eps;
@@ -161,4 +161,4 @@ TEST(Events, TheObserverStillEndsTheIntegration) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::events_test

@@ -4,7 +4,7 @@
 
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::explicit_runge_kutta_test {
 namespace {
 
 using oracle::distance;
@@ -94,4 +94,4 @@ TEST(ExplicitRungeKutta, RefusesAStepThatIsNone) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::explicit_runge_kutta_test

@@ -10,7 +10,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::fixed_steps_test {
 namespace {
 
 RC_GTEST_PROP(StepGrid, CoversTheSegmentWithEqualStepsAndOneRest, ()) {
@@ -131,4 +131,4 @@ TEST(Integrate, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::fixed_steps_test

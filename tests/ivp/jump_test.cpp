@@ -11,7 +11,7 @@
 #include "nlmech/ivp/structural/hht.hpp"
 #include "nlmech/ivp/structural/newmark.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::jump_test {
 namespace {
 
 // q'' = 1 before t = 1, q'' = -2 from there on. From rest at 0: q(2) = 1/2 + 1 - 1 = 1/2, v(2) = 1 - 2 = -1.
@@ -70,4 +70,4 @@ TEST(Jump, ShowsEulerTheRightSide) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::jump_test

@@ -3,7 +3,7 @@
 
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::method_edges_test {
 namespace {
 
 using namespace testing;
@@ -203,4 +203,4 @@ TEST(StructuralMethods, NeedAccelerations) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::method_edges_test

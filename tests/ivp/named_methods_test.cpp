@@ -20,7 +20,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::named_methods_test {
 namespace {
 
 using problems::BlowUp;
@@ -310,4 +310,4 @@ RC_GTEST_PROP(StepSearch, MeetsAnyTolerance, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::named_methods_test

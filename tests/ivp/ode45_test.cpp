@@ -8,7 +8,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::ode45_test {
 namespace {
 
 using namespace testing;
@@ -214,4 +214,4 @@ TEST(Ode45, SaysWhichOptionIsWrong) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::ode45_test

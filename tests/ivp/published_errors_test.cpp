@@ -13,7 +13,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::published_errors_test {
 namespace {
 
 using namespace testing;
@@ -185,4 +185,4 @@ TEST(Table46, Explicit) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::published_errors_test

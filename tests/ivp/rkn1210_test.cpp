@@ -18,7 +18,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::rkn1210_test {
 namespace {
 
 using namespace testing;
@@ -248,4 +248,4 @@ TEST(Rkn1210, SaysWhichOptionIsWrong) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::rkn1210_test

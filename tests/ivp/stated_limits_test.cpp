@@ -11,7 +11,7 @@
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/robertson.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::stated_limits_test {
 namespace {
 
 AdaptiveCollocation to(double tolerance) {
@@ -107,4 +107,4 @@ TEST(StatedLimits, HonestRunsPass) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::stated_limits_test

@@ -20,7 +20,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::step_search_test {
 namespace {
 
 using problems::Duffing;
@@ -229,4 +229,4 @@ TEST(StepSearch, FallsBackToAnotherReference) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::step_search_test

@@ -15,7 +15,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::stiff_test {
 namespace {
 
 using collocation::NodeFamily;
@@ -284,4 +284,4 @@ TEST(Shape, FromOneMillionthToAMillion) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::stiff_test

@@ -10,7 +10,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::structural_methods_test {
 namespace {
 
 using namespace testing;
@@ -326,4 +326,4 @@ TEST(StructuralMethods, FixedAndDynamicSizesAgree) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::structural_methods_test

@@ -9,7 +9,7 @@
 #include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::system_test {
 namespace {
 
 // A chain of any length, to go through the sizes that dual numbers take by eights.
@@ -130,4 +130,4 @@ TEST(System, AProblemsOwnJacobianIsUsed) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::system_test

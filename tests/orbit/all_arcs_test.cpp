@@ -5,7 +5,7 @@
 
 #include "tests/orbit/lambert_problems.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::all_arcs_test {
 namespace {
 
 using namespace oracle;
@@ -50,4 +50,4 @@ TEST(LambertArcs, AllOfTenThousandProblems) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::all_arcs_test

@@ -11,7 +11,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::continuation_test {
 namespace {
 
 using namespace oracle;
@@ -273,4 +273,4 @@ TEST(Continuation, WhatCannotBeMeantIsRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::continuation_test

@@ -10,7 +10,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::elements_test {
 namespace {
 
 using namespace oracle;
@@ -199,4 +199,4 @@ TEST(Convergence, RadiusOfOpenConicsAndLines) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::elements_test

@@ -11,7 +11,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::expansion_test {
 namespace {
 
 using namespace oracle;
@@ -184,4 +184,4 @@ TEST(Expansion, ContinuesInExtendedPrecision) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::expansion_test

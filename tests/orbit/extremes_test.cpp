@@ -10,7 +10,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::extremes_test {
 namespace {
 
 using namespace oracle;
@@ -197,4 +197,4 @@ TEST(Extremes, WhatDoublesCannotHoldIsSaid) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::extremes_test

@@ -9,7 +9,7 @@
 
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::kepler_test {
 namespace {
 
 using namespace oracle;
@@ -229,4 +229,4 @@ TEST(Kepler, WhatCannotBeMeantIsRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::kepler_test

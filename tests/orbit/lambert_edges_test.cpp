@@ -7,7 +7,7 @@
 
 #include "tests/orbit/lambert_problems.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::lambert_edges_test {
 namespace {
 
 using namespace oracle;
@@ -145,4 +145,4 @@ TEST(Lambert, WhatCannotBeMeantIsRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::lambert_edges_test

@@ -10,7 +10,7 @@
 
 #include "tests/orbit/lambert_problems.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::lambert_test {
 namespace {
 
 using namespace oracle;
@@ -254,4 +254,4 @@ TEST(Lambert, OneDirectionIsRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::lambert_test

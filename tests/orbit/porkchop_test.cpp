@@ -12,7 +12,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::porkchop_test {
 namespace {
 
 using namespace oracle;
@@ -164,4 +164,4 @@ TEST(Porkchop, FailuresAreToldAndMistakesRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::porkchop_test

@@ -5,7 +5,7 @@
 
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::stumpff_test {
 namespace {
 
 using namespace oracle;
@@ -65,4 +65,4 @@ TEST(Stumpff, ExtendedPrecision) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::stumpff_test

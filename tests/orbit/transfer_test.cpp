@@ -12,7 +12,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/orbit/lambert_problems.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::transfer_test {
 namespace {
 
 using namespace oracle;
@@ -223,4 +223,4 @@ TEST(Transfer, WhatCannotBeMeantIsRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::transfer_test

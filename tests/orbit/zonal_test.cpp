@@ -9,7 +9,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/orbit/oracle.hpp"
 
-namespace nlmech::orbit {
+namespace nlmech::orbit::zonal_test {
 namespace {
 
 using namespace oracle;
@@ -124,4 +124,4 @@ TEST(Zonal, FieldsThatCannotBeMeantAreRefused) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit
+}  // namespace nlmech::orbit::zonal_test

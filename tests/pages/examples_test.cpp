@@ -10,7 +10,7 @@
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::examples_test {
 namespace {
 
 std::string output_of(const std::string& program) {
@@ -71,4 +71,4 @@ TEST(Examples, PorkchopFindsHohmannsTransfer) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::examples_test

@@ -11,7 +11,7 @@
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::gallery_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& picture) {
 INSTANTIATE_TEST_SUITE_P(Readme, Gallery, ::testing::ValuesIn(pictures()), test_name);
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::gallery_test

@@ -10,7 +10,7 @@
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::printed_commands_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ TEST(PrintedExamples, OfTheGeodesyPageRuns) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::printed_commands_test

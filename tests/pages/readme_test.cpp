@@ -9,7 +9,7 @@
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::readme_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST(Readme, LinksToFilesThatExist) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::readme_test

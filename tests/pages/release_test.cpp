@@ -7,7 +7,7 @@
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::release_test {
 namespace {
 
 const std::string version = NLMECH_VERSION;
@@ -40,4 +40,4 @@ TEST(Release, HasALicenceThatTheCitationNames) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::release_test

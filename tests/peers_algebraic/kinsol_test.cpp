@@ -6,7 +6,7 @@
 
 #include "tests/algebraic/classics.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::kinsol_test {
 namespace {
 
 using namespace algebraic::classics;
@@ -106,4 +106,4 @@ TEST_F(KinsolSolver, ExceptionsPassAndOptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::kinsol_test

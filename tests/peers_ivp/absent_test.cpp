@@ -6,7 +6,7 @@
 #include "nlmech/peers/ivp/sundials/cvode.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::absent_test {
 namespace {
 
 using testing::Decay;
@@ -52,4 +52,4 @@ TEST(AbsentPeers, GetNowhereByThemselves) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::absent_test

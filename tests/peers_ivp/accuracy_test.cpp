@@ -8,7 +8,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::accuracy_test {
 namespace {
 
 using namespace testing;
@@ -193,4 +193,4 @@ TEST_P(EveryPeer, CreepsWithVanDerPolIfImplicit) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::accuracy_test

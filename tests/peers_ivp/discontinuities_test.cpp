@@ -7,7 +7,7 @@
 #include "nlmech/problems/impact_duffing.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::discontinuities_test {
 namespace {
 
 using namespace testing;
@@ -82,4 +82,4 @@ TEST_P(EveryPeerAtJumps, LandsOnTheCornersOfAnImpact) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::discontinuities_test

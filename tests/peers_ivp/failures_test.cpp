@@ -8,7 +8,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::failures_test {
 namespace {
 
 using namespace testing;
@@ -196,4 +196,4 @@ TEST_P(EveryPeerFails, OrNotWithATolerancePastDoublePrecision) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::failures_test

@@ -3,7 +3,7 @@
 
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::gsl_errors_test {
 namespace {
 
 using namespace testing;
@@ -44,4 +44,4 @@ TEST(GslErrors, GoToTheProgramsHandlerAgainAfterwards) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::gsl_errors_test

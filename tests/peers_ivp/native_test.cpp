@@ -10,7 +10,7 @@
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::native_test {
 namespace {
 
 /// As far apart as two orders of the same sums may round: some eps of the terms, which are below 30.
@@ -122,4 +122,4 @@ TEST(Native, OdeintBringsTheOscillatorBack) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::native_test

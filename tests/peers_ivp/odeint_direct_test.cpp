@@ -4,7 +4,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::odeint_direct_test {
 namespace {
 
 using namespace testing;
@@ -43,4 +43,4 @@ TEST(OdeintDirect, HasNoRosenbrockMethod) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::odeint_direct_test

@@ -4,7 +4,7 @@
 #include "nlmech/peers/ivp/sundials/cvode.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::registry_test {
 namespace {
 
 using namespace testing;
@@ -56,4 +56,4 @@ TEST(Methods, RefuseTolerancesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::registry_test

@@ -4,7 +4,7 @@
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/robertson.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::stated_limits_test {
 namespace {
 
 // Under a tolerance far above y2 the multistep codes let it become negative; the solution then runs away.
@@ -29,4 +29,4 @@ TEST(PeersStatedLimits, RobertsonDoesNotRunAway) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::stated_limits_test

@@ -4,7 +4,7 @@
 #include "nlmech/peers/ivp/equations.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
-namespace nlmech::peers {
+namespace nlmech::peers::statistics_test {
 namespace {
 
 using namespace testing;
@@ -95,4 +95,4 @@ TEST(TimeDerivative, IsADifferenceForProblemsInDouble) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers
+}  // namespace nlmech::peers::statistics_test

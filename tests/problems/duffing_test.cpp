@@ -5,7 +5,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::duffing_test {
 namespace {
 
 /// Linear, hardening and (where the orbit of amplitude 1 is closed) softening oscillators.
@@ -95,4 +95,4 @@ TEST(DuffingPeriod, OfExtremeOscillators) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::duffing_test

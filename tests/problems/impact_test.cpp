@@ -10,7 +10,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::impact_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -97,4 +97,4 @@ RC_GTEST_PROP(ImpactDiscontinuities, AreWhereTheSlopeOfTheForceJumps, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::impact_test

@@ -5,7 +5,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::other_problems_test {
 namespace {
 
 RC_GTEST_PROP(VanDerPolEquation, HasItsJacobian, ()) {
@@ -45,4 +45,4 @@ TEST(BlowUpEquation, EndsWhereItSays) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::other_problems_test

@@ -12,7 +12,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::problems {
+namespace nlmech::problems::parameters_test {
 namespace {
 
 using nlmech::tests::Real;
@@ -115,4 +115,4 @@ TEST(Defaults, HaveAllDigitsInEveryPrecision) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems
+}  // namespace nlmech::problems::parameters_test

@@ -13,7 +13,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::reference_table_test {
 namespace {
 
 TEST(ReferenceTable, HasThirtyDigitsInEveryRow) {
@@ -141,4 +141,4 @@ TEST(ReferenceStates, AgreeWithThePublishedEndStateOfAStiffProblem) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::reference_table_test

@@ -9,7 +9,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::reference_trajectory_test {
 namespace {
 
 using Long = long double;
@@ -198,4 +198,4 @@ TEST(ReferenceTrajectory, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::reference_trajectory_test

@@ -11,7 +11,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
 
-namespace nlmech::problems {
+namespace nlmech::problems::series_paper_test {
 namespace {
 
 using Real =
@@ -115,4 +115,4 @@ TEST(SeriesPaper, TwoBodiesByHand) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems
+}  // namespace nlmech::problems::series_paper_test

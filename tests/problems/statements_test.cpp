@@ -23,7 +23,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::statements_test {
 namespace {
 
 template <class Problem>
@@ -107,4 +107,4 @@ TEST(Statements, NegativeRatesHaveNoBounds) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::statements_test

@@ -9,7 +9,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/problems/oracle.hpp"
 
-namespace nlmech::problems::tests {
+namespace nlmech::problems::tests::three_masses_test {
 namespace {
 
 using State = Vector<double, 6>;
@@ -141,4 +141,4 @@ TEST(ThreeMasses, FormNoCubicTermThatIsZero) {
 }
 
 }  // namespace
-}  // namespace nlmech::problems::tests
+}  // namespace nlmech::problems::tests::three_masses_test

@@ -6,7 +6,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST_F(Limits, LeaveExitCodesOfWhatEndsInTime) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::limits_test

@@ -9,7 +9,7 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::numbers_test {
 namespace {
 
 const std::vector<std::string> xyz = {"x", "y", "z"};
@@ -140,4 +140,4 @@ RC_GTEST_PROP(ParseNumbers, GivesBackATableBitForBit, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::numbers_test

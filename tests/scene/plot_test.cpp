@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace nlmech::scene {
+namespace nlmech::scene::plot_test {
 namespace {
 
 /// Does a script hold the line?
@@ -136,4 +136,4 @@ TEST(Plot, RefusesWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::plot_test

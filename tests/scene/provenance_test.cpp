@@ -8,7 +8,7 @@
 #include "nlmech/scene/build_info.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::provenance_test {
 namespace {
 
 const Run<int> run("series-4", "as \"printed\"", {}, [](Results&) { return 1; });
@@ -78,4 +78,4 @@ TEST(Provenance, HoldsNoPathOfTheMachine) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::provenance_test

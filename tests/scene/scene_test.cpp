@@ -9,7 +9,7 @@
 
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::scene_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -183,4 +183,4 @@ TEST(Chapter, RefusesTheSameNameTwice) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::scene_test

@@ -8,7 +8,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::scenes_on_disk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -213,4 +213,4 @@ TEST_F(ScenesOnDisk, AreWholeAfterAKill) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::scenes_on_disk_test

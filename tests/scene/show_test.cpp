@@ -7,7 +7,7 @@
 
 #include "nlmech/scene/scene.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::show_test {
 namespace {
 
 struct Row {
@@ -123,4 +123,4 @@ TEST(Scenes, HaveNoEmptyTableOrFigure) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::show_test

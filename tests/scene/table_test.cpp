@@ -12,7 +12,7 @@
 
 #include "nlmech/scene/program/csv.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::table_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -179,4 +179,4 @@ TEST(CsvField, QuotesOnlyWhatMustBeQuoted) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::table_test

@@ -8,7 +8,7 @@
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::tolerance_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -179,4 +179,4 @@ RC_GTEST_PROP(Tolerance, AllowsEveryFiniteNumberBesideItself, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::tolerance_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace nlmech::scene {
+namespace nlmech::scene::work_precision_test {
 namespace {
 
 /// Two lines with points, one that failed altogether, one that this build has not.
@@ -121,4 +121,4 @@ TEST(WorkPrecision, AnAttemptIsJudgedAndTimed) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::work_precision_test

@@ -8,7 +8,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::dual_edges_test {
 namespace {
 
 using D = Dual<double, 2>;
@@ -124,4 +124,4 @@ TEST(DualType, EqualsInValueAndPartialDerivatives) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::dual_edges_test

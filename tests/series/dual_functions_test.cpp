@@ -7,7 +7,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::dual_functions_test {
 namespace {
 
 using D = Dual<double, 2>;
@@ -169,4 +169,4 @@ RC_GTEST_PROP(DualFunctions, KeepTheirIdentities, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::dual_functions_test

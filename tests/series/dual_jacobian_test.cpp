@@ -5,7 +5,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::dual_jacobian_test {
 namespace {
 
 /// Of three variables in (0.5, 1.5): values, first and second derivatives below 200 there.
@@ -103,4 +103,4 @@ TEST(DualInEigen, WorksInEveryPrecision) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::dual_jacobian_test

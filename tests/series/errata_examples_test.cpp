@@ -9,7 +9,7 @@
 #include "tests/series/numbers.hpp"
 #include "tests/series/runge_kutta.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::errata_examples_test {
 namespace {
 
 using S = PowerSeries<Real>;
@@ -200,4 +200,4 @@ TEST(PaperErrata, Eq70ThePhaseOfTheStep) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::errata_examples_test

@@ -7,7 +7,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::errata_test {
 namespace {
 
 using S = PowerSeries<Real>;
@@ -230,4 +230,4 @@ TEST(PaperErrata, Eq56TheBracketOfTheCosine) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::errata_test

@@ -7,7 +7,7 @@
 #include "nlmech/series/power_series.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::functions_test {
 namespace {
 
 constexpr std::size_t order = 30;
@@ -117,4 +117,4 @@ TEST(Composition, RefusesATableThatIsNotFull) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::functions_test

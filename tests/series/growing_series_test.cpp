@@ -9,7 +9,7 @@
 #include "nlmech/series/power_series.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::growing_series_test {
 namespace {
 
 /// Every operation, with constants on both sides and constants of constants.
@@ -68,4 +68,4 @@ TEST(GrowingSeriesType, HasNoOrderRelationAndConstantsOfEveryOrder) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::growing_series_test

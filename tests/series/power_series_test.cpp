@@ -6,7 +6,7 @@
 #include "nlmech/series/dual.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::power_series_test {
 namespace {
 
 constexpr std::size_t order = 30;
@@ -193,4 +193,4 @@ TEST(PowerSeriesInEigen, FillsVectors) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::power_series_test

@@ -8,7 +8,7 @@
 #include "nlmech/series/tape_expansion.hpp"
 #include "tests/series/numbers.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::tape_test {
 namespace {
 
 /// Every operation that a right-hand side may have, with constants on both sides, on the time, and in sums
@@ -263,4 +263,4 @@ TEST(Tape, ComesOutTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::tape_test

@@ -16,7 +16,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::closed_loop_errata_test {
 namespace {
 
 using tests::expect_erratum;
@@ -226,4 +226,4 @@ TEST(ControlErrata, ClosedLoopTransferFunction) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::closed_loop_errata_test

@@ -15,7 +15,7 @@
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::closed_loop_test {
 namespace {
 
 /// P(s) by the plant of 110 digits: B from theta/u = 1/(s^2 (I_hub + 2B)).
@@ -274,4 +274,4 @@ TEST(ClosedLoop, WithoutGainsHasThePlantsPoles) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::closed_loop_test

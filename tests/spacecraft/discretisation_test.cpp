@@ -13,7 +13,7 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::discretisation_test {
 namespace {
 
 std::array<Parameters, 2> both() { return {without_tip(table_3_1()), table_3_1()}; }
@@ -258,4 +258,4 @@ TEST(Discretisation, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::discretisation_test

@@ -13,7 +13,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::errata_modes_test {
 namespace {
 
 using tests::expect_erratum;
@@ -97,4 +97,4 @@ TEST(Errata, TheClosedFormLosesDigitsAtBothEnds) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::errata_modes_test

@@ -18,7 +18,7 @@
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/oracle_poles.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::errata_test {
 namespace {
 
 using Solution = GssSolution<Complex>;
@@ -315,4 +315,4 @@ TEST(Errata, TheSignOfTheTipsPrefactor) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::errata_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::inverse_laplace_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -219,4 +219,4 @@ TEST(InverseLaplace, SaysWhereATransformIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::inverse_laplace_test

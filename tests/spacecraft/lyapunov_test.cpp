@@ -11,7 +11,7 @@
 #include "nlmech/spacecraft/plant/finite_elements.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::lyapunov_test {
 namespace {
 
 // Vdot = -k3 theta'^2: the corrected function falls at every sample, and by what the controller dissipates,
@@ -94,4 +94,4 @@ TEST(DiscreteLoop, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::lyapunov_test

@@ -12,7 +12,7 @@
 
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::margins_test {
 namespace {
 
 using std::numbers::pi;
@@ -143,4 +143,4 @@ TEST(Margins, RefuseBadInput) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::margins_test

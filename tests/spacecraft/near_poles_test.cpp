@@ -9,7 +9,7 @@
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/spacecraft/time_oracle.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::near_poles_test {
 namespace {
 
 /// Held to finite elements at some times: within ten times what half as many elements change, and 1e-9 of the
@@ -145,4 +145,4 @@ TEST(NearPoles, TwoComplexPairsCoincide) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::near_poles_test

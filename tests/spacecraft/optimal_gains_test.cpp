@@ -11,7 +11,7 @@
 #include "nlmech/spacecraft/control/parseval.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::optimal_gains_test {
 namespace {
 
 constexpr double price = 1 / 144.;
@@ -139,4 +139,4 @@ TEST(OptimalGains, RefuseBadWeightsByName) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::optimal_gains_test

@@ -10,7 +10,7 @@
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::parseval_test {
 namespace {
 
 /// int_0^inf f^2 dt of a sum of exponentials, pole by pole: -sum w_i w_j/(p_i + p_j) over all poles,
@@ -104,4 +104,4 @@ TEST(StepCosts, RefuseBadInput) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::parseval_test

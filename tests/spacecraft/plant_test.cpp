@@ -16,7 +16,7 @@
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::plant_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -350,4 +350,4 @@ TEST(Plant, RefusesUnphysicalDataByName) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::plant_test

@@ -16,7 +16,7 @@
 #include "nlmech/spacecraft/plant/roots.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::poles_test {
 namespace {
 
 AnalyticFunction polynomial(std::vector<Complex> zeros) {
@@ -225,4 +225,4 @@ TEST(Zeros, RefuseWhatHasNone) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::poles_test

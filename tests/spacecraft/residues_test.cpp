@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::residues_test {
 namespace {
 
 using std::numbers::pi;
@@ -131,4 +131,4 @@ TEST(Settling, SaysIfItDoesNot) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::residues_test

@@ -12,7 +12,7 @@
 #include "nlmech/spacecraft/control/inverse_laplace.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::response_test {
 namespace {
 
 constexpr std::array<double, 2> places = {2, 4};
@@ -272,4 +272,4 @@ TEST(TimeResponses, RefuseBadInput) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::response_test

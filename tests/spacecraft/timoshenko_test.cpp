@@ -13,7 +13,7 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::timoshenko_test {
 namespace {
 
 using Wide = std::complex<long double>;
@@ -165,4 +165,4 @@ TEST(Timoshenko, RefusesUnphysicalDataByName) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::timoshenko_test

@@ -11,7 +11,7 @@
 
 #include "nlmech/spacecraft/control/inverse_laplace.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::tracking_test {
 namespace {
 
 constexpr std::array<double, 1> tip = {4};
@@ -178,4 +178,4 @@ TEST(Tracking, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::tracking_test

@@ -9,7 +9,7 @@
 #include "nlmech/spacecraft/control/missed_residues.hpp"
 #include "nlmech/spacecraft/plant/roots.hpp"
 
-namespace nlmech::spacecraft {
+namespace nlmech::spacecraft::zero_cluster_test {
 namespace {
 
 /// Times an entire function without zeros.
@@ -94,4 +94,4 @@ TEST(MissedResidues, AreThoseBeyondTheBoundary) {
 }
 
 }  // namespace
-}  // namespace nlmech::spacecraft
+}  // namespace nlmech::spacecraft::zero_cluster_test

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+namespace nlmech::echo_test {
 namespace {
 
 using nlmech::echoed;
@@ -80,3 +81,4 @@ TEST(Echo, KeepsTheEndOfAMessageWithALongWord) {
 }
 
 }  // namespace
+}  // namespace nlmech::echo_test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+namespace nlmech::statistics_test {
 namespace {
 
 using nlmech::Statistics;
@@ -54,3 +55,4 @@ TEST(Statistics, AddToTheLeftSide) {
 }
 
 }  // namespace
+}  // namespace nlmech::statistics_test

@@ -13,6 +13,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/places.hpp"
 
+namespace nlmech::status_test {
 namespace {
 
 using nlmech::Failure;
@@ -89,3 +90,4 @@ TEST(Errors, BadInputIsNoFailureOfAComputation) {
 }
 
 }  // namespace
+}  // namespace nlmech::status_test

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+namespace nlmech::stopwatch_test {
 namespace {
 
 using nlmech::median;
@@ -91,3 +92,4 @@ TEST(RepeatedTiming, RepeatsWhatIsShortAndNothingElse) {
 }
 
 }  // namespace
+}  // namespace nlmech::stopwatch_test

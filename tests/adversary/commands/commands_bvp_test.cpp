@@ -15,7 +15,7 @@
 #include "tests/adversary/commands/command_run.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_bvp_test {
 namespace {
 
 using Wide = long double;
@@ -289,4 +289,4 @@ TEST(AdversaryCommands, TransfersArriveAsPrinted) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_bvp_test

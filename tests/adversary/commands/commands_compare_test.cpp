@@ -15,7 +15,7 @@
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "tests/adversary/commands/ivp_oracle.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_compare_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -149,4 +149,4 @@ TEST(AdversaryCommands, ComparedDigitsAreThere) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_compare_test

@@ -18,7 +18,7 @@
 #include "tests/adversary/kepler_oracle.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_grid_test {
 namespace {
 
 using orbit::State;
@@ -178,4 +178,4 @@ TEST(AdversaryCommands, PorkchopsHaveTheLeastSpeeds) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_grid_test

@@ -15,7 +15,7 @@
 #include "tests/adversary/commands/command_run.hpp"
 #include "tests/adversary/commands/half_toggle.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_homotopy_test {
 namespace {
 
 constexpr Real eps = std::numeric_limits<double>::epsilon();
@@ -351,4 +351,4 @@ TEST(AdversaryCommands, LimitPointsAreThoseOfAnotherElement) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_homotopy_test

@@ -12,7 +12,7 @@
 #include "nlmech/comparison/any_method.hpp"
 #include "tests/adversary/commands/ivp_oracle.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_ivp_test {
 namespace {
 
 /// The condition is known by finite differences, here and in the command. Of more than 48 rows the command
@@ -164,4 +164,4 @@ TEST(AdversaryCommands, EveryRowIsRight) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_ivp_test

@@ -13,7 +13,7 @@
 #include "tests/adversary/commands/command_run.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
 
-namespace nlmech::orbit::adversary {
+namespace nlmech::orbit::adversary::commands_orbit_test {
 namespace {
 
 using nlmech::adversary::Case;
@@ -119,4 +119,4 @@ TEST(AdversaryCommands, OrbitsRowByRow) {
 }
 
 }  // namespace
-}  // namespace nlmech::orbit::adversary
+}  // namespace nlmech::orbit::adversary::commands_orbit_test

@@ -14,7 +14,7 @@
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "tests/adversary/commands/ivp_oracle.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_steps_test {
 namespace {
 
 using Wide = long double;
@@ -173,4 +173,4 @@ TEST(AdversaryCommands, StepsArePowersOfAMatrix) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_steps_test

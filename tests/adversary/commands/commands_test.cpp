@@ -14,7 +14,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::adversary {
+namespace nlmech::adversary::commands_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST(AdversaryCommands, EndInTimeWithNumbersOrASentence) {
 }
 
 }  // namespace
-}  // namespace nlmech::adversary
+}  // namespace nlmech::adversary::commands_test

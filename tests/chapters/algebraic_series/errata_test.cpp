@@ -10,7 +10,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/series/runge_kutta.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::errata_test {
 namespace {
 
 using tests::expect_erratum;
@@ -60,4 +60,4 @@ TEST(Claims, SectionsDoNotSettle) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::errata_test

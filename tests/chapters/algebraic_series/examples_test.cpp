@@ -11,7 +11,7 @@
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters::algebraic_series {
+namespace nlmech::chapters::algebraic_series::examples_test {
 namespace {
 
 // 16 digits; double holds half a unit of that. oracle: algebraic_series_motions Lorenz ?(40), Duffing ?(100),
@@ -98,4 +98,4 @@ TEST(Samples, StandAtEqualTimesUpToTheEnd) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::algebraic_series
+}  // namespace nlmech::chapters::algebraic_series::examples_test

@@ -12,7 +12,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_F(GeodesyCommand, StrongFlatteningWarnsOfItsMiss) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::command_test

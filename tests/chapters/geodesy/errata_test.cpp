@@ -13,7 +13,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/geodesy/oracle.hpp"
 
-namespace nlmech::chapters::geodesy {
+namespace nlmech::chapters::geodesy::errata_test {
 namespace {
 
 using namespace nlmech::geodesy;
@@ -292,4 +292,4 @@ TEST(PolynomialText, ReadsLikeTheTable) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::geodesy
+}  // namespace nlmech::chapters::geodesy::errata_test

@@ -12,7 +12,7 @@
 #include "nlmech/peers/geodesy/simd_peers.hpp"
 #include "tests/geodesy/exact_reverse.hpp"
 
-namespace nlmech::peers::geodesy {
+namespace nlmech::peers::geodesy::peers_test {
 namespace {
 
 using nlmech::chapters::geodesy::Points;
@@ -163,4 +163,4 @@ TEST(SimdPeers, RefuseUnequalSizes) {
 }
 
 }  // namespace
-}  // namespace nlmech::peers::geodesy
+}  // namespace nlmech::peers::geodesy::peers_test

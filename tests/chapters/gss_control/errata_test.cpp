@@ -14,7 +14,7 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::errata_test {
 namespace {
 
 using spacecraft::Complex;
@@ -126,4 +126,4 @@ TEST(Claims, TheExactPlantHasMorePolesThanAnyTruncation) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::errata_test

@@ -8,7 +8,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "tests/chapters/gss_control/program.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ TEST(NumericalFailure, OnAPole) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_input_test

@@ -12,7 +12,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "tests/chapters/gss_control/program.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_test {
 namespace {
 
 using tests::Rows;
@@ -180,4 +180,4 @@ TEST(Example, Runs) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_test

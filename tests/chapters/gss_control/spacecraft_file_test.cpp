@@ -9,7 +9,7 @@
 #include "chapters/gss_control/commands/words.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::spacecraft_file_test {
 namespace {
 
 /// The complaint about a text, empty if there is none.
@@ -114,4 +114,4 @@ TEST(Words, Loops) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::spacecraft_file_test

@@ -12,7 +12,7 @@
 #include "nlmech/spacecraft/control/lyapunov.hpp"
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 
-namespace nlmech::chapters::gss_control {
+namespace nlmech::chapters::gss_control::studies_test {
 namespace {
 
 // 15 digits. oracle: gss_control_plant bare * at 0.1, bare * at 1000, tip * at 1, tip * at 100
@@ -97,4 +97,4 @@ TEST(Grids, HoldTheirEnds) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::gss_control
+}  // namespace nlmech::chapters::gss_control::studies_test

@@ -10,7 +10,7 @@
 #include "tests/chapters/hermitian/oscillators.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::laier_test {
+namespace nlmech::laier_test::errata_residual_test {
 namespace {
 
 using tests::expect_erratum;
@@ -158,4 +158,4 @@ TEST(Errata, Equation7OneMisprintAtATime) {
 }
 
 }  // namespace
-}  // namespace nlmech::laier_test
+}  // namespace nlmech::laier_test::errata_residual_test

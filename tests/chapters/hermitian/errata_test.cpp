@@ -10,7 +10,7 @@
 #include "tests/chapters/hermitian/oscillators.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::laier_test {
+namespace nlmech::laier_test::errata_test {
 namespace {
 
 using tests::expect_erratum;
@@ -169,4 +169,4 @@ TEST(Errata, Equation10OneMisprintAtATime) {
 }
 
 }  // namespace
-}  // namespace nlmech::laier_test
+}  // namespace nlmech::laier_test::errata_test

@@ -10,7 +10,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_test {
 namespace {
 
 using scene::Finished;
@@ -156,4 +156,4 @@ TEST(Example, OfThePageRuns) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_test

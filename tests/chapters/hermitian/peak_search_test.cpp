@@ -13,7 +13,7 @@
 #include "nlmech/scene/evidence/published.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::chapters::hermitian {
+namespace nlmech::chapters::hermitian::peak_search_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -252,4 +252,4 @@ TEST(PeakSearch, IsWhatThePublishedRowsSay) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::hermitian
+}  // namespace nlmech::chapters::hermitian::peak_search_test

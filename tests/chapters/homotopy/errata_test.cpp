@@ -12,7 +12,7 @@
 #include "tests/chapters/homotopy/toggle_oracle.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::errata_test {
 namespace {
 
 using tests::expect_erratum;
@@ -185,4 +185,4 @@ TEST(Errata, RigidityIsAForceTimesAnArea) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::errata_test

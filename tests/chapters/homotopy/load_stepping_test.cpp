@@ -8,7 +8,7 @@
 #include "chapters/homotopy/solvers/load_stepping.hpp"
 #include "tests/chapters/homotopy/toggle_oracle.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::load_stepping_test {
 namespace {
 
 /// The homotopy without a limit on iterations that a jump could meet by chance.
@@ -146,4 +146,4 @@ TEST(LoadCurves, DeflectionBetween) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::load_stepping_test

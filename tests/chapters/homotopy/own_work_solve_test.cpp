@@ -9,7 +9,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_solve_test {
 namespace {
 
 scene::Finished solve(const std::vector<std::string>& words) {
@@ -78,4 +78,4 @@ TEST(SolveBySolver, WrongWordsAreNamed) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_solve_test

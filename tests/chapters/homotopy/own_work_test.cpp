@@ -11,7 +11,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_test {
 namespace {
 
 using scene::Finished;
@@ -246,4 +246,4 @@ TEST(Example, Runs) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_test

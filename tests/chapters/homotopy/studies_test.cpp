@@ -9,7 +9,7 @@
 #include "chapters/homotopy/solvers/iterations.hpp"
 #include "nlmech/frames/toggle.hpp"
 
-namespace nlmech::chapters::homotopy {
+namespace nlmech::chapters::homotopy::studies_test {
 namespace {
 
 // oracle: homotopy_williams Williams 0.44 maximum, Williams 0.44 minimum
@@ -168,4 +168,4 @@ TEST(Counted, TangentIsThatOfDouble) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::homotopy
+}  // namespace nlmech::chapters::homotopy::studies_test

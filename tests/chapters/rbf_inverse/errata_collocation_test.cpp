@@ -11,7 +11,7 @@
 #include "nlmech/collocation/nodes.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::errata_collocation_test {
 namespace {
 
 using tests::expect_erratum;
@@ -120,4 +120,4 @@ TEST(ErrataControl, CubeOfTheStateAtANode) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::errata_collocation_test

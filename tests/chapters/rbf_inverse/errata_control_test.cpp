@@ -11,7 +11,7 @@
 #include "nlmech/bvp/solve.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::errata_control_test {
 namespace {
 
 using bvp::DuffingCase;
@@ -311,4 +311,4 @@ TEST(ErrataControl, NoSuchResidualInDouble) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::errata_control_test

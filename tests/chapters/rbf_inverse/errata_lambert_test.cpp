@@ -9,7 +9,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::rbf_inverse {
+namespace nlmech::chapters::rbf_inverse::errata_lambert_test {
 namespace {
 
 using orbit::TransferBasis;
@@ -135,4 +135,4 @@ TEST(ErrataLambert, TransferIsAPieceOfAThinEllipse) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::errata_lambert_test

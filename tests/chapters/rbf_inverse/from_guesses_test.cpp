@@ -19,6 +19,9 @@ namespace histories_control {
 std::vector<scene::Scene> scenes();
 }
 
+}  // namespace nlmech::chapters::rbf_inverse
+
+namespace nlmech::chapters::rbf_inverse::from_guesses_test {
 namespace {
 
 using bvp::DuffingCase;
@@ -129,4 +132,4 @@ TEST(FromGuesses, FigureTakesTheTimeOfItsResults) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::from_guesses_test

@@ -13,7 +13,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_duffing_test {
 namespace {
 
 using scene::Finished;
@@ -140,4 +140,4 @@ TEST(Example, MovesACart) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_duffing_test

@@ -9,7 +9,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_lambert_test {
 namespace {
 
 using scene::Finished;
@@ -147,4 +147,4 @@ TEST(LambertCommand, WrongWordsAreNamed) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_lambert_test

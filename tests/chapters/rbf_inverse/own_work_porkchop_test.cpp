@@ -12,7 +12,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_porkchop_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST_F(PorkchopCommand, JobArrayOfThePageNeedsNothingButItsNumber) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_porkchop_test

@@ -12,6 +12,9 @@ namespace nlmech::chapters::rbf_inverse {
 
 scene::Chapter chapter();
 
+}  // namespace nlmech::chapters::rbf_inverse
+
+namespace nlmech::chapters::rbf_inverse::studies_control_test {
 namespace {
 
 using bvp::DuffingCase;
@@ -151,4 +154,4 @@ TEST(Chapter, ShowsAllFiguresOfPartOne) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_inverse
+}  // namespace nlmech::chapters::rbf_inverse::studies_control_test

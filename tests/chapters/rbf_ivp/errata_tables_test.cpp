@@ -16,7 +16,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::errata_tables_test {
 namespace {
 
 using ivp::RbfCollocation;
@@ -303,4 +303,4 @@ TEST(ErrataOfTables, ExplicitRowsOfTable4_6AreOfX3) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::errata_tables_test

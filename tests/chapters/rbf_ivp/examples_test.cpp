@@ -10,7 +10,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::examples_test {
 namespace {
 
 constexpr double stated = 2e-16;  // accuracy that Case promises for its reference
@@ -134,4 +134,4 @@ TEST(Growth, IsThePowerOfTime) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::examples_test

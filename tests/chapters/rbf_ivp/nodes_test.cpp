@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::nodes_test {
 namespace {
 
 using collocation::NodeFamily;
@@ -172,4 +172,4 @@ TEST(LeastSquares, IsThereWhereTheStudySaysItHelps) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::nodes_test

@@ -13,7 +13,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_test {
 namespace {
 
 using scene::Finished;
@@ -395,4 +395,4 @@ TEST(Example, OfThePageRuns) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_test

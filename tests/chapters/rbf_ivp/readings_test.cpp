@@ -7,7 +7,7 @@
 #include "chapters/rbf_ivp/readings/readings.hpp"
 #include "chapters/rbf_ivp/readings/traces.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::readings_test {
 namespace {
 
 TEST(LastDigit, OfNumbersAsPrinted) {
@@ -94,4 +94,4 @@ TEST(Traces, AnswerLikeRecords) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::readings_test

@@ -4,7 +4,7 @@
 #include "chapters/rbf_ivp/shapes/arcs.hpp"
 #include "nlmech/problems/duffing.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::shapes_test {
 namespace {
 
 // After a period the motion is where it was; after half of one it is mirrored.
@@ -33,4 +33,4 @@ TEST(DuffingArc, MirroredAsksForTheSameShape) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::shapes_test

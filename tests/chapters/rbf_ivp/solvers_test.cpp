@@ -7,7 +7,7 @@
 
 #include "nlmech/ivp/collocation/collocation.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::solvers_test {
 namespace {
 
 using collocation::Basis;
@@ -154,4 +154,4 @@ TEST(Solvers, RowsGoOnFromEndToEndAndStopAtAFailure) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::solvers_test

@@ -9,7 +9,7 @@
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "tests/ivp/test_set.hpp"
 
-namespace nlmech::chapters::rbf_ivp {
+namespace nlmech::chapters::rbf_ivp::studies_test {
 namespace {
 
 using collocation::NodeFamily;
@@ -129,4 +129,4 @@ TEST(StiffProblems, EndWhereTheTestSetSays) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::studies_test

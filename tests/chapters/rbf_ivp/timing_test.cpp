@@ -10,6 +10,9 @@ namespace nlmech::chapters::rbf_ivp {
 
 scene::Chapter chapter();  // made from its list of scenes
 
+}  // namespace nlmech::chapters::rbf_ivp
+
+namespace nlmech::chapters::rbf_ivp::timing_test {
 namespace {
 
 /// The free oscillator with one row, whose integrations are counted.
@@ -67,4 +70,4 @@ TEST(Timing, OnlyTablesNeedTimes) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::rbf_ivp
+}  // namespace nlmech::chapters::rbf_ivp::timing_test

@@ -12,7 +12,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::verified_test {
 namespace {
 
 using scene::Finished;
@@ -176,4 +176,4 @@ TEST(CompareReference, TheLimitIsThatOfTheWholeCommand) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::verified_test

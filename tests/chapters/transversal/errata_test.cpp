@@ -11,7 +11,7 @@
 #include "nlmech/problems/two_dof.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::transversal {
+namespace nlmech::chapters::transversal::errata_test {
 namespace {
 
 using tests::expect_erratum;
@@ -204,4 +204,4 @@ TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::transversal
+}  // namespace nlmech::chapters::transversal::errata_test

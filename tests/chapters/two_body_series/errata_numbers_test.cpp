@@ -17,7 +17,7 @@
 #include "tests/errata/erratum.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::errata_numbers_test {
 namespace {
 
 using tests::expect_erratum;
@@ -146,4 +146,4 @@ TEST(Errata, OrderTenLosesMetres) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::errata_numbers_test

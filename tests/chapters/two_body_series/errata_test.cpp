@@ -14,7 +14,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::errata_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -219,4 +219,4 @@ TEST(Norm, IsTheRootOfTheSum) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::errata_test

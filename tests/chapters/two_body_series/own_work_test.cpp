@@ -16,7 +16,7 @@
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
 
-namespace nlmech {
+namespace nlmech::own_work_test {
 namespace {
 
 using scene::Finished;
@@ -316,4 +316,4 @@ TEST(Example, OfThePageRuns) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::own_work_test

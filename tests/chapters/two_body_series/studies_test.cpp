@@ -15,7 +15,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 
-namespace nlmech::chapters::two_body_series {
+namespace nlmech::chapters::two_body_series::studies_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -146,4 +146,4 @@ TEST(Propagators, AsIntegrators) {
 }
 
 }  // namespace
-}  // namespace nlmech::chapters::two_body_series
+}  // namespace nlmech::chapters::two_body_series::studies_test

@@ -11,7 +11,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech {
+namespace nlmech::zonal_test {
 namespace {
 
 // Neighbouring points lie 15 degrees apart at most as seen from the Earth: a polygon with such sides leaves
@@ -40,4 +40,4 @@ TEST(Zonal, DrawsNoCorners) {
 }
 
 }  // namespace
-}  // namespace nlmech
+}  // namespace nlmech::zonal_test

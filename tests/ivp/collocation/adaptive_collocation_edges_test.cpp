@@ -10,7 +10,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::adaptive_collocation_edges_test {
 namespace {
 
 using testing::eps;
@@ -179,4 +179,4 @@ RC_GTEST_PROP(AdaptiveCollocationEdges, ThereAndBack, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::adaptive_collocation_edges_test

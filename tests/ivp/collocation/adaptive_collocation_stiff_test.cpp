@@ -12,7 +12,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/test_set.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::adaptive_collocation_stiff_test {
 namespace {
 
 using oracle::published_end_state;
@@ -172,4 +172,4 @@ TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::adaptive_collocation_stiff_test

@@ -13,7 +13,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::adaptive_collocation_test {
 namespace {
 
 using testing::eps;
@@ -195,4 +195,4 @@ TEST(AdaptiveCollocation, Gaussians) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::adaptive_collocation_test

@@ -6,7 +6,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::collocation_test {
 namespace {
 
 using collocation::NodeFamily;
@@ -158,4 +158,4 @@ TEST(Mcpi, ContractsOnlyInShortSteps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::collocation_test

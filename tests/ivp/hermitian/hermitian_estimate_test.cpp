@@ -11,7 +11,7 @@
 #include "nlmech/problems/two_dof.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::hermitian_estimate_test {
 namespace {
 
 using problems::LinearOscillator;
@@ -96,4 +96,4 @@ TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::hermitian_estimate_test

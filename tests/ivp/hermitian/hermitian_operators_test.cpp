@@ -10,7 +10,7 @@
 #include "nlmech/ivp/hermitian/hermitian_operators.hpp"
 #include "tests/errata/erratum.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::hermitian_operators_test {
 namespace {
 
 using tests::expect_erratum;
@@ -220,4 +220,4 @@ TEST(Amplification, RefusesWhatCannotBeMeant) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::hermitian_operators_test

@@ -10,7 +10,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::hermitian_stiff_test {
 namespace {
 
 /// Van der Pol's oscillator from (2, 0); ends by Taylor series in 113 bits.
@@ -115,4 +115,4 @@ TEST(Hermitian, LinearWithVeryLongSteps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::hermitian_stiff_test

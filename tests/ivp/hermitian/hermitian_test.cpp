@@ -15,7 +15,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::hermitian_test {
 namespace {
 
 using namespace testing;
@@ -250,4 +250,4 @@ TEST(Hermitian, FailsWithASentence) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::hermitian_test

@@ -2,7 +2,7 @@
 #define EIGEN_RUNTIME_NO_MALLOC
 #include "tests/ivp/no_allocation/no_allocation.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::no_allocation_test {
 namespace {
 
 TEST(NoAllocation, InSteps) {
@@ -14,4 +14,4 @@ TEST(NoAllocation, InSteps) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::no_allocation_test

@@ -6,7 +6,7 @@
 #include "nlmech/problems/forced_duffing.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_duffing_test {
 namespace {
 
 using testing::with_tolerance;
@@ -27,4 +27,4 @@ TEST(SeriesOnProblems, ForcedDuffing) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_duffing_test

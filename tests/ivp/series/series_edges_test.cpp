@@ -4,7 +4,7 @@
 #include "nlmech/ivp/series/series.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_edges_test {
 namespace {
 
 using testing::eps;
@@ -127,4 +127,4 @@ TEST(SeriesEdges, OrderFollowsTheTolerance) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_edges_test

@@ -6,7 +6,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_extremes_test {
 namespace {
 
 using testing::with_tolerance;
@@ -73,4 +73,4 @@ TEST(Series, CoefficientsBeyondTheRangeOfDouble) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_extremes_test

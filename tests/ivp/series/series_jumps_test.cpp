@@ -6,7 +6,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/methods.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_jumps_test {
 namespace {
 
 using testing::eps;
@@ -44,4 +44,4 @@ TEST(SeriesEdges, RefusesAnUnannouncedBranch) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_jumps_test

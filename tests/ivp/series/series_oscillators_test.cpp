@@ -7,7 +7,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_oscillators_test {
 namespace {
 
 using testing::reference;
@@ -39,4 +39,4 @@ TEST(SeriesOnProblems, VanDerPol) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_oscillators_test

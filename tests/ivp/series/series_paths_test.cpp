@@ -6,7 +6,7 @@
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_paths_test {
 namespace {
 
 using testing::reference;
@@ -36,4 +36,4 @@ TEST(Series, ComesOutTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_paths_test

@@ -6,7 +6,7 @@
 #include "nlmech/problems/lorenz.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_problems_test {
 namespace {
 
 using testing::reference;
@@ -52,4 +52,4 @@ TEST(SeriesOnProblems, CloseEncounterOfFourBodies) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_problems_test

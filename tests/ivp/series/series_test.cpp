@@ -6,7 +6,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/series.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::series_test {
 namespace {
 
 using testing::eps;
@@ -39,4 +39,4 @@ TEST(Series, MeetsItsTolerance) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::series_test

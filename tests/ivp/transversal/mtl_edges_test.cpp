@@ -9,7 +9,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_edges_test {
 namespace {
 
 using testing::eps;
@@ -84,4 +84,4 @@ TEST(Mtl, BlocksEndAtDiscontinuities) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_edges_test

@@ -11,7 +11,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_linear_test {
 namespace {
 
 using problems::DrivenDuffing;
@@ -131,4 +131,4 @@ TEST(Mtl, DenseOutputOfAFastOscillation) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_linear_test

@@ -11,7 +11,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_orders_test {
 namespace {
 
 using problems::DrivenDuffing;
@@ -95,4 +95,4 @@ TEST(Mtl, ErrorGoesWithTheNonlinearity) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_orders_test

@@ -7,7 +7,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_sizes_test {
 namespace {
 
 using problems::TwoDof;
@@ -27,4 +27,4 @@ TEST(Mtl, DynamicSizeAndInlinedProblem) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_sizes_test

@@ -12,7 +12,7 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_stiff_test {
 namespace {
 
 using problems::DrivenDuffing;
@@ -182,4 +182,4 @@ TEST(MtlEnergy, IsBounded) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_stiff_test

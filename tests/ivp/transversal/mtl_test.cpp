@@ -13,7 +13,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_test {
 namespace {
 
 using problems::DrivenDuffing;
@@ -111,4 +111,4 @@ TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace nlmech::ivp {
+namespace nlmech::ivp::mtl_weights_test {
 namespace {
 
 using Real =
@@ -211,4 +211,4 @@ TEST(MtlPropagator, OverflowIsAnOutcome) {
 }
 
 }  // namespace
-}  // namespace nlmech::ivp
+}  // namespace nlmech::ivp::mtl_weights_test

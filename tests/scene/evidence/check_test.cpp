@@ -9,7 +9,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::check_test {
 namespace {
 
 using tests::bytes_of;
@@ -238,4 +238,4 @@ TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::check_test

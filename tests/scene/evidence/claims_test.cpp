@@ -8,7 +8,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::claims_test {
 namespace {
 
 using tests::put;
@@ -137,4 +137,4 @@ TEST_F(ClaimsOnDisk, ThePageCountsAndLinksThem) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::claims_test

@@ -5,7 +5,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::completeness_test {
 namespace {
 
 using tests::put;
@@ -102,4 +102,4 @@ TEST_F(Completeness, RefusesABrokenRecord) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::completeness_test

@@ -5,7 +5,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::errata_test {
 namespace {
 
 using tests::put;
@@ -79,4 +79,4 @@ TEST(ErrataPages, ShowBothFormsWithTheirDistances) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::errata_test

@@ -5,7 +5,7 @@
 
 #include "nlmech/scene/evidence/published.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::judge_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -241,4 +241,4 @@ INSTANTIATE_TEST_SUITE_P(
                       Beginning{"1..nan", 7, none}, Beginning{"infeasible", 7, none}));
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::judge_test

@@ -11,7 +11,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::published_test {
 namespace {
 
 using tests::put;
@@ -252,4 +252,4 @@ TEST(Places, AreListedOnceEach) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::published_test

@@ -9,7 +9,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::ratios_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -179,4 +179,4 @@ TEST(Ratios, CanBeQuoted) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::ratios_test

@@ -6,7 +6,7 @@
 #include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
-namespace nlmech::tests {
+namespace nlmech::tests::command_line_test {
 namespace {
 
 using CommandLine = FixtureProgram;
@@ -239,4 +239,4 @@ TEST_F(CommandLine, RefusesBadFilesOfPublishedValues) {
 }
 
 }  // namespace
-}  // namespace nlmech::tests
+}  // namespace nlmech::tests::command_line_test

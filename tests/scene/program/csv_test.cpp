@@ -8,7 +8,7 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::csv_test {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -81,4 +81,4 @@ RC_GTEST_PROP(ParseCsv, GivesBackWhatCsvFieldWrote, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::csv_test

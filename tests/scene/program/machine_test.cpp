@@ -14,7 +14,7 @@
 #include "nlmech/scene/run.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::machine_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -131,4 +131,4 @@ TEST_F(TheMachine, IsNotWaitedForWhereThereIsNoFolder) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::machine_test

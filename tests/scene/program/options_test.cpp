@@ -7,7 +7,7 @@
 
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::options_test {
 namespace {
 
 std::string refusal(const Option& option, const std::string& text) {
@@ -88,4 +88,4 @@ TEST(Options, HelpSaysRangeAndDefault) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::options_test

@@ -9,7 +9,7 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::process_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -111,4 +111,4 @@ TEST(RunProgram, LeavesNoDescriptorsOpen) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::process_test

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace nlmech::scene {
+namespace nlmech::scene::terminal_test {
 namespace {
 
 Table example() {
@@ -43,4 +43,4 @@ TEST(Aligned, FitsEveryWidthThatLeavesFourCharactersAColumn) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::terminal_test

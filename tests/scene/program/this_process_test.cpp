@@ -11,7 +11,7 @@
 #include "nlmech/scene/program/time_limit.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::scene::this_process_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST(TimeLimit, IsSilentBeforeAndInAPipeAndWhileTheUserTypes) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene
+}  // namespace nlmech::scene::this_process_test

@@ -7,6 +7,7 @@
 
 #include "nlmech/support/errors.hpp"
 
+namespace nlmech::scene::typed_test {
 namespace {
 
 using namespace nlmech;
@@ -54,3 +55,4 @@ TEST(Typed, SplittingAndJoiningGivesTheTextBack) {
 }
 
 }  // namespace
+}  // namespace nlmech::scene::typed_test
