@@ -27,7 +27,41 @@ struct Task {
 template <class S, class Method>
 struct Integrator;
 
+/// The sizes of System for which the library compiles a method: none, as of methods of your own; 1, 2, 3, 4,
+/// 6 and Eigen::Dynamic; or the even ones of them, of a method for accelerations.
+enum class InLibrary { none, all, even };
+
+/// Said by the header of each method of the library.
+template <class Method>
+inline constexpr InLibrary in_library = InLibrary::none;
+
 namespace detail {
+/// The run of a method that the library compiles: declared here, so that nobody compiles it anew, and defined
+/// in the library alone.
+template <int n, class Method>
+struct Instance {
+  /// See integrate().
+  static Solution<n> run(const Task<System<n>>& task, const Method& method);
+};
+
+/// Is there an Instance?
+template <class S, class Method>
+inline constexpr bool has_instance = false;
+template <int n, class Method>
+inline constexpr bool has_instance<System<n>, Method> =
+    n == 1 || n == 3
+        ? in_library<Method> == InLibrary::all
+        : (n == 2 || n == 4 || n == 6 || n == Eigen::Dynamic) && in_library<Method> != InLibrary::none;
+
+/// By the library's instance if there is one.
+template <SystemLike S, class Method>
+[[nodiscard]] Solution<S::dimension> run(const Task<S>& task, const Method& method) {
+  if constexpr (has_instance<S, Method>)
+    return Instance<S::dimension, Method>::run(task, method);
+  else
+    return Integrator<S, Method>::run(task, method);
+}
+
 /// Throws std::invalid_argument naming the value that cannot be meant.
 void check_arguments(double t0, double t1, Eigen::Index given_size, int size);
 /// Failure `non_finite` for an initial state with NaN or infinity, naming the component; else success.
@@ -45,8 +79,7 @@ template <SystemLike S, class Method>
     };
   }
   const Observer<n>* const seen = guard ? &guard : &task.observer;
-  Solution<n> solution =
-      Integrator<S, Method>::run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
+  Solution<n> solution = run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
   if (solution.status.ok()) stated.respects_end(solution.statistics.steps, solution.t, solution.x);
   if (!stated.status().ok()) solution.status = stated.status();
   return solution;
@@ -79,10 +112,10 @@ template <SystemLike S, class Method>
     if constexpr (HasTolerances<Method>) {
       StatedLimits<S> stated(system, method_name(method), t0, x0, t1, method.relative_tolerance,
                              method.absolute_tolerance);
-      solution = goes_by_tolerances(method) ? detail::run_within(stated, task, method)
-                                            : Integrator<S, Method>::run(task, method);
+      solution =
+          goes_by_tolerances(method) ? detail::run_within(stated, task, method) : detail::run(task, method);
     } else {
-      solution = Integrator<S, Method>::run(task, method);
+      solution = detail::run(task, method);
     }
   }
   solution.statistics.seconds = watch.seconds();

@@ -224,13 +224,9 @@ Solution<S::dimension> Integrator<S, AdaptiveCollocation>::run(const Task<S>& ta
   return Run<S, AllSweeps<S, false>, AllNewtonSteps<S>>(task, method).run();
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, AdaptiveCollocation>;
-extern template struct Integrator<System<2>, AdaptiveCollocation>;
-extern template struct Integrator<System<3>, AdaptiveCollocation>;
-extern template struct Integrator<System<4>, AdaptiveCollocation>;
-extern template struct Integrator<System<6>, AdaptiveCollocation>;
-extern template struct Integrator<System<Eigen::Dynamic>, AdaptiveCollocation>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<AdaptiveCollocation> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

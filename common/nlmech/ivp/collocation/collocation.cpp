@@ -19,18 +19,4 @@ collocation::Basis basis_of(const PolynomialCollocation& method) {
   return collocation::Basis::polynomial(method.points, method.nodes);
 }
 
-template struct Integrator<System<1>, RbfCollocation>;
-template struct Integrator<System<2>, RbfCollocation>;
-template struct Integrator<System<3>, RbfCollocation>;
-template struct Integrator<System<4>, RbfCollocation>;
-template struct Integrator<System<6>, RbfCollocation>;
-template struct Integrator<System<Eigen::Dynamic>, RbfCollocation>;
-
-template struct Integrator<System<1>, PolynomialCollocation>;
-template struct Integrator<System<2>, PolynomialCollocation>;
-template struct Integrator<System<3>, PolynomialCollocation>;
-template struct Integrator<System<4>, PolynomialCollocation>;
-template struct Integrator<System<6>, PolynomialCollocation>;
-template struct Integrator<System<Eigen::Dynamic>, PolynomialCollocation>;
-
 }  // namespace nlmech::ivp

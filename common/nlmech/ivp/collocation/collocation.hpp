@@ -232,19 +232,11 @@ Solution<S::dimension> Integrator<S, PolynomialCollocation>::run(const Task<S>& 
   return detail::collocate(task, method);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, RbfCollocation>;
-extern template struct Integrator<System<2>, RbfCollocation>;
-extern template struct Integrator<System<3>, RbfCollocation>;
-extern template struct Integrator<System<4>, RbfCollocation>;
-extern template struct Integrator<System<6>, RbfCollocation>;
-extern template struct Integrator<System<Eigen::Dynamic>, RbfCollocation>;
-extern template struct Integrator<System<1>, PolynomialCollocation>;
-extern template struct Integrator<System<2>, PolynomialCollocation>;
-extern template struct Integrator<System<3>, PolynomialCollocation>;
-extern template struct Integrator<System<4>, PolynomialCollocation>;
-extern template struct Integrator<System<6>, PolynomialCollocation>;
-extern template struct Integrator<System<Eigen::Dynamic>, PolynomialCollocation>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<RbfCollocation> = InLibrary::all;
+template <>
+inline constexpr InLibrary in_library<PolynomialCollocation> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

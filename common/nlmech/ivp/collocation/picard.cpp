@@ -33,11 +33,4 @@ Status picard_failure(Outcome outcome, double t, double step, int sweeps) {
                            sweeps, step, t));
 }
 
-template struct Integrator<System<1>, Mcpi>;
-template struct Integrator<System<2>, Mcpi>;
-template struct Integrator<System<3>, Mcpi>;
-template struct Integrator<System<4>, Mcpi>;
-template struct Integrator<System<6>, Mcpi>;
-template struct Integrator<System<Eigen::Dynamic>, Mcpi>;
-
 }  // namespace nlmech::ivp

@@ -146,13 +146,9 @@ Solution<S::dimension> Integrator<S, Mcpi>::run(const Task<S>& task, const Mcpi&
   return walk(task, method.step, stepper);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, Mcpi>;
-extern template struct Integrator<System<2>, Mcpi>;
-extern template struct Integrator<System<3>, Mcpi>;
-extern template struct Integrator<System<4>, Mcpi>;
-extern template struct Integrator<System<6>, Mcpi>;
-extern template struct Integrator<System<Eigen::Dynamic>, Mcpi>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Mcpi> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

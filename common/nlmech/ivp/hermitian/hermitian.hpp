@@ -247,11 +247,9 @@ Solution<S::dimension> Integrator<S, Hermitian>::run(const Task<S>& task, const 
   return hermitian::Run<S>(task, method).run();
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, Hermitian>;
-extern template struct Integrator<System<4>, Hermitian>;
-extern template struct Integrator<System<6>, Hermitian>;
-extern template struct Integrator<System<Eigen::Dynamic>, Hermitian>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Hermitian> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

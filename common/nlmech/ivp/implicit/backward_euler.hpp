@@ -104,13 +104,9 @@ Solution<S::dimension> Integrator<S, BackwardEuler>::run(const Task<S>& task, co
   return walk(task, method.step, stepper);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, BackwardEuler>;
-extern template struct Integrator<System<2>, BackwardEuler>;
-extern template struct Integrator<System<3>, BackwardEuler>;
-extern template struct Integrator<System<4>, BackwardEuler>;
-extern template struct Integrator<System<6>, BackwardEuler>;
-extern template struct Integrator<System<Eigen::Dynamic>, BackwardEuler>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<BackwardEuler> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

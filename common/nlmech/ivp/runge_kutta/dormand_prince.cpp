@@ -12,11 +12,4 @@ void check_options(const Ode45& method) {
   require_within(method.name, "refine", method.refine, 1, 1000);
 }
 
-template struct Integrator<System<1>, Ode45>;
-template struct Integrator<System<2>, Ode45>;
-template struct Integrator<System<3>, Ode45>;
-template struct Integrator<System<4>, Ode45>;
-template struct Integrator<System<6>, Ode45>;
-template struct Integrator<System<Eigen::Dynamic>, Ode45>;
-
 }  // namespace nlmech::ivp

@@ -279,13 +279,9 @@ Solution<S::dimension> Integrator<S, Ode45>::run(const Task<S>& task, const Ode4
   return dormand_prince::Run<S>(task, method).run();
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, Ode45>;
-extern template struct Integrator<System<2>, Ode45>;
-extern template struct Integrator<System<3>, Ode45>;
-extern template struct Integrator<System<4>, Ode45>;
-extern template struct Integrator<System<6>, Ode45>;
-extern template struct Integrator<System<Eigen::Dynamic>, Ode45>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Ode45> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

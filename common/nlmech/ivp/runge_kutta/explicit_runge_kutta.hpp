@@ -119,48 +119,24 @@ class ExplicitStepper : public Stepper<S::dimension> {
   double t0_ = 0;
 };
 
-/// What Integrator does for explicit methods: of its own name, so that the library can compile it once.
-template <SystemLike S, ExplicitMethod M>
-struct ExplicitRun {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const M& method);
-};
-
-template <SystemLike S, ExplicitMethod M>
-Solution<S::dimension> ExplicitRun<S, M>::run(const Task<S>& task, const M& method) {
-  require_step(M::name, method.step);
-  ExplicitStepper<S, M> stepper(task.system);
-  return walk(task, method.step, stepper);
-}
-
 /// Runs an explicit method.
 template <SystemLike S, ExplicitMethod M>
 struct Integrator<S, M> {
   /// See integrate().
   static Solution<S::dimension> run(const Task<S>& task, const M& method) {
-    return ExplicitRun<S, M>::run(task, method);
+    require_step(M::name, method.step);
+    ExplicitStepper<S, M> stepper(task.system);
+    return walk(task, method.step, stepper);
   }
 };
 
-/// @cond instances compiled in the library
-extern template struct ExplicitRun<System<1>, Euler>;
-extern template struct ExplicitRun<System<2>, Euler>;
-extern template struct ExplicitRun<System<3>, Euler>;
-extern template struct ExplicitRun<System<4>, Euler>;
-extern template struct ExplicitRun<System<6>, Euler>;
-extern template struct ExplicitRun<System<Eigen::Dynamic>, Euler>;
-extern template struct ExplicitRun<System<1>, Rk4>;
-extern template struct ExplicitRun<System<2>, Rk4>;
-extern template struct ExplicitRun<System<3>, Rk4>;
-extern template struct ExplicitRun<System<4>, Rk4>;
-extern template struct ExplicitRun<System<6>, Rk4>;
-extern template struct ExplicitRun<System<Eigen::Dynamic>, Rk4>;
-extern template struct ExplicitRun<System<1>, Rk6>;
-extern template struct ExplicitRun<System<2>, Rk6>;
-extern template struct ExplicitRun<System<3>, Rk6>;
-extern template struct ExplicitRun<System<4>, Rk6>;
-extern template struct ExplicitRun<System<6>, Rk6>;
-extern template struct ExplicitRun<System<Eigen::Dynamic>, Rk6>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Euler> = InLibrary::all;
+template <>
+inline constexpr InLibrary in_library<Rk4> = InLibrary::all;
+template <>
+inline constexpr InLibrary in_library<Rk6> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

@@ -26,9 +26,4 @@ Status depends_on_velocities(std::string_view method, double t) {
                   method, t));
 }
 
-template struct Integrator<System<2>, Rkn1210>;
-template struct Integrator<System<4>, Rkn1210>;
-template struct Integrator<System<6>, Rkn1210>;
-template struct Integrator<System<Eigen::Dynamic>, Rkn1210>;
-
 }  // namespace nlmech::ivp

@@ -332,11 +332,9 @@ Solution<S::dimension> Integrator<S, Rkn1210>::run(const Task<S>& task, const Rk
   return rkn1210::Run<S>(task, method).run();
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, Rkn1210>;
-extern template struct Integrator<System<4>, Rkn1210>;
-extern template struct Integrator<System<6>, Rkn1210>;
-extern template struct Integrator<System<Eigen::Dynamic>, Rkn1210>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Rkn1210> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

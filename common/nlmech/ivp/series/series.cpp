@@ -15,11 +15,4 @@ void check_options(const Series& method) {
   if (method.order != 0) require_within(method.name, "order", method.order, 2, 100);
 }
 
-template struct Integrator<System<1>, Series>;
-template struct Integrator<System<2>, Series>;
-template struct Integrator<System<3>, Series>;
-template struct Integrator<System<4>, Series>;
-template struct Integrator<System<6>, Series>;
-template struct Integrator<System<Eigen::Dynamic>, Series>;
-
 }  // namespace nlmech::ivp

@@ -230,13 +230,9 @@ Solution<S::dimension> Integrator<S, Series>::run(const Task<S>& task, const Ser
   return taylor_series::Run<S>(task, method, order).run();
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, Series>;
-extern template struct Integrator<System<2>, Series>;
-extern template struct Integrator<System<3>, Series>;
-extern template struct Integrator<System<4>, Series>;
-extern template struct Integrator<System<6>, Series>;
-extern template struct Integrator<System<Eigen::Dynamic>, Series>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Series> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

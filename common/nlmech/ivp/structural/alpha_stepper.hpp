@@ -166,15 +166,4 @@ template <SystemLike S>
   return walk(task, step, stepper);
 }
 
-/// @cond instances compiled in the library
-extern template Solution<2> walk_by_alpha(const Task<System<2>>&, std::string_view, double,
-                                          const AlphaScheme&, const algebraic::Newton&);
-extern template Solution<4> walk_by_alpha(const Task<System<4>>&, std::string_view, double,
-                                          const AlphaScheme&, const algebraic::Newton&);
-extern template Solution<6> walk_by_alpha(const Task<System<6>>&, std::string_view, double,
-                                          const AlphaScheme&, const algebraic::Newton&);
-extern template Solution<Eigen::Dynamic> walk_by_alpha(const Task<System<Eigen::Dynamic>>&, std::string_view,
-                                                       double, const AlphaScheme&, const algebraic::Newton&);
-/// @endcond
-
 }  // namespace nlmech::ivp

@@ -148,11 +148,9 @@ Solution<S::dimension> Integrator<S, CentralDifference>::run(const Task<S>& task
   return walk(task, method.step, stepper);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, CentralDifference>;
-extern template struct Integrator<System<4>, CentralDifference>;
-extern template struct Integrator<System<6>, CentralDifference>;
-extern template struct Integrator<System<Eigen::Dynamic>, CentralDifference>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<CentralDifference> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

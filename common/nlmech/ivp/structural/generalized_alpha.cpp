@@ -10,9 +10,4 @@ AlphaScheme alpha_scheme(const GeneralizedAlpha& method) {
   return {.alpha_m = alpha_m, .alpha_f = alpha_f, .beta = root * root / 4, .gamma = root - 0.5};
 }
 
-template struct Integrator<System<2>, GeneralizedAlpha>;
-template struct Integrator<System<4>, GeneralizedAlpha>;
-template struct Integrator<System<6>, GeneralizedAlpha>;
-template struct Integrator<System<Eigen::Dynamic>, GeneralizedAlpha>;
-
 }  // namespace nlmech::ivp

@@ -49,11 +49,9 @@ Solution<S::dimension> Integrator<S, GeneralizedAlpha>::run(const Task<S>& task,
   return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, GeneralizedAlpha>;
-extern template struct Integrator<System<4>, GeneralizedAlpha>;
-extern template struct Integrator<System<6>, GeneralizedAlpha>;
-extern template struct Integrator<System<Eigen::Dynamic>, GeneralizedAlpha>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<GeneralizedAlpha> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

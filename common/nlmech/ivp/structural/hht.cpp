@@ -11,9 +11,4 @@ AlphaScheme alpha_scheme(const Hht& method) {
           .forgets = method.form == Hht::Form::as_printed};
 }
 
-template struct Integrator<System<2>, Hht>;
-template struct Integrator<System<4>, Hht>;
-template struct Integrator<System<6>, Hht>;
-template struct Integrator<System<Eigen::Dynamic>, Hht>;
-
 }  // namespace nlmech::ivp

@@ -51,11 +51,9 @@ Solution<S::dimension> Integrator<S, Hht>::run(const Task<S>& task, const Hht& m
   return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, Hht>;
-extern template struct Integrator<System<4>, Hht>;
-extern template struct Integrator<System<6>, Hht>;
-extern template struct Integrator<System<Eigen::Dynamic>, Hht>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Hht> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

@@ -8,9 +8,4 @@ AlphaScheme alpha_scheme(const Newmark& method) {
   return {.beta = method.beta, .gamma = method.gamma};
 }
 
-template struct Integrator<System<2>, Newmark>;
-template struct Integrator<System<4>, Newmark>;
-template struct Integrator<System<6>, Newmark>;
-template struct Integrator<System<Eigen::Dynamic>, Newmark>;
-
 }  // namespace nlmech::ivp

@@ -43,11 +43,9 @@ Solution<S::dimension> Integrator<S, Newmark>::run(const Task<S>& task, const Ne
   return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<2>, Newmark>;
-extern template struct Integrator<System<4>, Newmark>;
-extern template struct Integrator<System<6>, Newmark>;
-extern template struct Integrator<System<Eigen::Dynamic>, Newmark>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Newmark> = InLibrary::even;
 /// @endcond
 
 }  // namespace nlmech::ivp

@@ -306,13 +306,9 @@ Solution<S::dimension> Integrator<S, Mtl>::run(const Task<S>& task, const Mtl& m
   return walk(task, method.step * method.points, stepper);
 }
 
-/// @cond instances compiled in the library
-extern template struct Integrator<System<1>, Mtl>;
-extern template struct Integrator<System<2>, Mtl>;
-extern template struct Integrator<System<3>, Mtl>;
-extern template struct Integrator<System<4>, Mtl>;
-extern template struct Integrator<System<6>, Mtl>;
-extern template struct Integrator<System<Eigen::Dynamic>, Mtl>;
+/// @cond
+template <>
+inline constexpr InLibrary in_library<Mtl> = InLibrary::all;
 /// @endcond
 
 }  // namespace nlmech::ivp

@@ -1,8 +1,0 @@
-// A file for each size: all in one took minutes to compile.
-#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
-
-namespace nlmech::ivp {
-
-template struct Integrator<System<4>, AdaptiveCollocation>;
-
-}  // namespace nlmech::ivp

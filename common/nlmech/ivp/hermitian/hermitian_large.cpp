@@ -1,8 +1,0 @@
-#include "nlmech/ivp/hermitian/hermitian.hpp"
-
-namespace nlmech::ivp {
-
-template struct Integrator<System<6>, Hermitian>;
-template struct Integrator<System<Eigen::Dynamic>, Hermitian>;
-
-}  // namespace nlmech::ivp
