@@ -61,11 +61,13 @@ struct Asked {
 Asked ask(Draw& draw, bool halves, double interval) {
   std::vector<const ivp::MethodInfo*> fit;
   for (const ivp::MethodInfo& m : ivp::named_methods()) {
-    if ((m.fixed_step || m.takes_step) && (halves || !m.second_order_only)) fit.push_back(&m);
+    const bool takes_step = m.steps != ivp::Steps::chosen && !m.has(ivp::order_setting);
+    if (takes_step && (halves || !m.second_order_only)) fit.push_back(&m);
   }
   Asked a{fit[static_cast<std::size_t>(draw.whole(0, static_cast<int>(fit.size()) - 1))], {}};
   a.settings.tolerance = draw.log_uniform(1e-10, 1e-2);
-  if (a.info->has_shape && draw.chance(0.7)) a.settings.shape = draw.log_uniform(0.1, 100) / interval;
+  if (a.info->has(ivp::shape_setting) && draw.chance(0.7))
+    a.settings.shape = draw.log_uniform(0.1, 100) / interval;
   return a;
 }
 

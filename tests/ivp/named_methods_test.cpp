@@ -47,7 +47,7 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
     EXPECT_TRUE(names.emplace(m.name).second) << m.name;
     EXPECT_EQ(&method_info(m.name), &m);
     EXPECT_FALSE(m.meaning.empty()) << m.name;
-    EXPECT_FALSE(m.has_shape && !m.has_nodes) << m.name;
+    EXPECT_FALSE(m.has(shape_setting) && !m.has(nodes_setting)) << m.name;
   }
   EXPECT_EQ(names, (std::set<std::string>{"euler",
                                           "backward-euler",
@@ -83,7 +83,7 @@ TEST(NamedMethods, SayWhatTheyControl) {
   for (const MethodInfo& m : named_methods()) {
     EXPECT_EQ(controlled(m, {.step = 0.1}), Controlled::step_size) << m.name;
     EXPECT_EQ(controlled(m, {.tolerance = 1e-6}),
-              m.fixed_step ? Controlled::difference_of_runs : Controlled::local_error)
+              m.fixed_step() ? Controlled::difference_of_runs : Controlled::local_error)
         << m.name;
   }
   EXPECT_EQ(to_string(Controlled::step_size), "step_size");
@@ -127,12 +127,15 @@ TEST(NamedMethods, ToleranceIsMet) {
   const State<2> truth = oracle::duffing(5);
   for (const MethodInfo& m : named_methods()) {
     const int order = m.order.value_or(6);
-    Settings settings{.tolerance = order == 1 ? 1e-3 : order == 2 ? 1e-5 : m.has_shape ? 1e-6 : 1e-9};
-    if (m.has_shape) settings.shape = 1;
+    Settings settings{.tolerance = order == 1             ? 1e-3
+                                   : order == 2           ? 1e-5
+                                   : m.has(shape_setting) ? 1e-6
+                                                          : 1e-9};
+    if (m.has(shape_setting)) settings.shape = 1;
     const Solution<2> s = duffing(m.name, settings, 5);
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_EQ(s.t, 5);
-    const double room = (m.fixed_step ? 2 : 1e3) * *settings.tolerance;
+    const double room = (m.fixed_step() ? 2 : 1e3) * *settings.tolerance;
     for (int i = 0; i < 2; ++i)
       EXPECT_LE(std::abs(s.x[i] - truth[i]), room * (1 + std::abs(truth[i]))) << m.name;
   }

@@ -69,7 +69,7 @@ struct End {
 template <int n>
 End attempt(const comparison::AnyMethod& method, const Trial<n>& trial, const ivp::Settings& extra = {}) {
   ivp::Settings settings = extra;
-  if (method.fixed_step) {
+  if (method.info.fixed_step()) {
     settings.step = trial.step;
   } else {
     settings.tolerance = 1e-6;
@@ -113,13 +113,13 @@ Ends ends_of(const comparison::AnyMethod& method) {
                           0.5,
                           digits_against({std::cos(64.0), -std::sin(64.0)})};
   const ivp::System<2>& duffing = free_duffing_case().system;
-  const bool second_order = !method.peer && ivp::method_info(method.name).second_order_only;
+  const bool second_order = method.info.second_order_only;
   const End blow_up =
       second_order
           ? attempt(method, Trial<2>{ivp::System<2>(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
           : attempt(method, Trial<1>{ivp::System<1>(problems::BlowUp{}), ivp::State<1>(1.0), 0, 1, 1e-3, {}});
   return {method.name,
-          method.fixed_step,
+          method.info.fixed_step(),
           blow_up,
           attempt(method, poisoned(std::numeric_limits<double>::quiet_NaN())),
           attempt(method, poisoned(std::numeric_limits<double>::infinity())),

@@ -37,7 +37,7 @@ Ending run(const comparison::AnyMethod& method, const Stiff<n>& problem, const i
   const ivp::Limits limits{.steps = most};
   const auto integrate = comparison::any_integrator<n>(method, settings);
   const ivp::Solution<n> s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
-  Ending ending{method.name, problem.name,      method.fixed_step, s.status.outcome(), false, 0, 0,
+  Ending ending{method.name, problem.name,      method.info.fixed_step(), s.status.outcome(), false, 0, 0,
                 0,           s.statistics.steps};
   if (!s.status.ok()) return ending;
   ending.digits = problem.digits(s.x);
@@ -51,7 +51,7 @@ Ending run(const comparison::AnyMethod& method, const Stiff<n>& problem, const i
 int most_halvings(const comparison::AnyMethod& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
-  const int halvings = method.has_nodes ? 17 : is_explicit ? 23 : 20;
+  const int halvings = method.info.has(ivp::nodes_setting) ? 17 : is_explicit ? 23 : 20;
   return quick ? halvings - 6 : halvings;
 }
 
@@ -62,7 +62,7 @@ Ending with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& pr
   const auto with_steps = [&](std::int64_t count) {
     const double step = problem.end / static_cast<double>(count);
     ivp::Settings settings{.step = step};
-    if (method.has_shape) settings.shape = gaussian_shape / step;
+    if (method.info.has(ivp::shape_setting)) settings.shape = gaussian_shape / step;
     return run(method, problem, settings, count + 1);
   };
   Ending coarse = with_steps(1);
@@ -85,11 +85,10 @@ template <int n>
 Ending ending_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
   Ending refused{.method = method.name,
                  .problem = problem.name,
-                 .fixed_step = method.fixed_step,
+                 .fixed_step = method.info.fixed_step(),
                  .outcome = Outcome::outside_validity};
-  if (!method.peer && ivp::method_info(method.name).second_order_only && !problem.system.second_order())
-    return refused;
-  if (method.fixed_step) return with_largest_step(method, problem, most_halvings(method, quick));
+  if (method.info.second_order_only && !problem.system.second_order()) return refused;
+  if (method.info.fixed_step()) return with_largest_step(method, problem, most_halvings(method, quick));
   // RKN12(10) refuses accelerations that depend on velocities, before it begins.
   try {
     return run(method, problem, {.tolerance = tolerance, .absolute_tolerance = tolerance * problem.absolute},

@@ -29,18 +29,12 @@ ivp::Controlled controlled(const AnyMethod& method, const ivp::Settings& setting
 }
 
 AnyMethod any_method(std::string_view name) {
-  if (peers::is_peer(name)) return {.name = std::string(name), .peer = true};
+  if (peers::is_peer(name)) return {std::string(name), true, peers::peer_info(name)};
   const auto names = any_method_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
     throw std::invalid_argument(
         fmt::format("there is no method '{}'; there is {}", name, fmt::join(names, ", ")));
-  const ivp::MethodInfo& info = ivp::method_info(name);
-  return {.name = std::string(name),
-          .fixed_step = info.fixed_step,
-          .has_nodes = info.has_nodes,
-          .has_shape = info.has_shape,
-          .has_order = info.has_order,
-          .has_points = info.has_points};
+  return {std::string(name), false, ivp::method_info(name)};
 }
 
 template <int n>
@@ -48,14 +42,7 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
   if (!method.peer) return ivp::named_integrator<n>(method.name, settings);
   if (!peers::peer_available(method.name))
     throw std::invalid_argument(peers::absent_peer_sentence(method.name));
-  const auto refuse = [&](std::string_view why) {
-    throw std::invalid_argument(fmt::format("{}: {}", method.name, why));
-  };
-  if (settings.step) refuse("it chooses its steps itself; give a tolerance, not a step");
-  if (settings.nodes) refuse("it has no nodes to choose");
-  if (settings.shape) refuse("it has no shape to choose");
-  if (settings.order) refuse("it has no order to choose");
-  if (settings.points) refuse("it has no points to choose");
+  ivp::check_settings(method.info, settings);
   const double tolerance = settings.tolerance.value_or(ivp::default_tolerance);
   return peers::peer_integrator<n>(method.name, tolerance, settings.absolute_tolerance.value_or(tolerance));
 }

@@ -12,13 +12,9 @@ namespace nlmech::comparison {
 
 /// A method of ours or a peer.
 struct AnyMethod {
-  std::string name;         ///< "rbf-coll", "cvode-bdf"
-  bool peer = false;        ///< another author's
-  bool fixed_step = false;  ///< takes a step; else a tolerance alone
-  bool has_nodes = false;   ///< Settings::nodes counts
-  bool has_shape = false;   ///< Settings::shape counts
-  bool has_order = false;   ///< Settings::order counts
-  bool has_points = false;  ///< Settings::points counts
+  std::string name;      ///< "rbf-coll", "cvode-bdf"
+  bool peer = false;     ///< another author's: it chooses its steps, and has no settings of its own
+  ivp::MethodInfo info;  ///< steps and settings
 };
 
 /// @throws std::invalid_argument listing all methods and peers, if there is none of that name

@@ -37,11 +37,14 @@ std::string any_method(Draw& draw, const std::string& program) {
   if (program == "transversal") return draw.chance(0.3) ? fmt::format(" --points {}", draw.whole(1, 8)) : "";
   const auto method = comparison::any_method(draw.one_of(comparison::built_method_names()));
   std::string words = " --method " + method.name;
-  if (method.has_nodes && draw.chance(0.3)) words += fmt::format(" --nodes {}", draw.whole(3, 24));
-  if (method.has_shape && draw.chance(0.3))
+  if (method.info.has(ivp::nodes_setting) && draw.chance(0.3))
+    words += fmt::format(" --nodes {}", draw.whole(3, 24));
+  if (method.info.has(ivp::shape_setting) && draw.chance(0.3))
     words += fmt::format(" --shape {:.17g}", draw.log_uniform(0.1, 10));
-  if (method.has_order && draw.chance(0.3)) words += fmt::format(" --order {}", draw.whole(6, 40));
-  if (method.has_points && draw.chance(0.3)) words += fmt::format(" --points {}", draw.whole(1, 8));
+  if (method.info.has(ivp::order_setting) && draw.chance(0.3))
+    words += fmt::format(" --order {}", draw.whole(6, 40));
+  if (method.info.has(ivp::points_setting) && draw.chance(0.3))
+    words += fmt::format(" --points {}", draw.whole(1, 8));
   return words;
 }
 

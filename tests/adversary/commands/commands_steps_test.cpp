@@ -35,11 +35,11 @@ std::optional<Eigen::MatrixXd> states_of(const Ran& r, std::size_t count) {
 /// What a method takes besides its step.
 std::string settings_of(Draw& draw, const ivp::MethodInfo& m) {
   std::string words = fmt::format(" --method {}", m.name);
-  if (m.has_nodes && draw.chance(0.3)) words += fmt::format(" --nodes {}", draw.whole(3, 16));
+  if (m.has(ivp::nodes_setting) && draw.chance(0.3)) words += fmt::format(" --nodes {}", draw.whole(3, 16));
   // With a shape that follows the step radial functions do not converge (named_integrator()).
-  if (m.has_shape) words += fmt::format(" --shape {:.17g}", draw.log_uniform(0.3, 30));
-  if (m.has_order && draw.chance(0.5)) words += fmt::format(" --order {}", draw.whole(3, 24));
-  if (m.has_points && draw.chance(0.3)) words += fmt::format(" --points {}", draw.whole(1, 6));
+  if (m.has(ivp::shape_setting)) words += fmt::format(" --shape {:.17g}", draw.log_uniform(0.3, 30));
+  if (m.has(ivp::order_setting) && draw.chance(0.5)) words += fmt::format(" --order {}", draw.whole(3, 24));
+  if (m.has(ivp::points_setting) && draw.chance(0.3)) words += fmt::format(" --points {}", draw.whole(1, 6));
   return words;
 }
 
@@ -50,7 +50,7 @@ std::string any_stepped(Draw& draw, const std::string& program) {
   if (program == "transversal") return draw.chance(0.3) ? fmt::format(" --points {}", draw.whole(1, 6)) : "";
   std::vector<const ivp::MethodInfo*> fit;
   for (const ivp::MethodInfo& m : ivp::named_methods()) {
-    if (m.fixed_step || m.takes_step || m.has_order) fit.push_back(&m);
+    if (m.steps != ivp::Steps::chosen) fit.push_back(&m);
   }
   return settings_of(draw, *draw.one_of(fit));
 }

@@ -72,24 +72,21 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
   for (const std::string& name : names_of(list)) {
     const AnyMethod method = about("--methods", [&] { return any_method(name); });
     all.push_back({method, settings});
-    if (method.fixed_step) all.back().settings.absolute_tolerance.reset();
-    if (!method.has_nodes) all.back().settings.nodes.reset();
-    if (!method.has_shape) all.back().settings.shape.reset();
-    if (!method.has_order) all.back().settings.order.reset();
-    if (!method.has_points) all.back().settings.points.reset();
+    if (method.info.fixed_step()) all.back().settings.absolute_tolerance.reset();
+    for (const ivp::SettingInfo* setting : ivp::own_settings) {
+      if (!method.info.has(*setting)) setting->reset(all.back().settings);
+    }
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
-  if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.fixed_step; }))
+  if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.info.fixed_step(); }))
     throw InputError(fmt::format("--absolute-tolerance {}: none of the methods {} chooses its steps",
                                  *settings.absolute_tolerance, list));
-  if (settings.nodes && !some([](const Choice& c) { return c.method.has_nodes; }))
-    throw InputError(fmt::format("--nodes {}: none of the methods {} has nodes", *settings.nodes, list));
-  if (settings.shape && !some([](const Choice& c) { return c.method.has_shape; }))
-    throw InputError(fmt::format("--shape {}: none of the methods {} has a shape", *settings.shape, list));
-  if (settings.order && !some([](const Choice& c) { return c.method.has_order; }))
-    throw InputError(fmt::format("--order {}: none of the methods {} has an order", *settings.order, list));
-  if (settings.points && !some([](const Choice& c) { return c.method.has_points; }))
-    throw InputError(fmt::format("--points {}: none of the methods {} has points", *settings.points, list));
+  for (const ivp::SettingInfo* setting : ivp::own_settings) {
+    const std::optional<double> value = setting->value(settings);
+    if (value && !some([setting](const Choice& c) { return c.method.info.has(*setting); }))
+      throw InputError(fmt::format("--{} {}: none of the methods {} has {} to choose", setting->name, *value,
+                                   list, setting->name));
+  }
   return all;
 }
 
@@ -123,18 +120,19 @@ void declare_common(scene::Options& options, Words& words) {
 
 /// What some methods have and others have not: options for those that at least one of @p methods has.
 void declare_settings(scene::Options& options, ivp::Settings& s, const std::vector<std::string>& methods) {
-  const auto some = [&](bool AnyMethod::*has) {
-    return std::any_of(methods.begin(), methods.end(),
-                       [&](const auto& name) { return any_method(name).*has; });
-  };
-  if (some(&AnyMethod::has_nodes))
-    options.add("--nodes", s.nodes, "nodes a step of a collocation").range(2, 200);
-  if (some(&AnyMethod::has_shape))
-    options.add("--shape", s.shape, "c of rbf-coll, 1/time; (N - 1)/(4 step) without it").positive();
-  if (some(&AnyMethod::has_order))
-    options.add("--order", s.order, "N of series; by the tolerance without it, 20 with a step").range(2, 100);
-  if (some(&AnyMethod::has_points))
-    options.add("--points", s.points, "p of mtl, steps solved at once; 3 without it").range(1, 8);
+  for (const ivp::SettingInfo* setting : ivp::own_settings) {
+    const auto has = [&](const std::string& name) { return any_method(name).info.has(*setting); };
+    if (std::none_of(methods.begin(), methods.end(), has)) continue;
+    scene::Option& option = std::visit(
+        [&](auto member) -> scene::Option& {
+          return options.add(fmt::format("--{}", setting->name), s.*member, std::string(setting->meaning));
+        },
+        setting->member);
+    if (setting->most > 0)
+      option.range(setting->least, setting->most);
+    else
+      option.positive();
+  }
 }
 
 std::string describe_all(const OwnProblems& problems) {

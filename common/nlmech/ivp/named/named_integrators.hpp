@@ -16,9 +16,6 @@
 
 namespace nlmech::ivp::named {
 
-inline constexpr std::string_view lgl_name = PolynomialCollocation::lobatto_name;  ///< Lobatto nodes
-inline constexpr std::string_view radau_name = PolynomialCollocation::radau_name;  ///< Radau nodes
-
 /// Relative error of the rate at which a method of fixed step moves along x' = const, for a step; empty if
 /// there is none.
 using RateError = std::function<double(double step)>;
@@ -50,7 +47,7 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
   if (settings.step) return of_step(*settings.step);
   StepSearch search{std::string(info.name), order, settings.tolerance.value_or(default_tolerance)};
   // The step of a collocation costs as many steps of another method as there are unknowns in its matrix.
-  if (info.has_nodes)
+  if (info.has(nodes_setting))
     search.most_steps /= std::int64_t{1} * settings.nodes.value_or(7) * settings.nodes.value_or(7);
   return searching<n>(search, of_step, rate, rate && !settings.shape);
 }
@@ -63,14 +60,5 @@ NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
   check_options(method);
   return with_options<n>(method);
 }
-
-/// Methods with nodes; nothing for another name.
-template <int n>
-[[nodiscard]] NamedIntegrator<n> by_collocation(const MethodInfo& info, const Settings& settings);
-
-/// Methods for accelerations; nothing for another name.
-/// @throws std::invalid_argument for one of them if n is odd
-template <int n>
-[[nodiscard]] NamedIntegrator<n> for_accelerations(const MethodInfo& info, const Settings& settings);
 
 }  // namespace nlmech::ivp::named

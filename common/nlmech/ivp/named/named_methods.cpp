@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "nlmech/collocation/matrix.hpp"
@@ -29,79 +32,195 @@
 namespace nlmech::ivp {
 namespace {
 
-/// A row of Hermitian operators: steps by an estimate of their error, or as given.
-constexpr MethodInfo hermitian_info(const HermitianPair& pair, int order, std::string_view meaning) {
-  MethodInfo info{pair.name, false, order, meaning, true, false, false};
-  info.takes_step = true;
-  return info;
+using named::by_tolerance;
+using named::fixed_step;
+using named::with_options;
+
+template <int n>
+using Make = NamedIntegrator<n> (*)(const MethodInfo&, const Settings&);
+
+/// A method: what there is to know of it, and how it is made for each size.
+struct Row {
+  MethodInfo info;
+  std::tuple<Make<1>, Make<2>, Make<3>, Make<4>, Make<6>, Make<Eigen::Dynamic>> make;
+};
+
+template <int n, class Maker, bool second_order_only>
+NamedIntegrator<n> made(const MethodInfo& info, const Settings& settings) {
+  if constexpr (second_order_only && !has_halves<n>)
+    throw std::invalid_argument(fmt::format(
+        "{}: it needs positions and as many velocities; a state of {} components has none", info.name, n));
+  else
+    return Maker{}.template operator()<n>(info, settings);
 }
 
-// name, fixed step, order, meaning, for accelerations, nodes, shape
-constexpr std::array methods = {
-    MethodInfo{Euler::name, true, 1, "forward Euler", false, false, false},
-    MethodInfo{BackwardEuler::name, true, 1, "backward Euler", false, false, false},
-    MethodInfo{CentralDifference::name, true, 2, "central differences", true, false, false},
-    MethodInfo{Rk4::name, true, 4, "the classical Runge-Kutta method", false, false, false},
-    MethodInfo{Rk6::name, true, 6, "Butcher's Runge-Kutta method of 7 stages", false, false, false},
-    MethodInfo{Ode45::name, false, 5, "Dormand and Prince's pair, controlled as MATLAB does", false, false,
-               false},
-    MethodInfo{Rkn1210::name, false, 12,
-               "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", true, false,
-               false},
-    MethodInfo{Series::name,
-               false,
-               {},
-               "Taylor series, order and steps by the radius of convergence",
-               false,
-               false,
-               false,
-               true},
-    MethodInfo{Newmark::name, true, 2, "Newmark's method, constant average acceleration", true, false, false},
-    MethodInfo{Hht::name, true, 2, "Hilber, Hughes and Taylor's method, alpha = -0.1", true, false, false},
-    MethodInfo{GeneralizedAlpha::name, true, 2, "the generalised alpha method, rho = 0.8", true, false,
-               false},
-    hermitian_info(laier, 4, "Laier's Hermitian operators, with jerks"),
-    hermitian_info(argyris, 4, "Argyris and Mlejnek's Hermitian operators, stable in part"),
-    hermitian_info(hoff, 2, "Hoff and Pahl's operators without dissipation: newmark"),
-    hermitian_info(bazzi, 2, "Bazzi and Anderheggen's operators without dissipation: newmark"),
-    MethodInfo{Mtl::name,
-               true,
-               {},
-               "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
-               false,
-               false,
-               false,
-               false,
-               true},
-    MethodInfo{Mcpi::name, true, {}, "modified Chebyshev-Picard iteration, 9 nodes", false, true, false},
-    MethodInfo{RbfCollocation::name,
-               true,
-               {},
-               "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes",
-               false,
-               true,
-               true},
-    MethodInfo{named::lgl_name,
-               true,
-               {},
-               "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1",
-               false,
-               true,
-               false},
-    MethodInfo{named::radau_name,
-               true,
-               {},
-               "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3",
-               false,
-               true,
-               false},
-    MethodInfo{AdaptiveCollocation::name,
-               false,
-               {},
-               "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
-               false,
-               true,
-               true}};
+template <bool second_order_only, class Maker>
+constexpr Row row_of(const MethodInfo& info, Maker /*make*/) {
+  constexpr bool b = second_order_only;
+  return {info,
+          {&made<1, Maker, b>, &made<2, Maker, b>, &made<3, Maker, b>, &made<4, Maker, b>, &made<6, Maker, b>,
+           &made<Eigen::Dynamic, Maker, b>}};
+}
+
+template <class Maker>
+constexpr Row row(const MethodInfo& info, Maker make) {
+  return row_of<false>(info, make);
+}
+
+template <class Maker>
+constexpr Row row_for_accelerations(MethodInfo info, Maker make) {
+  info.second_order_only = true;
+  return row_of<true>(info, make);
+}
+
+/// A method that has a step, and no other setting.
+template <class Method>
+constexpr auto with_step = []<int n>(const MethodInfo& info, const Settings& settings) {
+  return fixed_step<n>(info, settings, info.order, [](double step) { return Method{.step = step}; });
+};
+
+/// A method that has tolerances, and no other setting.
+template <class Method>
+constexpr auto with_tolerances = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
+  return by_tolerance<n, Method>(settings);
+};
+
+/// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
+template <const HermitianPair& pair>
+constexpr auto with_operators = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
+  if (!settings.step) return by_tolerance<n>(settings, Hermitian{.operators = pair});
+  return with_options<n>(Hermitian{.operators = pair, .step = *settings.step});
+};
+
+constexpr auto series = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
+  const double step = settings.step.value_or(0);
+  const int order = settings.order.value_or(settings.step ? published_order : 0);
+  return by_tolerance<n, Series>(settings, {.order = order, .step = step});
+};
+
+constexpr auto transversal = []<int n>(const MethodInfo& info, const Settings& settings) {
+  const int points = settings.points.value_or(Mtl{}.points);
+  return fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points),
+                       [points](double step) { return Mtl{.step = step, .points = points}; });
+};
+
+constexpr auto picard = []<int n>(const MethodInfo& info, const Settings& settings) {
+  const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
+  return fixed_step<n>(info, settings, {},
+                       [order](double step) { return Mcpi{.step = step, .order = order}; });
+};
+
+template <collocation::NodeFamily points>
+constexpr auto polynomials = []<int n>(const MethodInfo& info, const Settings& settings) {
+  const int nodes = settings.nodes.value_or(PolynomialCollocation{}.nodes);
+  const int order = points == collocation::NodeFamily::left_end_and_radau ? 2 * nodes - 3 : nodes - 1;
+  return fixed_step<n>(info, settings, order, [nodes](double step) {
+    return PolynomialCollocation{.step = step, .nodes = nodes, .points = points};
+  });
+};
+
+/// Radial functions do not contain the linear ones. With N unknowns D x = h g and g = 1 the state should grow
+/// by h; by how much of h does it miss?
+double rate_error(const RbfCollocation& method) {
+  const collocation::Basis basis = basis_of(method);
+  if (!basis.status().ok()) return HUGE_VAL;
+  const Eigen::Index inner = basis.nodes().size() - 1;
+  const Eigen::VectorXd growth =
+      basis.derivative().bottomRightCorner(inner, inner).lu().solve(Eigen::VectorXd::Ones(inner));
+  return std::abs(growth[inner - 1] - 1);
+}
+
+constexpr auto gaussians = []<int n>(const MethodInfo& info, const Settings& settings) {
+  const auto make = [nodes = settings.nodes.value_or(RbfCollocation{}.nodes),
+                     shape = settings.shape.value_or(0)](double step) {
+    return RbfCollocation{.step = step, .nodes = nodes, .shape = shape};
+  };
+  return fixed_step<n>(info, settings, {}, make, [make](double step) { return rate_error(make(step)); });
+};
+
+constexpr auto adaptive_collocation = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
+  return by_tolerance<n, AdaptiveCollocation>(
+      settings, {.nodes = settings.nodes.value_or(0), .shape = settings.shape.value_or(0)});
+};
+
+using enum Steps;
+using collocation::NodeFamily;
+constexpr std::array<const SettingInfo*, 2> nodes_only = {&nodes_setting},
+                                            nodes_and_shape = {&nodes_setting, &shape_setting};
+static_assert(nodes_setting.most == collocation::max_nodes);
+
+constexpr std::array rows = {
+    row({Euler::name, "forward Euler", given, 1}, with_step<Euler>),
+    row({BackwardEuler::name, "backward Euler", given, 1}, with_step<BackwardEuler>),
+    row_for_accelerations({CentralDifference::name, "central differences", given, 2},
+                          with_step<CentralDifference>),
+    row({Rk4::name, "the classical Runge-Kutta method", given, 4}, with_step<Rk4>),
+    row({Rk6::name, "Butcher's Runge-Kutta method of 7 stages", given, 6}, with_step<Rk6>),
+    row({Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", chosen, 5},
+        with_tolerances<Ode45>),
+    row_for_accelerations(
+        {Rkn1210::name, "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", chosen,
+         12},
+        with_tolerances<Rkn1210>),
+    row({Series::name,
+         "Taylor series, order and steps by the radius of convergence",
+         either,
+         {},
+         {&order_setting}},
+        series),
+    row_for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", given, 2},
+                          with_step<Newmark>),
+    row_for_accelerations({Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", given, 2},
+                          with_step<Hht>),
+    row_for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", given, 2},
+                          with_step<GeneralizedAlpha>),
+    row_for_accelerations({laier.name, "Laier's Hermitian operators, with jerks", either, 4},
+                          with_operators<laier>),
+    row_for_accelerations(
+        {argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", either, 4},
+        with_operators<argyris>),
+    row_for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", either, 2},
+                          with_operators<hoff>),
+    row_for_accelerations(
+        {bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark", either, 2},
+        with_operators<bazzi>),
+    row({Mtl::name,
+         "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
+         given,
+         {},
+         {&points_setting}},
+        transversal),
+    row({Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", given, {}, nodes_only}, picard),
+    row({RbfCollocation::name,
+         "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes",
+         given,
+         {},
+         nodes_and_shape},
+        gaussians),
+    row({PolynomialCollocation::lobatto_name,
+         "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1",
+         given,
+         {},
+         nodes_only},
+        polynomials<NodeFamily::legendre_gauss_lobatto>),
+    row({PolynomialCollocation::radau_name,
+         "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3",
+         given,
+         {},
+         nodes_only},
+        polynomials<NodeFamily::left_end_and_radau>),
+    row({AdaptiveCollocation::name,
+         "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
+         chosen,
+         {},
+         nodes_and_shape},
+        adaptive_collocation)};
+
+constexpr auto methods = [] {
+  std::array<MethodInfo, rows.size()> all;
+  for (std::size_t i = 0; i < rows.size(); ++i) all[i] = rows[i].info;
+  return all;
+}();
 
 void check_positive(std::string_view name, std::string_view what, const std::optional<double>& value) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
@@ -109,36 +228,31 @@ void check_positive(std::string_view name, std::string_view what, const std::opt
         fmt::format("{}: the {} must be positive and finite, not {}", name, what, *value));
 }
 
-void check(const MethodInfo& method, const Settings& settings) {
+}  // namespace
+
+void check_settings(const MethodInfo& method, const Settings& settings) {
   const auto refuse = [&](std::string_view why) {
     throw std::invalid_argument(fmt::format("{}: {}", method.name, why));
   };
   check_positive(method.name, "step", settings.step);
   check_positive(method.name, "tolerance", settings.tolerance);
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
-  check_positive(method.name, "shape", settings.shape);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
-  if (settings.step && !method.fixed_step && !method.has_order && !method.takes_step)
+  if (settings.step && method.steps == Steps::chosen)
     refuse("it chooses its steps itself; give a tolerance, not a step");
-  if (settings.absolute_tolerance && (method.fixed_step || settings.step))
+  if (settings.absolute_tolerance && (method.fixed_step() || settings.step))
     refuse("an absolute tolerance is for methods that choose their steps");
-  if (settings.nodes && !method.has_nodes) refuse("it has no nodes to choose");
-  if (settings.shape && !method.has_shape) refuse("it has no shape to choose");
-  if (settings.order && !method.has_order) refuse("it has no order to choose");
-  if (settings.points && !method.has_points) refuse("it has no points to choose");
-  if (settings.nodes && (*settings.nodes < 2 || *settings.nodes > collocation::max_nodes))
-    refuse(fmt::format("the nodes must be from 2 to {}, not {}", collocation::max_nodes, *settings.nodes));
+  for (const SettingInfo* setting : own_settings) {
+    const std::optional<double> value = setting->value(settings);
+    if (!value) continue;
+    if (!method.has(*setting)) refuse(fmt::format("it has no {} to choose", setting->name));
+    if (setting->most == 0)
+      check_positive(method.name, setting->name, value);
+    else if (!(*value >= setting->least && *value <= setting->most))
+      refuse(fmt::format("the {} must be from {} to {}, not {}", setting->name, setting->least, setting->most,
+                         *value));
+  }
 }
-
-template <int n>
-NamedIntegrator<n> transversal(const MethodInfo& info, const Settings& settings) {
-  const int points = settings.points.value_or(Mtl{}.points);
-  const auto make = [points](double step) { return Mtl{.step = step, .points = points}; };
-  check_options(make(1));
-  return named::fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points), make);
-}
-
-}  // namespace
 
 std::span<const MethodInfo> named_methods() { return methods; }
 
@@ -163,28 +277,14 @@ std::string_view to_string(Controlled controlled) {
 
 Controlled controlled(const MethodInfo& method, const Settings& settings) {
   if (settings.step) return Controlled::step_size;
-  return method.fixed_step ? Controlled::difference_of_runs : Controlled::local_error;
+  return method.fixed_step() ? Controlled::difference_of_runs : Controlled::local_error;
 }
 
 template <int n>
 NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings) {
   const MethodInfo& info = method_info(name);
-  check(info, settings);
-  using named::by_tolerance;
-  const auto with = [&](auto make) { return named::fixed_step<n>(info, settings, info.order, make); };
-  if (info.name == Euler::name) return with([](double step) { return Euler{.step = step}; });
-  if (info.name == BackwardEuler::name) return with([](double step) { return BackwardEuler{.step = step}; });
-  if (info.name == Rk4::name) return with([](double step) { return Rk4{.step = step}; });
-  if (info.name == Rk6::name) return with([](double step) { return Rk6{.step = step}; });
-  if (info.name == Ode45::name) return by_tolerance<n, Ode45>(settings);
-  if (info.name == Series::name) {
-    const double step = settings.step.value_or(0);
-    const int order = settings.order.value_or(settings.step ? published_order : 0);
-    return by_tolerance<n, Series>(settings, {.order = order, .step = step});
-  }
-  if (info.name == Mtl::name) return transversal<n>(info, settings);
-  if (auto method = named::by_collocation<n>(info, settings)) return method;
-  return named::for_accelerations<n>(info, settings);
+  check_settings(info, settings);
+  return std::get<Make<n>>(rows[static_cast<std::size_t>(&info - methods.data())].make)(info, settings);
 }
 
 template NamedIntegrator<1> named_integrator<1>(std::string_view, const Settings&);

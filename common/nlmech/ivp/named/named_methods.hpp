@@ -2,10 +2,12 @@
 /// The methods by the names that command lines and tables use.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "nlmech/ivp/solution.hpp"
 #include "nlmech/ivp/system.hpp"
@@ -39,19 +41,66 @@ template <int n>
 using NamedIntegrator = std::function<Solution<n>(const System<n>&, const State<n>& x0, double t0, double t1,
                                                   const Observer<n>&, const Limits&)>;
 
+/// A setting that some methods have and others have not. Command lines, refusals and help are made of it.
+struct SettingInfo {
+  std::string_view name;  ///< "nodes", on a command line --nodes
+  std::variant<std::optional<int> Settings::*, std::optional<double> Settings::*> member;  ///< its place
+  int least = 0;             ///< whole numbers: from this
+  int most = 0;              ///< to this. Others are positive and finite
+  std::string_view meaning;  ///< in a few words
+
+  /// What is set; nothing: not set.
+  [[nodiscard]] std::optional<double> value(const Settings& settings) const {
+    return std::visit([&](auto m) { return std::optional<double>(settings.*m); }, member);
+  }
+  /// As if it had not been set.
+  void reset(Settings& settings) const {
+    std::visit([&](auto m) { (settings.*m).reset(); }, member);
+  }
+};
+
+/// @cond
+inline constexpr SettingInfo nodes_setting{"nodes", &Settings::nodes, 2, 200,
+                                           "nodes a step of a collocation"};
+inline constexpr SettingInfo shape_setting{.name = "shape",
+                                           .member = &Settings::shape,
+                                           .meaning = "c of rbf-coll, 1/time; (N - 1)/(4 step) without it"};
+inline constexpr SettingInfo order_setting{"order", &Settings::order, 2, 100,
+                                           "N of series; by the tolerance without it, 20 with a step"};
+inline constexpr SettingInfo points_setting{"points", &Settings::points, 1, 8,
+                                            "p of mtl, steps solved at once; 3 without it"};
+/// @endcond
+
+/// All of them, in the order of the help.
+inline constexpr std::array own_settings = {&nodes_setting, &shape_setting, &order_setting, &points_setting};
+
+/// Where a method's steps come from.
+enum class Steps {
+  given,   ///< equal ones, from the user; with a tolerance from search_step()
+  chosen,  ///< the method's, by the tolerance
+  either   ///< the method's, or equal ones from the user
+};
+
 /// What there is to know of a method.
 struct MethodInfo {
-  std::string_view name;     ///< "rk4"
-  bool fixed_step;           ///< takes a step; else it chooses its steps by the tolerance
-  std::optional<int> order;  ///< of convergence; nothing if it depends on the nodes
-  std::string_view meaning;  ///< in a few words
-  bool second_order_only;    ///< for problems with accelerations alone
-  bool has_nodes;            ///< Settings::nodes counts
-  bool has_shape;            ///< Settings::shape counts
-  bool has_order = false;    ///< Settings::order counts; takes a step as well as a tolerance
-  bool has_points = false;   ///< Settings::points counts
-  bool takes_step = false;   ///< chooses its steps, but takes one that is given
+  std::string_view name;                            ///< "rk4"
+  std::string_view meaning;                         ///< in a few words
+  Steps steps = Steps::given;                       ///< where they come from
+  std::optional<int> order = std::nullopt;          ///< of convergence; nothing if settings change it
+  std::array<const SettingInfo*, 2> settings = {};  ///< that it has; the rest is null
+  bool second_order_only = false;                   ///< for problems with accelerations alone
+
+  /// Does it take a step, and choose none by itself?
+  [[nodiscard]] bool fixed_step() const { return steps == Steps::given; }
+  /// Does the setting count?
+  [[nodiscard]] bool has(const SettingInfo& setting) const {
+    return settings[0] == &setting || settings[1] == &setting;
+  }
 };
+
+/// @throws std::invalid_argument for settings that the method does not have, or that are out of range, naming
+/// them
+void check_settings(const MethodInfo& method, const Settings& settings);
 
 /// What a run was held to, and so what its `success` says of the end of the integration.
 enum class Controlled {

@@ -78,6 +78,11 @@ bool is_peer(std::string_view name) {
   return std::any_of(peers().begin(), peers().end(), [&](const Peer& peer) { return peer.name() == name; });
 }
 
+ivp::MethodInfo peer_info(std::string_view name) {
+  const Peer& peer = find(name);
+  return {.name = peer.name(), .meaning = peer.library, .steps = ivp::Steps::chosen};
+}
+
 bool peer_available(std::string_view name) { return find(name).available(); }
 
 bool peer_is_implicit(std::string_view name) { return find(name).implicit; }

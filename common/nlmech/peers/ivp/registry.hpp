@@ -7,16 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "nlmech/ivp/solution.hpp"
-#include "nlmech/ivp/system.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::peers {
 
 /// A peer with its tolerance: what is left is the problem.
 template <int n>
-using PeerIntegrator =
-    std::function<ivp::Solution<n>(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
-                                   double t1, const ivp::Observer<n>& observer, const ivp::Limits& limits)>;
+using PeerIntegrator = ivp::NamedIntegrator<n>;
 
 /// All peers that integrate: "cvode-adams cvode-bdf arkode-erk arkode-dirk gsl-rkf45 gsl-rk8pd gsl-bsimp
 /// gsl-msadams gsl-msbdf odeint-dopri5 odeint-fehlberg78 odeint-bulirsch-stoer odeint-rosenbrock4", in this
@@ -28,6 +25,10 @@ using PeerIntegrator =
 
 /// Is @p name one of all_peer_names()?
 [[nodiscard]] bool is_peer(std::string_view name);
+
+/// What there is to know of it; its meaning is the library. @throws std::invalid_argument if @p name is not
+/// one of all_peer_names()
+[[nodiscard]] ivp::MethodInfo peer_info(std::string_view name);
 
 /// Does this build have it? @throws std::invalid_argument if @p name is not one of all_peer_names()
 [[nodiscard]] bool peer_available(std::string_view name);
