@@ -27,9 +27,12 @@ struct Task {
 template <class S, class Method>
 struct Integrator;
 
-/// The sizes of System for which the library compiles a method: none, as of methods of your own; 1, 2, 3, 4,
-/// 6 and Eigen::Dynamic; or the even ones of them, of a method for accelerations.
-enum class InLibrary { none, all, even };
+/// The sizes of System for which the library compiles a method.
+enum class InLibrary {
+  none,  ///< as of methods of your own, which are compiled where they are used
+  all,   ///< 1, 2, 3, 4, 6 and Eigen::Dynamic
+  even   ///< 2, 4, 6 and Eigen::Dynamic, of a method for accelerations
+};
 
 /// Said by the header of each method of the library.
 template <class Method>
