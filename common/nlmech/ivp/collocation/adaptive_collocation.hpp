@@ -209,20 +209,16 @@ using AllNewtonSteps = Orders<NewtonSteps<S, 3>, NewtonSteps<S, 5>, NewtonSteps<
 template <SystemLike S>
 struct Integrator<S, AdaptiveCollocation> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const AdaptiveCollocation& method);
-};
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, AdaptiveCollocation>::run(const Task<S>& task,
-                                                               const AdaptiveCollocation& method) {
-  check_options(method);
-  using namespace adaptive;
-  if constexpr (has_halves<S::dimension>) {
-    if (task.system.second_order() && task.system.size() % 2 == 0)
-      return Run<S, AllSweeps<S, true>, AllNewtonSteps<S>>(task, method).run();
+  static Solution<S::dimension> run(const Task<S>& task, const AdaptiveCollocation& method) {
+    check_options(method);
+    using namespace adaptive;
+    if constexpr (has_halves<S::dimension>) {
+      if (task.system.second_order() && task.system.size() % 2 == 0)
+        return Run<S, AllSweeps<S, true>, AllNewtonSteps<S>>(task, method).run();
+    }
+    return Run<S, AllSweeps<S, false>, AllNewtonSteps<S>>(task, method).run();
   }
-  return Run<S, AllSweeps<S, false>, AllNewtonSteps<S>>(task, method).run();
-}
+};
 
 /// @cond
 template <>

@@ -211,26 +211,19 @@ template <SystemLike S, class Method>
 template <SystemLike S>
 struct Integrator<S, RbfCollocation> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const RbfCollocation& method);
+  static Solution<S::dimension> run(const Task<S>& task, const RbfCollocation& method) {
+    return detail::collocate(task, method);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, RbfCollocation>::run(const Task<S>& task, const RbfCollocation& method) {
-  return detail::collocate(task, method);
-}
 
 /// Runs PolynomialCollocation.
 template <SystemLike S>
 struct Integrator<S, PolynomialCollocation> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const PolynomialCollocation& method);
+  static Solution<S::dimension> run(const Task<S>& task, const PolynomialCollocation& method) {
+    return detail::collocate(task, method);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, PolynomialCollocation>::run(const Task<S>& task,
-                                                                 const PolynomialCollocation& method) {
-  return detail::collocate(task, method);
-}
 
 /// @cond
 template <>

@@ -136,15 +136,12 @@ class PicardStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, Mcpi> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Mcpi& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Mcpi& method) {
+    require_step(Mcpi::name, method.step);
+    PicardStepper<S> stepper(task.system, method);
+    return walk(task, method.step, stepper);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Mcpi>::run(const Task<S>& task, const Mcpi& method) {
-  require_step(Mcpi::name, method.step);
-  PicardStepper<S> stepper(task.system, method);
-  return walk(task, method.step, stepper);
-}
 
 /// @cond
 template <>

@@ -233,19 +233,16 @@ template <SystemLike S>
 struct Integrator<S, Hermitian> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations or written for
   /// double alone
-  static Solution<S::dimension> run(const Task<S>& task, const Hermitian& method);
-};
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Hermitian>::run(const Task<S>& task, const Hermitian& method) {
-  check_options(method);
-  require_accelerations(method.operators.name, task.system);
-  if (method.step > 0) {
-    hermitian::FixedStepper<S> stepper(task, method);
-    return walk(task, method.step, stepper);
+  static Solution<S::dimension> run(const Task<S>& task, const Hermitian& method) {
+    check_options(method);
+    require_accelerations(method.operators.name, task.system);
+    if (method.step > 0) {
+      hermitian::FixedStepper<S> stepper(task, method);
+      return walk(task, method.step, stepper);
+    }
+    return hermitian::Run<S>(task, method).run();
   }
-  return hermitian::Run<S>(task, method).run();
-}
+};
 
 /// @cond
 template <>

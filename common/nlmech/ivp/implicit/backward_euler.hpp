@@ -94,15 +94,12 @@ class BackwardEulerStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, BackwardEuler> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const BackwardEuler& method);
+  static Solution<S::dimension> run(const Task<S>& task, const BackwardEuler& method) {
+    require_step(method.name, method.step);
+    BackwardEulerStepper<S> stepper(task.system, method.newton);
+    return walk(task, method.step, stepper);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, BackwardEuler>::run(const Task<S>& task, const BackwardEuler& method) {
-  require_step(method.name, method.step);
-  BackwardEulerStepper<S> stepper(task.system, method.newton);
-  return walk(task, method.step, stepper);
-}
 
 /// @cond
 template <>

@@ -270,14 +270,11 @@ class Run : private ChosenSteps<S> {
 template <SystemLike S>
 struct Integrator<S, Ode45> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method) {
+    check_options(method);
+    return dormand_prince::Run<S>(task, method).run();
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Ode45>::run(const Task<S>& task, const Ode45& method) {
-  check_options(method);
-  return dormand_prince::Run<S>(task, method).run();
-}
 
 /// @cond
 template <>

@@ -322,15 +322,12 @@ class Run : private ChosenSteps<S> {
 template <SystemLike S>
 struct Integrator<S, Rkn1210> {
   /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Rkn1210& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Rkn1210& method) {
+    check_options(method);
+    require_accelerations(method.name, task.system);
+    return rkn1210::Run<S>(task, method).run();
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Rkn1210>::run(const Task<S>& task, const Rkn1210& method) {
-  check_options(method);
-  require_accelerations(method.name, task.system);
-  return rkn1210::Run<S>(task, method).run();
-}
 
 /// @cond
 template <>

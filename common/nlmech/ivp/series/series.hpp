@@ -216,19 +216,16 @@ template <SystemLike S>
 struct Integrator<S, Series> {
   /// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: written for
   /// double alone, or with a branch that it has not announced
-  static Solution<S::dimension> run(const Task<S>& task, const Series& method);
-};
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Series>::run(const Task<S>& task, const Series& method) {
-  check_options(method);
-  const int order = method.order > 0 ? method.order : series_order(method.relative_tolerance);
-  if (method.step > 0) {
-    taylor_series::FixedStepper<S> stepper(task, order);
-    return walk(task, method.step, stepper);
+  static Solution<S::dimension> run(const Task<S>& task, const Series& method) {
+    check_options(method);
+    const int order = method.order > 0 ? method.order : series_order(method.relative_tolerance);
+    if (method.step > 0) {
+      taylor_series::FixedStepper<S> stepper(task, order);
+      return walk(task, method.step, stepper);
+    }
+    return taylor_series::Run<S>(task, method, order).run();
   }
-  return taylor_series::Run<S>(task, method, order).run();
-}
+};
 
 /// @cond
 template <>

@@ -136,17 +136,13 @@ class CentralDifferenceStepper : public Stepper<S::dimension> {
 template <SystemLike S>
 struct Integrator<S, CentralDifference> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const CentralDifference& method);
+  static Solution<S::dimension> run(const Task<S>& task, const CentralDifference& method) {
+    require_step(method.name, method.step);
+    require_accelerations(method.name, task.system);
+    CentralDifferenceStepper<S> stepper(task.system, method);
+    return walk(task, method.step, stepper);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, CentralDifference>::run(const Task<S>& task,
-                                                             const CentralDifference& method) {
-  require_step(method.name, method.step);
-  require_accelerations(method.name, task.system);
-  CentralDifferenceStepper<S> stepper(task.system, method);
-  return walk(task, method.step, stepper);
-}
 
 /// @cond
 template <>

@@ -40,14 +40,10 @@ struct GeneralizedAlpha {
 template <SystemLike S>
 struct Integrator<S, GeneralizedAlpha> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const GeneralizedAlpha& method);
+  static Solution<S::dimension> run(const Task<S>& task, const GeneralizedAlpha& method) {
+    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, GeneralizedAlpha>::run(const Task<S>& task,
-                                                            const GeneralizedAlpha& method) {
-  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-}
 
 /// @cond
 template <>

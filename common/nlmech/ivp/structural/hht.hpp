@@ -43,13 +43,10 @@ struct Hht {
 template <SystemLike S>
 struct Integrator<S, Hht> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const Hht& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Hht& method) {
+    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Hht>::run(const Task<S>& task, const Hht& method) {
-  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-}
 
 /// @cond
 template <>

@@ -35,13 +35,10 @@ struct Newmark {
 template <SystemLike S>
 struct Integrator<S, Newmark> {
   /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const Newmark& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Newmark& method) {
+    return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Newmark>::run(const Task<S>& task, const Newmark& method) {
-  return walk_by_alpha(task, method.name, method.step, alpha_scheme(method), method.newton);
-}
 
 /// @cond
 template <>

@@ -296,15 +296,12 @@ template <SystemLike S>
 struct Integrator<S, Mtl> {
   /// See integrate(). A step of the walk is a block of p steps; the last block may be shorter.
   /// @throws std::invalid_argument also for options out of range
-  static Solution<S::dimension> run(const Task<S>& task, const Mtl& method);
+  static Solution<S::dimension> run(const Task<S>& task, const Mtl& method) {
+    check_options(method);
+    MtlStepper<S> stepper(task.system, method);
+    return walk(task, method.step * method.points, stepper);
+  }
 };
-
-template <SystemLike S>
-Solution<S::dimension> Integrator<S, Mtl>::run(const Task<S>& task, const Mtl& method) {
-  check_options(method);
-  MtlStepper<S> stepper(task.system, method);
-  return walk(task, method.step * method.points, stepper);
-}
 
 /// @cond
 template <>
