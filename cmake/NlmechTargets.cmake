@@ -9,7 +9,8 @@ target_compile_options(nlmech_options INTERFACE -Wall -Wextra -Wpedantic -Wconve
                                                 # GCC 12 sees overlaps and overruns in "x" + std::string that are none (its bug 105651).
                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-error=array-bounds>
                                                 # Its garbage collector takes a seventh of the time where it begins at 128 MB.
-                                                $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
+                                                # Clang's tools, which read the preset dev, do not know the option.
+                                                $<$<AND:$<BOOL:${NLMECH_UNITY}>,$<CXX_COMPILER_ID:GNU>>:--param=ggc-min-heapsize=524288>)
 if(NLMECH_SANITIZE)
   # Null pointers the address sanitizer stops at too, and Eigen asserts the alignment that it needs; checking both at every
   # access of a reference doubles the time to compile.

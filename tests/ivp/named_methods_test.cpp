@@ -160,7 +160,7 @@ TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {
   says("rk4", {.nodes = 7}, "no nodes");
   says("lgl-coll", {.shape = 1.0}, "no shape");
   says("rk4", {.points = 3}, "no points");
-  says("mtl", {.points = 9}, "between 1 and 8, not 9");
+  says("mtl", {.points = 9}, "from 1 to 8, not 9");
   says("rbf-coll", {.shape = -1.0}, "shape must be positive");
   says("rbf-coll", {.nodes = 1}, "from 2 to 200, not 1");
   says("mcpi", {.nodes = 201}, "from 2 to 200, not 201");
