@@ -6,7 +6,7 @@
 PRESET ?= release
 BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
-SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_WARNINGS_ARE_ERRORS,$(if $($(v)),-D$(v)='$($(v))'))
+SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 INPUTS = $(CHAPTERS:%=$(BUILD)/inputs/%)
 DRAWN = $(CHAPTERS:%=figures/%/.complete)
