@@ -131,9 +131,10 @@ class Commands {
 
   /// A command as the parser sees it.
   struct Command {
-    std::string name, help;
-    std::function<Answer()> work;
-    Options options;
+    std::string name;              ///< "run"
+    std::string help;              ///< what it does, in a line
+    std::function<Answer()> work;  ///< on what the options were set to
+    Options options;               ///< in the order of the help
   };
   [[nodiscard]] const std::deque<Command>& all() const { return all_; }  ///< in the order of the help
   [[nodiscard]] const std::string& program() const { return program_; }  ///< its name
