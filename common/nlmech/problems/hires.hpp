@@ -33,7 +33,7 @@ struct Hires {
 
   /// Concentrations are not negative, if the rate is not.
   [[nodiscard]] Vector<double, 8> lower_bounds() const {
-    return Vector<double, 8>::Constant(k_plus >= 0 ? 0 : -std::numeric_limits<double>::infinity());
+    return Vector<double, 8>::Constant(k_plus >= 0 ? 0. : -std::numeric_limits<double>::infinity());
   }
 
   /// The sum of the last two, which only turn into each other.

@@ -37,7 +37,7 @@ struct Robertson {
   /// Concentrations are not negative, if the rates are not.
   [[nodiscard]] Vector<double, 3> lower_bounds() const {
     const bool is_bounded = k1 >= 0 && k2 >= 0 && k3 >= 0;
-    return Vector<double, 3>::Constant(is_bounded ? 0 : -std::numeric_limits<double>::infinity());
+    return Vector<double, 3>::Constant(is_bounded ? 0. : -std::numeric_limits<double>::infinity());
   }
 
   /// The sum of the species.
