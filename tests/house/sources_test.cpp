@@ -129,6 +129,25 @@ TEST(Headers, BeginWithTheirGuardAndTheirWords) {
   }
 }
 
+/// A file of tests that no CMakeLists.txt names is not compiled, and nobody misses it.
+TEST(Tests, AreAllCompiled) {
+  std::set<fs::path> named;
+  for (const fs::path& list : sources_under("tests")) {
+    if (list.filename() != "CMakeLists.txt") continue;
+    std::ifstream in(list);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (const std::string& word : words_of(std::regex_replace(text, std::regex("[()]"), " "))) {
+      if (word.ends_with("_test.cpp")) named.insert((list.parent_path() / word).lexically_normal());
+    }
+  }
+  for (const fs::path& file : sources_under("tests")) {
+    if (file.string().ends_with("_test.cpp")) {
+      EXPECT_TRUE(named.contains(file)) << file;
+    }
+  }
+  EXPECT_GT(named.size(), 200U);
+}
+
 /// The shared libraries that a program asks for.
 std::string libraries_of(const std::string& program) {
   const scene::Finished ldd = scene::run_program({"ldd", program}, {});

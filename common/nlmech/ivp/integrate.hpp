@@ -82,7 +82,8 @@ template <SystemLike S, class Method>
     };
   }
   const Observer<n>* const seen = guard ? &guard : &task.observer;
-  Solution<n> solution = run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
+  Solution<n> solution =
+      detail::run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
   if (solution.status.ok()) stated.respects_end(solution.statistics.steps, solution.t, solution.x);
   if (!stated.status().ok()) solution.status = stated.status();
   return solution;

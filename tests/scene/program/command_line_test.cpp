@@ -64,6 +64,18 @@ TEST_F(CommandLine, EndsWithTwoAtWrongUse) {
   EXPECT_TRUE(written().empty()) << "nothing is computed before all scenes are known";
 }
 
+TEST_F(CommandLine, AFlagThatIsFalseIsAsWithoutIt) {
+  EXPECT_EQ(fixture({"run", "fig-1", "--no-plots=false", "--quiet=false"}).output,
+            fixture({"run", "fig-1"}).output);
+  EXPECT_EQ(fixture({"run", "fig-1", "--no-plots=maybe"}).exit_code, 2);
+}
+
+TEST_F(CommandLine, HelpShowsKindsAndDefaults) {
+  const std::string help = fixture({"double", "--help"}).output;
+  EXPECT_NE(help.find("file TEXT=-"), std::string::npos) << help;
+  EXPECT_NE(help.find("--limit NUMBER=60"), std::string::npos) << help;
+}
+
 TEST_F(CommandLine, WorksOnTheUsersOwnNumbers) {
   const Finished done = shell("printf 'x\\n0.1\\n+2\\n' | $fixture double -");
   EXPECT_EQ(done.exit_code, 0);

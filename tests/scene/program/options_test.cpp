@@ -48,6 +48,8 @@ TEST(Options, ValuesReachTheirMembers) {
   EXPECT_EQ(place, (std::array<double, 3>{1, -2, 3}));
   EXPECT_EQ(words, (std::vector<std::string>{"a", "b"}));
   EXPECT_TRUE(flag);
+  options.add("--flag", flag, "").understand({"false"});
+  EXPECT_FALSE(flag);
 }
 
 TEST(Options, RefusalsNameOptionTextAndRange) {

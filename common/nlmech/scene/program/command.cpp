@@ -58,7 +58,7 @@ void Parsed::add(const Option& option) {
   } else {
     t.parsed = app->add_option(option.name(), t.texts, option.help());
     t.parsed->default_str(option.default_text());
-    t.parsed->type_name("");
+    t.parsed->type_name(std::string(option.kind()));
     if (!option.takes_several()) t.parsed->expected(1)->allow_extra_args(false);
   }
   // What is given twice is most often given by mistake: nothing is ignored in silence.
@@ -72,6 +72,7 @@ void Parsed::add_limit() {
       unlimited ? "wall time at most, s; without it as long as it takes" : "wall time at most, s";
   CLI::Option* const limit = app->add_option(limit_name, limit_text, help);
   limit->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+  limit->type_name("NUMBER");
   if (!unlimited) limit->default_str(usual_limit);
 }
 
@@ -82,7 +83,9 @@ void Parsed::understand() const {
       throw InputError(fmt::format("{}: an empty text", option->get_name()));
   }
   for (const Typed& t : typed) {
-    if (t.parsed->count() > 0) t.option->understand(t.option->is_flag() ? t.parsed->results() : t.texts);
+    if (t.parsed->count() == 0) continue;
+    t.option->understand(t.option->is_flag() ? std::vector<std::string>{t.is_given ? "true" : "false"}
+                                             : t.texts);
   }
 }
 

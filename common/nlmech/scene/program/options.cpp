@@ -79,7 +79,7 @@ void Option::understand(const std::vector<std::string>& typed) const {
     return all;
   };
   std::visit(
-      Overloaded{[](bool* to) { *to = true; },
+      Overloaded{[&](bool* to) { *to = text == "true"; },
                  [&](std::string* to) {
                    check_text(text);
                    *to = text;
@@ -102,6 +102,15 @@ bool Option::is_flag() const { return std::holds_alternative<bool*>(to_); }
 
 bool Option::takes_several() const { return std::holds_alternative<std::vector<std::string>*>(to_); }
 
+std::string_view Option::kind() const {
+  return std::visit(
+      Overloaded{[](bool*) { return ""; }, [](std::string*) { return "TEXT"; },
+                 [](std::vector<std::string>*) { return "TEXT"; }, [](int*) { return "INTEGER"; },
+                 [](std::optional<int>*) { return "INTEGER"; }, [](double*) { return "NUMBER"; },
+                 [](std::optional<double>*) { return "NUMBER"; }, [](const auto&) { return "NUMBERS"; }},
+      to_);
+}
+
 std::string Option::help() const {
   if (!texts_.empty()) return fmt::format("{}: {}", help_, fmt::join(texts_, ", "));
   if (range_) return fmt::format("{}; from {:g} to {:g}", help_, range_->first, range_->second);
@@ -111,10 +120,9 @@ std::string Option::help() const {
 std::string Option::default_text() const {
   if (required_) return {};
   return std::visit(
-      Overloaded{[](const std::string* to) { return *to; },
-                 [](const double* to) { return fmt::format("{}", *to); },
-                 [](const int* to) { return fmt::format("{}", *to); },
-                 [](const std::vector<double>* to) { return fmt::format("{}", fmt::join(*to, ",")); },
+      Overloaded{[](std::string* to) { return *to; }, [](double* to) { return fmt::format("{}", *to); },
+                 [](int* to) { return fmt::format("{}", *to); },
+                 [](std::vector<double>* to) { return fmt::format("{}", fmt::join(*to, ",")); },
                  [](const auto&) { return std::string(); }},
       to_);
 }

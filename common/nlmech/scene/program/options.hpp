@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -19,7 +20,7 @@ namespace nlmech::scene {
 /// An option, or a word without a name before it ("file"), and where its value goes.
 ///
 /// Texts: any. Numbers are finite. Lists of numbers have commas between, of texts blanks. A flag has no
-/// value.
+/// value; `--flag=false` is as without it.
 class Option {
  public:
   /// What gets the value. A default is what stands there; an optional has none. Of a span, all numbers are
@@ -42,8 +43,9 @@ class Option {
   [[nodiscard]] bool is_required() const { return required_; }     ///< must it be given?
   [[nodiscard]] bool is_flag() const;                              ///< has it no value?
   [[nodiscard]] bool takes_several() const;                        ///< texts with blanks between?
-  [[nodiscard]] std::string help() const;                          ///< with the range
-  [[nodiscard]] std::string default_text() const;                  ///< empty if there is none
+  [[nodiscard]] std::string_view kind() const;     ///< of its value: "TEXT", "NUMBER"; for the help
+  [[nodiscard]] std::string help() const;          ///< with the range
+  [[nodiscard]] std::string default_text() const;  ///< empty if there is none
 
  private:
   void check(double value, const std::string& text) const;
