@@ -8,8 +8,7 @@ BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
 SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
-INPUTS = $(CHAPTERS:%=$(BUILD)/inputs/%)
-DRAWN = $(CHAPTERS:%=figures/%/.complete)
+DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
@@ -53,17 +52,17 @@ figures: programs
 draw: $(DRAWN)
 	@echo "figures/<chapter>/*.svg, tables/<chapter>/*.md, results/<chapter>/*.csv are up to date"
 
-# What a chapter's figures and verdicts come from, as a digest that is written only if it changes: a program that was
-# linked anew to the same bytes is not run again.
+# What a chapter computes and draws, once a program: figures, verdicts and the tests of `make test` are all of it. A program
+# that was linked anew to the same bytes is not run again.
+CHECK = cmake -D CHAPTER=$* -D PROGRAM=$(BUILD)/bin/$* -D OUT=$(BUILD)/check -D SOURCE=$(CURDIR)
 .SECONDEXPANSION:
-$(INPUTS): $(BUILD)/inputs/%: $(BUILD)/bin/% figures/style.gp figures/templates/drawing.gp \
-                              $$(wildcard figures/templates/$$*-*.gp tables/published/*.csv)
-	@mkdir -p $(@D)
-	@cat $^ | sha256sum | cmp -s - $@ || cat $^ | sha256sum > $@
-
-figures/%/.complete: $(BUILD)/inputs/%
-	@$(BUILD)/bin/$* run --all --quiet --out $(OUT)
+$(OUT)/figures/%/.complete: $(BUILD)/bin/% figures/style.gp figures/templates/drawing.gp \
+                            $$(wildcard figures/templates/$$*-*.gp tables/*.csv tables/published/*.csv)
+	@$(CHECK) -D STEP=measure -P tests/reproduction/check.cmake > /dev/null
+	@mkdir -p $(OUT)/figures $(OUT)/tables $(OUT)/results
+	@for kind in figures tables results; do [ ! -e $(BUILD)/check/$$kind/$* ] || cp -r $(BUILD)/check/$$kind/$* $(OUT)/$$kind/; done
 	@touch $@
+	@echo "$*: $$(ls $(OUT)/figures/$*/*.svg | wc -l) figures, $$(ls $(OUT)/tables/$*/*.md | wc -l) tables"
 
 tables: programs
 	@$(AT_ONCE) all-numbers
@@ -75,7 +74,6 @@ numbers-%:
 
 chapter-%: programs
 	@$(BUILD)/bin/$* check --draw --out $(OUT)
-	@touch figures/$*/.complete
 
 test: build
 	@ctest --preset $(PRESET) -j2
@@ -90,23 +88,17 @@ adversary: build
 oracles: deps
 	@scripts/oracles run && scripts/oracles uses
 
-# All chapters are checked before the command says whether a check failed. A chapter whose checks passed is
-# checked again when its program has changed. What is computed for the check is drawn too: `make figures` after it has
-# nothing to do.
-check: programs
-	@failed=0; $(AT_ONCE) -k check-chapters || failed=1; \
+# All chapters are checked before the command says whether a check failed.
+check: figures
+	@failed=0; $(AT_ONCE) -k $(CHAPTERS:%=quantities-%) || failed=1; \
 	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || failed=1; \
 	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || failed=1; \
 	$(BUILD)/bin/reproduction claims --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/CLAIMS.md || failed=1; \
 	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || failed=1; \
 	exit $$failed
 
-.PHONY: check-chapters
-check-chapters: $(CHAPTERS:%=results/%/.checked)
-results/%/.checked: $(BUILD)/inputs/%
-	@$(BUILD)/bin/$* check --draw --out $(OUT) > /dev/null
-	@touch figures/$*/.complete
-	@mkdir -p $(@D) && touch $@
+quantities-%:
+	@$(CHECK) -D STEP=quantities -P tests/reproduction/check.cmake
 
 # Claims about speed, measured with nothing beside them; tables/BENCH.md. Printed ratios of run times; tables/RATIOS.md.
 bench: configure
@@ -115,7 +107,6 @@ bench: configure
 
 book: programs
 	@$(MAKE) --no-print-directory check > /dev/null
-	@$(MAKE) --no-print-directory draw > /dev/null
 	@cmake --build $(BUILD) --target book
 
 # Every page in a headless browser.
