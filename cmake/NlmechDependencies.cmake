@@ -28,3 +28,15 @@ macro(nlmech_require_pkg name debian)
   endif()
   nlmech_note_library(${name} "${${name}_VERSION}")
 endmacro()
+
+# Real numbers of many digits, nlmech/support/extended_real.hpp, by the target nlmech_extended: chapters and tests.
+macro(nlmech_require_extended)
+  nlmech_require(Boost Boost libboost-dev)
+  nlmech_require_pkg(mpfr libmpfr-dev)
+  if(NOT TARGET nlmech_extended)
+    add_library(nlmech_extended INTERFACE)
+    target_link_libraries(nlmech_extended INTERFACE Boost::headers PkgConfig::mpfr)
+    # GCC 12 sees an overrun where Boost prints them that is none.
+    target_compile_options(nlmech_extended INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-error=stringop-overflow>)
+  endif()
+endmacro()

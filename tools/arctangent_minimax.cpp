@@ -3,15 +3,15 @@
 /// t + t^3 Q(t^2) is the best approximation of atan(t) on |t| <= tan(pi/8), by the exchange algorithm of
 /// Remez in 50 digits. Prints them rounded to double, and the greatest error of the rounded polynomial.
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
 
+#include "nlmech/support/extended_real.hpp"
+
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Real = nlmech::ExtendedReal<50>;
 using Vector = std::vector<Real>;
 
 const Real pi = boost::math::constants::pi<Real>();

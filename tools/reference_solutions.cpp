@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -23,6 +22,7 @@
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ namespace mp = boost::multiprecision;
 using nlmech::Vector;
 using namespace nlmech::problems;
 
-using Real = mp::number<mp::cpp_bin_float<60>, mp::et_off>;
+using Real = nlmech::ExtendedReal<60>;
 
 constexpr int fewest_digits = 30, most_digits = 50;
 

@@ -1,16 +1,15 @@
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series::bessel {
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<80>;
 
 /// J_nu for a whole number nu by its series about 0, whose terms at x = 10 are a thousand times the sum.
 Real bessel_j(int nu, const Real& x) {

@@ -2,7 +2,6 @@
 /// An example with its reference in more digits. Included where one is made: the reference is compiled there.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -10,13 +9,13 @@
 #include "nlmech/comparison/commands/example.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series {
 
 /// Lorenz's motion loses sixteen digits in 40 units of time. The strong oscillator loses six in 750; 64 bits
 /// are left with 4e-14 there, a thousandth of what double can reach, in a twentieth of the time.
-using Digits35 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<35>, boost::multiprecision::et_off>;
+using Digits35 = ExtendedReal<35>;
 
 /// An example from the time @p t0 on.
 /// @tparam Problem the equation; its parameters are taken in the precision of the reference

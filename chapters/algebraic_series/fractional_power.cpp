@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -7,12 +6,12 @@
 
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/series/power_series.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series::fractional_power {
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<40>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<40>;
 
 /// The fifth root of a polynomial, whose nearest zero is that far from 0.
 struct Root {

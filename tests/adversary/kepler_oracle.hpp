@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,13 +12,14 @@
 #include <utility>
 
 #include "nlmech/orbit/state.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/adversary/adversary.hpp"
 
 namespace nlmech::orbit::adversary {
 
 using nlmech::adversary::Draw;
 /// 100 digits: revolutions up to 1e20, cancellation near the parabola and near the centre.
-using Real = boost::multiprecision::cpp_bin_float_100;
+using Real = ExtendedReal<100>;
 using Wide = long double;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();

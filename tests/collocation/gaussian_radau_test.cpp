@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::collocation::gaussian_radau_test {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<150>>;
+using Real = ExtendedReal<150>;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 // A = (D without the begin)^-1 in 150 digits, from Phi and Phi' as they are defined.

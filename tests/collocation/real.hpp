@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <limits>
 #include <stdexcept>
@@ -11,11 +10,12 @@
 
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/kernels.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::collocation::oracle {
 
 namespace mp = boost::multiprecision;
-using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+using Real = ExtendedReal<50>;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 

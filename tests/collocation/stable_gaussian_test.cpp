@@ -8,6 +8,7 @@
 
 #include "nlmech/collocation/barycentric.hpp"
 #include "nlmech/collocation/radial/radial_basis.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/collocation/real.hpp"
 
 namespace nlmech::collocation::stable_gaussian_test {
@@ -25,7 +26,7 @@ Eigen::VectorXd times_of(NodeFamily family, int n) { return (nodes(family, n).ar
 template <unsigned digits>
 std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double shape,
                                           const std::vector<double>& at, bool derivative) {
-  using Real = oracle::mp::number<oracle::mp::cpp_bin_float<digits>, oracle::mp::et_off>;
+  using Real = ExtendedReal<digits>;
   const Eigen::Index n = times.size();
   const Real c = shape;
   Matrix<Real> A(n, n);

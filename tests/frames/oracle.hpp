@@ -4,18 +4,18 @@
 
 #include <rapidcheck/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/frames/beam_column.hpp"
 #include "nlmech/frames/stability_functions.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::frames::oracle {
 
 /// 50 digits.
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline const double pi = std::acos(-1.0);

@@ -7,7 +7,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::frames {
 
@@ -78,7 +78,7 @@ inline void expect_equilibrium(Equilibrium& equations, const Eigen::VectorXd& x,
     EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(k).info(), Eigen::Success);
   }
   if (!wide) return;
-  using Real = boost::multiprecision::cpp_bin_float_50;
+  using Real = ExtendedReal<50>;
   Frame::Displacements<Real> exact;
   EXPECT_TRUE(equations.frame().force<Real>(x.cast<Real>(), exact).ok());
   exact -= (equations.load() * equations.direction()).cast<Real>();

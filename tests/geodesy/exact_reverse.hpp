@@ -2,15 +2,14 @@
 /// Reference for the tests and benchmarks: Cartesian to geodetic coordinates to 50 digits.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <utility>
 
 #include "nlmech/geodesy/ellipsoid.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::geodesy::reference {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<50>;
 
 /// Root w = tan(beta/2) in [0, 1] of the condition that the point of eccentric angle beta is the foot of a
 /// normal,

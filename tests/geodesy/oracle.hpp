@@ -8,14 +8,13 @@
 /// the root without ever passing it.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include "nlmech/geodesy/ellipsoid.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::geodesy::oracle {
 
 namespace mp = boost::multiprecision;
-using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+using Real = ExtendedReal<50>;
 
 inline Real pi() { return 4 * atan(Real(1)); }
 

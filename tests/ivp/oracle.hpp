@@ -3,15 +3,15 @@
 #pragma once
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::oracle {
 
 /// 50 digits.
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 /// Period of the oscillator of Table 4.1 of the dissertation, to 50 digits by Taylor series of order 64.
 inline constexpr double duffing_period = 4.7680220291024608063;

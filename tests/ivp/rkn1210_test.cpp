@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -14,6 +13,7 @@
 
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/places.hpp"

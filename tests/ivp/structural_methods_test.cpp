@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <complex>
 
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::structural_methods_test {
 namespace {
 
 using namespace testing;
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 // Runs a method on q'' = -q from (1, 0) and compares every step with exact(n).
 template <class Method, class Exact>

@@ -6,16 +6,16 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/orbit/state.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::orbit::oracle {
 
 /// 50 digits.
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline const double pi = std::acos(-1.0);

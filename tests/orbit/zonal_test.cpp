@@ -7,13 +7,14 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/extended.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/orbit/oracle.hpp"
 
 namespace nlmech::orbit::zonal_test {
 namespace {
 
 using namespace oracle;
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using Quad = ExtendedReal<34>;
 
 // 2 r_2 is the acceleration; its components are the derivatives of the potential by dual numbers.
 RC_GTEST_PROP(Zonal, AccelerationIsTheGradient, ()) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
@@ -10,12 +9,12 @@
 #include "nlmech/problems/projectile.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::problems::series_paper_test {
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<50>;
 
 template <class Problem>
 Vector<double, Problem::dimension> end(const Problem& problem, const Real& t0, const Real& duration) {

@@ -4,12 +4,11 @@
 
 #include <rapidcheck/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::tests {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<50>;
 
 inline constexpr double epsilon = 0x1p-52;
 

@@ -1,7 +1,7 @@
 #include "tests/spacecraft/oracle.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cstddef>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace nlmech::spacecraft::oracle {
 namespace {
 
 namespace mp = boost::multiprecision;
-using Real = mp::number<mp::cpp_bin_float<110>, mp::et_off>;
+using Real = ExtendedReal<110>;
 
 struct Z {
   Real re{0}, im{0};

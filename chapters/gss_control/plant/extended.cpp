@@ -1,13 +1,12 @@
 #include "chapters/gss_control/plant/extended.hpp"
+#include "nlmech/support/extended_real.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <utility>
 
 namespace nlmech::chapters::gss_control {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_100::backend_type,
-                                           boost::multiprecision::et_off>;
+using Real = ExtendedReal<100>;
 using Four = std::array<Real, 4>;
 
 /// Row of a 4 x 4 system with its right-hand side.

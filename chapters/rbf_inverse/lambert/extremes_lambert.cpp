@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/transfer/lambert.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::rbf_inverse::extremes_lambert {
 namespace {
@@ -22,7 +22,7 @@ using orbit::LambertBranch;
 using orbit::LambertProblem;
 using orbit::LambertSolution;
 using orbit::Vector3;
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
+using Digits50 = ExtendedReal<50>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 

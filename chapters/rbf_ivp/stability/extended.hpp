@@ -2,19 +2,18 @@
 /// Numbers of 50 digits in Eigen's matrices, and what the studies compute of collocation with them.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <complex>
 #include <vector>
 
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/kernels.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
 /// 50 decimal digits. Without expression templates, which Eigen does not expect.
-using Digits50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Digits50 = ExtendedReal<50>;
 
 /// The nodes of a family on the unit interval.
 [[nodiscard]] collocation::Vector<Digits50> unit_nodes(collocation::NodeFamily family, int n);

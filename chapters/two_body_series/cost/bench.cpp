@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -23,12 +22,13 @@
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 #include "nlmech/problems/two_body.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {
 
 using namespace nlmech;
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 const double revolution = 2 * std::acos(-1.0);
 constexpr int orbits = 20, phases = 16;

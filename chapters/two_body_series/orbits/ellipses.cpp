@@ -1,15 +1,15 @@
 #include "chapters/two_body_series/orbits/ellipses.hpp"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-using Digits50 = boost::multiprecision::cpp_bin_float_50;
+using Digits50 = ExtendedReal<50>;
 
 orbit::BasicState<Digits50> propagated(const orbit::State& start, double time, double mu) {
   const orbit::BasicState<Digits50> s{start.position.cast<Digits50>(), start.velocity.cast<Digits50>()};

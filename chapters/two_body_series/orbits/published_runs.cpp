@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -16,6 +15,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/two_body.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::two_body_series {
@@ -46,7 +46,7 @@ class Recorder {
 
   /// Distance of the end from Kepler's.
   void finish(const orbit::State& s) {
-    using Real = boost::multiprecision::cpp_bin_float_50;
+    using Real = ExtendedReal<50>;
     const orbit::BasicState<Real> start{start_.position.cast<Real>(), start_.velocity.cast<Real>()};
     const auto exact = orbit::kepler_state(start, Real(end_), Real(earth_mu));
     const orbit::Vector3<Real> miss = s.position.cast<Real>() - exact.position;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <vector>
 
@@ -10,11 +9,12 @@
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::two_body_series::algorithm {
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 
 /// Derivatives of both orbits as the chart computes them, in doubles and SI units, against Taylor
 /// coefficients in 50 digits times n!: greatest relative error.

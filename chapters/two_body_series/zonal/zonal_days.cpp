@@ -1,15 +1,15 @@
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 #include "chapters/two_body_series/zonal/zonal.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/extended.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-using Quad = boost::multiprecision::cpp_bin_float_quad;
+using Quad = ExtendedReal<34>;
 
 // Taylor series of orders 45 and 50 and RKN12(10) with the gradient in closed form agree to 1e-22 m.
 constexpr ZonalDay days[] = {

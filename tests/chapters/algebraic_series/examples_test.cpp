@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +9,7 @@
 #include "chapters/algebraic_series/examples.hpp"
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series::examples_test {
 namespace {
@@ -35,8 +35,7 @@ TEST(References, AreThoseOfExtrapolation) {
 
 // The same series in 35 digits, at times not chosen by a step: 3.5e-14 is the most that was seen.
 TEST(References, OfTheOscillatorIsGoodEnough) {
-  using Digits35 =
-      boost::multiprecision::number<boost::multiprecision::cpp_bin_float<35>, boost::multiprecision::et_off>;
+  using Digits35 = ExtendedReal<35>;
   using Problem = problems::BasicStrongOscillator<Digits35>;
   const Digits35& begin = boost::math::constants::pi<Digits35>();
   const problems::ReferenceTrajectory<Digits35, Problem> exact(

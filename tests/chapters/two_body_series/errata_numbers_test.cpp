@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/places.hpp"
 
@@ -123,7 +123,7 @@ TEST(Errata, NormOverMorePointsIsNotSmaller) {
 // motion after twenty low orbits. In double it is the same within 1e-4: rounding moves the body by some
 // 1e-16 a, times 60 for what a change of the velocity becomes in twenty orbits, times the root of 500 steps.
 TEST(Errata, OrderTenLosesMetres) {
-  using Real = boost::multiprecision::cpp_bin_float_50;
+  using Real = ExtendedReal<50>;
   const Orbit orbit = low_orbit();
   const double step = period_of(orbit) / orbit.steps;
   const int steps = 20 * orbit.steps;

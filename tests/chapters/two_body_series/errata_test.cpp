@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/factorials.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -12,12 +11,13 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters::two_body_series::errata_test {
 namespace {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = ExtendedReal<50>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 Real length(const orbit::Vector3<Real>& v) { return sqrt(v.dot(v)); }

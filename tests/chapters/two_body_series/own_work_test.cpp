@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/process.hpp"
+#include "nlmech/support/extended_real.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::own_work_test {
@@ -52,7 +52,7 @@ orbit::State state_at(const scene::NumberColumns& rows, std::size_t i) {
 
 /// Relative error of the position of a row against Kepler's problem in 50 digits, in units of eps kappa.
 double error_of(const scene::NumberColumns& rows, std::size_t i, double mu) {
-  using Real = boost::multiprecision::cpp_bin_float_50;
+  using Real = ExtendedReal<50>;
   const orbit::State s = state_at(rows, 0);
   const double t = rows.column[0][i];
   const orbit::BasicState<Real> start{s.position.cast<Real>(), s.velocity.cast<Real>()};

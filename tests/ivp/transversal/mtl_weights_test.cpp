@@ -1,11 +1,11 @@
 /// Weights of multi-step transversal linearisation against closed forms in 60 digits and Newton and Cotes'
 /// rules.
 #include "nlmech/ivp/transversal/mtl_weights.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -13,8 +13,7 @@
 namespace nlmech::ivp::mtl_weights_test {
 namespace {
 
-using Real =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+using Real = ExtendedReal<60>;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
