@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/collocation/collocation_newton.hpp"
 #include "nlmech/ivp/collocation/collocation_orders.hpp"
 #include "nlmech/ivp/collocation/collocation_sweeps.hpp"
@@ -51,13 +51,14 @@ namespace adaptive {
 /// contraction bounds the steps more than the error does, and comes back where the steps have become short
 /// against the time constants.
 template <class S, class Sweeps, class Newton>
-class Run : private ChosenSteps<S> {
+class Run : public ChosenSteps<S, Run<S, Sweeps, Newton>> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
   /// @param task outlives the run
   Run(const Task<S>& task, const AdaptiveCollocation& method)
-      : Base(task, AdaptiveCollocation::name),
-        largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
+      : Base(task, AdaptiveCollocation::name,
+             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0),
+              .most_change = HUGE_VAL,
+              .kept_from = 0}),
         has_newton_(!(method.shape > 0)),
         strict_{task.system,
                 {caution * method.absolute_tolerance, caution * method.relative_tolerance},
@@ -66,16 +67,11 @@ class Run : private ChosenSteps<S> {
         sweeps_(strict_, first_order(method), method.nodes > 0),
         newton_(setup_, first_order(method), method.nodes > 0) {}
 
-  /// The answer; call once.
-  Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
-  }
-
  private:
-  using Base = ChosenSteps<S>;
-  using Base::check_limits;
+  using Base = ChosenSteps<S, Run>;
+  friend Base;
+  using Base::control_;
   using Base::now_;
-  using Base::task_;
 
   static constexpr std::string_view name = AdaptiveCollocation::name;
   // Of the tolerance in a step of sweeps: errors of an oscillation add up over its steps, and in time.
@@ -92,105 +88,76 @@ class Run : private ChosenSteps<S> {
   static constexpr double much = 1.5;  // longer that the error would allow a step that sweeps bound
   static constexpr int calm = 20;      // steps short against the time constants, before sweeps
   static constexpr double gentle = 1;  // h |J| of such steps
-
   // Both engines have the same interface; each works in the order that it has come to.
   template <class Work>
   decltype(auto) engine(Work work) {
     return is_stiff_ ? newton_.current(work) : sweeps_.current(work);
   }
 
-  Status cross(double end) {
-    begin(end);
+  Status begin(double end) {
+    end_ = end;
+    begin_engine();
     if (!engine([](auto& e) { return e.begin_is_finite(); })) return non_finite_rhs(name, now_.t);
-    length_ = std::min(largest_, sweeps_.current([&](const auto& e) {
+    control_.start(std::min(control_.rule().largest, sweeps_.current([&](const auto& e) {
       return e.first_length(now_.x, std::abs(end - now_.t));
-    }));
-    Status status;
-    while (now_.t != end && status.ok()) status = step(end);
-    return status;
+    })));
+    return {};
   }
-  void begin(double end) {
-    sweeps_.begin_segment(now_.t, end, now_.x, now_.statistics);
-    if (is_stiff_) newton_.begin_segment(now_.t, end, now_.x, now_.statistics);
-    before_ = 0;
+  void begin_engine() {
+    sweeps_.begin_segment(now_.t, end_, now_.x, now_.statistics);
+    if (is_stiff_) newton_.begin_segment(now_.t, end_, now_.x, now_.statistics);
+    control_.forget();
     is_guess_ = true;
     slow_ = 0;
     calm_ = 0;
   }
 
-  // One accepted step, if there is one.
-  Status step(double end) {
-    const double shortest = 16 * spacing(now_.t);
-    length_ = std::min(largest_, std::max(shortest, length_));
-    for (;;) {
-      if (Status status = check_limits(); !status.ok()) return status;
-      // No stub at the end: what is left is one step or two equal ones.
-      const double left = std::abs(end - now_.t);
-      const double taken = length_ >= left ? left : std::min(length_, std::max(left / 2, shortest));
-      const double t1 = taken >= left ? end : now_.t + std::copysign(taken, end - now_.t);
-      if (t1 == now_.t) return step_underflow(name, now_.t, length_);
-      const Trial trial = engine([&](auto& e) { return e.attempt(now_.t, t1, now_.statistics); });
-      if (trial.converged && trial.error <= 1) return accept(t1, taken, end, trial);
-      ++now_.statistics.rejected;
-      if (taken <= shortest) return tolerance_missed(name, now_.t, t1 - now_.t);
-      const double change =
-          trial.error > 1 ? std::clamp(safe() / root(trial.error), 0.2, 0.9) : std::max(trial.shorter, 0.1);
-      length_ = std::max(shortest, taken * change);
-      if (!is_stiff_ && !trial.converged && trial.error == 0) slow_ += 2;
-      if (!is_stiff_ && has_newton_ && slow_ >= patience) change_engine(end);
+  double attempt(double t1) {
+    if (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= patience) {
+      is_stiff_ = !is_stiff_;
+      begin_engine();
     }
+    trial_ = engine([&](auto& e) { return e.attempt(now_.t, t1, now_.statistics); });
+    return trial_.converged ? trial_.error : HUGE_VAL;
   }
-
+  [[nodiscard]] double shorter(double /*error*/) {
+    if (!is_stiff_ && !trial_.converged && trial_.error == 0) slow_ += 2;
+    return control_.taken() * (trial_.error > 1 ? std::clamp(safe() / root(trial_.error), 0.2, 0.9)
+                                                : std::max(trial_.shorter, 0.1));
+  }
   [[nodiscard]] double safe() const { return is_stiff_ ? safety_newton : safety; }
   [[nodiscard]] double root(double error) const {
     return std::pow(std::max(error, 1e-30), 1. / (is_stiff_ ? newton_.error_order() : sweeps_.error_order()));
   }
 
-  void change_engine(double end) {
-    is_stiff_ = !is_stiff_;
-    begin(end);
-  }
-
-  Status accept(double t1, double taken, double end, const Trial& trial) {
-    ++now_.statistics.steps;
-    Status status = engine([&](const auto& e) { return this->show(t1, e.begin_state(), e.end_state(), e); });
-    length_ = std::max(taken < length_ ? length_ : 0, taken * growth(taken, trial));
-    now_.x = engine([](auto& e) { return e.end_state(); });
-    if (is_stiff_) {
-      newton_.accept(now_.statistics);
-    } else {
-      sweeps_.accept(now_.statistics);
-    }
-    now_.t = t1;
-    if (t1 != end && (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= patience)) change_engine(end);
+  Status accept(double t1, double error) {
+    control_.accepted(control_.taken() * growth(error));
+    Status status = engine([&](const auto& e) { return this->take(t1, e.end_state(), e); });
+    is_stiff_ ? newton_.accept(now_.statistics) : sweeps_.accept(now_.statistics);
     return status;
   }
 
-  // What the next step may be times as long: by the error, as it grows from step to step (Gustafsson), and by
-  // the iterations.
-  [[nodiscard]] double growth(double taken, const Trial& trial) {
-    const double r = root(trial.error);
-    double change = safe() / r;
-    if (before_ > 0) change = std::min(change, change * (taken / before_) * (root_before_ / r));
-    before_ = taken;
-    root_before_ = root(std::max(trial.error, least_remembered));
-    is_guess_ = is_guess_ && trial.error < telling;
+  // What the next step may be times as long: by the error, and by the iterations.
+  [[nodiscard]] double growth(double error) {
+    double change = control_.change(safe(), root(error), root(std::max(error, least_remembered)));
+    is_guess_ = is_guess_ && error < telling;
     if (is_stiff_) {
       calm_ = newton_.current([](const auto& e) { return e.stiffness(); }) < gentle ? calm_ + 1 : 0;
     } else {
       // In a problem that has become stiff every second trial takes many sweeps, or does not converge.
-      const bool is_slow = trial.iterations > many_sweeps;
+      const bool is_slow = trial_.iterations > many_sweeps;
       slow_ = is_slow && change > much ? slow_ + 2 : std::max(0, slow_ - 1);
       if (is_slow)
-        change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial.iterations, 0.7));
+        change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial_.iterations, 0.7));
     }
     if ((is_stiff_ || !has_newton_) && change >= 1 && change < rest) change = 1;
     return std::clamp(change, 0.2, is_guess_ ? first_growth : most_growth);
   }
 
-  double largest_, length_ = 0, before_ = 0, root_before_ = 0;
+  double end_ = 0;
   int slow_ = 0, calm_ = 0;
   bool is_stiff_ = false, is_guess_ = true, has_newton_;
+  Trial trial_{};
   Setup<S> strict_, setup_;
   Sweeps sweeps_;
   Newton newton_;

@@ -8,11 +8,12 @@
 #include <string_view>
 #include <utility>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/hermitian/hermitian_trial.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/fixed_steps.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::ivp {
 
@@ -116,104 +117,72 @@ class FixedStepper : public Stepper<S::dimension> {
 
 /// Steps of chosen length: one integration from begin to end.
 template <SystemLike S>
-class Run : private ChosenSteps<S> {
+class Run : public ChosenSteps<S, Run<S>> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
-
   /// @param task outlives the run
   Run(const Task<S>& task, const Hermitian& method)
-      : Base(task, method.operators.name),
+      : Base(task, method.operators.name, {.shortest = 0, .kept_from = HUGE_VAL, .measured = true}),
         method_(method),
         exponent_(-1.0 / (order_of(solved_for_end(method.operators)) + 1)),
         trial_(task.system, method.operators, method.newton) {}
 
-  /// The answer; call once.
-  Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
-  }
-
  private:
-  using Base = ChosenSteps<S>;
-  using Base::check_limits;
+  using Base = ChosenSteps<S, Run>;
+  friend Base;
+  using Base::control_;
   using Base::now_;
-  using Base::show;
-  using Base::task_;
 
   [[nodiscard]] std::string_view name() const { return method_.operators.name; }
 
   // Errors of the steps that leave nothing of the tolerance: of the state, and in tolerances.
   static constexpr double most_share = 0.01, most_tolerances = 1e4;
 
-  // A stretch on which f is smooth.
-  Status cross(double end) {
+  Status begin(double end) {
     if (!trial_.begin_segment(now_.t, end, now_.x, now_.statistics)) return non_finite_rhs(name(), now_.t);
-    length_ = first_length(std::abs(end - now_.t));
+    control_.start(first_length(std::abs(end - now_.t)));
     before_ = 0;
-    Status status;
-    while (now_.t != end && status.ok()) status = step(end);
-    return status;
+    return {};
   }
 
   // The time in which the state would change by a tenth of its size, shortened with the tolerance.
   [[nodiscard]] double first_length(double interval) const {
-    const State<n>& f = trial_.begin_derivative();
+    const State<Base::n>& f = trial_.begin_derivative();
     double rate = 0;
-    for (int i = 0; i < task_.system.size(); ++i)
+    for (int i = 0; i < f.size(); ++i)
       rate = std::max(rate, std::abs(f[i]) / (method_.absolute_tolerance / method_.relative_tolerance +
                                               std::abs(now_.x[i])));
     const double share = std::pow(method_.relative_tolerance, -exponent_);
     return rate * interval > share ? share / rate : interval;
   }
 
-  // One accepted step, if there is one.
-  Status step(double end) {
-    for (int rejected = 0;; ++rejected) {
-      if (Status status = check_limits(); !status.ok()) return status;
-      const double left = std::abs(end - now_.t);
-      const bool last = length_ >= left;
-      // Two equal steps to the end rather than a long and a very short one.
-      const double length = last ? left : left < 2 * length_ ? left / 2 : length_;
-      const double t1 = last ? end : now_.t + std::copysign(length, end - now_.t);
-      if (t1 == now_.t) return step_underflow(name(), now_.t, length_);
-      const Outcome outcome = trial_.attempt(now_.t, t1 - now_.t, now_.statistics);
-      const bool is_new = std::abs(t1 - now_.t) > 2 * before_;
-      const double error = outcome == Outcome::success ? estimated_error(is_new) : HUGE_VAL;
-      // An error of zero allows any step; the next but five times as long.
-      const double factor =
-          outcome == Outcome::success ? std::clamp(0.9 * std::pow(error, exponent_), 0.2, 5.0) : 0.25;
-      const double used = std::abs(t1 - now_.t);
-      if (error <= 1) {
-        total_ += error;
-        before_ = used;
-        length_ = used * (rejected == 0 ? factor : std::min(factor, 1.0));
-        return accept(t1);
-      }
-      ++now_.statistics.rejected;
-      length_ = used * std::min(factor, 0.9);
-      if (now_.t + std::copysign(length_, end - now_.t) == now_.t) {
-        return outcome == Outcome::success
-                   ? tolerance_missed(name(), now_.t, t1 - now_.t)
-                   : step_not_solved(name(), outcome, now_.t, t1 - now_.t, method_.newton.iterations);
-      }
-    }
-  }
-
-  // Of a trial that was solved.
-  // @param is_new of a length that has not been tried
-  [[nodiscard]] double estimated_error(bool is_new) {
+  double attempt(double t1) {
+    outcome_ = trial_.attempt(now_.t, t1 - now_.t, now_.statistics);
+    if (outcome_ != Outcome::success) return nan;
     const double atol = method_.absolute_tolerance, rtol = method_.relative_tolerance;
     const double error = trial_.error_of(atol, rtol);
     if (!(error <= 1)) return error;
+    const bool is_new = control_.taken() > 2 * before_;  // of a length that has not been tried
     // A tenth: what a stiff motion rings with, tolerances of it, neither grows nor decays.
     const double unresolved = trial_.unresolved(atol, rtol, is_new, now_.statistics) / 10;
     return unresolved <= error ? error : unresolved;  // keeps a NaN
   }
 
-  Status accept(double t1) {
-    ++now_.statistics.steps;
-    Status status = show(t1, trial_.begin_state(), trial_.end_state(), trial_);
-    now_.x = trial_.end_state();
-    now_.t = t1;
+  // An error of zero allows any step; the next but five times as long.
+  [[nodiscard]] double change(double error) const {
+    return std::clamp(0.9 * std::pow(error, exponent_), 0.2, 5.0);
+  }
+  [[nodiscard]] double shorter(double error) const {
+    return control_.taken() * (std::isnan(error) ? 0.25 : std::min(change(error), 0.9));
+  }
+  [[nodiscard]] Status missed(double t1, double error) const {
+    if (outcome_ == Outcome::success) return Base::missed(t1, error);
+    return step_not_solved(name(), outcome_, now_.t, t1 - now_.t, method_.newton.iterations);
+  }
+  Status accept(double t1, double error) {
+    total_ += error;
+    before_ = control_.taken();
+    control_.accepted(control_.taken() * change(error));
+    Status status = this->take(t1, trial_.end_state(), trial_);
     trial_.accept();
     const double sum = method_.relative_tolerance * total_;
     if (status.ok() && sum > most_share && total_ > most_tolerances)
@@ -222,7 +191,8 @@ class Run : private ChosenSteps<S> {
   }
 
   const Hermitian& method_;
-  double exponent_, length_ = 0, before_ = 0, total_ = 0;
+  double exponent_, before_ = 0, total_ = 0;
+  Outcome outcome_ = Outcome::success;
   HermitianTrial<S> trial_;
 };
 

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::ivp {
 
@@ -152,40 +153,33 @@ class Pair : public DenseOutput<S::dimension> {
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run : private ChosenSteps<S> {
+class Run : public ChosenSteps<S, Run<S>> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
   /// @param task outlives the run
   Run(const Task<S>& task, const Ode45& method)
-      : Base(task, Ode45::name),
+      : Base(task, Ode45::name,
+             {.largest = largest_length(task, method),
+              .stretch = 1.1,
+              .again = 0.5,
+              .least_change = 1,
+              .measured = true},
+             method.refine),
         method_(method),
         threshold_(method.absolute_tolerance / method.relative_tolerance),
-        largest_(largest_length(task, method)),
-        pair_(task.system),
-        times_(static_cast<std::size_t>(method.refine)),
-        states_(task.system.size(), method.refine),
-        between_(task.system.size()) {}
-
-  /// The answer; call once.
-  Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
-  }
+        pair_(task.system) {}
 
  private:
-  using Base = ChosenSteps<S>;
-  using Base::check_limits;
+  using Base = ChosenSteps<S, Run>;
+  friend Base;
+  using Base::control_;
   using Base::now_;
-  using Base::task_;
 
-  // A stretch on which f is smooth.
-  Status cross(double end) {
+  Status begin(double end) {
     pair_.begin_segment(now_.t, end, now_.x);
     ++now_.statistics.right_hand_sides;
     if (!pair_.begin_derivative().allFinite()) return non_finite_rhs(Ode45::name, now_.t);
-    length_ = first_length(end);
-    Status status;
-    while (now_.t != end && status.ok()) status = step(end);
-    return status;
+    control_.start(first_length(std::abs(end - now_.t)));
+    return {};
   }
 
   // A tenth of a very short interval may be less than the shortest step.
@@ -195,73 +189,36 @@ class Run : private ChosenSteps<S> {
     return std::max(interval / 10, 16 * spacing(std::max(std::abs(task.t0), std::abs(task.t1))));
   }
 
-  [[nodiscard]] double first_length(double end) const {
-    double length = std::min(largest_, std::abs(end - now_.t));
+  [[nodiscard]] double first_length(double left) const {
+    const double length = std::min(control_.rule().largest, left);
     if (method_.initial_step > 0) return std::min(length, method_.initial_step);
     double rate = 0;  // of relative change
-    for (int i = 0; i < task_.system.size(); ++i)
+    for (int i = 0; i < now_.x.size(); ++i)
       rate =
           std::max(rate, std::abs(pair_.begin_derivative()[i]) / std::max(std::abs(now_.x[i]), threshold_));
     rate /= 0.8 * std::pow(method_.relative_tolerance, 0.2);
     return length * rate > 1 ? 1 / rate : length;
   }
 
-  // One accepted step, if there is one.
-  Status step(double end) {
-    const double shortest = 16 * spacing(now_.t);
-    length_ = std::min(largest_, std::max(shortest, length_));
-    for (int rejected = 0;; ++rejected) {
-      if (Status status = check_limits(); !status.ok()) return status;
-      // Stretched to the end before the first trial only, as in ode45.
-      const bool last = rejected == 0 && 1.1 * length_ >= std::abs(end - now_.t);
-      const double t1 = last ? end : now_.t + std::copysign(length_, end - now_.t);
-      if (t1 == now_.t) return step_underflow(Ode45::name, now_.t, length_);
-      length_ = std::abs(t1 - now_.t);
-      pair_.attempt(now_.t, t1);
-      now_.statistics.right_hand_sides += stages - 1;
-      const bool finite = pair_.end_is_finite();
-      const double ratio = pair_.error_of(threshold_) / method_.relative_tolerance;
-      if (finite && ratio <= 1) return accept(t1, ratio, rejected == 0);
-      ++now_.statistics.rejected;
-      if (length_ <= shortest) {
-        return finite ? tolerance_missed(Ode45::name, now_.t, t1 - now_.t)
-                      : non_finite_state(Ode45::name, now_.t, t1 - now_.t);
-      }
-      const double shrink = finite && std::isfinite(ratio) ? std::max(0.1, 0.8 * std::pow(ratio, -0.2)) : 0.1;
-      length_ = std::max(shortest, length_ * (rejected == 0 ? shrink : 0.5));
-    }
+  double attempt(double t1) {
+    pair_.attempt(now_.t, t1);
+    now_.statistics.right_hand_sides += stages - 1;
+    return pair_.end_is_finite() ? pair_.error_of(threshold_) / method_.relative_tolerance : nan;
   }
-
-  Status accept(double t1, double ratio, bool at_once) {
-    if (at_once) length_ /= std::max(0.2, 1.25 * std::pow(ratio, 0.2));
-    ++now_.statistics.steps;
-    Status status;
-    if (task_.observer && !observe(t1)) status = interrupted(Ode45::name, t1);
-    now_.x = pair_.end_state();
-    now_.t = t1;
+  [[nodiscard]] double shorter(double error) const {
+    // 0.1 for a NaN.
+    return control_.taken() * std::max(0.1, 0.8 * std::pow(error, -0.2));
+  }
+  Status accept(double t1, double error) {
+    control_.accepted(control_.taken() / std::max(0.2, 1.25 * std::pow(error, 0.2)));
+    Status status = this->take(t1, pair_.end_state(), pair_);
     pair_.accept();
     return status;
   }
 
-  [[nodiscard]] bool observe(double t1) {
-    for (int i = 0; i + 1 < method_.refine; ++i) {
-      const double t = now_.t + (i + 1.) / method_.refine * (t1 - now_.t);
-      times_[static_cast<std::size_t>(i)] = t;
-      pair_.at(t, between_);
-      states_.col(i) = between_;
-    }
-    times_.back() = t1;
-    states_.col(method_.refine - 1) = pair_.end_state();
-    return task_.observer(
-        {now_.statistics.steps, now_.t, t1, pair_.begin_state(), pair_.end_state(), times_, states_, pair_});
-  }
-
   const Ode45& method_;
-  double threshold_, largest_, length_ = 0;
+  double threshold_;
   Pair<S> pair_;
-  std::vector<double> times_;
-  Nodes<n> states_;
-  State<n> between_;
 };
 
 }  // namespace dormand_prince

@@ -8,12 +8,13 @@
 #include <string_view>
 #include <utility>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210_coefficients.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::ivp {
 
@@ -200,30 +201,22 @@ class Pair : public DenseOutput<S::dimension> {
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run : private ChosenSteps<S> {
+class Run : public ChosenSteps<S, Run<S>> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
   /// @param task outlives the run
   Run(const Task<S>& task, const Rkn1210& method)
-      : Base(task, Rkn1210::name),
+      : Base(task, Rkn1210::name,
+             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)}),
         method_(method),
-        largest_(method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)),
         pair_(task.system) {}
 
-  /// The answer; call once.
-  Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
-  }
-
  private:
-  using Base = ChosenSteps<S>;
-  using Base::check_limits;
+  using Base = ChosenSteps<S, Run>;
+  friend Base;
+  using Base::control_;
   using Base::now_;
-  using Base::show;
-  using Base::task_;
 
-  // A stretch on which the acceleration is smooth.
-  Status cross(double end) {
+  Status begin(double end) {
     pair_.begin_segment(now_.t, end, now_.x);
     ++now_.statistics.right_hand_sides;
     if (!pair_.begin_acceleration().allFinite()) return non_finite_rhs(Rkn1210::name, now_.t);
@@ -231,16 +224,13 @@ class Run : private ChosenSteps<S> {
       now_.statistics.right_hand_sides += 2;
       if (pair_.feels_velocities(now_.t)) refuse_velocities(Rkn1210::name);
     }
-    length_ = first_length(end);
-    before_ = 0;
-    Status status;
-    while (now_.t != end && status.ok()) status = step(end);
-    return status;
+    control_.start(first_length(std::abs(end - now_.t)));
+    return {};
   }
 
   // The state should not change by more than a share of itself that shrinks with the tolerance as steps do.
-  [[nodiscard]] double first_length(double end) const {
-    const double length = std::min(largest_, std::abs(end - now_.t));
+  [[nodiscard]] double first_length(double left) const {
+    const double length = std::min(control_.rule().largest, left);
     if (method_.initial_step > 0) return std::min(length, method_.initial_step);
     const double tolerance = method_.absolute_tolerance + method_.relative_tolerance;
     const double least = method_.absolute_tolerance / tolerance;
@@ -254,56 +244,23 @@ class Run : private ChosenSteps<S> {
     return length * rate > 1 ? 1 / rate : length;
   }
 
-  // One accepted step, if there is one.
-  Status step(double end) {
-    const double shortest = 16 * spacing(now_.t);
-    length_ = std::min(largest_, std::max(shortest, length_));
-    for (bool rejected = false;; rejected = true) {
-      if (Status status = check_limits(); !status.ok()) return status;
-      // No stub at the end: what is left is one step or two equal ones.
-      const double left = std::abs(end - now_.t);
-      const double taken = length_ >= left ? left : std::min(length_, std::max(left / 2, shortest));
-      const double t1 = taken >= left ? end : now_.t + std::copysign(taken, end - now_.t);
-      if (t1 == now_.t) return step_underflow(Rkn1210::name, now_.t, length_);
-      pair_.attempt(now_.t, t1);
-      now_.statistics.right_hand_sides += static_cast<std::int64_t>(stages) - 1;
-      const bool finite = pair_.end_is_finite();
-      const double ratio = pair_.error_of(method_.absolute_tolerance, method_.relative_tolerance);
-      if (finite && ratio <= 1) {
-        const double change = growth(taken, ratio);
-        // A last step that was cut short says nothing against the length that was planned.
-        const bool cut = taken < length_ && change >= 1;
-        length_ = std::max(cut ? length_ : 0., taken * (rejected ? std::min(change, 1.) : change));
-        return accept(t1);
-      }
-      const double change = finite && std::isfinite(ratio) ? 0.9 * std::pow(ratio, -1. / 11) : 0.2;
-      ++now_.statistics.rejected;
-      if (taken <= shortest) {
-        return finite ? tolerance_missed(Rkn1210::name, now_.t, t1 - now_.t)
-                      : non_finite_state(Rkn1210::name, now_.t, t1 - now_.t);
-      }
-      length_ = std::max(shortest, taken * std::clamp(change, 0.2, 0.9));
-    }
+  double attempt(double t1) {
+    pair_.attempt(now_.t, t1);
+    now_.statistics.right_hand_sides += static_cast<std::int64_t>(stages) - 1;
+    if (!pair_.end_is_finite()) return nan;
+    return pair_.error_of(method_.absolute_tolerance, method_.relative_tolerance);
   }
-
-  // What the step after an accepted one may be times as long.
-  [[nodiscard]] double growth(double taken, double ratio) {
-    const double root = std::pow(std::max(ratio, 1e-30), 1. / 11);
-    double change = 0.9 / root;
-    if (before_ > 0) change = std::min(change, change * (taken / before_) * (root_before_ / root));
-    before_ = taken;
-    root_before_ = root;
-    return std::clamp(change, 0.2, 4.);
+  [[nodiscard]] double shorter(double error) const {
+    // 0.2 for a NaN.
+    return control_.taken() * std::min(0.9, std::max(0.2, 0.9 * std::pow(error, -1. / 11)));
   }
-
-  Status accept(double t1) {
-    ++now_.statistics.steps;
-    Status status = show(t1, pair_.begin_state(), pair_.end_state(), pair_);
-    now_.x = pair_.end_state();
-    now_.t = t1;
+  Status accept(double t1, double error) {
+    const double root = std::pow(std::max(error, 1e-30), 1. / 11);
+    control_.accepted(control_.taken() * std::clamp(control_.change(0.9, root, root), 0.2, 4.));
+    Status status = this->take(t1, pair_.end_state(), pair_);
     pair_.accept(t1);
     ++now_.statistics.right_hand_sides;
-    if (status.ok() && now_.statistics.steps == 1 && t1 != task_.t1) {
+    if (status.ok() && now_.statistics.steps == 1 && t1 != this->task_.t1) {
       now_.statistics.right_hand_sides += 2;
       if (pair_.feels_velocities(t1)) status = depends_on_velocities(Rkn1210::name, t1);
     }
@@ -311,8 +268,6 @@ class Run : private ChosenSteps<S> {
   }
 
   const Rkn1210& method_;
-  double largest_, length_ = 0;
-  double before_ = 0, root_before_ = 0;  // length of the step before, and err^(1/11)
   Pair<S> pair_;
 };
 

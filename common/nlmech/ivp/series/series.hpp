@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
+#include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/fixed_steps.hpp"
@@ -97,13 +97,11 @@ class FixedStepper : public Stepper<S::dimension> {
 
 /// Steps of chosen length: one integration from begin to end.
 template <class S>
-class Run : private ChosenSteps<S> {
+class Run : public ChosenSteps<S, Run<S>> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
-
   /// @param task outlives the run
   Run(const Task<S>& task, const Series& method, int order)
-      : Base(task, Series::name),
+      : Base(task, Series::name, {.shortest = 0, .stretch = 1, .measured = true}),
         method_(method),
         order_(order),
         log2_safety_(-0.7 / (order - 1) * 1.4426950408889634),
@@ -111,29 +109,21 @@ class Run : private ChosenSteps<S> {
         next_(task.x0),
         f_(task.x0) {}
 
-  /// The answer; call once.
-  Solution<n> run() {
-    return this->run_by([this](double end) { return cross(end); });
-  }
-
  private:
-  using Base = ChosenSteps<S>;
-  using Base::check_limits;
+  using Base = ChosenSteps<S, Run>;
+  friend Base;
+  using Base::control_;
   using Base::now_;
-  using Base::show;
   using Base::task_;
 
-  // A stretch on which f is smooth.
-  Status cross(double end) {
+  Status begin(double end) {
     expansion_.begin_segment(now_.t, end, now_.x);
     task_.system.rhs(expansion_.inside(now_.t), now_.x, f_);
     ++now_.statistics.right_hand_sides;
     if (!f_.allFinite()) return non_finite_rhs(Series::name, now_.t);
     scale_ = first_scale(std::abs(end - now_.t));
     before_ = 0;
-    Status status;
-    while (now_.t != end && status.ok()) status = step(end);
-    return status;
+    return {};
   }
 
   // The time in which the state would change by its own size.
@@ -153,24 +143,25 @@ class Run : private ChosenSteps<S> {
     }
     return false;
   }
-
-  Status step(double end) {
-    if (Status status = check_limits(); !status.ok()) return status;
+  // The coefficients say how long the step is, whatever the one before was.
+  Status prepare() {
     if (!expand()) return non_finite_coefficients(Series::name, now_.t, order_);
     double length =
         expansion_.length(now_.x, method_.absolute_tolerance, method_.relative_tolerance, log2_safety_);
     if (method_.largest_step > 0) length = std::min(length, method_.largest_step);
-    const bool test = length > 2 * before_;
-    for (;;) {
-      const bool last = length >= std::abs(end - now_.t);
-      const double t1 = last ? end : now_.t + std::copysign(length, end - now_.t), h = t1 - now_.t;
-      if (t1 == now_.t) return step_underflow(Series::name, now_.t, length);
-      expansion_.advance(h, now_.x, next_);
-      if (!test || slope_agrees(t1, h)) return accept(t1, h);
-      length = std::abs(h) / 2;
-      ++now_.statistics.rejected;
-      if (Status status = check_limits(); !status.ok()) return status;
-    }
+    is_tested_ = length > 2 * before_;
+    control_.start(length);
+    return {};
+  }
+
+  double attempt(double t1) {
+    const double h = t1 - now_.t;
+    expansion_.advance(h, now_.x, next_);
+    return !is_tested_ || slope_agrees(t1, h) ? 0 : HUGE_VAL;
+  }
+  [[nodiscard]] double shorter(double /*error*/) const { return control_.taken() / 2; }
+  [[nodiscard]] Status missed(double /*t1*/, double /*error*/) const {
+    return step_underflow(Series::name, now_.t, control_.length());
   }
 
   // Is the slope of the series at the end of the step that of the equation? The term after the last one is
@@ -188,25 +179,21 @@ class Run : private ChosenSteps<S> {
     }
     return true;
   }
-
-  Status accept(double t1, double h) {
-    if (!next_.allFinite()) return non_finite_state(Series::name, now_.t, h);
+  Status accept(double t1, double /*error*/) {
+    if (!next_.allFinite()) return non_finite_state(Series::name, now_.t, t1 - now_.t);
     expansion_.accept();
-    ++now_.statistics.steps;
-    before_ = std::abs(h);
+    before_ = control_.taken();
     const double ratio = before_ / scale_;
     if (ratio < 0.25 || ratio > 4) scale_ = power_of_two(before_);
-    Status status = show(t1, now_.x, next_, expansion_);
-    std::swap(now_.x, next_);
-    now_.t = t1;
-    return status;
+    return this->take(t1, next_, expansion_);
   }
 
   const Series& method_;
   int order_;
   double log2_safety_, scale_ = 1, before_ = 0;
+  bool is_tested_ = true;
   Expansion<S> expansion_;
-  State<n> next_, f_;
+  State<Base::n> next_, f_;
 };
 
 }  // namespace taylor_series

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/ivp/collocation/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/limits.hpp"
+#include "nlmech/ivp/step_control.hpp"
 
 namespace nlmech::peers {
 namespace {

@@ -1,0 +1,118 @@
+/// @file
+/// The walk of a method that chooses its steps: stretches between discontinuities, trials, limits, the
+/// observer.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/limits.hpp"
+#include "nlmech/ivp/step_control.hpp"
+
+namespace nlmech::ivp {
+
+/// Base of one integration with steps of chosen length; walk() is its counterpart for equal ones. The method,
+/// Run, has this class as a friend, and
+///  - `Status begin(double end)`: starts control_ on a stretch on which f is smooth, from now_;
+///  - `double attempt(double t1)`: error of a trial step from now_ over the tolerance; NaN if the
+///    trial has no values;
+///  - `Status accept(double t1, double error)` if that is 1 or less: tells control_, and goes on by take();
+///  - `double shorter(double error)` if not: how long the next trial is to be.
+template <SystemLike S, class Run>
+class ChosenSteps {
+ public:
+  static constexpr int n = S::dimension;  ///< components of the state
+
+  /// Goes from begin to end; call once.
+  [[nodiscard]] Solution<n> run() {
+    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
+    ends.push_back(task_.t1);
+    for (const double end : ends) {
+      now_.status = self().begin(end);
+      while (now_.t != end && now_.status.ok()) now_.status = step(end);
+      if (!now_.status.ok()) break;
+    }
+    return std::move(now_);
+  }
+
+ protected:
+  /// @param task outlives the integration
+  /// @param name the method, in sentences
+  /// @param refine values a step for observers, equally spaced
+  ChosenSteps(const Task<S>& task, std::string_view name, const StepRule& rule, int refine = 1)
+      : task_(task),
+        now_{task.t0, task.x0, {}, {}},
+        control_(rule),
+        name_(name),
+        times_(static_cast<std::size_t>(refine)),
+        states_(task.system.size(), refine),
+        between_(task.system.size()) {}
+
+  /// Called before the first trial of each step; for methods that plan it there.
+  [[nodiscard]] Status prepare() { return {}; }
+  /// The failure where the shortest trial, to @p t1, is rejected.
+  [[nodiscard]] Status missed(double t1, double error) const {
+    return std::isnan(error) ? non_finite_state(name_, now_.t, t1 - now_.t)
+                             : tolerance_missed(name_, now_.t, t1 - now_.t);
+  }
+  /// Counts the step to (@p t1, @p x1), shows it to the observer and goes there. @return `interrupted` if the
+  /// observer says stop
+  [[nodiscard]] Status take(double t1, const State<n>& x1, const DenseOutput<n>& dense) {
+    ++now_.statistics.steps;
+    Status status;
+    if (task_.observer && !show(t1, x1, dense)) status = interrupted(name_, t1);
+    now_.x = x1;
+    now_.t = t1;
+    return status;
+  }
+
+  const Task<S>& task_;  ///< what is asked
+  Solution<n> now_;      ///< how far it has come
+  StepControl control_;  ///< plans the steps
+
+ private:
+  Run& self() { return static_cast<Run&>(*this); }
+
+  // One accepted step, if there is one.
+  Status step(double end) {
+    for (bool is_first = true;; is_first = false) {
+      Status status = check_limits(name_, now_.t, now_.statistics, task_.limits, watch_);
+      if (!status.ok()) return status;
+      if (is_first) {
+        if (Status ready = self().prepare(); !ready.ok()) return ready;
+      }
+      const double t1 = control_.plan(now_.t, end);
+      if (t1 == now_.t) return step_underflow(name_, now_.t, control_.length());
+      const double error = self().attempt(t1);
+      if (error <= 1) return self().accept(t1, error);
+      ++now_.statistics.rejected;
+      if (!control_.rejected(self().shorter(error))) return self().missed(t1, error);
+    }
+  }
+
+  [[nodiscard]] bool show(double t1, const State<n>& x1, const DenseOutput<n>& dense) {
+    const auto count = states_.cols();
+    for (Eigen::Index i = 0; i + 1 < count; ++i) {
+      const double t = now_.t + (static_cast<double>(i) + 1) / static_cast<double>(count) * (t1 - now_.t);
+      times_[static_cast<std::size_t>(i)] = t;
+      dense.at(t, between_);
+      states_.col(i) = between_;
+    }
+    times_.back() = t1;
+    states_.col(count - 1) = x1;
+    return task_.observer({now_.statistics.steps, now_.t, t1, now_.x, x1, times_, states_, dense});
+  }
+
+  std::string_view name_;
+  std::vector<double> times_;
+  Nodes<n> states_;
+  State<n> between_;
+  Stopwatch watch_;
+};
+
+}  // namespace nlmech::ivp
