@@ -216,10 +216,10 @@ TEST(AdversaryContinuation, IsWithinItsTolerance) {
     const Motion m = any_motion(draw);
     const double tolerance = draw.log_uniform(1e-18, 1e-3);
     double allowed = 8 * eps * kepler_condition(m.start, m.time, m.mu).position;
-    const Continued c =
+    const Solution c =
         propagate(m.start, 0, m.time, {.mu = m.mu}, AnalyticContinuation{.tolerance = tolerance},
-                  [&](const ContinuationStep& step) {
-                    const State& s = step.state1;
+                  [&](const Step& step) {
+                    const State& s = step.x1;
                     const double circular = std::sqrt(m.mu / s.position.norm()), v = s.velocity.norm();
                     allowed += (2 * tolerance + 9 * eps) * std::max(1.0, circular / v) *
                                kepler_condition(s, m.time - step.t1, m.mu).position;
@@ -229,7 +229,7 @@ TEST(AdversaryContinuation, IsWithinItsTolerance) {
     if (!c.status.ok()) return Case::refused();
     if (!(allowed < 0.1)) return Case::undecided();
     const auto end = exact(m);
-    return Case::judged(distance(c.state.position, end.position) / static_cast<double>(length(end.position)),
+    return Case::judged(distance(c.x.position, end.position) / static_cast<double>(length(end.position)),
                         allowed,
                         words(m.start, m.time, m.mu) +
                             fmt::format(" tolerance {:.3g}, {} steps", tolerance, c.statistics.steps));
@@ -246,10 +246,10 @@ TEST(AdversaryContinuation, ZonalInvariantsAreKept) {
     const double time = r * std::sqrt(r / g.mu) * draw.signed_log(0.01, 100),
                  tolerance = draw.log_uniform(1e-17, 1e-8);
     double most = 0;
-    const Continued c =
+    const Solution c =
         propagate(s, 0, time, g, AnalyticContinuation{.tolerance = tolerance},
-                  [&](const ContinuationStep& step) {
-                    const State& x = step.state1;
+                  [&](const Step& step) {
+                    const State& x = step.x1;
                     most = std::max(most, x.velocity.squaredNorm() / 2 + g.mu / x.position.norm());
                     return true;
                   },
@@ -258,17 +258,17 @@ TEST(AdversaryContinuation, ZonalInvariantsAreKept) {
     const auto wide = g.as<Wide>();
     const double n = static_cast<double>(c.statistics.steps);
     const double drift =
-        static_cast<double>(std::abs(energy(as<Wide>(c.state), wide) - energy(as<Wide>(s), wide)));
+        static_cast<double>(std::abs(energy(as<Wide>(c.x), wide) - energy(as<Wide>(s), wide)));
     const auto axis = [](const State& x) {
       return Wide(x.position[0]) * x.velocity[1] - Wide(x.position[1]) * x.velocity[0];
     };
     const double scale =
-        std::max(s.position.norm() * s.velocity.norm(), c.state.position.norm() * c.state.velocity.norm());
+        std::max(s.position.norm() * s.velocity.norm(), c.x.position.norm() * c.x.velocity.norm());
     // A step leaves out the tolerance of v, once more of r, and rounds both: 4 (tolerance + 4 eps) of v^2
     // each.
     const double allowed = 8 * n * (tolerance + 4 * eps);
     return Case::judged(std::max(drift / std::max(most, s.velocity.squaredNorm() / 2 + g.mu / r),
-                                 static_cast<double>(std::abs(axis(c.state) - axis(s))) / scale),
+                                 static_cast<double>(std::abs(axis(c.x) - axis(s))) / scale),
                         allowed, words(s, time, g.mu) + fmt::format(" tolerance {:.3g}", tolerance));
   });
 }

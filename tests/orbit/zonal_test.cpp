@@ -77,11 +77,11 @@ TEST(Zonal, DayInExtendedPrecision) {
 
 TEST(Zonal, DayInDoublePrecision) {
   for (const Day& d : days) {
-    const Continued c = propagate(state_from<double>(d.start), 0, day, earth(2), AnalyticContinuation{});
+    const Solution c = propagate(state_from<double>(d.start), 0, day, earth(2), AnalyticContinuation{});
     ASSERT_TRUE(c.status.ok()) << c.status.text();
     for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(c.state.position[i], std::stod(d.end[i]), 1e-5);
-      EXPECT_NEAR(c.state.velocity[i], std::stod(d.end[3 + i]), 1e-8);
+      EXPECT_NEAR(c.x.position[i], std::stod(d.end[i]), 1e-5);
+      EXPECT_NEAR(c.x.velocity[i], std::stod(d.end[3 + i]), 1e-8);
     }
   }
 }
@@ -92,14 +92,14 @@ TEST(Zonal, AllHarmonics) {
   const State start = state_from<double>(days[1].start);
   const auto exact =
       continue_analytically<Quad>(as<Quad>(start), Quad(day / 4), g.as<Quad>(), 26, Quad(1e-18));
-  const Continued c = propagate(start, 0, day / 4, g);
+  const Solution c = propagate(start, 0, day / 4, g);
   ASSERT_TRUE(c.status.ok());
-  const Vector3<Quad> d = c.state.position.cast<Quad>() - exact.position;
+  const Vector3<Quad> d = c.x.position.cast<Quad>() - exact.position;
   EXPECT_LT(length(d), Quad(1e-5));
   const Quad before = energy(as<Quad>(start), g.as<Quad>()), after = energy(exact, g.as<Quad>());
   EXPECT_LT(abs(Quad(after / before - 1)), Quad(1e-17));
   // A quarter of a day is some forty steps; each rounds the state.
-  EXPECT_NEAR(energy(c.state, g) / energy(start, g), 1, 40 * eps);
+  EXPECT_NEAR(energy(c.x, g) / energy(start, g), 1, 40 * eps);
 }
 
 // The sum of J_k that are 0 is left out, and a field without any is the point mass of the kernels.
@@ -109,8 +109,8 @@ TEST(Zonal, TermsThatAreZeroCostNothingAndChangeNothing) {
   Gravity odd = earth(4);
   odd.zonal[2] = 0;
   EXPECT_EQ(odd.degree(), 3);
-  const Continued a = propagate(low_orbit, 0, 6000, odd), b = propagate(low_orbit, 0, 6000, earth(3));
-  EXPECT_EQ(a.state.position, b.state.position);
+  const Solution a = propagate(low_orbit, 0, 6000, odd), b = propagate(low_orbit, 0, 6000, earth(3));
+  EXPECT_EQ(a.x.position, b.x.position);
 }
 
 TEST(Zonal, FieldsThatCannotBeMeantAreRefused) {

@@ -75,7 +75,7 @@ Integrator general(Method (*make)(double tolerance)) {
 std::optional<orbit::Vector3<double>> by_series(const orbit::State& s, double time, double tolerance) {
   const auto end = orbit::propagate(s, 0, time, orbit::Gravity{}, {.tolerance = tolerance});
   if (!end.status.ok()) return std::nullopt;
-  return end.state.position;
+  return end.x.position;
 }
 
 /// Odeint's own loop on its own state.

@@ -31,7 +31,7 @@ double difference_between_units(double length, double time) {
   const auto a = orbit::propagate(si, 0, low_orbit_time, {.mu = earth_mu}, orbit::AnalyticContinuation{}),
              b = orbit::propagate(scaled, 0, low_orbit_time / time, {.mu = mu},
                                   orbit::AnalyticContinuation{});
-  return (b.state.position * length - a.state.position).norm() / a.state.position.norm();
+  return (b.x.position * length - a.x.position).norm() / a.x.position.norm();
 }
 
 double rounding_between_units() {

@@ -1,6 +1,5 @@
 #include "chapters/two_body_series/orbits/propagators.hpp"
 
-#include <cmath>
 #include <span>
 
 #include "nlmech/orbit/kepler.hpp"
@@ -10,13 +9,17 @@ namespace nlmech::chapters::two_body_series {
 namespace {
 
 /// The series of a step, for an observer of integrators in general.
-class ArcOutput : public ivp::DenseOutput<6> {
+class JoinedOutput : public ivp::DenseOutput<6> {
  public:
-  explicit ArcOutput(const orbit::Arc& arc) : arc_(arc) {}
-  void at(double t, ivp::State<6>& x) const override { x = joined(arc_.at(t)); }
+  explicit JoinedOutput(const BasicDenseOutput<orbit::State>& dense) : dense_(dense) {}
+  void at(double t, ivp::State<6>& x) const override {
+    orbit::State s;
+    dense_.at(t, s);
+    x = joined(s);
+  }
 
  private:
-  const orbit::Arc& arc_;
+  const BasicDenseOutput<orbit::State>& dense_;
 };
 
 /// Kepler's solution from the begin.
@@ -35,20 +38,18 @@ class KeplerOutput : public ivp::DenseOutput<6> {
 template <class Method>
 ivp::Solution<6> run(const Method& method, double mu, const ivp::State<6>& x0, double t0, double t1,
                      const ivp::Observer<6>& observer, const ivp::Limits& limits) {
-  orbit::ContinuationObserver observe;
+  orbit::Observer observe;
   ivp::Nodes<6> states(6, 1);
   if (observer) {
-    observe = [&](const orbit::ContinuationStep& step) {
-      const ivp::State<6> begin = joined(step.state0), end = joined(step.state1);
+    observe = [&](const orbit::Step& step) {
+      const ivp::State<6> begin = joined(step.x0), end = joined(step.x1);
       states.col(0) = end;
-      const ArcOutput dense(step.arc);
-      return observer({step.index, step.t0, step.t1, begin, end, std::span(&step.t1, 1), states, dense});
+      const JoinedOutput dense(step.dense);
+      return observer({step.index, step.t0, step.t1, begin, end, step.times, states, dense});
     };
   }
-  orbit::Continued end = orbit::propagate(parted(x0), t0, t1, orbit::Gravity{.mu = mu}, method, observe,
-                                          {.steps = limits.steps, .seconds = limits.seconds});
-  end.statistics.right_hand_sides = std::llround(end.mean_order * static_cast<double>(end.statistics.steps));
-  return {end.t, joined(end.state), end.status, end.statistics};
+  const auto end = orbit::propagate(parted(x0), t0, t1, orbit::Gravity{.mu = mu}, method, observe, limits);
+  return {end.t, joined(end.x), end.status, end.statistics};
 }
 
 ivp::Solution<6> run_kepler(double mu, const ivp::State<6>& x0, double t0, double t1,

@@ -116,11 +116,7 @@ Solve universal(const Orbit& orbit) {
 EnergyRecord by_ode45(const Orbit& orbit, int orbits) {
   int k = 1;
   return integrated(orbit, orbits, ode45, [&k](Recorder& r, const ivp::Step<6>& step) {
-    for (; k <= r.points() && r.point(k) <= step.t1; ++k) {
-      ivp::State<6> x = step.x1;
-      if (r.point(k) < step.t1) step.dense.at(r.point(k), x);
-      r.add(r.point(k), parted(x));
-    }
+    for (; k <= r.points() && r.point(k) <= step.t1; ++k) r.add(r.point(k), parted(step.at(r.point(k))));
     r.record.at_ends.push_back(r.error(parted(step.x1)));
     for (Eigen::Index i = 0; i < step.states.cols(); ++i)
       r.record.at_refined.push_back(r.error(parted(step.states.col(i))));
@@ -134,14 +130,14 @@ EnergyRecord by_rkn1210(const Orbit& orbit, int orbits) {
 
 EnergyRecord by_series(const Orbit& orbit, int orbits) {
   Recorder r(orbit, orbits);
-  const auto observe = [&](const orbit::ContinuationStep& step) {
-    r.add(step.t1, step.state1);
+  const auto observe = [&](const orbit::Step& step) {
+    r.add(step.t1, step.x1);
     return true;
   };
   const auto end =
       orbit::propagate(orbit.start, 0, r.end(), orbit::Gravity{.mu = earth_mu}, series(orbit), observe);
   if (!end.status.ok()) throw Failure(end.status);
-  r.finish(end.state);
+  r.finish(end.x);
   r.record.steps = end.statistics.steps;
   return r.record;
 }

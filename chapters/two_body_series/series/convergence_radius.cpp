@@ -74,7 +74,7 @@ void run(Choice& c) {
     const auto after = [&](double time) {
       const auto end = orbit::propagate(start, 0, time, orbit::Gravity{},
                                         orbit::FixedContinuation{.step = step, .order = order});
-      return end.status.ok() ? position_error(start, time, 1, end.state.position) : HUGE_VAL;
+      return end.status.ok() ? position_error(start, time, 1, end.x.position) : HUGE_VAL;
     };
     c.first.push_back(after(step));
     c.orbit.push_back(after(revolution));

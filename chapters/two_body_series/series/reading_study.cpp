@@ -57,8 +57,8 @@ Norms norms_of(const Orbit& orbit, const Degrees& degrees, double steps) {
   std::array<std::int64_t, 3> ends{};
   for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = std::llround(revolutions[k] * steps);
   Norms squares{};
-  const auto observe = [&](const orbit::ContinuationStep& s) {
-    const double e = orbit::energy(s.state1, earth_mu) / before - 1;
+  const auto observe = [&](const orbit::Step& s) {
+    const double e = orbit::energy(s.x1, earth_mu) / before - 1;
     for (std::size_t k = 0; k < ends.size(); ++k) squares[k] += s.index <= ends[k] ? e * e : 0;
     return true;
   };

@@ -117,10 +117,10 @@ std::string rows_of_kepler(const OrbitRequest& request) {
 
 std::string rows_of_series(const OrbitRequest& request) {
   Rows rows(request);
-  orbit::ContinuationObserver observer;
+  orbit::Observer observer;
   if (request.every) {
-    observer = [&rows](const orbit::ContinuationStep& step) {
-      rows.add_up_to(step.t1, [&step](double t) { return t == step.t1 ? step.state1 : step.arc.at(t); });
+    observer = [&rows](const orbit::Step& step) {
+      rows.add_up_to(step.t1, [&step](double t) { return step.at(t); });
       return true;
     };
   }
@@ -128,7 +128,7 @@ std::string rows_of_series(const OrbitRequest& request) {
                                     orbit::AnalyticContinuation{.tolerance = request.tolerance}, observer,
                                     {.seconds = request.seconds});
   if (!end.status.ok()) throw Failure(end.status);
-  rows.finish(end.state);
+  rows.finish(end.x);
   return rows.text();
 }
 
@@ -139,11 +139,7 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
   ivp::Observer<6> observer;
   if (request.every) {
     observer = [&](const ivp::Step<6>& step) {
-      rows.add_up_to(step.t1 * units.time, [&](double t) {
-        ivp::State<6> x = step.x1;
-        if (t / units.time != step.t1) step.dense.at(t / units.time, x);
-        return units.users(x);
-      });
+      rows.add_up_to(step.t1 * units.time, [&](double t) { return units.users(step.at(t / units.time)); });
       return true;
     };
   }

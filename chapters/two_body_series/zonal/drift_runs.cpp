@@ -66,8 +66,8 @@ Status run_fixed(const DriftTask& task, const orbit::State& start, Track& track,
                                         .order = task.order,
                                         .compensated = task.compensated,
                                         .true_division = task.true_division};
-  const auto observe = [&](const orbit::ContinuationStep& s) {
-    if (track.waits() && s.index == std::int64_t{task.steps} * track.orbits()) track.add(s.t1, s.state1);
+  const auto observe = [&](const orbit::Step& s) {
+    if (track.waits() && s.index == std::int64_t{task.steps} * track.orbits()) track.add(s.t1, s.x1);
     return true;
   };
   return orbit::propagate(start, 0, step * task.steps * orbits, orbit::Gravity{}, method, observe).status;
@@ -75,10 +75,12 @@ Status run_fixed(const DriftTask& task, const orbit::State& start, Track& track,
 
 Status run_adaptive(const DriftTask& task, const orbit::State& start, Track& track, int orbits) {
   const orbit::AnalyticContinuation method{.tolerance = task.tolerance, .compensated = task.compensated};
-  const auto observe = [&](const orbit::ContinuationStep& s) {
+  const auto observe = [&](const orbit::Step& s) {
     while (track.waits() && s.t1 >= revolution * track.orbits()) {
       const double t = revolution * track.orbits();
-      track.add(t, s.arc.at(t));
+      orbit::State x;
+      s.dense.at(t, x);
+      track.add(t, x);
     }
     return true;
   };

@@ -49,15 +49,15 @@ orbit::Vector3<double> by_rkn(const orbit::State& start, int degree) {
 std::vector<orbit::State> sampled(const orbit::State& start, int degree, int samples) {
   std::vector<orbit::State> all = {start};
   const auto time = [samples](std::size_t i) { return day * static_cast<double>(i) / samples; };
-  const auto observe = [&](const orbit::ContinuationStep& step) {
+  const auto observe = [&](const orbit::Step& step) {
     while (all.size() <= static_cast<std::size_t>(samples) && time(all.size()) <= step.t1)
-      all.push_back(step.arc.at(time(all.size())));
+      all.push_back(step.at(time(all.size())));
     return true;
   };
   const auto end =
       orbit::propagate(start, 0, day, orbit::earth(degree), orbit::AnalyticContinuation{}, observe);
   if (!end.status.ok()) throw Failure(end.status);
-  all.back() = end.state;
+  all.back() = end.x;
   return all;
 }
 

@@ -57,7 +57,7 @@ orbit::State start_of(const ZonalDay& d) {
 ZonalErrors day_in_double(const ZonalDay& d) {
   const auto end = orbit::propagate(start_of(d), 0, day, orbit::earth(2), orbit::AnalyticContinuation{});
   if (!end.status.ok()) throw Failure(end.status);
-  return errors({end.state.position.cast<Quad>(), end.state.velocity.cast<Quad>()}, d);
+  return errors({end.x.position.cast<Quad>(), end.x.velocity.cast<Quad>()}, d);
 }
 
 ZonalErrors day_in_extended(const ZonalDay& d) {

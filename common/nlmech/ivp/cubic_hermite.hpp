@@ -2,7 +2,7 @@
 /// The cubic through two states with two derivatives: dense output of methods of order up to 3.
 #pragma once
 
-#include "nlmech/ivp/direct.hpp"
+#include "nlmech/ivp/state.hpp"
 
 namespace nlmech::ivp {
 

@@ -14,28 +14,12 @@
 #include <vector>
 
 #include "nlmech/ivp/series/taylor.hpp"
+#include "nlmech/ivp/state.hpp"
 #include "nlmech/series/dual.hpp"
 #include "nlmech/series/harmonic.hpp"
 #include "nlmech/series/tape.hpp"
-#include "nlmech/series/vector.hpp"
 
 namespace nlmech::ivp {
-
-/// The state of n components as a column.
-template <int n>
-using State = Vector<double, n>;
-/// States at many nodes, one a column.
-template <int n>
-using Nodes = Matrix<double, n, Eigen::Dynamic>;
-/// df/dx.
-template <int n>
-using Jacobian = Matrix<double, n, n>;
-/// Half of a state: the positions, or the velocities, of a second-order problem.
-template <int n>
-inline constexpr int half = n == Eigen::Dynamic ? Eigen::Dynamic : n / 2;
-/// Positions, velocities or accelerations of a second-order problem.
-template <int n>
-using Half = Vector<double, half<n>>;
 
 namespace detail {
 

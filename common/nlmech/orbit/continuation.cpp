@@ -107,9 +107,8 @@ class Control {
 
 }  // namespace
 
-Continued propagate(const State& start, double t0, double t1, const Gravity& gravity,
-                    const AnalyticContinuation& method, const ContinuationObserver& observer,
-                    const ContinuationLimits& limits) {
+Solution propagate(const State& start, double t0, double t1, const Gravity& gravity,
+                   const AnalyticContinuation& method, const Observer& observer, const Limits& limits) {
   check_task(start, t0, t1, gravity);
   require_within(method.name, "tolerance", method.tolerance, 1e-18, 0.1);
   if (method.order != 0) require_within(method.name, "order", method.order, 4, kernels::most);
@@ -138,9 +137,8 @@ Continued propagate(const State& start, double t0, double t1, const Gravity& gra
   return walk.result({});
 }
 
-Continued propagate(const State& start, double t0, double t1, const Gravity& gravity,
-                    const FixedContinuation& method, const ContinuationObserver& observer,
-                    const ContinuationLimits& limits) {
+Solution propagate(const State& start, double t0, double t1, const Gravity& gravity,
+                   const FixedContinuation& method, const Observer& observer, const Limits& limits) {
   check_task(start, t0, t1, gravity);
   require_within(method.name, "step", method.step, std::numeric_limits<double>::min(),
                  std::numeric_limits<double>::max());

@@ -2,16 +2,14 @@
 /// Analytic continuation: orbits by Taylor series, of fixed order and step, or adaptive in both.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/support/instruction_set.hpp"
-#include "nlmech/support/statistics.hpp"
-#include "nlmech/support/status.hpp"
+#include "nlmech/support/solution.hpp"
 
 namespace nlmech::orbit {
 
@@ -57,46 +55,13 @@ struct FixedContinuation {
   std::optional<InstructionSet> instructions = std::nullopt;
 };
 
-/// The series of one step: the state at any time within, as accurate as its end. Holds only during the
-/// observer's call.
-class Arc {
- public:
-  Arc() = default;
-  Arc(const Arc&) = delete;
-  Arc& operator=(const Arc&) = delete;
-  virtual ~Arc() = default;
-  /// State at @p t within the step (beyond it too, as far as the series converges).
-  [[nodiscard]] virtual State at(double t) const = 0;
-};
-
-/// One step as an observer sees it.
-struct ContinuationStep {
-  std::int64_t index;   ///< counts from 1
-  double t0;            ///< begin
-  double t1;            ///< end; smaller than t0 backwards in time
-  const State& state0;  ///< at t0
-  const State& state1;  ///< at t1
-  int order;            ///< degree of the position's series
-  const Arc& arc;       ///< the state at any time within
-};
-
-/// Called after each step; returns true to go on, false to end with `interrupted`.
-using ContinuationObserver = std::function<bool(const ContinuationStep&)>;
-
-/// Bounds on the work.
-struct ContinuationLimits {
-  std::int64_t steps = 100'000'000;                          ///< step_limit
-  double seconds = std::numeric_limits<double>::infinity();  ///< wall time: time_limit
-};
-
-/// The end of a continuation. After a failure, time and state are those of the last good step.
-struct Continued {
-  double t = 0;           ///< time reached; the asked one exactly, if the status is success
-  State state;            ///< at that time
-  Status status;          ///< success, or which failure, where, and what to change
-  Statistics statistics;  ///< steps and seconds
-  double mean_order = 0;  ///< degree of the position's series, mean over the steps
-};
+/// The end of a propagation. Statistics::right_hand_sides counts orders: the degree of the position's series
+/// a step.
+using Solution = BasicSolution<State>;
+/// One step; its dense output is the series, as accurate as the end of the step.
+using Step = BasicStep<State, std::span<const State>>;
+/// Called after each step.
+using Observer = BasicObserver<Step>;
 
 /// Moves @p start from @p t0 to @p t1 (forwards or backwards) in the field @p gravity.
 ///
@@ -106,15 +71,14 @@ struct Continued {
 /// are scaled by powers of two, so that no order underflows, and digits differ between units by rounding of
 /// the data alone.
 /// @throws std::invalid_argument for a position 0, values that are not finite, or options out of range
-[[nodiscard]] Continued propagate(const State& start, double t0, double t1, const Gravity& gravity,
-                                  const AnalyticContinuation& method = {},
-                                  const ContinuationObserver& observer = {},
-                                  const ContinuationLimits& limits = {});
+[[nodiscard]] Solution propagate(const State& start, double t0, double t1, const Gravity& gravity,
+                                 const AnalyticContinuation& method = {}, const Observer& observer = {},
+                                 const Limits& limits = {});
 
 /// The same with fixed order and step. A step beyond the radius of convergence_radius() is not noticed, as in
 /// the dissertation.
-[[nodiscard]] Continued propagate(const State& start, double t0, double t1, const Gravity& gravity,
-                                  const FixedContinuation& method, const ContinuationObserver& observer = {},
-                                  const ContinuationLimits& limits = {});
+[[nodiscard]] Solution propagate(const State& start, double t0, double t1, const Gravity& gravity,
+                                 const FixedContinuation& method, const Observer& observer = {},
+                                 const Limits& limits = {});
 
 }  // namespace nlmech::orbit

@@ -26,7 +26,7 @@ void times_power_of_two(double* x, int exponent) {
 }  // namespace
 
 Walk::Walk(const State& start, double t0, double t1, const Gravity& gravity, const WalkOptions& options,
-           const ContinuationObserver& observer, const ContinuationLimits& limits)
+           const Observer& observer, const Limits& limits)
     : options_(options),
       observer_(observer),
       limits_(limits),
@@ -122,7 +122,7 @@ Status Walk::finish(double h, bool last) {
     t_ = sum;
   }
   ++statistics_.steps;
-  orders_ += position_degree_;
+  statistics_.right_hand_sides += position_degree_;
   if (!std::isfinite(square(body_.position) + square(body_.velocity))) {
     return Status::failure(
         Outcome::non_finite,
@@ -133,7 +133,8 @@ Status Walk::finish(double h, bool last) {
   }
   if (observer_) {
     const State after = user_state();
-    if (!observer_({statistics_.steps, step_begin_, t_, before_, after, position_degree_, *this})) {
+    const std::span states(&after, 1);
+    if (!observer_({statistics_.steps, step_begin_, t_, before_, after, std::span(&t_, 1), states, *this})) {
       return Status::failure(Outcome::interrupted,
                              fmt::format("{}: stopped by the observer at t = {:.17g}", options_.name, t_));
     }
@@ -182,31 +183,28 @@ State Walk::user_state() const {
   return s;
 }
 
-State Walk::at(double t) const {
+void Walk::at(double t, State& x) const {
   const double h = (t - step_begin_) / time_unit_;
   double position[4], velocity[4], unused[4];
   kernel_->increments(series_, position_degree_, h, position, velocity);
   if (velocity_degree_ != position_degree_ - 1)
     kernel_->increments(series_, velocity_degree_ + 1, h, unused, velocity);
-  State s;
   for (int i = 0; i < 3; ++i) {
-    s.position[i] = std::ldexp(series_.row[0][i] + position[i], length_exponent_);
-    s.velocity[i] = std::ldexp(series_.row[1][i] + velocity[i], length_exponent_ - time_exponent_);
+    x.position[i] = std::ldexp(series_.row[0][i] + position[i], length_exponent_);
+    x.velocity[i] = std::ldexp(series_.row[1][i] + velocity[i], length_exponent_ - time_exponent_);
   }
-  return s;
 }
 
-Continued Walk::result(Status status) const {
-  Continued c{t_, user_state(), std::move(status), statistics_, 0};
+Solution Walk::result(Status status) const {
+  Solution c{t_, user_state(), std::move(status), statistics_};
   if (c.status.outcome() == Outcome::non_finite) {
     // The last good step: the one that the series starts from.
     c.t = step_begin_;
     for (int i = 0; i < 3; ++i) {
-      c.state.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
-      c.state.velocity[i] = std::ldexp(series_.row[1][i], length_exponent_ - time_exponent_);
+      c.x.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
+      c.x.velocity[i] = std::ldexp(series_.row[1][i], length_exponent_ - time_exponent_);
     }
   }
-  if (statistics_.steps > 0) c.mean_order = orders_ / static_cast<double>(statistics_.steps);
   c.statistics.seconds = watch_.seconds();
   return c;
 }

@@ -28,10 +28,10 @@ struct WalkOptions {
 
 /// State, time and series on the way. All numbers are in units 2^a of length and 2^b of time, which follow
 /// the body where its time scale changes by much: powers of two change no digit.
-class Walk : public Arc {
+class Walk : public BasicDenseOutput<State> {
  public:
   Walk(const State& start, double t0, double t1, const Gravity& gravity, const WalkOptions& options,
-       const ContinuationObserver& observer, const ContinuationLimits& limits);
+       const Observer& observer, const Limits& limits);
 
   /// The series about the state, to degree @p order.
   void expand(int order);
@@ -69,10 +69,10 @@ class Walk : public Arc {
   /// Has the walk arrived (or nowhere to go)?
   [[nodiscard]] bool arrived() const { return t_ == t1_; }
   /// The result.
-  [[nodiscard]] Continued result(Status status) const;
+  [[nodiscard]] Solution result(Status status) const;
 
-  /// See Arc.
-  [[nodiscard]] State at(double t) const override;
+  /// By the latest series; beyond the step too, as far as it converges.
+  void at(double t, State& x) const override;
 
  private:
   /// To the 200th power, in a square of the last coefficient, it stays within doubles.
@@ -84,8 +84,8 @@ class Walk : public Arc {
   [[nodiscard]] State user_state() const;
 
   WalkOptions options_;
-  const ContinuationObserver& observer_;
-  const ContinuationLimits& limits_;
+  const Observer& observer_;
+  const Limits& limits_;
   Gravity gravity_;  ///< in the user's units
   const kernels::Kernel* kernel_;
   kernels::Body body_{};
@@ -98,7 +98,6 @@ class Walk : public Arc {
   double step_begin_ = 0;
   State before_;
   Statistics statistics_;
-  double orders_ = 0;
   Stopwatch watch_;
 };
 

@@ -54,8 +54,8 @@ std::vector<Step> steps_of(const Asked& a) {
   // RKN12(10) is held to the steps that the series takes: it takes as many within a factor of a few.
   const auto run = propagate(a.motion.start, 0, a.motion.time, {.mu = a.motion.mu},
                              AnalyticContinuation{.tolerance = a.tolerance},
-                             [&](const ContinuationStep& step) {
-                               all.push_back({step.t1, step.state1});
+                             [&](const orbit::Step& step) {
+                               all.push_back({step.t1, step.x1});
                                return true;
                              },
                              {.steps = 1000});

@@ -140,7 +140,7 @@ TEST(Errata, OrderTenLosesMetres) {
     return static_cast<double>(Real(sqrt(miss.dot(miss))));
   };
   expect_erratum("two_body_series-3.2-millimetre", {.printed = 1e-3,
-                                                    .corrected = distance(found.state.position.cast<Real>()),
+                                                    .corrected = distance(found.x.position.cast<Real>()),
                                                     .oracle = distance(s.position),
                                                     .tolerance = 1e-4});
 }

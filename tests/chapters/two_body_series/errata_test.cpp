@@ -131,10 +131,10 @@ TEST(Recursion, AsPrintedIsTheLibrarys) {
       ASSERT_TRUE(ours.status.ok());
       const orbit::State theirs = raw_step(raw_derivatives<double>(s, earth_mu, orbit.order), step);
       const double r = s.position.norm(), v = s.velocity.norm();
-      EXPECT_LE((theirs.position - ours.state.position).norm(), 8 * eps * (r + step * v)) << orbit.name << k;
-      EXPECT_LE((theirs.velocity - ours.state.velocity).norm(), 32 * eps * (v + step * earth_mu / (r * r)))
+      EXPECT_LE((theirs.position - ours.x.position).norm(), 8 * eps * (r + step * v)) << orbit.name << k;
+      EXPECT_LE((theirs.velocity - ours.x.velocity).norm(), 32 * eps * (v + step * earth_mu / (r * r)))
           << orbit.name << k;
-      s = ours.state;
+      s = ours.x;
     }
   }
 }

@@ -80,7 +80,7 @@ double error_of_a_step(double eccentricity, int steps, int order) {
   const auto end = orbit::propagate(start, 0, step, orbit::Gravity{},
                                     orbit::FixedContinuation{.step = step, .order = order});
   EXPECT_TRUE(end.status.ok());
-  return position_error(start, step, 1, end.state.position);
+  return position_error(start, step, 1, end.x.position);
 }
 
 // e = 0.7: 34.6 steps an orbit are the radius of convergence at the periapsis.
@@ -128,7 +128,7 @@ TEST(Propagators, AsIntegrators) {
   };
   const auto end = continuation_integrator(method, 1)(system, joined(start), 2, 9, observe, {});
   EXPECT_EQ(last, 9);
-  EXPECT_EQ(parted(end.x).position, plain.state.position);
+  EXPECT_EQ(parted(end.x).position, plain.x.position);
   EXPECT_EQ(end.statistics.steps, plain.statistics.steps);
   EXPECT_GE(end.statistics.right_hand_sides, 12 * end.statistics.steps);  // the lowest order that is chosen
   const auto limited = continuation_integrator(method, 1)(system, joined(start), 2, 9, {}, {.steps = 3});

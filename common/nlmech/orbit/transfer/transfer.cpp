@@ -25,10 +25,10 @@ constexpr std::int64_t most_steps = 20'000'000;
     end = solution.state;
     return solution.status.ok();
   }
-  const Continued solution = propagate(start, 0, p.time, p.gravity, AnalyticContinuation{.tolerance = 1e-17},
-                                       {}, ContinuationLimits{.steps = 1'000'000});
+  const Solution solution = propagate(start, 0, p.time, p.gravity, AnalyticContinuation{.tolerance = 1e-17},
+                                      {}, {.steps = 1'000'000});
   steps += solution.statistics.steps;
-  end = solution.state;
+  end = solution.x;
   return solution.status.ok();
 }
 
