@@ -2,8 +2,8 @@
 # of the two, and a processor without these instructions could be handed it. Every weak function of such an object file
 # must therefore name the instruction set's own type.
 #   cmake -DNM=nm -DOBJECTS=a.o;b.o -DPEER_OBJECTS=c.o -P kernel_symbols.cmake
-set(avx2_mark "Avx2|Quad")
-set(avx512_mark "Avx512|Octet")
+set(avx2_mark Avx2)
+set(avx512_mark Avx512)
 set(checked 0)
 foreach(object IN LISTS OBJECTS PEER_OBJECTS)
   if(NOT object MATCHES "(avx2|avx512)\\.cpp")

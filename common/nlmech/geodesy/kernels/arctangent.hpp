@@ -2,8 +2,6 @@
 /// Branch-free four-quadrant arctangent for the kernels. Internal.
 #pragma once
 
-#include "nlmech/geodesy/kernels/lanes.hpp"
-
 namespace nlmech::geodesy::kernels {
 
 /// (atan(t)/t - 1)/t^2 as a polynomial in t^2, minimax for the absolute error of atan(t) on |t| <= tan(pi/8),
@@ -51,9 +49,9 @@ template <bool half_plane, class V>
 
   V numerator = negate_if(steep, select(diagonal, small - big, small));
   V base = select(diagonal, quarter, select(steep, half, V::all(0)));
-  if constexpr (half_plane) {
-    numerator = negate_if(negative(x), numerator);
-    base = select(negative(x), V::all(0x1.921fb54442d18p+1) - base, base);
+  if constexpr (half_plane) {  // mirrored at the axis of y
+    numerator = flip_sign(numerator, x);
+    base = half - flip_sign(half - base, x);
   }
   const V t = numerator / select(diagonal, small + big, big);
   const V w = t * t;

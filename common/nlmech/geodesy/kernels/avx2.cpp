@@ -1,8 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes_avx2.hpp"
+#include "nlmech/support/simd/avx2.hpp"
 #include "nlmech/geodesy/kernels/reverse_kernel.hpp"
 
 namespace nlmech::geodesy::kernels {
 
-const Kernel avx2_kernel = kernel<Avx2, Quad>;
+const Kernel avx2_kernel = kernel<simd::Avx2>;
 
 }  // namespace nlmech::geodesy::kernels

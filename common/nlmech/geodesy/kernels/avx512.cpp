@@ -1,8 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes_avx512.hpp"
+#include "nlmech/support/simd/avx512.hpp"
 #include "nlmech/geodesy/kernels/reverse_kernel.hpp"
 
 namespace nlmech::geodesy::kernels {
 
-const Kernel avx512_kernel = kernel<Avx512, Octet>;
+const Kernel avx512_kernel = kernel<simd::Avx512>;
 
 }  // namespace nlmech::geodesy::kernels

@@ -1,8 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes.hpp"
+#include "nlmech/support/simd/baseline.hpp"
 #include "nlmech/geodesy/kernels/reverse_kernel.hpp"
 
 namespace nlmech::geodesy::kernels {
 
-const Kernel baseline_kernel = kernel<Baseline, Pair<Baseline>>;
+const Kernel baseline_kernel = kernel<simd::Baseline>;
 
 }  // namespace nlmech::geodesy::kernels

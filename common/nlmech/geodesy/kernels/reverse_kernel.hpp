@@ -5,6 +5,7 @@
 
 #include "nlmech/geodesy/kernels/arctangent.hpp"
 #include "nlmech/geodesy/kernels/kernel.hpp"
+#include "nlmech/support/simd/lanes.hpp"
 
 namespace nlmech::geodesy::kernels {
 
@@ -84,19 +85,15 @@ template <int corrections, class V>
 }
 
 /// Two angles at once: latitude in the first lane, longitude in the second.
-template <class Set>
-[[gnu::always_inline]] inline Position position(const Meridian<Single<Set>>& g, double x, double y,
-                                                double z) {
-  using Two = Pair<Set>;
-  const Two angles =
-      arctangent<true>(magnitude(Two::of(g.y.v, y)), Two::of(g.x.v, x), Two::of(g.correction.v, 0));
-  const Two result = with_sign(angles, Two::of(z, y));
-  return {result.first(), result.second(), g.height.v, g.valid};
-}
-
 template <class Set, int corrections>
 Position reverse_point(const Constants& k, double x, double y, double z) noexcept {
-  return position<Set>(meridian<corrections>(Single<Set>{x}, Single<Set>{y}, Single<Set>{z}, k), x, y, z);
+  using One = simd::Lanes<Set, 1>;
+  using Two = simd::Lanes<Set, 2>;
+  const Meridian<One> g = meridian<corrections>(One{x}, One{y}, One{z}, k);
+  const Two angles =
+      arctangent<true>(magnitude(Two::of(g.y.v, y)), Two::of(g.x.v, x), Two::of(g.correction.v, 0.0));
+  const Two result = with_sign(angles, Two::of(z, y));
+  return {result[0], result[1], g.height.v, g.valid};
 }
 
 /// One vector of points from x, y, z to latitude, longitude, height; returns one bit for each point that is
@@ -158,7 +155,7 @@ Tally reverse_batch(const Constants& k, const ClosestPoint& exact, const Arrays&
 }
 
 /// The table of one instruction set.
-template <class Set, class V>
+template <class Set, class V = simd::Widest<Set>>
 inline constexpr Kernel kernel = {{reverse_point<Set, 0>, reverse_point<Set, 1>, reverse_point<Set, 2>},
                                   {reverse_batch<V, 0>, reverse_batch<V, 1>, reverse_batch<V, 2>}};
 

@@ -1,8 +1,8 @@
-#include "nlmech/orbit/kernels/lanes.hpp"
+#include "nlmech/support/simd/baseline.hpp"
 #include "nlmech/orbit/kernels/taylor_kernel.hpp"
 
 namespace nlmech::orbit::kernels {
 
-const Kernel baseline_kernel = kernel<Baseline>;
+const Kernel baseline_kernel = kernel<simd::Baseline>;
 
 }  // namespace nlmech::orbit::kernels

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "nlmech/orbit/kernels/five.hpp"
 #include "nlmech/orbit/kernels/kernel.hpp"
 
 namespace nlmech::orbit::kernels {
@@ -19,7 +20,7 @@ namespace nlmech::orbit::kernels {
 //
 //     f_{n+2} = Q_n/(n (n + 1)(n + 2)).
 //
-// The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one Isa::Five, and each
+// The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one Five, and each
 // term is one multiply-add with g in all lanes.
 //
 // What limits the speed is the chain from one order to the next, not the number of operations. So sums have
@@ -40,10 +41,16 @@ constexpr Reciprocal reciprocal(int d) {
   return {static_cast<double>(d), high, ((1 - d * top) - d * (high - top)) / d};
 }
 
-template <class Isa>
+/// Of the first three lanes.
+template <class Set>
+[[gnu::always_inline]] inline double sum3(Four<Set> a) {
+  return (a[0] + a[1]) + a[2];
+}
+
+template <class Set>
 struct Taylor {
-  using Four = typename Isa::Four;
-  using Five = typename Isa::Five;
+  using Four = kernels::Four<Set>;
+  using Five = kernels::Five<Set>;
   static constexpr int size = most_unrolled + 1;
 
   Five five[size];
@@ -55,14 +62,14 @@ struct Taylor {
   [[gnu::always_inline]] explicit Taylor(Coefficients& out) : c(out) {}
 
   [[gnu::always_inline]] static double over(double x, Reciprocal d) {
-    if constexpr (Isa::fuses) {
-      return Isa::fused(x, d.high, x * d.low);
+    if constexpr (Set::fuses) {
+      return Set::multiply_add(x, d.high, x * d.low);
     } else {
       return x / d.d;
     }
   }
   [[gnu::always_inline]] static Four over(Four x, Reciprocal d) {
-    if constexpr (Isa::fuses) {
+    if constexpr (Set::fuses) {
       return multiply_add(x, Four::all(d.high), x * Four::all(d.low));
     } else {
       return x / Four::all(d.d);
@@ -79,7 +86,7 @@ struct Taylor {
     r[2] = r[0] * Four::all(0.5 * g[0]);
     r[2].store(c.row[2]);
     f[1] = 2 * sum3(r[0] * r[1]);
-    f[2] = Isa::fused(f[0], g[0], sum3(r[1] * r[1]));
+    f[2] = Set::multiply_add(f[0], g[0], sum3(r[1] * r[1]));
     five[1] = Five::of(r[1], f[1], f[1]);
     f1_ratio = f[1] * f0_inverse;
     f_factor = 1.5 * g[0] * f0_inverse;
@@ -101,8 +108,8 @@ struct Taylor {
   [[gnu::always_inline]] void order() {
     five[n] = Five::of(r[n], f[n], n * f[n]);
     const double factor = f1_ratio + over(f1_ratio, reciprocal(2 * n));
-    const double known_late = Isa::fused(factor, g[n - 1], f_factor * f[n]);
-    double q = Isa::fused(f[1], g[n - 1], n * (f[n] * g[0]));
+    const double known_late = Set::multiply_add(factor, g[n - 1], f_factor * f[n]);
+    double q = Set::multiply_add(f[1], g[n - 1], n * (f[n] * g[0]));
     Four sum = multiply_add(r[1], Four::all(g[n - 1]), r[n] * Four::all(g[0]));
     if constexpr (n == 2) {
       g[2] = -known_late;
@@ -120,7 +127,7 @@ struct Taylor {
       if constexpr (parts > 1) all = all + part[1];
       if constexpr (n > 3) all = multiply_add(five[2], g[n - 2], all);
       const double known = all.fourth() + over(all.fifth(), reciprocal(2 * n));
-      g[n] = -Isa::fused(known, f0_inverse, known_late);
+      g[n] = -Set::multiply_add(known, f0_inverse, known_late);
       q += all.fifth();
       sum = sum + all.four();
     }
@@ -205,7 +212,7 @@ struct Taylor {
   }
 };
 
-template <class Isa>
-inline constexpr Kernel kernel = {Taylor<Isa>::expand, Taylor<Isa>::increments, Taylor<Isa>::advance};
+template <class Set>
+inline constexpr Kernel kernel = {Taylor<Set>::expand, Taylor<Set>::increments, Taylor<Set>::advance};
 
 }  // namespace nlmech::orbit::kernels

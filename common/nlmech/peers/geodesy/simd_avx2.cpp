@@ -1,8 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes_avx2.hpp"
 #include "nlmech/peers/geodesy/simd_methods.hpp"
+#include "nlmech/support/simd/avx2.hpp"
 
 namespace nlmech::peers::geodesy {
 
-const SimdTable avx2_peers = simd_table<nlmech::geodesy::kernels::Quad>;
+const SimdTable avx2_peers = simd_table<simd::Widest<simd::Avx2>>;
 
 }  // namespace nlmech::peers::geodesy

@@ -1,8 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes_avx512.hpp"
 #include "nlmech/peers/geodesy/simd_methods.hpp"
+#include "nlmech/support/simd/avx512.hpp"
 
 namespace nlmech::peers::geodesy {
 
-const SimdTable avx512_peers = simd_table<nlmech::geodesy::kernels::Octet>;
+const SimdTable avx512_peers = simd_table<simd::Widest<simd::Avx512>>;
 
 }  // namespace nlmech::peers::geodesy

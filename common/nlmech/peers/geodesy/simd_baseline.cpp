@@ -1,9 +1,8 @@
-#include "nlmech/geodesy/kernels/lanes.hpp"
 #include "nlmech/peers/geodesy/simd_methods.hpp"
+#include "nlmech/support/simd/baseline.hpp"
 
 namespace nlmech::peers::geodesy {
 
-const SimdTable baseline_peers =
-    simd_table<nlmech::geodesy::kernels::Pair<nlmech::geodesy::kernels::Baseline>>;
+const SimdTable baseline_peers = simd_table<simd::Widest<simd::Baseline>>;
 
 }  // namespace nlmech::peers::geodesy

@@ -1,0 +1,67 @@
+/// @file
+/// What every processor of the architecture has. Internal to the kernels.
+#pragma once
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "nlmech/support/simd/lanes.hpp"
+
+namespace nlmech::simd {
+
+/// The set of Lanes that leaves nearly all to the compiler. Products are rounded.
+struct Baseline {
+  static constexpr int lanes = 2;       ///< of a register
+  static constexpr bool fuses = false;  ///< multiply_add() rounds once
+
+  /// a b + c
+  template <class V>
+  [[gnu::always_inline]] static V multiply_add(V a, V b, V c) {
+    return a * b + c;
+  }
+  /// c - a b
+  template <class V>
+  [[gnu::always_inline]] static V subtract_product(V a, V b, V c) {
+    return c - a * b;
+  }
+  // Of two lanes. GCC 12 compares again where a comparison is known already, and splits a mask that is used
+  // as bits.
+#if defined(__SSE2__)
+  /// See Lanes.
+  /// @{
+  [[gnu::always_inline]] static __m128d larger(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+  [[gnu::always_inline]] static __m128d smaller(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
+  template <class Mask>
+  [[gnu::always_inline]] static Mask both(Mask a, Mask b) {
+    return Mask(_mm_and_pd(__m128d(a), __m128d(b)));
+  }
+  template <class Mask>
+  [[gnu::always_inline]] static unsigned bits(Mask m) {
+    return static_cast<unsigned>(_mm_movemask_pd(__m128d(m)));
+  }
+  /// @}
+#else
+  /// See Lanes.
+  /// @{
+  template <class V>
+  [[gnu::always_inline]] static V larger(V a, V b) {
+    return a > b ? a : b;
+  }
+  template <class V>
+  [[gnu::always_inline]] static V smaller(V a, V b) {
+    return a < b ? a : b;
+  }
+  template <class Mask>
+  [[gnu::always_inline]] static Mask both(Mask a, Mask b) {
+    return a & b;
+  }
+  template <class Mask>
+  [[gnu::always_inline]] static unsigned bits(Mask m) {
+    return (m[0] != 0 ? 1u : 0u) | (m[1] != 0 ? 2u : 0u);
+  }
+  /// @}
+#endif
+};
+
+}  // namespace nlmech::simd
