@@ -9,6 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/bisection.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
@@ -27,13 +29,7 @@ double fastest(const ExponentialSum& f) {
 
 /// The root of f^(order) between @p a and @p b, where it has different signs; by halving, which cannot fail.
 double halve(const ExponentialSum& f, int order, double offset, double a, double b) {
-  const bool negative = f.value(a, order) < offset;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = a + (b - a) / 2;
-    if (middle <= a || middle >= b) break;
-    ((f.value(middle, order) < offset) == negative ? a : b) = middle;
-  }
-  return a;
+  return sign_change([&](double t) { return f.value(t, order) - offset; }, a, b);
 }
 
 /// The largest value of sign * f in [a, b], whose shape a few points show.

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -170,17 +170,6 @@ void finish(TimeResponse& response, std::span<const double> places) {
   if (response.status.ok()) response.status = closed_at_start(response);
 }
 
-/// Gauss's rule with 4 points on [a, b]: exact for polynomials of degree 7.
-double integral(double a, double b, const std::function<double(double)>& f) {
-  constexpr double points[] = {0.33998104358485626, 0.86113631159405258};
-  constexpr double weights[] = {0.65214515486254614, 0.34785484513745386};
-  const double middle = (a + b) / 2, half = (b - a) / 2;
-  double sum = 0;
-  for (int i = 0; i < 2; ++i)
-    sum += weights[i] * (f(middle - half * points[i]) + f(middle + half * points[i]));
-  return sum * half;
-}
-
 }  // namespace
 
 TimeResponse step_response(const ClosedLoop& loop, double final_angle, std::span<const double> places,
@@ -264,10 +253,11 @@ Statics statics(const Parameters& p, double x) {
   require_physical(p);
   if (!(x >= 0 && x <= p.length))
     throw std::invalid_argument(fmt::format("statics: x = {:g} is outside 0 to {:g}", x, p.length));
+  using Rule = boost::math::quadrature::gauss<double, 7>;  // polynomials, of degree 6 at most
   const double ei = p.bending_stiffness();
   const auto moment = [&](double at) {
-    const double load = integral(
-        at, p.length, [&](double xi) { return p.mass_per_length * (p.hub_radius + xi) * (xi - at); });
+    const double load = Rule::integrate(
+        [&](double xi) { return p.mass_per_length * (p.hub_radius + xi) * (xi - at); }, at, p.length);
     return load + p.tip_mass * (p.hub_radius + p.length) * (p.length - at) + p.tip_inertia;
   };
   const auto green = [&](double xi) {
@@ -277,9 +267,9 @@ Statics statics(const Parameters& p, double x) {
   const auto square = [&](double xi) { return green(xi) * green(xi); };
   const double slope = x * x / (2 * ei), tip = green(p.length);
   Statics s{};
-  s.strain = integral(0, p.length, [&](double at) { return moment(at) * moment(at) / ei; });
+  s.strain = Rule::integrate([&](double at) { return moment(at) * moment(at) / ei; }, 0., p.length);
   s.green = x * x * x / (3 * ei);
-  s.square = (p.mass_per_length * (integral(0, x, square) + integral(x, p.length, square)) +
+  s.square = (p.mass_per_length * (Rule::integrate(square, 0., x) + Rule::integrate(square, x, p.length)) +
               p.tip_mass * tip * tip + p.tip_inertia * slope * slope) /
              2;
   return s;

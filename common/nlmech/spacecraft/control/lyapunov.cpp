@@ -7,37 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <unsupported/Eigen/MatrixFunctions>
 
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
 
 namespace nlmech::spacecraft {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// exp(A t) by Taylor's series of A t/2^k, |A t|/2^k <= 1/2, squared k times.
-MatrixXd exponential(const MatrixXd& a, double time) {
-  const double norm = (a * time).cwiseAbs().rowwise().sum().maxCoeff();
-  int squarings = 0;
-  double scale = time;
-  while (norm * scale / time > 0.5) {
-    ++squarings;
-    scale /= 2;
-  }
-  const MatrixXd small = a * scale;
-  MatrixXd term = MatrixXd::Identity(a.rows(), a.cols()), sum = term;
-  for (int k = 1; k <= 16; ++k) {
-    term = term * small / k;
-    sum += term;
-  }
-  for (int k = 0; k < squarings; ++k) sum = sum * sum;
-  return sum;
-}
-
-}  // namespace
 
 DiscreteLoop::DiscreteLoop(const DiscreteModel& model, const Gains& gains, double final_angle, double step)
     : step_(step), k3_(gains.k3), final_angle_(final_angle), shape_(model.shape) {
@@ -73,13 +52,13 @@ DiscreteLoop::DiscreteLoop(const DiscreteModel& model, const Gains& gains, doubl
   a.topRightCorner(n, n) = omega.asDiagonal();
   a.bottomLeftCorner(n, n) = -MatrixXd(omega.asDiagonal());
   a.bottomRightCorner(n, n) = -gains.k3 * velocities_.row(0).transpose() * velocities_.row(0);
-  propagator_ = exponential(a, step);
+  propagator_ = MatrixXd(a * step).exp();
   rates_.resize(10, 2 * n);
   VectorXd theta_rate = VectorXd::Zero(2 * n);
   theta_rate.tail(n) = velocities_.row(0).transpose();
   for (Index k = 0; k < 10; ++k) {
-    const double place = gauss_rule[static_cast<std::size_t>(k % 5)].place, point = k < 5 ? place : -place;
-    rates_.row(k) = theta_rate.transpose() * exponential(a, step * (1 + point) / 2);
+    const double place = gauss_rule[static_cast<std::size_t>(k)].place;
+    rates_.row(k) = theta_rate.transpose() * MatrixXd(a * (step * (1 + place) / 2)).exp();
   }
   VectorXd start = VectorXd::Zero(n);
   start[0] = -final_angle;
@@ -122,7 +101,7 @@ double DiscreteLoop::dissipation() const {
   double sum = 0;
   for (Index k = 0; k < 10; ++k) {
     const double rate = rates_.row(k).dot(state_);
-    sum += gauss_rule[static_cast<std::size_t>(k % 5)].weight * rate * rate;
+    sum += gauss_rule[static_cast<std::size_t>(k)].weight * rate * rate;
   }
   return k3_ * sum * step_ / 2;
 }

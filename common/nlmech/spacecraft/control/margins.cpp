@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/bisection.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
 namespace nlmech::spacecraft {
@@ -47,15 +48,10 @@ double excess(const ClosedLoop& loop, double omega) {
 }
 
 Crossover crossover(const ClosedLoop& loop, double a, double b) {
-  const bool above = excess(loop, a) > 0;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = a + (b - a) / 2;
-    if (middle <= a || middle >= b) break;
-    ((excess(loop, middle) > 0) == above ? a : b) = middle;
-  }
-  const Parts p = parts(loop, a);
+  const double omega = sign_change([&](double at) { return excess(loop, at); }, a, b);
+  const Parts p = parts(loop, omega);
   const double phase = std::arg(-p.numerator / p.denominator);
-  return {a, phase, (phase > 0 ? phase : phase + 2 * pi) / a};
+  return {omega, phase, (phase > 0 ? phase : phase + 2 * pi) / omega};
 }
 
 /// Points of [a, b] that accumulate at both ends down to 1e-13 of b, as |L| changes there.

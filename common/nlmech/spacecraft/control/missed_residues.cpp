@@ -66,19 +66,17 @@ class Sector {
   Moments line(double from, double to, const Place& place) {
     const double middle = (from + to) / 2, half = (to - from) / 2;
     Moments sum;
-    for (const GaussPair& g : gauss_rule) {
-      for (const double side : {-g.place, g.place}) {
-        const Point p = place(middle + side * half);
-        const Complex value = transform_(boundary_.centre + p.s);
-        if (!is_finite(value) && finite_) {
-          finite_ = false;
-          last_ = boundary_.centre + p.s;
-        }
-        const Complex term = g.weight * half * value * p.slope;
-        sum.zeroth += term;
-        sum.first += term * p.s;
-        sum.size += std::abs(term * p.s);
+    for (const GaussPoint& g : gauss_rule) {
+      const Point p = place(middle + g.place * half);
+      const Complex value = transform_(boundary_.centre + p.s);
+      if (!is_finite(value) && finite_) {
+        finite_ = false;
+        last_ = boundary_.centre + p.s;
       }
+      const Complex term = g.weight * half * value * p.slope;
+      sum.zeroth += term;
+      sum.first += term * p.s;
+      sum.size += std::abs(term * p.s);
     }
     return sum;
   }

@@ -48,9 +48,8 @@ void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, dou
   const double half = (last - first) / count / 2;
   for (int i = 0; i < count; ++i) {
     const double middle = first + (2 * i + 1) * half;
-    for (std::size_t k = 0; k < 10; ++k) {
-      const GaussPair& g = gauss_rule[k % 5];
-      const double v = middle + (k < 5 ? g.place : -g.place) * half;
+    for (const GaussPoint& g : gauss_rule) {
+      const double v = middle + g.place * half;
       const Three d = densities(loop, centre + width * std::sinh(v), x);
       const double weight = g.weight * half * width * std::cosh(v);
       for (std::size_t j = 0; j < 3; ++j) sum[j] += weight * d[j];

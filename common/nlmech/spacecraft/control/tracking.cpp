@@ -98,13 +98,11 @@ struct Tracking::Course {
       at_end.push_back(turn.polynomial(end, static_cast<int>(i)));
     }
     const double half = end / pieces / 2;
-    points.reserve(std::size_t{2} * pieces * gauss_rule.size());
+    points.reserve(pieces * gauss_rule.size());
     for (int i = 0; i < pieces; ++i) {
-      for (const GaussPair& g : gauss_rule) {
-        for (const double side : {-g.place, g.place}) {
-          const double tau = (2 * i + 1 + side) * half;
-          points.push_back({tau, g.weight * half, turn.polynomial(tau, 1)});
-        }
+      for (const GaussPoint& g : gauss_rule) {
+        const double tau = (2 * i + 1 + g.place) * half;
+        points.push_back({tau, g.weight * half, turn.polynomial(tau, 1)});
       }
     }
   }

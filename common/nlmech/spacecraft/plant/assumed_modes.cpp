@@ -93,16 +93,14 @@ DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctio
   Eigen::VectorXd coupling = Eigen::VectorXd::Zero(count), phi(count), bend(count);
   const int panels = count + 4;
   for (int panel = 0; panel < panels; ++panel) {
-    for (const auto& [node, weight] : gauss_rule) {
-      for (const double side : {-1., 1.}) {
-        const double xi = (panel + (1 + side * node) / 2) / panels, w = weight / 2 / panels;
-        family.evaluate(xi, 0, phi);
-        family.evaluate(xi, 2, bend);
-        coupling += (2 * rho * l * w * (r + l * xi)) * phi;
-        mass.selfadjointView<Eigen::Lower>().rankUpdate(phi, 2 * rho * l * w);
-        stiffness.selfadjointView<Eigen::Lower>().rankUpdate(
-            bend, 2 * parameters.bending_stiffness() * w / (l * l * l));
-      }
+    for (const auto& [place, weight] : gauss_rule) {
+      const double xi = (panel + (1 + place) / 2) / panels, w = weight / 2 / panels;
+      family.evaluate(xi, 0, phi);
+      family.evaluate(xi, 2, bend);
+      coupling += (2 * rho * l * w * (r + l * xi)) * phi;
+      mass.selfadjointView<Eigen::Lower>().rankUpdate(phi, 2 * rho * l * w);
+      stiffness.selfadjointView<Eigen::Lower>().rankUpdate(
+          bend, 2 * parameters.bending_stiffness() * w / (l * l * l));
     }
   }
   if (parameters.has_tip()) {

@@ -3,20 +3,25 @@
 #pragma once
 
 #include <array>
+#include <boost/math/quadrature/gauss.hpp>
 
 namespace nlmech::spacecraft {
 
-/// A pair of points of a symmetric rule on [-1, 1].
-struct GaussPair {
-  double place;   ///< of the right one; the other is its mirror image
-  double weight;  ///< of each
+/// A point of a rule on [-1, 1].
+struct GaussPoint {
+  double place;   ///< where
+  double weight;  ///< of the value there
 };
 
-/// The five pairs of the rule of ten points: exact for polynomials of degree 19.
-inline constexpr std::array<GaussPair, 5> gauss_rule = {{{0.14887433898163121, 0.29552422471475287},
-                                                         {0.43339539412924719, 0.26926671930999636},
-                                                         {0.67940956829902441, 0.21908636251598204},
-                                                         {0.86506336668898451, 0.14945134915058059},
-                                                         {0.97390652851717172, 0.066671344308688138}}};
+/// The rule of ten points: exact for polynomials of degree 19.
+inline const std::array<GaussPoint, 10> gauss_rule = [] {
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  std::array<GaussPoint, 10> rule;
+  for (std::size_t i = 0; i < 5; ++i) {
+    rule[2 * i] = {-Rule::abscissa()[i], Rule::weights()[i]};
+    rule[2 * i + 1] = {Rule::abscissa()[i], Rule::weights()[i]};
+  }
+  return rule;
+}();
 
 }  // namespace nlmech::spacecraft

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/bisection.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
@@ -31,17 +33,6 @@ Characteristic characteristic(const Plant& plant, const Part& part) {
           }};
 }
 
-/// Between two points where f has opposite signs, to the last bit.
-double bisect(const std::function<double(double)>& f, double low, double high, bool rising) {
-  for (;;) {
-    const double middle = low + (high - low) / 2;
-    if (middle <= low || middle >= high) return middle;
-    const double value = f(middle);
-    if (value == 0) return middle;
-    ((value > 0) == rising ? high : low) = middle;
-  }
-}
-
 /// Zeros of f up to where @p enough says so: sign changes in steps of @p step of |beta|^(1/4) L.
 template <class Enough>
 std::vector<double> scan(const Characteristic& c, double step, const Enough& enough) {
@@ -51,7 +42,7 @@ std::vector<double> scan(const Characteristic& c, double step, const Enough& eno
   double before = c.on_axis(0);
   for (int i = 1; !enough(found, at(i - 1)); ++i) {
     const double here = c.on_axis(at(i));
-    if ((here > 0) != (before > 0)) found.push_back(bisect(c.on_axis, at(i - 1), at(i), here > 0));
+    if ((here > 0) != (before > 0)) found.push_back(sign_change(c.on_axis, at(i - 1), at(i)));
     before = here;
   }
   return found;
