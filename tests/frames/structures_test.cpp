@@ -1,5 +1,5 @@
 /// Limit and branch points of Lee's frame, of arches and of the toggle, by path following.
-#include "nlmech/frames/structures.hpp"
+#include "tests/frames/structures.hpp"
 
 #include <gtest/gtest.h>
 

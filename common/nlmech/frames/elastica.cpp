@@ -4,7 +4,11 @@
 
 #include <Eigen/LU>
 #include <array>
+#include <boost/math/tools/roots.hpp>
+#include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "nlmech/series/dual.hpp"
@@ -17,23 +21,13 @@ using D = Dual<Real, 3>;  // by H, V, M(0)
 using Three = Eigen::Matrix<Real, 3, 1>;
 using Section = std::array<D, 4>;  // x, y, theta, M
 
-/// s + h slope
-Section ahead(const Section& s, Real h, const Section& slope) {
-  Section sum = s;
-  for (std::size_t i = 0; i < 4; ++i) {
-    sum[i].value += h * slope[i].value;
-    for (std::size_t k = 0; k < 3; ++k) sum[i].partial[k] += h * slope[i].partial[k];
-  }
-  return sum;
-}
-
 struct Rod {
   D h, v;
   Real ea, ei;
-  [[nodiscard]] Section slope(const Section& s) const {
+  void operator()(const Section& s, Section& slope, Real /*arc*/) const {
     const D c = cos(s[2]), sine = sin(s[2]), stretch = 1 + (h * c + v * sine) / ea;
     const D x = stretch * c, y = stretch * sine;
-    return {x, y, s[3] / ei, h * y - v * x};
+    slope = {x, y, s[3] / ei, h * y - v * x};
   }
 };
 
@@ -49,17 +43,14 @@ ElasticaPoint Elastica::at(double drop, const ElasticaPoint& near) const {
   const Real length = toggle_.length, height = toggle_.height;
   const Real half_span = std::sqrt((length - height) * (length + height)), angle = std::asin(height / length);
   const Real h = length / static_cast<Real>(steps_);
+  boost::numeric::odeint::runge_kutta4<Section, Real> runge_kutta;
   Three u(near.horizontal, -near.load / 2, near.moment);
   Eigen::Matrix<Real, 3, 3> jacobian;
   ElasticaPoint point{.drop = drop, .outcome = Outcome::not_converged};
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Rod rod{D::variable(u[0], 0), D::variable(u[1], 1), toggle_.ea, toggle_.ei};
     Section s{D(Real(0)), D(Real(0)), D(angle), D::variable(u[2], 2)};
-    for (int k = 0; k < steps_; ++k) {
-      const Section a = rod.slope(s), b = rod.slope(ahead(s, h / 2, a)), c = rod.slope(ahead(s, h / 2, b)),
-                    d = rod.slope(ahead(s, h, c));
-      s = ahead(ahead(ahead(ahead(s, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
-    }
+    for (int k = 0; k < steps_; ++k) runge_kutta.do_step(rod, s, k * h, h);
     const Three rest(s[0].value - half_span, s[1].value - (height - static_cast<Real>(drop)),
                      s[2].value - angle);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -93,21 +84,17 @@ std::vector<ElasticaPoint> Elastica::curve(double drop, int points) const {
 }
 
 ElasticaPoint Elastica::limit(const ElasticaPoint& low, const ElasticaPoint& high) const {
-  double a = low.drop, b = high.drop, slope_a = low.slope, slope_b = high.slope;
   ElasticaPoint point = low;
-  if (!((slope_a > 0) != (slope_b > 0))) point.outcome = Outcome::not_converged;
-  for (int k = 0; k < 40 && point.outcome == Outcome::success; ++k) {
-    const double middle = (a * slope_b - b * slope_a) / (slope_b - slope_a);
-    point = at(middle, point);
-    if (point.slope == 0 || std::abs(b - a) <= 1e-9 || std::abs(point.slope) <= 1e-9) break;
-    if ((point.slope > 0) == (slope_a > 0)) {
-      a = middle, slope_a = point.slope;
-      slope_b /= 2;
-    } else {
-      b = middle, slope_b = point.slope;
-      slope_a /= 2;
-    }
+  if (!((low.slope > 0) != (high.slope > 0))) {
+    point.outcome = Outcome::not_converged;
+    return point;
   }
+  std::uintmax_t most = 40;
+  const auto slope = [&](double drop) { return (point = at(drop, point)).slope; };
+  const auto is_near = [&](double a, double b) {
+    return point.outcome != Outcome::success || std::abs(b - a) <= 1e-9 || std::abs(point.slope) <= 1e-9;
+  };
+  (void)boost::math::tools::toms748_solve(slope, low.drop, high.drop, low.slope, high.slope, is_near, most);
   return point;
 }
 

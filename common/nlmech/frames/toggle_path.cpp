@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -130,12 +131,8 @@ std::vector<double> drops_at(const Williams& w, double n, double end) {
 
 /// The root of the slope between two drops, to the last bit.
 double stationary_drop(const Williams& w, double low, double high) {
-  const bool rises = w.stiffness(low) > 0;
-  for (;;) {
-    const double middle = low + (high - low) / 2;
-    if (!(middle > low && middle < high)) return low;
-    ((w.stiffness(middle) > 0) == rises ? low : high) = middle;
-  }
+  const auto slope = [&](double drop) { return w.stiffness(drop); };
+  return boost::math::tools::bisect(slope, low, high, [](double, double) { return false; }).first;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "nlmech/frames/structures.hpp"
+#include "tests/frames/structures.hpp"
 
 #include <fmt/format.h>
 
