@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 
 #include "nlmech/peers/ivp/peer_stepper.hpp"
 
@@ -60,4 +61,25 @@ template <ivp::SystemLike S, class Integrate>
   return solution;
 }
 
+/// A method that a library runs on arrays, whatever the system is; on some systems perhaps without them.
+template <class Method>
+concept RunsOnArrays = requires(Run& run, const Method& method) {
+  { integrate_by(run, method) } -> std::same_as<Status>;
+};
+
 }  // namespace nlmech::peers
+
+/// Such a method as one of integrate().
+template <nlmech::ivp::SystemLike S, nlmech::peers::RunsOnArrays Method>
+struct nlmech::ivp::Integrator<S, Method> {
+  /// See integrate().
+  static Solution<S::dimension> run(const Task<S>& task, const Method& method) {
+    return peers::run_peer(task, [&](auto& equations, peers::Run& run) {
+      if constexpr (requires { integrate_by(equations, run, method); }) {
+        return integrate_by(equations, run, method);
+      } else {
+        return integrate_by(run, method);
+      }
+    });
+  }
+};

@@ -1,5 +1,3 @@
-#include "nlmech/peers/ivp/gsl/gsl.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "nlmech/ivp/failures.hpp"
+#include "nlmech/peers/ivp/native.hpp"
 
 namespace nlmech::peers {
 namespace {
@@ -221,10 +220,23 @@ class GslStepper final : public PeerStepper {
 
 bool gsl_available() noexcept { return true; }
 
-Status integrate_by_gsl(Run& run, const Gsl& method) {
+Status integrate_by(Run& run, const Gsl& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   GslStepper stepper(run.equations, method);
   return walk(method.name(), stepper, run);
+}
+
+bool gsl_natively(const Gsl& method, const NativeEquations& equations, double t0, double t1, double* x) {
+  gsl_error_handler_t* before = gsl_set_error_handler_off();  // it would end the program
+  gsl_odeiv2_system system = {equations.rhs, equations.jacobian, static_cast<std::size_t>(equations.size),
+                              equations.data};
+  gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_y_new(
+      &system, step_type(method.formula), 1e-6, method.absolute_tolerance, method.relative_tolerance);
+  double t = t0;
+  const bool there = driver != nullptr && gsl_odeiv2_driver_apply(driver, &t, t1, x) == GSL_SUCCESS;
+  if (driver != nullptr) gsl_odeiv2_driver_free(driver);
+  gsl_set_error_handler(before);
+  return there;
 }
 
 }  // namespace nlmech::peers

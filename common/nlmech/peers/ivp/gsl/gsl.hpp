@@ -44,16 +44,6 @@ struct Gsl {
 
 /// Runs GSL on arrays. @throws std::logic_error if the build has no GSL
 /// @throws std::invalid_argument for tolerances out of range
-[[nodiscard]] Status integrate_by_gsl(Run& run, const Gsl& method);
+[[nodiscard]] Status integrate_by(Run& run, const Gsl& method);
 
 }  // namespace nlmech::peers
-
-/// GSL as a method of integrate().
-template <nlmech::ivp::SystemLike S>
-struct nlmech::ivp::Integrator<S, nlmech::peers::Gsl> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const peers::Gsl& method) {
-    return peers::run_peer(task,
-                           [&](auto&, peers::Run& run) { return peers::integrate_by_gsl(run, method); });
-  }
-};

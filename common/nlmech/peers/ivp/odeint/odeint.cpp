@@ -67,22 +67,23 @@ Status run_rosenbrock4(Run& run, const Odeint& method) {
 
 bool odeint_available() noexcept { return true; }
 
-Status integrate_by_odeint(Run& run, const Odeint& method) {
+Status integrate_by(Run& run, const Odeint& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   if (method.formula == Odeint::Formula::rosenbrock4) return run_rosenbrock4(run, method);
   return detail::run_explicit_odeint<std::vector<double>>(run.equations, run, method);
 }
 
 template <int n>
-Status integrate_by_odeint(EquationsOf<ivp::System<n>>& equations, Run& run, const Odeint& method) {
+requires(ivp::compiled_dimension<ivp::System<n>> != Eigen::Dynamic) Status
+    integrate_by(EquationsOf<ivp::System<n>>& equations, Run& run, const Odeint& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   if (method.formula == Odeint::Formula::rosenbrock4) return run_rosenbrock4(run, method);
   return detail::run_explicit_odeint<detail::OdeintStateOf<n>>(equations, run, method);
 }
-template Status integrate_by_odeint(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
-template Status integrate_by_odeint(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
-template Status integrate_by_odeint(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
-template Status integrate_by_odeint(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
-template Status integrate_by_odeint(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
+template Status integrate_by(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
+template Status integrate_by(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
+template Status integrate_by(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
+template Status integrate_by(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
+template Status integrate_by(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
 
 }  // namespace nlmech::peers

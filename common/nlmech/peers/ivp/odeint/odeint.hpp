@@ -43,41 +43,19 @@ struct Odeint {
 
 /// Runs Odeint on arrays of any size. @throws std::logic_error if the build has no Odeint
 /// @throws std::invalid_argument for tolerances out of range
-[[nodiscard]] Status integrate_by_odeint(Run& run, const Odeint& method);
+[[nodiscard]] Status integrate_by(Run& run, const Odeint& method);
 
 /// The same for the compiled System of n = 1, 2, 3, 4 or 6 components, without a second indirection.
 template <int n>
-[[nodiscard]] Status integrate_by_odeint(EquationsOf<ivp::System<n>>& equations, Run& run,
-                                         const Odeint& method);
+requires(ivp::compiled_dimension<ivp::System<n>> != Eigen::Dynamic) [[nodiscard]] Status
+    integrate_by(EquationsOf<ivp::System<n>>& equations, Run& run, const Odeint& method);
 
 /// @cond instances compiled in the library
-extern template Status integrate_by_odeint(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
-extern template Status integrate_by_odeint(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
-extern template Status integrate_by_odeint(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
-extern template Status integrate_by_odeint(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
-extern template Status integrate_by_odeint(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
+extern template Status integrate_by(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
+extern template Status integrate_by(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
+extern template Status integrate_by(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
+extern template Status integrate_by(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
+extern template Status integrate_by(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
 /// @endcond
 
-namespace detail {
-/// Is the Integrator of S compiled in the library?
-template <class S>
-inline constexpr bool odeint_is_compiled =
-    std::is_same_v<S, ivp::System<S::dimension>>&& ivp::compiled_dimension<S> != Eigen::Dynamic;
-}  // namespace detail
-
 }  // namespace nlmech::peers
-
-/// Odeint as a method of integrate().
-template <nlmech::ivp::SystemLike S>
-struct nlmech::ivp::Integrator<S, nlmech::peers::Odeint> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const peers::Odeint& method) {
-    return peers::run_peer(task, [&](peers::EquationsOf<S>& equations, peers::Run& run) {
-      if constexpr (peers::detail::odeint_is_compiled<S>) {
-        return peers::integrate_by_odeint(equations, run, method);
-      } else {
-        return peers::integrate_by_odeint(run, method);
-      }
-    });
-  }
-};

@@ -108,7 +108,7 @@ class ArkodeStepper final : public PeerStepper {
 
 bool arkode_available() noexcept { return true; }
 
-Status integrate_by_arkode(Run& run, const Arkode& method) {
+Status integrate_by(Run& run, const Arkode& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   ArkodeStepper stepper(run.equations, method);
   return walk(method.name(), stepper, run);

@@ -34,16 +34,6 @@ struct Arkode {
 
 /// Runs ARKODE on arrays. @throws std::logic_error if the build has no ARKODE
 /// @throws std::invalid_argument for tolerances out of range
-[[nodiscard]] Status integrate_by_arkode(Run& run, const Arkode& method);
+[[nodiscard]] Status integrate_by(Run& run, const Arkode& method);
 
 }  // namespace nlmech::peers
-
-/// ARKODE as a method of integrate().
-template <nlmech::ivp::SystemLike S>
-struct nlmech::ivp::Integrator<S, nlmech::peers::Arkode> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const peers::Arkode& method) {
-    return peers::run_peer(task,
-                           [&](auto&, peers::Run& run) { return peers::integrate_by_arkode(run, method); });
-  }
-};

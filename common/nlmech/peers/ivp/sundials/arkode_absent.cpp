@@ -6,7 +6,7 @@ namespace nlmech::peers {
 
 bool arkode_available() noexcept { return false; }
 
-Status integrate_by_arkode(Run&, const Arkode&) {
+Status integrate_by(Run&, const Arkode&) {
   throw std::logic_error("this build has no ARKODE (NLMECH_PEERS)");
 }
 

@@ -33,16 +33,6 @@ struct Cvode {
 
 /// Runs CVODE on arrays. @throws std::logic_error if the build has no CVODE
 /// @throws std::invalid_argument for tolerances out of range
-[[nodiscard]] Status integrate_by_cvode(Run& run, const Cvode& method);
+[[nodiscard]] Status integrate_by(Run& run, const Cvode& method);
 
 }  // namespace nlmech::peers
-
-/// CVODE as a method of integrate().
-template <nlmech::ivp::SystemLike S>
-struct nlmech::ivp::Integrator<S, nlmech::peers::Cvode> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const peers::Cvode& method) {
-    return peers::run_peer(task,
-                           [&](auto&, peers::Run& run) { return peers::integrate_by_cvode(run, method); });
-  }
-};

@@ -6,9 +6,7 @@ namespace nlmech::peers {
 
 bool cvode_available() noexcept { return false; }
 
-Status integrate_by_cvode(Run&, const Cvode&) {
-  throw std::logic_error("this build has no CVODE (NLMECH_PEERS)");
-}
+Status integrate_by(Run&, const Cvode&) { throw std::logic_error("this build has no CVODE (NLMECH_PEERS)"); }
 
 bool cvode_natively(const Cvode&, const NativeEquations&, double, double, double*) { return false; }
 
