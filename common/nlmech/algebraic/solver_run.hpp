@@ -97,4 +97,24 @@ template <class Step>
   return outcome;
 }
 
+/// What to tell of one outcome in place of the common end of the sentence.
+struct Advice {
+  Outcome of = Outcome::success;  ///< which outcome
+  std::string_view text;          ///< what it means for this method, and what to change
+};
+
+/// Where only |F|^2 is stationary.
+inline constexpr Advice stationary{Outcome::singular_matrix,
+                                   "B^T F is 0: |F| is stationary and not zero; start elsewhere"};
+
+/// A whole solve: an Iteration of @p method on a run, whose step() make_steps() calls, and the report.
+template <class Iteration, class Method>
+[[nodiscard]] Report iterate(std::string_view name, const Method& method, Equations& equations,
+                             Eigen::VectorXd& x, const Observer& observer, const Advice& advice = {}) {
+  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
+  Iteration iteration(method, run);
+  const Outcome outcome = make_steps(run, [&] { return iteration.step(); });
+  return run.finish(outcome, x, outcome == advice.of ? advice.text : "");
+}
+
 }  // namespace nlmech::algebraic

@@ -93,13 +93,10 @@ class NewtonFlow {
 Report find_root(const ContinuousNewton& method, Equations& equations, Eigen::VectorXd& x,
                  const Observer& observer) {
   check(method);
-  SolverRun run(continuous_newton, equations, x, observer, method.tolerance, method.iterations);
-  NewtonFlow flow(method, run);
-  const Outcome outcome = make_steps(run, [&] { return flow.step(); });
-  return run.finish(outcome, x,
-                    outcome == Outcome::step_underflow
-                        ? "no step is short enough: the flow ends where dF/dx is singular; start elsewhere"
-                        : "");
+  return iterate<NewtonFlow>(
+      continuous_newton, method, equations, x, observer,
+      {Outcome::step_underflow,
+       "no step is short enough: the flow ends where dF/dx is singular; start elsewhere"});
 }
 
 Report find_root(const FictitiousTime& m, Equations& equations, Eigen::VectorXd& x,

@@ -79,13 +79,10 @@ Report find_root(const FirstScalarHomotopy& method, Equations& equations, Vector
   require_option(first_homotopy, method.steps >= 1, "steps", method.steps, "at least 1");
   require_option(first_homotopy, method.weight >= 0 && std::isfinite(method.weight), "weight", method.weight,
                  "0 or positive");
-  SolverRun run(first_homotopy, equations, x, observer, method.tolerance, method.iterations);
-  Pass pass(method, run);
-  const Outcome outcome = make_steps(run, [&] { return pass.step(); });
-  return run.finish(outcome, x,
-                    outcome == Outcome::singular_matrix
-                        ? "the flow has no direction: dh/dx is 0, as where |F| is stationary; start elsewhere"
-                        : "");
+  return iterate<Pass>(
+      first_homotopy, method, equations, x, observer,
+      {Outcome::singular_matrix,
+       "the flow has no direction: dh/dx is 0, as where |F| is stationary; start elsewhere"});
 }
 
 }  // namespace nlmech::algebraic

@@ -103,10 +103,7 @@ Report find_root(const Broyden& method, Equations& equations, VectorXd& x, const
   constexpr const char* name = "broyden";
   require_option(name, method.memory >= 1, "memory", method.memory, "at least 1");
   require_option(name, method.growth >= 1, "growth", method.growth, "at least 1");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  Secant secant(method, run);
-  const Outcome outcome = make_steps(run, [&] { return secant.step(); });
-  return run.finish(outcome, x);
+  return iterate<Secant>(name, method, equations, x, observer);
 }
 
 }  // namespace nlmech::algebraic

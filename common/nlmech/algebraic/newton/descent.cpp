@@ -134,29 +134,18 @@ class Optimal {
   Eigen::VectorXd g_, v1_, v2_, u_;
 };
 
-std::string_view advice(Outcome outcome) {
-  return outcome == Outcome::singular_matrix ? "B^T F is 0: |F| is stationary and not zero; start elsewhere"
-                                             : "";
-}
-
 }  // namespace
 
 Report find_root(const SteepestDescent& method, Equations& equations, Eigen::VectorXd& x,
                  const Observer& observer) {
-  SolverRun run("steepest-descent", equations, x, observer, method.tolerance, method.iterations);
-  Descent descent(method, run);
-  const Outcome outcome = make_steps(run, [&] { return descent.step(); });
-  return run.finish(outcome, x, advice(outcome));
+  return iterate<Descent>("steepest-descent", method, equations, x, observer, stationary);
 }
 
 Report find_root(const OptimalIterative& method, Equations& equations, Eigen::VectorXd& x,
                  const Observer& observer) {
   constexpr const char* name = "optimal-iterative";
   require_option(name, method.gamma >= 0 && method.gamma < 1, "gamma", method.gamma, "from 0 to below 1");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  Optimal optimal(method, run);
-  const Outcome outcome = make_steps(run, [&] { return optimal.step(); });
-  return run.finish(outcome, x, advice(outcome));
+  return iterate<Optimal>(name, method, equations, x, observer, stationary);
 }
 
 }  // namespace nlmech::algebraic

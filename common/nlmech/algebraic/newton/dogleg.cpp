@@ -104,13 +104,7 @@ Report find_root(const Dogleg& method, Equations& equations, VectorXd& x, const 
   constexpr const char* name = "dogleg";
   require_option(name, method.radius > 0 && std::isfinite(method.radius), "radius", method.radius,
                  "positive");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  Hybrid hybrid(method, run);
-  const Outcome outcome = make_steps(run, [&] { return hybrid.step(); });
-  return run.finish(outcome, x,
-                    outcome == Outcome::singular_matrix
-                        ? "B^T F is 0: |F| is stationary and not zero; start elsewhere"
-                        : "");
+  return iterate<Hybrid>(name, method, equations, x, observer, stationary);
 }
 
 }  // namespace nlmech::algebraic

@@ -93,10 +93,7 @@ class GaussNewton {
 Report find_root(const LeastSquares& method, Equations& equations, VectorXd& x, const Observer& observer) {
   constexpr const char* name = "least-squares";
   require_option(name, method.rank > 0 && method.rank < 1, "rank", method.rank, "positive and below 1");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  GaussNewton iteration(method, run);
-  const Outcome outcome = make_steps(run, [&] { return iteration.step(); });
-  return run.finish(outcome, x);
+  return iterate<GaussNewton>(name, method, equations, x, observer);
 }
 
 }  // namespace nlmech::algebraic

@@ -157,13 +157,7 @@ Report find_root(const LevenbergMarquardt& method, Equations& equations, VectorX
   constexpr const char* name = "levenberg-marquardt";
   require_option(name, method.damping > 0 && std::isfinite(method.damping), "damping", method.damping,
                  "positive");
-  SolverRun run(name, equations, x, observer, method.tolerance, method.iterations);
-  Marquardt iteration(method, run);
-  const Outcome outcome = make_steps(run, [&] { return iteration.step(); });
-  return run.finish(outcome, x,
-                    outcome == Outcome::singular_matrix
-                        ? "B^T F is 0: |F| is stationary and not zero; start elsewhere"
-                        : "");
+  return iterate<Marquardt>(name, method, equations, x, observer, stationary);
 }
 
 }  // namespace nlmech::algebraic

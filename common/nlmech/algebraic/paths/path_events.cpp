@@ -2,13 +2,12 @@
 #include <cmath>
 
 #include "nlmech/algebraic/paths/fold.hpp"
+#include "nlmech/algebraic/paths/golden_section.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
-namespace {}  // namespace
-
 PathVector between_by_cubic(const PathPoint& begin, const PathPoint& end, double part) {
   const PathVector &a = begin.at, &b = end.at, &s = begin.tangent, &t = end.tangent;
   const double length = PathVector{b.y - a.y, b.m - a.m}.norm(), u = part, w = 1 - part;
@@ -119,30 +118,15 @@ Outcome Path::slope_between(std::optional<Bracket>& first) {
   if (middle == 0 || sign * expected_slope(middle) > 0.5 * std::min(std::abs(a), std::abs(b)))
     return Outcome::success;
   // Golden section for the least slope, until it has the other sign.
-  const double golden = (std::sqrt(5.) - 1) / 2;
-  double low = 0, high = 1;
   PathPoint point;
-  const auto at = [&](double part, double& value) {
-    const Outcome outcome = between(part, point);
-    value = sign * point.slope;
-    return outcome;
-  };
-  double left = high - golden * (high - low), right = low + golden * (high - low), at_left = 0, at_right = 0;
-  Outcome outcome = at(left, at_left);
-  if (outcome == Outcome::success && at_left >= 0) outcome = at(right, at_right);
-  while (outcome == Outcome::success && at_left >= 0 && at_right >= 0 && high - low > 1e-6) {
-    if (at_left < at_right) {
-      high = right, right = left, at_right = at_left;
-      left = high - golden * (high - low);
-      outcome = at(left, at_left);
-    } else {
-      low = left, left = right, at_left = at_right;
-      right = low + golden * (high - low);
-      outcome = at(right, at_right);
-    }
-  }
-  if (outcome != Outcome::success || (at_left >= 0 && at_right >= 0)) return outcome;
-  first = Bracket{0, a, at_left < 0 ? left : right, sign * std::min(at_left, at_right)};
+  Outcome outcome = Outcome::success;
+  const auto part = golden_section(0, 1, 29, [&](double at) -> std::optional<double> {
+    outcome = between(at, point);
+    if (outcome != Outcome::success || sign * point.slope < 0) return std::nullopt;
+    return sign * point.slope;
+  });
+  if (outcome != Outcome::success || !part) return outcome;
+  first = Bracket{0, a, *part, point.slope};
   return Outcome::success;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "nlmech/algebraic/paths/golden_section.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 
 namespace nlmech::algebraic {
@@ -33,32 +34,12 @@ double Path::softest() {
 /// A place in an interval where an eigenvalue has another sign than at its ends, by golden section for the
 /// one nearest to zero.
 std::optional<double> Path::dip_in(double low, double high, double sign, Eigen::Index negative) {
-  const double golden = (std::sqrt(5.) - 1) / 2;
   PathPoint point;
-  bool is_found = false;
-  const auto at = [&](double part) {
+  return golden_section(low, high, 24, [&](double part) -> std::optional<double> {
     if (between(part, point) != Outcome::success || !system_.linearise(point.at)) return HUGE_VAL;
-    is_found = point.negative != negative;
+    if (point.negative != negative) return std::nullopt;
     return sign * softest();
-  };
-  double left = high - golden * (high - low), at_left = at(left);
-  if (is_found) return left;
-  double right = low + golden * (high - low), at_right = at(right);
-  if (is_found) return right;
-  for (int k = 0; k < 24; ++k) {
-    const bool is_left = at_left < at_right;
-    if (is_left) {
-      high = right, right = left, at_right = at_left;
-      left = high - golden * (high - low);
-      at_left = at(left);
-    } else {
-      low = left, left = right, at_left = at_right;
-      right = low + golden * (high - low);
-      at_right = at(right);
-    }
-    if (is_found) return is_left ? left : right;
-  }
-  return std::nullopt;
+  });
 }
 
 /// Parts of the step between which eigenvalues change their signs, though from end to end they may not: two
