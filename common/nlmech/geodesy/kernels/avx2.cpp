@@ -1,4 +1,4 @@
-#include "nlmech/support/simd/avx2.hpp"
+#include "nlmech/support/kernels/avx2.hpp"
 #include "nlmech/geodesy/kernels/reverse_kernel.hpp"
 
 namespace nlmech::geodesy::kernels {

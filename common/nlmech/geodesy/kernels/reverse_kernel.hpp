@@ -5,7 +5,7 @@
 
 #include "nlmech/geodesy/kernels/arctangent.hpp"
 #include "nlmech/geodesy/kernels/kernel.hpp"
-#include "nlmech/support/simd/lanes.hpp"
+#include "nlmech/support/kernels/lanes.hpp"
 
 namespace nlmech::geodesy::kernels {
 

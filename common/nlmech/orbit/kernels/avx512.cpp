@@ -1,4 +1,4 @@
-#include "nlmech/support/simd/avx512.hpp"
+#include "nlmech/support/kernels/avx512.hpp"
 #include "nlmech/orbit/kernels/taylor_kernel.hpp"
 
 namespace nlmech::orbit::kernels {

@@ -1,4 +1,4 @@
-#include "nlmech/support/simd/baseline.hpp"
+#include "nlmech/support/kernels/baseline.hpp"
 #include "nlmech/orbit/kernels/taylor_kernel.hpp"
 
 namespace nlmech::orbit::kernels {

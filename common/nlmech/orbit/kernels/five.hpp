@@ -2,7 +2,7 @@
 /// Five doubles for the Taylor kernels: a position, f and m f_m. Internal to the kernels.
 #pragma once
 
-#include "nlmech/support/simd/lanes.hpp"
+#include "nlmech/support/kernels/lanes.hpp"
 
 namespace nlmech::orbit::kernels {
 

@@ -1,5 +1,5 @@
 #include "nlmech/peers/geodesy/simd_methods.hpp"
-#include "nlmech/support/simd/avx2.hpp"
+#include "nlmech/support/kernels/avx2.hpp"
 
 namespace nlmech::peers::geodesy {
 

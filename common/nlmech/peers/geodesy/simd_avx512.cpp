@@ -1,5 +1,5 @@
 #include "nlmech/peers/geodesy/simd_methods.hpp"
-#include "nlmech/support/simd/avx512.hpp"
+#include "nlmech/support/kernels/avx512.hpp"
 
 namespace nlmech::peers::geodesy {
 

@@ -1,5 +1,5 @@
 #include "nlmech/peers/geodesy/simd_methods.hpp"
-#include "nlmech/support/simd/baseline.hpp"
+#include "nlmech/support/kernels/baseline.hpp"
 
 namespace nlmech::peers::geodesy {
 

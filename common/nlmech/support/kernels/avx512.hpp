@@ -2,7 +2,7 @@
 /// AVX-512 F, DQ and VL. Internal to the kernels, for sources that are compiled for it.
 #pragma once
 
-#include "nlmech/support/simd/avx2.hpp"
+#include "nlmech/support/kernels/avx2.hpp"
 
 namespace nlmech::simd {
 

@@ -6,7 +6,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "nlmech/support/simd/lanes.hpp"
+#include "nlmech/support/kernels/lanes.hpp"
 
 namespace nlmech::simd {
 

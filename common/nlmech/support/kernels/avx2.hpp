@@ -4,7 +4,7 @@
 
 #include <immintrin.h>
 
-#include "nlmech/support/simd/lanes.hpp"
+#include "nlmech/support/kernels/lanes.hpp"
 
 namespace nlmech::simd {
 
