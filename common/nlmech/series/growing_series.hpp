@@ -15,6 +15,7 @@
 
 #include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/recurrences.hpp"
+#include "nlmech/series/series_functions.hpp"
 #include "nlmech/series/value_of.hpp"
 #include "nlmech/series/vector.hpp"
 
@@ -63,6 +64,8 @@ class SeriesMemory {
 template <class T>
 class GrowingSeries {
  public:
+  using Coefficient = T;  ///< number type
+
   /// The constant 0.
   GrowingSeries() = default;
 
@@ -126,89 +129,26 @@ class GrowingSeries {
   /// Divides by a series.
   GrowingSeries& operator/=(const GrowingSeries& b) { return *this = *this / b; }
 
-  /// Square root, for c_0 != 0.
-  friend GrowingSeries sqrt(const GrowingSeries& a) {
-    using std::sqrt;
-    if (a.is_constant()) return T(sqrt(a.constant_));
-    return result(a, a, [&](std::size_t k, const T* r) { return recurrence::root(a.data(), r, k); });
+  /// The series whose coefficients next(a, r, k) gives pass by pass, a being those of this series and r those
+  /// below k.
+  template <class Next>
+  [[nodiscard]] GrowingSeries by_recurrence(const Next& next) const {
+    if (is_constant()) return T(next(&constant_, nullptr, 0));
+    return result(*this, *this, [&](std::size_t k, const T* r) { return next(data(), r, k); });
   }
-  /// Exponential function.
-  friend GrowingSeries exp(const GrowingSeries& a) {
-    using std::exp;
-    if (a.is_constant()) return T(exp(a.constant_));
-    return result(a, a, [&](std::size_t k, const T* r) { return recurrence::exponential(a.data(), r, k); });
-  }
-  /// Sine and cosine of one argument, which need each other.
-  friend std::pair<GrowingSeries, GrowingSeries> sin_cos(const GrowingSeries& a) {
-    using std::cos;
-    using std::sin;
-    if (a.is_constant()) return {T(sin(a.constant_)), T(cos(a.constant_))};
-    return a.companions(recurrence::sine<T>, recurrence::cosine<T>);
-  }
-  /// Sine.
-  friend GrowingSeries sin(const GrowingSeries& a) { return sin_cos(a).first; }
-  /// Cosine.
-  friend GrowingSeries cos(const GrowingSeries& a) { return sin_cos(a).second; }
-  /// Natural logarithm, for c_0 > 0.
-  friend GrowingSeries log(const GrowingSeries& a) {
-    using std::log;
-    if (a.is_constant()) return T(log(a.constant_));
-    return result(a, a, [&](std::size_t k, const T* r) { return recurrence::logarithm(a.data(), r, k); });
-  }
-  /// a^p for a real exponent, for c_0 > 0.
-  template <class P>
-  requires(!std::integral<P> && std::convertible_to<P, T>) friend GrowingSeries
-      pow(const GrowingSeries& a, const P& p) {
-    using std::pow;
-    const T exponent = static_cast<T>(p);
-    if (a.is_constant()) return T(pow(a.constant_, exponent));
-    return result(a, a,
-                  [&](std::size_t k, const T* r) { return recurrence::power(a.data(), exponent, r, k); });
-  }
-  /// Hyperbolic sine and cosine of one argument, which need each other.
-  friend std::pair<GrowingSeries, GrowingSeries> sinh_cosh(const GrowingSeries& a) {
-    using std::cosh;
-    using std::sinh;
-    if (a.is_constant()) return {T(sinh(a.constant_)), T(cosh(a.constant_))};
-    return a.companions(recurrence::hyperbolic_sine<T>, recurrence::hyperbolic_cosine<T>);
-  }
-  /// Hyperbolic sine.
-  friend GrowingSeries sinh(const GrowingSeries& a) { return sinh_cosh(a).first; }
-  /// Hyperbolic cosine.
-  friend GrowingSeries cosh(const GrowingSeries& a) { return sinh_cosh(a).second; }
-  /// Tangent.
-  friend GrowingSeries tan(const GrowingSeries& a) {
-    using std::tan;
-    if (a.is_constant()) return T(tan(a.constant_));
-    return a
-        .companions(recurrence::tangent<T>,
-                    [](const T*, const T* r, std::size_t k) {
-                      return k == 0 ? T(1 + r[0] * r[0]) : recurrence::product(r, r, k);
-                    })
-        .first;
-  }
-  /// Hyperbolic tangent.
-  friend GrowingSeries tanh(const GrowingSeries& a) {
-    using std::cosh;
-    using std::tanh;
-    if (a.is_constant()) return T(tanh(a.constant_));
-    return a
-        .companions(recurrence::hyperbolic_tangent<T>,
-                    [](const T* c, const T* r, std::size_t k) {
-                      const T root = cosh(c[0]);
-                      return k == 0 ? T(1 / (root * root)) : T(-recurrence::product(r, r, k));
-                    })
-        .first;
-  }
-  /// a^p for an integer exponent, by repeated squaring; a^0 is the constant 1.
-  friend GrowingSeries pow(const GrowingSeries& a, int p) {
-    GrowingSeries power(T(1)), square = a;
-    for (unsigned rest = p < 0 ? 0U - static_cast<unsigned>(p) : static_cast<unsigned>(p); rest > 0;
-         rest /= 2) {
-      if (rest % 2 == 1) power *= square;
-      if (rest > 1) square *= square;
+  /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
+  template <class First, class Second>
+  [[nodiscard]] std::pair<GrowingSeries, GrowingSeries> by_recurrences(const First& first,
+                                                                       const Second& second) const {
+    if (is_constant()) {
+      const T one = first(&constant_, nullptr, 0);
+      return {one, T(second(&constant_, &one, 0))};
     }
-    return p < 0 ? GrowingSeries(T(1)) / power : power;
+    SeriesMemory<T>& memory = *memory_;
+    const std::size_t one = memory.add(), other = memory.add(), k = memory.pass();
+    memory[one][k] = first(data(), memory[other], k);
+    memory[other][k] = second(data(), memory[one], k);
+    return {GrowingSeries(memory, one), GrowingSeries(memory, other)};
   }
   /// The number inside the coefficient c_0.
   friend auto value_of(const GrowingSeries& a) { return value_of(a[0]); }
@@ -225,17 +165,6 @@ class GrowingSeries {
     const std::size_t series = memory.add(), k = memory.pass();
     memory[series][k] = next(k, memory[series]);
     return GrowingSeries(memory, series);
-  }
-
-  /// Two operations of the pass that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
-  template <class First, class Second>
-  [[nodiscard]] std::pair<GrowingSeries, GrowingSeries> companions(const First& first,
-                                                                   const Second& second) const {
-    SeriesMemory<T>& memory = *memory_;
-    const std::size_t one = memory.add(), other = memory.add(), k = memory.pass();
-    memory[one][k] = first(data(), memory[other], k);
-    memory[other][k] = second(data(), memory[one], k);
-    return {GrowingSeries(memory, one), GrowingSeries(memory, other)};
   }
 
   SeriesMemory<T>* memory_ = nullptr;

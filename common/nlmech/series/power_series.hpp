@@ -12,6 +12,7 @@
 
 #include "nlmech/series/number_traits.hpp"
 #include "nlmech/series/recurrences.hpp"
+#include "nlmech/series/series_functions.hpp"
 #include "nlmech/series/value_of.hpp"
 #include "nlmech/series/vector.hpp"
 
@@ -32,6 +33,8 @@ namespace nlmech {
 template <class T>
 class PowerSeries {
  public:
+  using Coefficient = T;  ///< number type
+
   /// The constant 0.
   PowerSeries() = default;
 
@@ -134,6 +137,33 @@ class PowerSeries {
   requires std::convertible_to<S, T>
   friend PowerSeries operator/(PowerSeries a, const S& s) { return std::move(a /= s); }
 
+  /// The series whose coefficients next(a, r, k) gives one by one, a being those of this series and r those
+  /// below k.
+  template <class Next>
+  [[nodiscard]] PowerSeries by_recurrence(const Next& next) const {
+    const T constant = (*this)[0];
+    if (constant_) return T(next(&constant, nullptr, 0));
+    std::vector<T> r(size(), T(0));
+    for (std::size_t k = 0; k < r.size(); ++k) r[k] = next(c_.data(), r.data(), k);
+    return PowerSeries(std::move(r));
+  }
+  /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
+  template <class First, class Second>
+  [[nodiscard]] std::pair<PowerSeries, PowerSeries> by_recurrences(const First& first,
+                                                                   const Second& second) const {
+    const T constant = (*this)[0];
+    if (constant_) {
+      const T one = first(&constant, nullptr, 0);
+      return {one, T(second(&constant, &one, 0))};
+    }
+    std::vector<T> r(size(), T(0)), g(size(), T(0));
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      r[k] = first(c_.data(), g.data(), k);
+      g[k] = second(c_.data(), r.data(), k);
+    }
+    return {PowerSeries(std::move(r)), PowerSeries(std::move(g))};
+  }
+
  private:
   /// Takes the order of a sum with @p b: a constant is stretched, a longer series is cut.
   void match(const PowerSeries& b) {
@@ -155,147 +185,6 @@ class PowerSeries {
 template <class T>
 [[nodiscard]] auto value_of(const PowerSeries<T>& a) {
   return value_of(a[0]);
-}
-
-namespace detail {
-
-/// The series whose coefficients next(a, r, k) gives one by one, r being those below k.
-template <class T, class Next>
-[[nodiscard]] PowerSeries<T> one_by_one(const PowerSeries<T>& a, const Next& next) {
-  std::vector<T> r(a.size(), T(0));
-  for (std::size_t k = 0; k < r.size(); ++k) r[k] = next(a.coefficients().data(), r.data(), k);
-  return PowerSeries<T>(std::move(r));
-}
-
-/// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
-template <class T, class First, class Second>
-[[nodiscard]] std::pair<PowerSeries<T>, PowerSeries<T>> side_by_side(const PowerSeries<T>& a,
-                                                                     const First& first,
-                                                                     const Second& second) {
-  std::vector<T> r(a.size(), T(0)), g(a.size(), T(0));
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    r[k] = first(a.coefficients().data(), g.data(), k);
-    g[k] = second(a.coefficients().data(), r.data(), k);
-  }
-  return {PowerSeries<T>(std::move(r)), PowerSeries<T>(std::move(g))};
-}
-
-}  // namespace detail
-
-/// Square root, for c_0 != 0.
-template <class T>
-[[nodiscard]] PowerSeries<T> sqrt(const PowerSeries<T>& a) {
-  using std::sqrt;
-  if (a.is_constant()) return T(sqrt(a[0]));
-  return detail::one_by_one(a, recurrence::root<T>);
-}
-
-/// Exponential function.
-template <class T>
-[[nodiscard]] PowerSeries<T> exp(const PowerSeries<T>& a) {
-  using std::exp;
-  if (a.is_constant()) return T(exp(a[0]));
-  return detail::one_by_one(a, recurrence::exponential<T>);
-}
-
-/// Sine and cosine of one argument, which need each other.
-template <class T>
-[[nodiscard]] std::pair<PowerSeries<T>, PowerSeries<T>> sin_cos(const PowerSeries<T>& a) {
-  using std::cos;
-  using std::sin;
-  if (a.is_constant()) return {T(sin(a[0])), T(cos(a[0]))};
-  return detail::side_by_side(a, recurrence::sine<T>, recurrence::cosine<T>);
-}
-
-/// Sine.
-template <class T>
-[[nodiscard]] PowerSeries<T> sin(const PowerSeries<T>& a) {
-  return sin_cos(a).first;
-}
-
-/// Cosine.
-template <class T>
-[[nodiscard]] PowerSeries<T> cos(const PowerSeries<T>& a) {
-  return sin_cos(a).second;
-}
-
-/// Natural logarithm, for c_0 > 0.
-template <class T>
-[[nodiscard]] PowerSeries<T> log(const PowerSeries<T>& a) {
-  using std::log;
-  if (a.is_constant()) return T(log(a[0]));
-  return detail::one_by_one(a, recurrence::logarithm<T>);
-}
-
-/// a^p for a real exponent, for c_0 > 0: the recurrence that costs the same for every exponent.
-template <class T, class P>
-requires(!std::integral<P> && std::convertible_to<P, T>)
-    [[nodiscard]] PowerSeries<T> pow(const PowerSeries<T>& a, const P& p) {
-  using std::pow;
-  const T exponent = static_cast<T>(p);
-  if (a.is_constant()) return T(pow(a[0], exponent));
-  return detail::one_by_one(
-      a, [&](const T* c, const T* r, std::size_t k) { return recurrence::power(c, exponent, r, k); });
-}
-
-/// Hyperbolic sine and cosine of one argument, which need each other.
-template <class T>
-[[nodiscard]] std::pair<PowerSeries<T>, PowerSeries<T>> sinh_cosh(const PowerSeries<T>& a) {
-  using std::cosh;
-  using std::sinh;
-  if (a.is_constant()) return {T(sinh(a[0])), T(cosh(a[0]))};
-  return detail::side_by_side(a, recurrence::hyperbolic_sine<T>, recurrence::hyperbolic_cosine<T>);
-}
-
-/// Hyperbolic sine.
-template <class T>
-[[nodiscard]] PowerSeries<T> sinh(const PowerSeries<T>& a) {
-  return sinh_cosh(a).first;
-}
-
-/// Hyperbolic cosine.
-template <class T>
-[[nodiscard]] PowerSeries<T> cosh(const PowerSeries<T>& a) {
-  return sinh_cosh(a).second;
-}
-
-/// Tangent.
-template <class T>
-[[nodiscard]] PowerSeries<T> tan(const PowerSeries<T>& a) {
-  using std::tan;
-  if (a.is_constant()) return T(tan(a[0]));
-  return detail::side_by_side(a, recurrence::tangent<T>,
-                              [](const T*, const T* r, std::size_t k) {
-                                return k == 0 ? T(1 + r[0] * r[0]) : recurrence::product(r, r, k);
-                              })
-      .first;
-}
-
-/// Hyperbolic tangent.
-template <class T>
-[[nodiscard]] PowerSeries<T> tanh(const PowerSeries<T>& a) {
-  using std::cosh;
-  using std::tanh;
-  if (a.is_constant()) return T(tanh(a[0]));
-  return detail::side_by_side(a, recurrence::hyperbolic_tangent<T>,
-                              [](const T* c, const T* r, std::size_t k) {
-                                const T root = cosh(c[0]);
-                                return k == 0 ? T(1 / (root * root)) : T(-recurrence::product(r, r, k));
-                              })
-      .first;
-}
-
-/// a^p for an integer exponent, by repeated squaring; a^0 is the constant 1. A negative exponent needs
-/// c_0 != 0.
-template <class T>
-[[nodiscard]] PowerSeries<T> pow(const PowerSeries<T>& a, int p) {
-  PowerSeries<T> result(T(1)), square = a;
-  for (unsigned rest = p < 0 ? 0U - static_cast<unsigned>(p) : static_cast<unsigned>(p); rest > 0;
-       rest /= 2) {
-    if (rest % 2 == 1) result *= square;
-    if (rest > 1) square *= square;
-  }
-  return p < 0 ? PowerSeries<T>(T(1)) / result : result;
 }
 
 extern template class PowerSeries<double>;
