@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nlmech/algebraic/linear_solver.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -93,7 +94,7 @@ void Equations::matrix(Eigen::MatrixXd& b) const {
 
 DenseEquations::DenseEquations(Eigen::Index n, Residual residual, Derivative derivative)
     : residual_(std::move(residual)), derivative_(std::move(derivative)) {
-  if (n < 1) throw std::invalid_argument(fmt::format("DenseEquations: {} unknowns; at least 1 is needed", n));
+  if (n < 1) throw invalid_argument("DenseEquations: {} unknowns; at least 1 is needed", n);
   if (!residual_ || !derivative_)
     throw std::invalid_argument("DenseEquations: residual or derivative is empty");
   b_.setZero(n, n);
@@ -108,8 +109,8 @@ void DenseEquations::apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd&
 
 void require_size(const char* what, const Equations& equations, const Eigen::VectorXd& x) {
   if (x.size() == equations.size()) return;
-  throw std::invalid_argument(
-      fmt::format("{}: the start has {} components, the equations {}", what, x.size(), equations.size()));
+  throw invalid_argument("{}: the start has {} components, the equations {}", what, x.size(),
+                         equations.size());
 }
 
 Report find_root(const Newton& method, Equations& equations, Eigen::VectorXd& x, const Observer& observer) {

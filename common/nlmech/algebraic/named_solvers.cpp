@@ -20,6 +20,7 @@
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/algebraic/solver_run.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -122,8 +123,8 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
   const auto* const entry = std::find_if(std::begin(entries), std::end(entries),
                                          [&](const Entry& e) { return e.name == method.name; });
   if (entry == std::end(entries))
-    throw std::invalid_argument(
-        fmt::format("no solver is called '{}'; there are {}", method.name, fmt::join(solver_names(), ", ")));
+    throw invalid_argument("no solver is called '{}'; there are {}", method.name,
+                           fmt::join(solver_names(), ", "));
   const std::string_view name = method.name;
   require_option(name, method.tolerance > 0 && std::isfinite(method.tolerance), "tolerance", method.tolerance,
                  "positive");
@@ -153,23 +154,21 @@ Status missed(const NamedSolver& method, Equations& equations, const Eigen::Vect
   const bool is_success = report.status.ok();
   if (!(report.last <= floor)) {
     if (!is_success) return report.status;
-    return Status::failure(
-        Outcome::not_converged,
-        fmt::format("{}: the iteration ends with |F| = {:.3g}, above the tolerance, {:.3g}; "
-                    "start elsewhere, or take another solver",
-                    method.name, report.last, report.bound));
+    return failed_with(Outcome::not_converged,
+                       "{}: the iteration ends with |F| = {:.3g}, above the tolerance, {:.3g}; start "
+                       "elsewhere, or take another solver",
+                       method.name, report.last, report.bound);
   }
   if (method.to_rounding && floor <= method.scale) {
     report.bound = floor;
     ++report.statistics.fallbacks;
     return {};
   }
-  return Status::failure(
-      is_success ? Outcome::not_converged : report.status.outcome(),
-      fmt::format("{}: |F| = {:.3g} at the end is above the tolerance, {:.3g}, and at the level of rounding: "
-                  "changes of x in its last digits alone make {:.3g} of it; take a tolerance of {:.1g} or "
-                  "more, or coarser equations",
-                  method.name, report.last, report.bound, rounding, 2 * report.last / method.scale));
+  return failed_with(is_success ? Outcome::not_converged : report.status.outcome(),
+                     "{}: |F| = {:.3g} at the end is above the tolerance, {:.3g}, and at the level of "
+                     "rounding: changes of x in its last digits alone make {:.3g} of it; take a tolerance of "
+                     "{:.1g} or more, or coarser equations",
+                     method.name, report.last, report.bound, rounding, 2 * report.last / method.scale);
 }
 
 }  // namespace
@@ -184,8 +183,8 @@ Report held_to_tolerance(const NamedSolver& method, Equations& equations, const 
   report.bound = method.tolerance * method.scale;
   if (!std::isfinite(norm) || !x.allFinite()) {
     if (report.status.ok())
-      report.status = Status::failure(
-          Outcome::non_finite, fmt::format("{}: F is not finite at the end; start elsewhere", method.name));
+      report.status =
+          failed_with(Outcome::non_finite, "{}: F is not finite at the end; start elsewhere", method.name);
     return report;
   }
   report.last = norm;

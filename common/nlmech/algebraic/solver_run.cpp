@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nlmech/algebraic/rounding.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -28,8 +29,7 @@ std::string_view advice_for(Outcome outcome) {
 
 void require_option(std::string_view method, bool good, std::string_view option, double value,
                     std::string_view range) {
-  if (!good)
-    throw std::invalid_argument(fmt::format("{}: {} = {}; it must be {}", method, option, value, range));
+  if (!good) throw invalid_argument("{}: {} = {}; it must be {}", method, option, value, range);
 }
 
 SolverRun::SolverRun(std::string_view name, Equations& equations, const Eigen::VectorXd& start,

@@ -1,10 +1,9 @@
 #include "nlmech/bvp/continuation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -120,11 +119,10 @@ class Walk {
       branch_.points.push_back({value + step, length, std::move(second)});
       return true;
     }
-    branch_.status = Status::failure(
-        Outcome::not_converged,
-        fmt::format("continuation: no second solution near the parameter {:.10g}; start elsewhere on the "
-                    "branch, or go the other way",
-                    value));
+    branch_.status = failed_with(Outcome::not_converged,
+                                 "continuation: no second solution near the parameter {:.10g}; start "
+                                 "elsewhere on the branch, or go the other way",
+                                 value);
     return false;
   }
 
@@ -168,11 +166,11 @@ class Walk {
       }
       step /= 2;
     }
-    branch_.status = Status::failure(
-        Outcome::not_converged,
-        fmt::format("continuation: the branch cannot be followed beyond the parameter {:.10g} with steps of "
+    branch_.status =
+        failed_with(Outcome::not_converged,
+                    "continuation: the branch cannot be followed beyond the parameter {:.10g} with steps of "
                     "{:.2g}; allow more intervals or a smaller tolerance of the solves",
-                    last.parameter, options_.least_step));
+                    last.parameter, options_.least_step);
     return false;
   }
 
@@ -233,17 +231,16 @@ class Walk {
 Branch continue_branch(const Problem& problem, const Start& start, const ContinuationOptions& options) {
   const int needed = problem.states() * problem.phases() + problem.parameters() - 1;
   if (problem.parameters() < 1 || problem.condition_count() != needed) {
-    throw std::invalid_argument(
-        fmt::format("continue_branch: {} conditions and {} parameters; {} conditions "
-                    "and a free parameter are needed",
-                    problem.condition_count(), problem.parameters(), needed));
+    throw invalid_argument(
+        "continue_branch: {} conditions and {} parameters; {} conditions and a free parameter are needed",
+        problem.condition_count(), problem.parameters(), needed);
   }
   if (start.parameters.size() != problem.parameters() || options.first_step == 0 || options.points < 2 ||
       !(options.least_step > 0) || !(options.longest_step > options.least_step)) {
-    throw std::invalid_argument(
-        fmt::format("continue_branch: start of {} parameters, first step {}, points {}, steps {} to {}",
-                    start.parameters.size(), options.first_step, options.points, options.least_step,
-                    options.longest_step));
+    throw invalid_argument(
+        "continue_branch: start of {} parameters, first step {}, points {}, steps {} to {}",
+        start.parameters.size(), options.first_step, options.points, options.least_step,
+        options.longest_step);
   }
   return Walk(problem, options).run(start);
 }
@@ -277,21 +274,19 @@ Extremal tighten(const ExtremalProblem& problem, const Start& start, const Const
     step /= 2;
     if (step >= 1e-3) continue;
     const Constraints c = path(s);
-    last.solution.status = Status::failure(
-        Outcome::infeasible,
-        fmt::format(
-            "tighten: {:.4g} of the way to the bounds (control limit {:.6g}, penalty weight {:.3g}) no "
-            "extremal follows ({}); the bounds admit none near this one, or none at all: loosen them "
-            "or start from another extremal",
-            s, c.control_limit, c.penalty_weight, trial.solution.status.sentence()));
+    last.solution.status =
+        failed_with(Outcome::infeasible,
+                    "tighten: {:.4g} of the way to the bounds (control limit {:.6g}, penalty weight {:.3g}) "
+                    "no extremal follows ({}); the bounds admit none near this one, or none at all: loosen "
+                    "them or start from another extremal",
+                    s, c.control_limit, c.penalty_weight, trial.solution.status.sentence());
   }
   return last;
 }
 
 ConstraintPath control_bound_path(double peak, double limit, double smoothing) {
   if (!(peak > 0) || !(limit > 0) || !(smoothing > 0)) {
-    throw std::invalid_argument(
-        fmt::format("control_bound_path: peak {}, limit {}, smoothing {}", peak, limit, smoothing));
+    throw invalid_argument("control_bound_path: peak {}, limit {}, smoothing {}", peak, limit, smoothing);
   }
   const double easy = std::max(1.1 * peak, limit), wide = std::max(0.03 * limit, smoothing);
   return [=](double s) {
@@ -304,7 +299,7 @@ ConstraintPath control_bound_path(double peak, double limit, double smoothing) {
 }
 
 ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight) {
-  if (!(weight >= 1)) throw std::invalid_argument(fmt::format("state_bound_path: weight {}", weight));
+  if (!(weight >= 1)) throw invalid_argument("state_bound_path: weight {}", weight);
   return [bounds = std::move(bounds), weight](double s) {
     Constraints c;
     c.states = bounds;

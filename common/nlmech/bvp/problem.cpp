@@ -1,10 +1,10 @@
 #include "nlmech/bvp/problem.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <random>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 
@@ -17,7 +17,7 @@ Start constant_start(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters
 Start random_start(const Eigen::VectorXd& amplitudes, double t0, double t1, unsigned seed,
                    const Eigen::VectorXd& parameters) {
   if (!(t0 < t1)) {
-    throw std::invalid_argument(fmt::format("random_start: t0 = {} is not before t1 = {}", t0, t1));
+    throw invalid_argument("random_start: t0 = {} is not before t1 = {}", t0, t1);
   }
   std::mt19937 engine(seed);
   Eigen::MatrixXd coefficients(amplitudes.size(), 4);
@@ -36,10 +36,10 @@ Start random_start(const Eigen::VectorXd& amplitudes, double t0, double t1, unsi
 
 void check_problem(const Problem& problem) {
   if (problem.states() < 1) {
-    throw std::invalid_argument(fmt::format("boundary value problem: {} states", problem.states()));
+    throw invalid_argument("boundary value problem: {} states", problem.states());
   }
   if (problem.parameters() < 0) {
-    throw std::invalid_argument(fmt::format("boundary value problem: {} parameters", problem.parameters()));
+    throw invalid_argument("boundary value problem: {} parameters", problem.parameters());
   }
   const std::vector<double> points = problem.points();
   if (points.size() < 2) {
@@ -47,15 +47,15 @@ void check_problem(const Problem& problem) {
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!std::isfinite(points[k]) || (k > 0 && !(points[k] > points[k - 1]))) {
-      throw std::invalid_argument(fmt::format(
-          "boundary value problem: point {} at t = {} is not after the one before", k, points[k]));
+      throw invalid_argument("boundary value problem: point {} at t = {} is not after the one before", k,
+                             points[k]);
     }
   }
   const int needed = problem.states() * problem.phases() + problem.parameters();
   if (problem.condition_count() != needed) {
-    throw std::invalid_argument(fmt::format(
+    throw invalid_argument(
         "boundary value problem: {} conditions for {} states on {} phases with {} parameters; {} are needed",
-        problem.condition_count(), problem.states(), problem.phases(), problem.parameters(), needed));
+        problem.condition_count(), problem.states(), problem.phases(), problem.parameters(), needed);
   }
 }
 

@@ -1,8 +1,5 @@
 #include "nlmech/bvp/scheme.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/collocation/barycentric.hpp"
@@ -10,6 +7,7 @@
 #include "nlmech/collocation/integration.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -151,13 +149,12 @@ void Scheme::row_dot(double tau, RowVectorXd& of_value, RowVectorXd& of_slope) c
 SchemeOrStatus make_scheme(Family family, int nodes, double relative_shape, bool keep_ill_conditioned) {
   const int least = by_slopes(family) ? 3 : 2;
   if (nodes < least || nodes > collocation::max_nodes) {
-    throw std::invalid_argument(fmt::format("make_scheme: {} nodes; {} takes {} to {}", nodes,
-                                            to_string(family), least, collocation::max_nodes));
+    throw invalid_argument("make_scheme: {} nodes; {} takes {} to {}", nodes, to_string(family), least,
+                           collocation::max_nodes);
   }
   const bool gaussian = family == Family::gaussian || family == Family::stable_gaussian;
   if (gaussian && !(relative_shape > 0)) {
-    throw std::invalid_argument(
-        fmt::format("make_scheme: the shape c h = {} is not positive", relative_shape));
+    throw invalid_argument("make_scheme: the shape c h = {} is not positive", relative_shape);
   }
   SchemeOrStatus result;
   Scheme& scheme = result.scheme;

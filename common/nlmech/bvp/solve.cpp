@@ -1,13 +1,12 @@
 #include "nlmech/bvp/solve.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "nlmech/bvp/newton/newton_iteration.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::bvp {
@@ -19,8 +18,7 @@ using Eigen::VectorXd;
 
 void check_options(const Options& o) {
   const auto require = [](bool good, const char* name, double value) {
-    if (!good)
-      throw std::invalid_argument(fmt::format("bvp: the option {} = {} is out of range", name, value));
+    if (!good) throw invalid_argument("bvp: the option {} = {} is out of range", name, value);
   };
   require(o.intervals >= 1, "intervals", o.intervals);
   require(o.tolerance > 0, "tolerance", o.tolerance);
@@ -149,13 +147,11 @@ std::vector<double> next_mesh(const Solution& solution, const std::vector<double
 }
 
 Status mesh_limit(const Options& options, const Solution& solution) {
-  return Status::failure(
-      Outcome::step_limit,
-      fmt::format(
-          "bvp: on {} intervals the residual is {:.3g}, above the tolerance {:.3g}, and the {} meshes "
-          "or {} intervals allowed are used up; allow more, or ask for less",
-          solution.unknowns.intervals.size(), solution.residual, options.tolerance, options.meshes,
-          options.most_intervals));
+  return failed_with(Outcome::step_limit,
+                     "bvp: on {} intervals the residual is {:.3g}, above the tolerance {:.3g}, and the {} "
+                     "meshes or {} intervals allowed are used up; allow more, or ask for less",
+                     solution.unknowns.intervals.size(), solution.residual, options.tolerance, options.meshes,
+                     options.most_intervals);
 }
 
 /// Solves on one mesh after the other.
@@ -178,13 +174,11 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
 }
 
 Status spurious(double t, double error, const Options& options) {
-  return Status::failure(
-      Outcome::spurious_root,
-      fmt::format(
-          "bvp: the root of the collocation equations is no solution: integrated from its own initial "
-          "values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); refine the "
-          "mesh, or start elsewhere",
-          error, t, options.verification_tolerance));
+  return failed_with(Outcome::spurious_root,
+                     "bvp: the root of the collocation equations is no solution: integrated from its own "
+                     "initial values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); "
+                     "refine the mesh, or start elsewhere",
+                     error, t, options.verification_tolerance);
 }
 
 }  // namespace
@@ -208,12 +202,10 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
     const Integration arc = integrate_at(problem, x, solution.parameters(), times);
     if (!arc.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
-      solution.status = Status::failure(
-          Outcome::spurious_root,
-          fmt::format(
-              "bvp: the root cannot be integrated from its own initial values ({}); refine the mesh, or "
-              "start elsewhere",
-              arc.status.sentence()));
+      solution.status = failed_with(Outcome::spurious_root,
+                                    "bvp: the root cannot be integrated from its own initial values ({}); "
+                                    "refine the mesh, or start elsewhere",
+                                    arc.status.sentence());
       return;
     }
     x = arc.states.col(1);
@@ -234,8 +226,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   check_options(options);
   if (!start.states) throw std::invalid_argument("bvp: the start has no states");
   if (start.parameters.size() != problem.parameters()) {
-    throw std::invalid_argument(fmt::format("bvp: the start has {} parameters, the problem {}",
-                                            start.parameters.size(), problem.parameters()));
+    throw invalid_argument("bvp: the start has {} parameters, the problem {}", start.parameters.size(),
+                           problem.parameters());
   }
   const Stopwatch watch;
   Solution solution;

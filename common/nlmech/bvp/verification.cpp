@@ -1,10 +1,7 @@
 #include "nlmech/bvp/verification.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -30,9 +27,8 @@ struct WithParameters {
 Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
                          std::span<const double> times) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
-    throw std::invalid_argument(
-        fmt::format("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
-                    p.size(), problem.states(), problem.parameters()));
+    throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
+                           p.size(), problem.states(), problem.parameters());
   }
   const ivp::System<Eigen::Dynamic> system(WithParameters{&problem, p});
   const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};

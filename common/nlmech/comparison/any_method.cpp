@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "nlmech/peers/ivp/registry.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
 
@@ -32,8 +33,7 @@ AnyMethod any_method(std::string_view name) {
   if (peers::is_peer(name)) return {std::string(name), true, peers::peer_info(name)};
   const auto names = any_method_names();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw std::invalid_argument(
-        fmt::format("there is no method '{}'; there is {}", name, fmt::join(names, ", ")));
+    throw invalid_argument("there is no method '{}'; there is {}", name, fmt::join(names, ", "));
   return {std::string(name), false, ivp::method_info(name)};
 }
 

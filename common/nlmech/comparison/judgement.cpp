@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::comparison {
 namespace {
 
@@ -50,22 +52,19 @@ std::string remark(const Verification& found, const Reference& reference, const 
   const std::string place =
       fmt::format("{} at t = {:.9g}", names.at(static_cast<std::size_t>(found.component)), found.t);
   if (found.verdict == Verdict::undetermined)
-    throw Failure(Status::failure(
+    throw Failure(failed_with(
         Outcome::outside_validity,
-        fmt::format("{}: nothing determines {}: up to there the problem multiplies an error of the tolerance "
-                    "{:.6g} by {:.2g}; "
-                    "take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
-                    method.name, place, tolerance, found.growth)));
+        "{}: nothing determines {}: up to there the problem multiplies an error of the tolerance {:.6g} by "
+        "{:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
+        method.name, place, tolerance, found.growth));
   if (found.verdict == Verdict::wrong)
-    throw Failure(Status::failure(
-        Outcome::not_converged,
-        fmt::format("{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance {:.6g}, "
-                    "where the number of "
-                    "steps and the problem's condition explain {:.3g}; the tolerance {}: {} (--no-verify "
-                    "prints the run as it "
-                    "is; reference: {})",
-                    method.name, place, found.error, found.tolerances, tolerance, found.allowed,
-                    held(controlled(method, settings)), advice(found, tolerance), reference.text())));
+    throw Failure(failed_with(Outcome::not_converged,
+                              "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
+                              "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
+                              "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
+                              method.name, place, found.error, found.tolerances, tolerance, found.allowed,
+                              held(controlled(method, settings)), advice(found, tolerance),
+                              reference.text()));
   if (found.tolerances <= most_tolerances) return "";
   return fmt::format(
       "verified: {} is off by {:.2g}, {:.3g} tolerances, since the problem multiplies errors by up to {:.3g}",

@@ -1,7 +1,5 @@
 #include "nlmech/frames/elastica.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <array>
 #include <boost/math/tools/roots.hpp>
@@ -9,9 +7,9 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 #include "nlmech/series/dual.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
 namespace {
@@ -35,8 +33,7 @@ struct Rod {
 
 Elastica::Elastica(const Toggle& toggle, int steps) : toggle_(toggle), steps_(steps) {
   (void)make_frame({toggle.height, toggle.length, toggle.ea, toggle.ei});
-  if (steps < 10)
-    throw std::invalid_argument(fmt::format("Elastica: {} steps; at least 10 are needed", steps));
+  if (steps < 10) throw invalid_argument("Elastica: {} steps; at least 10 are needed", steps);
 }
 
 ElasticaPoint Elastica::at(double drop, const ElasticaPoint& near) const {
@@ -77,7 +74,7 @@ ElasticaPoint Elastica::at(double drop, const ElasticaPoint& near) const {
 }
 
 std::vector<ElasticaPoint> Elastica::curve(double drop, int points) const {
-  if (points < 1) throw std::invalid_argument(fmt::format("Elastica: a curve of {} points", points));
+  if (points < 1) throw invalid_argument("Elastica: a curve of {} points", points);
   std::vector<ElasticaPoint> curve{at(0, {})};
   for (int i = 1; i <= points; ++i) curve.push_back(at(drop * i / points, curve.back()));
   return curve;

@@ -1,21 +1,18 @@
 #include "nlmech/frames/equilibrium.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
 namespace {
 
 void require_load(double load) {
-  if (!std::isfinite(load))
-    throw std::invalid_argument(fmt::format("Equilibrium: load {}; it must be finite", load));
+  if (!std::isfinite(load)) throw invalid_argument("Equilibrium: load {}; it must be finite", load);
 }
 
 }  // namespace
@@ -24,8 +21,8 @@ Equilibrium::Equilibrium(const Frame& frame, Eigen::VectorXd direction, double l
     : frame_(frame), direction_(std::move(direction)), load_(load), coupling_(coupling) {
   require_load(load);
   if (direction_.size() != frame.size() || !direction_.allFinite()) {
-    throw std::invalid_argument(fmt::format("Equilibrium: {} forces for {} unknowns, or some are not finite",
-                                            direction_.size(), frame.size()));
+    throw invalid_argument("Equilibrium: {} forces for {} unknowns, or some are not finite",
+                           direction_.size(), frame.size());
   }
 }
 
@@ -52,8 +49,8 @@ WilliamsEquilibrium::WilliamsEquilibrium(const Williams& toggle, double load) : 
   require_load(load);
   for (const double number : {toggle.height, toggle.length, toggle.ea, toggle.ei}) {
     if (!(number > 0 && std::isfinite(number)))
-      throw std::invalid_argument(
-          fmt::format("WilliamsEquilibrium: {} among height, length, EA, EI; all are positive", number));
+      throw invalid_argument("WilliamsEquilibrium: {} among height, length, EA, EI; all are positive",
+                             number);
   }
 }
 
@@ -65,11 +62,10 @@ void WilliamsEquilibrium::residual(const Eigen::VectorXd& x, Eigen::VectorXd& f)
     return;
   }
   f.setConstant(1, nan);
-  status_ = Status::failure(
-      outcome,
-      fmt::format("Williams' equation: at a drop of {:.6g} the compression of a member is at or past "
-                  "the pole of d_5; take a smaller drop, or the element model",
-                  x[0]));
+  status_ = failed_with(outcome,
+                        "Williams' equation: at a drop of {:.6g} the compression of a member is at or past "
+                        "the pole of d_5; take a smaller drop, or the element model",
+                        x[0]);
 }
 
 void WilliamsEquilibrium::linearise(const Eigen::VectorXd& x) {

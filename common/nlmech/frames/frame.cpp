@@ -7,12 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::frames {
 namespace {
 
 void require_node(int node, std::size_t nodes, const char* whose) {
   if (node < 0 || static_cast<std::size_t>(node) >= nodes)
-    throw std::invalid_argument(fmt::format("Frame: {} names node {} of {} nodes", whose, node, nodes));
+    throw invalid_argument("Frame: {} names node {} of {} nodes", whose, node, nodes);
 }
 
 BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& nodes) {
@@ -22,10 +24,10 @@ BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& 
   const BeamColumn beam{b.x - a.x, b.y - a.y, m.ea, m.ei};
   const double length = std::hypot(beam.dx, beam.dy);
   if (!(length > 0 && std::isfinite(length)))
-    throw std::invalid_argument(fmt::format("Frame: member {} has the length {}", index, length));
+    throw invalid_argument("Frame: member {} has the length {}", index, length);
   if (!(m.ea > 0 && std::isfinite(m.ea) && m.ei > 0 && std::isfinite(m.ei))) {
-    throw std::invalid_argument(
-        fmt::format("Frame: member {} has EA = {} and EI = {}; both must be positive", index, m.ea, m.ei));
+    throw invalid_argument("Frame: member {} has EA = {} and EI = {}; both must be positive", index, m.ea,
+                           m.ei);
   }
   return beam;
 }
@@ -93,8 +95,7 @@ Eigen::Index Frame::unknown(int node, Motion motion) const {
 }
 
 void Frame::require_size(Eigen::Index size) const {
-  if (size != size_)
-    throw std::invalid_argument(fmt::format("Frame: {} displacements for {} unknowns", size, size_));
+  if (size != size_) throw invalid_argument("Frame: {} displacements for {} unknowns", size, size_);
 }
 
 Status Frame::failure(std::size_t member, Outcome outcome) const {

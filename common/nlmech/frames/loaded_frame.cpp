@@ -1,20 +1,18 @@
 #include "nlmech/frames/loaded_frame.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
 
 LoadedFrame::LoadedFrame(const Frame& frame, Eigen::VectorXd direction)
     : frame_(frame), direction_(std::move(direction)) {
   if (direction_.size() != frame.size() || !direction_.allFinite()) {
-    throw std::invalid_argument(fmt::format("LoadedFrame: {} forces for {} unknowns, or some are not finite",
-                                            direction_.size(), frame.size()));
+    throw invalid_argument("LoadedFrame: {} forces for {} unknowns, or some are not finite",
+                           direction_.size(), frame.size());
   }
 }
 
@@ -35,8 +33,7 @@ void LoadedFrame::linearise(const Eigen::VectorXd& x, double load) {
 LoadedWilliams::LoadedWilliams(const Williams& toggle) : toggle_(toggle) {
   for (const double number : {toggle.height, toggle.length, toggle.ea, toggle.ei}) {
     if (!(number > 0 && std::isfinite(number)))
-      throw std::invalid_argument(
-          fmt::format("LoadedWilliams: {} among height, length, EA, EI; all are positive", number));
+      throw invalid_argument("LoadedWilliams: {} among height, length, EA, EI; all are positive", number);
   }
 }
 

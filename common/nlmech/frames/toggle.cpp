@@ -1,21 +1,18 @@
 #include "nlmech/frames/toggle.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
 
 ToggleFrame make_frame(const Toggle& toggle) {
   if (!(toggle.height > 0 && toggle.length > toggle.height && std::isfinite(toggle.length))) {
-    throw std::invalid_argument(
-        fmt::format("Toggle: a height of {} with members of length {}", toggle.height, toggle.length));
+    throw invalid_argument("Toggle: a height of {} with members of length {}", toggle.height, toggle.length);
   }
-  if (toggle.elements < 1)
-    throw std::invalid_argument(fmt::format("Toggle: {} elements a member", toggle.elements));
+  if (toggle.elements < 1) throw invalid_argument("Toggle: {} elements a member", toggle.elements);
   const double half_span = std::sqrt((toggle.length - toggle.height) * (toggle.length + toggle.height));
   const int apex = toggle.elements, last = toggle.full ? 2 * apex : apex;
   std::vector<Node> nodes;

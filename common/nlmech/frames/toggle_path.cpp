@@ -1,16 +1,14 @@
 #include "nlmech/frames/toggle_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
 namespace {
@@ -89,8 +87,7 @@ TogglePath critical_points(const Toggle& toggle) {
 }
 
 TogglePath first_critical_point(const Toggle& toggle, double load) {
-  if (!std::isfinite(load))
-    throw std::invalid_argument(fmt::format("first_critical_point: load {}; it must be finite", load));
+  if (!std::isfinite(load)) throw invalid_argument("first_critical_point: load {}; it must be finite", load);
   TogglePath result;
   Walk walk(toggle, load >= 0);
   std::vector<CriticalPoint> found;
@@ -140,8 +137,8 @@ double stationary_drop(const Williams& w, double low, double high) {
 TogglePath critical_points(const Williams& w) {
   for (const double number : {w.height, w.length, w.ea, w.ei}) {
     if (!(number > 0 && std::isfinite(number)))
-      throw std::invalid_argument(fmt::format(
-          "critical_points: {} among height, length, EA, EI of the toggle; all are positive", number));
+      throw invalid_argument(
+          "critical_points: {} among height, length, EA, EI of the toggle; all are positive", number);
   }
   TogglePath result;
   result.drop = through * w.height;
@@ -170,8 +167,7 @@ TogglePath critical_points(const Williams& w) {
 }
 
 TogglePath first_critical_point(const Williams& toggle, double load) {
-  if (!std::isfinite(load))
-    throw std::invalid_argument(fmt::format("first_critical_point: load {}; it must be finite", load));
+  if (!std::isfinite(load)) throw invalid_argument("first_critical_point: load {}; it must be finite", load);
   TogglePath result = critical_points(toggle);
   // From rest to the first point the load rises and the shape is stable.
   double low = 0, high = result.events.empty() ? result.drop : result.events[0].drop;
@@ -201,10 +197,8 @@ std::optional<Index> unstable_motions(const Toggle& toggle, const VectorXd& x) {
   full.full = true;
   const ToggleFrame of_half = make_frame(half), whole = make_frame(full);
   if (x.size() != of_half.frame.size())
-    throw std::invalid_argument(
-        fmt::format("unstable_motions: {} displacements for {} unknowns of the half "
-                    "toggle",
-                    x.size(), of_half.frame.size()));
+    throw invalid_argument("unstable_motions: {} displacements for {} unknowns of the half toggle", x.size(),
+                           of_half.frame.size());
   VectorXd all = VectorXd::Zero(whole.frame.size());
   for (int i = 0; i <= toggle.elements; ++i) {
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {

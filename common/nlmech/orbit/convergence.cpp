@@ -1,14 +1,12 @@
 #include "nlmech/orbit/convergence.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
 #include "nlmech/orbit/stumpff.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -53,8 +51,7 @@ double radius_in_range(const State& state, double mu) {
 
 double convergence_radius_at_periapsis(double eccentricity) {
   if (!(eccentricity >= 0 && eccentricity <= 1)) {
-    throw std::invalid_argument(
-        fmt::format("convergence_radius_at_periapsis: e must be from 0 to 1, not {}", eccentricity));
+    throw invalid_argument("convergence_radius_at_periapsis: e must be from 0 to 1, not {}", eccentricity);
   }
   if (eccentricity == 0) return std::numeric_limits<double>::infinity();
   // acosh(1/e) = atanh sqrt(1 - e^2) loses e for small e; the logarithm does not.

@@ -1,7 +1,5 @@
 #include "nlmech/orbit/elements.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +7,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -95,10 +94,10 @@ Elements from_axis(double semi_major_axis, double eccentricity, double inclinati
                    double periapsis_argument, double true_anomaly) {
   const double p = semi_major_axis * (1 - eccentricity) * (1 + eccentricity);
   if (!(p > 0) || !std::isfinite(p) || !(eccentricity >= 0)) {
-    throw std::invalid_argument(fmt::format(
+    throw invalid_argument(
         "from_axis: a = {} and e = {} make no conic (p = a (1 - e^2) must be positive and finite); a is "
         "positive for e < 1 and negative for e > 1",
-        semi_major_axis, eccentricity));
+        semi_major_axis, eccentricity);
   }
   return {p, eccentricity, inclination, ascending_node, periapsis_argument, true_anomaly, semi_major_axis};
 }
@@ -114,10 +113,10 @@ Elements elements_of(const State& state, double mu) {
     units = detail::PowerUnits(size, mu);
     const State own = units.own(state);
     if (!(detail::extent(own.velocity) < detail::fastest)) {
-      throw std::invalid_argument(fmt::format(
+      throw invalid_argument(
           "elements_of: at the distance {:.6g} and the speed {:.6g} with mu = {:.6g} the eccentricity is "
           "beyond 1e300",
-          state.position.stableNorm(), state.velocity.stableNorm(), mu));
+          state.position.stableNorm(), state.velocity.stableNorm(), mu);
     }
     e = elements_in_range(own, units.own_mu(mu));
     e.semi_latus_rectum = std::ldexp(e.semi_latus_rectum, units.length);
@@ -127,9 +126,9 @@ Elements elements_of(const State& state, double mu) {
   }
   if (!(e.semi_latus_rectum > 0) || !std::isfinite(e.semi_latus_rectum) || !std::isfinite(e.eccentricity) ||
       e.semi_major_axis == 0) {
-    throw std::invalid_argument(fmt::format(
+    throw invalid_argument(
         "elements_of: p = {} and a = {} are beyond the range of doubles; take another unit of length",
-        e.semi_latus_rectum, e.semi_major_axis));
+        e.semi_latus_rectum, e.semi_major_axis);
   }
   return e;
 }
@@ -138,19 +137,18 @@ State state_of(const Elements& e, double mu) {
   check(Gravity{.mu = mu});
   for (const double x : {e.inclination, e.ascending_node, e.periapsis_argument, e.true_anomaly}) {
     if (!(std::abs(x) < largest_angle))
-      throw std::invalid_argument(fmt::format(
-          "state_of: an angle is {}; beyond {:.2g} rounding is as large as a turn", x, largest_angle));
+      throw invalid_argument("state_of: an angle is {}; beyond {:.2g} rounding is as large as a turn", x,
+                             largest_angle);
   }
   const double p = e.semi_latus_rectum;
   if (!(p > 0) || !std::isfinite(p) || !(e.eccentricity >= 0) || !std::isfinite(e.eccentricity)) {
-    throw std::invalid_argument(fmt::format(
-        "state_of: p = {} and e = {} make no conic; p must be positive, e 0 or more", p, e.eccentricity));
+    throw invalid_argument("state_of: p = {} and e = {} make no conic; p must be positive, e 0 or more", p,
+                           e.eccentricity);
   }
   const double denominator = 1 + e.eccentricity * std::cos(e.true_anomaly);
   if (!(denominator > 0)) {
-    throw std::invalid_argument(
-        fmt::format("state_of: the true anomaly {} lies beyond the asymptote of a conic with e = {}",
-                    e.true_anomaly, e.eccentricity));
+    throw invalid_argument("state_of: the true anomaly {} lies beyond the asymptote of a conic with e = {}",
+                           e.true_anomaly, e.eccentricity);
   }
   const double r = p / denominator, speed = root_of_ratio(mu, p);
   const double u = e.periapsis_argument + e.true_anomaly;
@@ -161,10 +159,10 @@ State state_of(const Elements& e, double mu) {
   const State state{r * outwards,
                     speed * (e.eccentricity * std::sin(e.true_anomaly) * outwards + denominator * ahead)};
   if (!(r > 0) || !state.position.allFinite() || !state.velocity.allFinite()) {
-    throw std::invalid_argument(
-        fmt::format("state_of: p = {}, e = {} and mu = {} lead to the distance {} or a speed that is beyond "
-                    "the range of doubles; take other units or a smaller e",
-                    p, e.eccentricity, mu, r));
+    throw invalid_argument(
+        "state_of: p = {}, e = {} and mu = {} lead to the distance {} or a speed that is beyond the range of "
+        "doubles; take other units or a smaller e",
+        p, e.eccentricity, mu, r);
   }
   return state;
 }

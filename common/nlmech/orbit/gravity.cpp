@@ -1,15 +1,12 @@
 #include "nlmech/orbit/gravity.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
 
 Gravity earth(int degree) {
   if (degree < 0 || degree > Gravity::most_degree) {
-    throw std::invalid_argument(
-        fmt::format("earth: the degree of the zonal terms must be from 0 to 6, not {}", degree));
+    throw invalid_argument("earth: the degree of the zonal terms must be from 0 to 6, not {}", degree);
   }
   constexpr std::array<double, 5> j = {1.08262668e-3, -2.53265649e-6, -1.61962159e-6, -2.27296083e-7,
                                        5.40681239e-7};
@@ -23,27 +20,24 @@ Gravity earth(int degree) {
 
 void check(const Gravity& gravity) {
   if (!(gravity.mu > 0) || !std::isfinite(gravity.mu))
-    throw std::invalid_argument(fmt::format("gravity: mu must be positive and finite, not {}", gravity.mu));
+    throw invalid_argument("gravity: mu must be positive and finite, not {}", gravity.mu);
   for (std::size_t i = 0; i < gravity.zonal.size(); ++i) {
     if (!std::isfinite(gravity.zonal[i]))
-      throw std::invalid_argument(
-          fmt::format("gravity: J{} must be finite, not {}", i + 2, gravity.zonal[i]));
+      throw invalid_argument("gravity: J{} must be finite, not {}", i + 2, gravity.zonal[i]);
   }
   if (gravity.degree() > 0 && (!(gravity.radius > 0) || !std::isfinite(gravity.radius)))
-    throw std::invalid_argument(
-        fmt::format("gravity: the radius must be positive and finite, not {}", gravity.radius));
+    throw invalid_argument("gravity: the radius must be positive and finite, not {}", gravity.radius);
 }
 
 void check(const State& state, const char* who) {
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(state.position[i]) || !std::isfinite(state.velocity[i])) {
-      throw std::invalid_argument(
-          fmt::format("{}: position and velocity must be finite; component {} is {} and {}", who, i + 1,
-                      state.position[i], state.velocity[i]));
+      throw invalid_argument("{}: position and velocity must be finite; component {} is {} and {}", who,
+                             i + 1, state.position[i], state.velocity[i]);
     }
   }
   if (state.position == Vector3<double>::Zero())
-    throw std::invalid_argument(fmt::format("{}: the position is 0, where the attraction has no bound", who));
+    throw invalid_argument("{}: the position is 0, where the attraction has no bound", who);
 }
 
 }  // namespace nlmech::orbit

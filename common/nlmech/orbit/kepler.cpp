@@ -1,13 +1,11 @@
 #include "nlmech/orbit/kepler.hpp"
 
-#include <fmt/format.h>
-
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -15,8 +13,7 @@ namespace {
 void check_arguments(const State& start, double time, double mu, const char* who) {
   check(start, who);
   check(Gravity{.mu = mu});
-  if (!std::isfinite(time))
-    throw std::invalid_argument(fmt::format("{}: the time must be finite, not {}", who, time));
+  if (!std::isfinite(time)) throw invalid_argument("{}: the time must be finite, not {}", who, time);
 }
 
 /// Position, velocity, mu and time.
@@ -135,11 +132,11 @@ double undetermining(const Scaled& s, const State& end) {
 }
 
 Status undetermined(double time, double kappa) {
-  return Status::failure(
+  return failed_with(
       Outcome::outside_validity,
-      fmt::format("kepler: rounding of the data leaves the place after {:.6g} undetermined (its condition, "
-                  "{:.2g}, times the rounding of doubles leaves not one digit); ask for a time nearer 0{}",
-                  time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units"));
+      "kepler: rounding of the data leaves the place after {:.6g} undetermined (its condition, {:.2g}, times "
+      "the rounding of doubles leaves not one digit); ask for a time nearer 0{}",
+      time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units");
 }
 
 }  // namespace
@@ -149,20 +146,18 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
   const Scaled s(start, time, mu);
   KeplerSolution solution{start, {}, 0};
   if (!s.possible) {
-    solution.status = Status::failure(
-        Outcome::outside_validity,
-        fmt::format("kepler: the speed {:.6g} or the time {:.6g} is beyond 1e150 times those of a circular "
-                    "orbit with mu = {:.6g}; choose smaller ones, or a larger mu",
-                    start.velocity.stableNorm(), time, mu));
+    solution.status = failed_with(Outcome::outside_validity,
+                                  "kepler: the speed {:.6g} or the time {:.6g} is beyond 1e150 times those "
+                                  "of a circular orbit with mu = {:.6g}; choose smaller ones, or a larger mu",
+                                  start.velocity.stableNorm(), time, mu);
     return solution;
   }
   const State end = kepler_state(s.start, s.time, s.mu, &solution.iterations);
   if (end.position == Vector3<double>::Zero() || (end.position.allFinite() && !end.velocity.allFinite())) {
-    solution.status = Status::failure(
-        Outcome::collision,
-        fmt::format("kepler: after {:.17g} the body is in the centre of attraction, where its "
-                    "velocity has no bound; ask for another time",
-                    time));
+    solution.status = failed_with(Outcome::collision,
+                                  "kepler: after {:.17g} the body is in the centre of attraction, where its "
+                                  "velocity has no bound; ask for another time",
+                                  time);
     return solution;
   }
   if (const double kappa = undetermining(s, end); kappa != 0) {
@@ -172,11 +167,10 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
   const State users = s.units.users(end);
   if (!users.position.allFinite() || !users.velocity.allFinite() ||
       users.position == Vector3<double>::Zero()) {
-    solution.status = Status::failure(
-        Outcome::outside_validity,
-        fmt::format("kepler: the state after {:.6g} is beyond the range of doubles; ask for a time nearer 0, "
-                    "or give the data in other units",
-                    time));
+    solution.status = failed_with(Outcome::outside_validity,
+                                  "kepler: the state after {:.6g} is beyond the range of doubles; ask for a "
+                                  "time nearer 0, or give the data in other units",
+                                  time);
     return solution;
   }
   solution.state = users;

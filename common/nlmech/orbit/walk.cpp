@@ -1,17 +1,15 @@
 #include "nlmech/orbit/walk.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit::detail {
 namespace {
 
 const kernels::Kernel& kernel_for(InstructionSet set) {
-  if (!available(set))
-    throw std::invalid_argument(fmt::format("the instruction set {} is not available here", to_string(set)));
+  if (!available(set)) throw invalid_argument("the instruction set {} is not available here", to_string(set));
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return kernels::avx512_kernel;
   if (set == InstructionSet::avx2) return kernels::avx2_kernel;
@@ -124,33 +122,29 @@ Status Walk::finish(double h, bool last) {
   ++statistics_.steps;
   statistics_.right_hand_sides += position_degree_;
   if (!std::isfinite(square(body_.position) + square(body_.velocity))) {
-    return Status::failure(
-        Outcome::non_finite,
-        fmt::format(
-            "{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; take a shorter "
-            "step or a smaller tolerance",
-            options_.name, in_time(h), step_begin_));
+    return failed_with(Outcome::non_finite,
+                       "{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; take a "
+                       "shorter step or a smaller tolerance",
+                       options_.name, in_time(h), step_begin_);
   }
   if (observer_) {
     const State after = user_state();
     const std::span states(&after, 1);
     if (!observer_({statistics_.steps, step_begin_, t_, before_, after, std::span(&t_, 1), states, *this})) {
-      return Status::failure(Outcome::interrupted,
-                             fmt::format("{}: stopped by the observer at t = {:.17g}", options_.name, t_));
+      return failed_with(Outcome::interrupted, "{}: stopped by the observer at t = {:.17g}", options_.name,
+                         t_);
     }
   }
   if (last) return {};
   if (statistics_.steps >= limits_.steps) {
-    return Status::failure(
-        Outcome::step_limit,
-        fmt::format("{}: {} steps were used up at t = {:.17g}; allow more, or a larger tolerance",
-                    options_.name, limits_.steps, t_));
+    return failed_with(Outcome::step_limit,
+                       "{}: {} steps were used up at t = {:.17g}; allow more, or a larger tolerance",
+                       options_.name, limits_.steps, t_);
   }
   if (std::isfinite(limits_.seconds) && watch_.seconds() > limits_.seconds) {
-    return Status::failure(
-        Outcome::time_limit,
-        fmt::format("{}: {} seconds were used up at t = {:.17g}; allow more, or a larger tolerance",
-                    options_.name, limits_.seconds, t_));
+    return failed_with(Outcome::time_limit,
+                       "{}: {} seconds were used up at t = {:.17g}; allow more, or a larger tolerance",
+                       options_.name, limits_.seconds, t_);
   }
   return {};
 }
@@ -160,18 +154,15 @@ Status Walk::lost(double h) const {
   double inwards = 0;
   for (int i = 0; i < 3; ++i) inwards -= body_.position[i] * body_.velocity[i];
   if (inwards * h > 0 && r < 1e-6 * start_radius_) {
-    return Status::failure(Outcome::collision,
-                           fmt::format("{}: the body falls into the centre of attraction at t = {:.17g}; "
-                                       "Kepler's solution (method kepler) "
-                                       "goes through, a series cannot",
-                                       options_.name, t_));
+    return failed_with(Outcome::collision,
+                       "{}: the body falls into the centre of attraction at t = {:.17g}; Kepler's solution "
+                       "(method kepler) goes through, a series cannot",
+                       options_.name, t_);
   }
-  return Status::failure(
-      Outcome::step_underflow,
-      fmt::format(
-          "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too small for the "
-          "asked interval",
-          options_.name, t_, in_time(h), r));
+  return failed_with(Outcome::step_underflow,
+                     "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "
+                     "small for the asked interval",
+                     options_.name, t_, in_time(h), r);
 }
 
 State Walk::user_state() const {

@@ -1,9 +1,9 @@
 #include "nlmech/problems/parameters.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::problems {
 
@@ -20,12 +20,11 @@ void throw_unknown_parameter(std::string_view problem, std::string_view name,
 }
 
 void check_range(std::string_view problem, std::string_view name, Range range, double value) {
-  if (!std::isfinite(value))
-    throw std::invalid_argument(fmt::format("{}: {} must be finite, not {}", problem, name, value));
+  if (!std::isfinite(value)) throw invalid_argument("{}: {} must be finite, not {}", problem, name, value);
   if (range == Range::positive && !(value > 0))
-    throw std::invalid_argument(fmt::format("{}: {} must be positive, not {}", problem, name, value));
+    throw invalid_argument("{}: {} must be positive, not {}", problem, name, value);
   if (range == Range::not_negative && !(value >= 0))
-    throw std::invalid_argument(fmt::format("{}: {} must not be negative, is {}", problem, name, value));
+    throw invalid_argument("{}: {} must not be negative, is {}", problem, name, value);
 }
 
 }  // namespace nlmech::problems

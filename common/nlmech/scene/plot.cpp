@@ -8,12 +8,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::scene {
 namespace {
 
 std::string range(const char* axis, double low, double high) {
   if (!std::isfinite(low) || !std::isfinite(high) || low == high)
-    throw std::invalid_argument(fmt::format("Plot: no range from {:g} to {:g}", low, high));
+    throw invalid_argument("Plot: no range from {:g} to {:g}", low, high);
   return fmt::format("set {}range [{:.12g}:{:.12g}]\n", axis, low, high);
 }
 
@@ -45,7 +47,7 @@ std::string decades(const char* axis, double low, double high) {
 /// A logarithmic range with its tics.
 std::string log_range(const char* axis, double low, double high) {
   if (!(low > 0 && high > low))
-    throw std::invalid_argument(fmt::format("Plot: no logarithmic axis from {:g} to {:g}", low, high));
+    throw invalid_argument("Plot: no logarithmic axis from {:g} to {:g}", low, high);
   return fmt::format("set logscale {}\n", axis) + range(axis, low, high) + decades(axis, low, high);
 }
 

@@ -9,6 +9,7 @@
 
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -27,8 +28,7 @@ Chapter::Chapter(std::string name, std::string title, const std::vector<std::vec
   std::set<std::string> names;
   for (const auto& group : scenes) {
     for (const Scene& scene : group) {
-      if (!names.insert(scene.name).second)
-        throw std::invalid_argument(fmt::format("two scenes are named {}", scene.name));
+      if (!names.insert(scene.name).second) throw invalid_argument("two scenes are named {}", scene.name);
       scenes_.push_back(scene);
     }
   }
@@ -40,8 +40,7 @@ const Scene& Chapter::scene(const std::string& name) const {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  throw InputError(
-      fmt::format("{} has no scene '{}'; it has {}", name_, echoed(name), fmt::join(names, ", ")));
+  throw input_error("{} has no scene '{}'; it has {}", name_, echoed(name), fmt::join(names, ", "));
 }
 
 Performance perform(const Scene& scene, Results& results) {

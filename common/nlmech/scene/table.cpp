@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::scene {
 namespace {
 
@@ -43,8 +45,7 @@ Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
 
 void Table::add(std::vector<Cell> row) {
   if (row.size() != columns_.size()) {
-    throw std::invalid_argument(
-        fmt::format("Table: a row of {} cells for {} columns", row.size(), columns_.size()));
+    throw invalid_argument("Table: a row of {} cells for {} columns", row.size(), columns_.size());
   }
   rows_.push_back(std::move(row));
 }

@@ -1,9 +1,8 @@
 #include "nlmech/spacecraft/parameters.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 
@@ -34,8 +33,8 @@ Parameters without_tip(Parameters parameters) {
 void require_physical(const Parameters& p) {
   const auto require = [](const char* name, double value, bool may_be_zero) {
     if (!std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero)) {
-      throw std::invalid_argument(fmt::format("spacecraft: {} = {} is not a {} number", name, value,
-                                              may_be_zero ? "finite non-negative" : "finite positive"));
+      throw invalid_argument("spacecraft: {} = {} is not a {} number", name, value,
+                             may_be_zero ? "finite non-negative" : "finite positive");
     }
   };
   require("hub_inertia", p.hub_inertia, true);
@@ -49,10 +48,9 @@ void require_physical(const Parameters& p) {
   // Squares and products of these have to stay numbers.
   const auto within = [](const char* what, double value, double least, double largest) {
     if (!(value >= least && value <= largest))
-      throw std::invalid_argument(
-          fmt::format("spacecraft: {} = {:g} is outside {:g} to {:g}: no computation in "
-                      "double precision is possible",
-                      what, value, least, largest));
+      throw invalid_argument(
+          "spacecraft: {} = {:g} is outside {:g} to {:g}: no computation in double precision is possible",
+          what, value, least, largest);
   };
   const double l = p.length, mass = p.mass_per_length * l, inertia = mass * l * l, ei = p.bending_stiffness();
   within("mass_per_length length^3", inertia, 1e-150, 1e150);

@@ -1,7 +1,5 @@
 #include "nlmech/spacecraft/residues.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "nlmech/spacecraft/bisection.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -139,8 +138,7 @@ ExponentialSum::ExponentialSum(const std::array<double, 3>& polynomial, std::vec
                                std::vector<Complex> weights)
     : polynomial_(polynomial), poles_(std::move(poles)), weights_(std::move(weights)) {
   if (poles_.size() != weights_.size())
-    throw std::invalid_argument(
-        fmt::format("ExponentialSum: {} poles and {} weights", poles_.size(), weights_.size()));
+    throw invalid_argument("ExponentialSum: {} poles and {} weights", poles_.size(), weights_.size());
   const bool all =
       std::all_of(poles_.begin(), poles_.end(), is_finite) &&
       std::all_of(weights_.begin(), weights_.end(), is_finite) &&
@@ -257,23 +255,20 @@ ExponentialSum ExponentialSum::without_small(double remainder) const {
 
 Extremes extremes(const ExponentialSum& f, double from, double until) {
   if (!(from >= 0 && until > from && std::isfinite(until)))
-    throw std::invalid_argument(
-        fmt::format("extremes: from {:g} until {:g} s is no interval of times", from, until));
+    throw invalid_argument("extremes: from {:g} until {:g} s is no interval of times", from, until);
   const Sampled coarse = sampled(f, 2e-4 * f.envelope(from), from, until, 4e6);
   return {maximum(f, coarse, -1, from, until), maximum(f, coarse, 1, from, until)};
 }
 
 Settling settling_time(const ExponentialSum& f, double final_value, double band, double latest) {
   if (!(band > 0 && latest > 0 && std::isfinite(band) && std::isfinite(latest)))
-    throw std::invalid_argument(
-        fmt::format("settling_time: band {:g} and latest time {:g} must be positive", band, latest));
+    throw invalid_argument("settling_time: band {:g} and latest time {:g} must be positive", band, latest);
   const double offset = std::abs(f.polynomial()[0] - final_value);
   const auto late = [&](double sought) {
-    return Settling{
-        0, Status::failure(Outcome::not_converged,
-                           fmt::format("settling_time: not within {:g} of {:g} for good before {:g} s; "
-                                       "allow a later time or a wider band",
-                                       band, final_value, sought))};
+    return Settling{0, failed_with(Outcome::not_converged,
+                                   "settling_time: not within {:g} of {:g} for good before {:g} s; allow a "
+                                   "later time or a wider band",
+                                   band, final_value, sought)};
   };
   if (offset >= band || f.polynomial()[1] != 0 || f.polynomial()[2] != 0) return late(latest);
   // After `end` no term can lead out of the band.

@@ -7,25 +7,24 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/control/loop_residues.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
 
 void require_options(const ResidueOptions& o) {
   if (o.pairs < 0 || o.pairs > 5000 || o.most < 1 || o.most > 5000)
-    throw std::invalid_argument(
-        fmt::format("residues: pairs = {}, most = {}; up to 5000 are possible", o.pairs, o.most));
-  if (!(o.tolerance > 0)) throw std::invalid_argument(fmt::format("residues: tolerance = {:g}", o.tolerance));
+    throw invalid_argument("residues: pairs = {}, most = {}; up to 5000 are possible", o.pairs, o.most);
+  if (!(o.tolerance > 0)) throw invalid_argument("residues: tolerance = {:g}", o.tolerance);
 }
 
 void require_places(const Plant& plant, std::span<const double> places, double amplitude) {
   for (const double x : places) plant.appendage().require_place(x);
   if (!std::isfinite(amplitude))
-    throw std::invalid_argument(fmt::format("residues: the amplitude {:g} is not finite", amplitude));
+    throw invalid_argument("residues: the amplitude {:g} is not finite", amplitude);
 }
 
 /// Bound of what the terms after the last leave out, if moduli fall like a power of their number that is at
@@ -96,12 +95,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Of sums that end with the most terms that are allowed: fewer digits than asked for, but some.
 Status few_digits(const ResidueTerms& terms, const TimeResponse& response, double tolerance) {
   if (enough(response.bounds, terms, std::max(tolerance, 1e-6), 1e-2)) return {};
-  return Status::failure(
+  return failed_with(
       Outcome::not_converged,
-      fmt::format(
-          "residues: what {} poles leave out is up to {:g} of theta and {:g} of theta'; the spacecraft's "
-          "hub is too light, or k2 or k3 too large, for its motion to be summed mode by mode",
-          terms.groups.size(), response.bounds.theta, response.bounds.theta_dot));
+      "residues: what {} poles leave out is up to {:g} of theta and {:g} of theta'; the spacecraft's hub is "
+      "too light, or k2 or k3 too large, for its motion to be summed mode by mode",
+      terms.groups.size(), response.bounds.theta, response.bounds.theta_dot);
 }
 
 /// Terms for more and more pairs until the bounds are met.
@@ -143,12 +141,10 @@ ResidueTerms plant_terms(const Plant& plant, int pairs, double torque, std::span
 Status closes(const char* what, const ExponentialSum& sum, double bound) {
   const double start = sum.value(0), allowed = bound + 1e-9 * sum.envelope(0);
   if (std::abs(start) <= allowed) return {};
-  return Status::failure(
-      Outcome::not_converged,
-      fmt::format(
-          "step response: {} begins with {:g}, where 0 is right to {:g}; poles are missing, or so near "
-          "to each other that rounding decides; change a gain a little",
-          what, start, allowed));
+  return failed_with(Outcome::not_converged,
+                     "step response: {} begins with {:g}, where 0 is right to {:g}; poles are missing, or so "
+                     "near to each other that rounding decides; change a gain a little",
+                     what, start, allowed);
 }
 
 /// All signals that begin with 0.
@@ -213,7 +209,7 @@ TimeResponse torque_response(const Plant& plant, double torque, std::span<const 
 
 Status certain_at(const TimeResponse& response, double time) {
   if (!(time >= 0) || !std::isfinite(time))
-    throw std::invalid_argument(fmt::format("certain_at: time {:g}; it must be at least 0", time));
+    throw invalid_argument("certain_at: time {:g}; it must be at least 0", time);
   const auto judged = [time](const std::string& what, const ExponentialSum& f) -> Status {
     const auto [c0, c1, c2] = f.polynomial();
     const double smooth = std::abs(c0 + time * (c1 + time * c2));
@@ -223,17 +219,14 @@ Status certain_at(const TimeResponse& response, double time) {
       fastest = std::max(fastest, std::abs(f.poles()[k]));
     }
     if (!std::isfinite(smooth))
-      return Status::failure(
-          Outcome::non_finite,
-          fmt::format("step: {} is not finite at t = {:g} s; ask for an earlier time", what, time));
+      return failed_with(Outcome::non_finite, "step: {} is not finite at t = {:g} s; ask for an earlier time",
+                         what, time);
     // Below a phase of 1e12 no sum of them can be off by as much.
     if (fastest * time < 1e10 || f.uncertainty(time) <= 1e-3 * largest) return {};
-    return Status::failure(
-        Outcome::outside_validity,
-        fmt::format(
-            "step: at t = {:g} s rounding leaves the phase of the oscillations of {} open, {:g} of {:g}; "
-            "ask for an earlier time",
-            time, what, f.uncertainty(time), largest));
+    return failed_with(Outcome::outside_validity,
+                       "step: at t = {:g} s rounding leaves the phase of the oscillations of {} open, {:g} "
+                       "of {:g}; ask for an earlier time",
+                       time, what, f.uncertainty(time), largest);
   };
   Status status = judged("theta", response.theta);
   if (status.ok()) status = judged("theta'", response.theta_dot);
@@ -252,7 +245,7 @@ double pulse(const ExponentialSum& step, double time, double duration) {
 Statics statics(const Parameters& p, double x) {
   require_physical(p);
   if (!(x >= 0 && x <= p.length))
-    throw std::invalid_argument(fmt::format("statics: x = {:g} is outside 0 to {:g}", x, p.length));
+    throw invalid_argument("statics: x = {:g} is outside 0 to {:g}", x, p.length);
   using Rule = boost::math::quadrature::gauss<double, 7>;  // polynomials, of degree 6 at most
   const double ei = p.bending_stiffness();
   const auto moment = [&](double at) {

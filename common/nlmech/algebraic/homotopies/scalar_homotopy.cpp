@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::algebraic {
 namespace {
 
@@ -15,9 +17,7 @@ const char* name_of(const ScalarHomotopy& method) {
 
 void check(const ScalarHomotopy& method) {
   const auto require = [&](bool good, const char* option, double value, const char* range) {
-    if (!good)
-      throw std::invalid_argument(
-          fmt::format("{}: {} = {}; it must be {}", name_of(method), option, value, range));
+    if (!good) throw invalid_argument("{}: {} = {}; it must be {}", name_of(method), option, value, range);
   };
   require(method.step > 0 && std::isfinite(method.step), "step", method.step, "positive");
   require(method.turn >= 0 && std::isfinite(method.turn), "turn", method.turn, "0 or positive");

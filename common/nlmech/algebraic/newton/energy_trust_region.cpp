@@ -9,6 +9,7 @@
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -20,11 +21,10 @@ void check(const EnergyTrustRegion& method, const Equations& equations, const Ei
   if (method.scale.size() > 0 && !(method.scale.size() == x.size() && (method.scale.array() > 0).all()))
     throw std::invalid_argument("energy-trust-region: scale has another size than x, or is not positive");
   if (!(method.radius >= 0 && std::isfinite(method.radius)))
-    throw std::invalid_argument(
-        fmt::format("energy-trust-region: radius = {}; it must be 0 or positive", method.radius));
+    throw invalid_argument("energy-trust-region: radius = {}; it must be 0 or positive", method.radius);
   if (method.iterations < 0)
-    throw std::invalid_argument(
-        fmt::format("energy-trust-region: iterations = {}; it must be 0 or positive", method.iterations));
+    throw invalid_argument("energy-trust-region: iterations = {}; it must be 0 or positive",
+                           method.iterations);
 }
 
 class Minimisation {

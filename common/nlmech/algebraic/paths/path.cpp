@@ -1,14 +1,12 @@
 #include "nlmech/algebraic/paths/path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/algebraic/paths/path_step.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -18,7 +16,7 @@ constexpr double stalled = 1e-4;    // corrections of this size that no longer s
 
 void check(const PathMethod& method) {
   const auto require = [](bool good, const char* option, double value, const char* range) {
-    if (!good) throw std::invalid_argument(fmt::format("path: {} = {}; it must be {}", option, value, range));
+    if (!good) throw invalid_argument("path: {} = {}; it must be {}", option, value, range);
   };
   require(method.first > 0 && std::isfinite(method.first), "first", method.first, "positive");
   require(method.turn > 0 && method.turn <= 1, "turn", method.turn, "positive and at most 1");
@@ -39,9 +37,9 @@ Path::Path(const PathMethod& method, Loaded& equations, const Eigen::VectorXd& x
 
 Status Path::failure(Outcome outcome, const char* what) const {
   const Status why = system_.status();
-  return Status::failure(outcome, fmt::format("path: after {} steps at load {:.10g}, arc {:.6g}, {}{}{}",
-                                              system_.statistics.steps, now_.load, now_.arc, what,
-                                              why.ok() ? "" : ": ", why.sentence()));
+  return failed_with(outcome, "path: after {} steps at load {:.10g}, arc {:.6g}, {}{}{}",
+                     system_.statistics.steps, now_.load, now_.arc, what, why.ok() ? "" : ": ",
+                     why.sentence());
 }
 
 Status Path::start(bool upwards) {

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "nlmech/algebraic/paths/path_step.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -217,21 +217,19 @@ Status follow(Path& path, const std::function<bool(const Path&)>& is_done, std::
   const std::int64_t first = path.statistics().steps;
   while (!is_done(path)) {
     if (path.statistics().steps - first >= steps)
-      return Status::failure(
-          Outcome::step_limit,
-          fmt::format("path: {} steps end at load {:.10g}, arc {:.6g}; allow more, or longer ones (turn)",
-                      steps, path.now().load, path.now().arc));
+      return failed_with(Outcome::step_limit,
+                         "path: {} steps end at load {:.10g}, arc {:.6g}; allow more, or longer ones (turn)",
+                         steps, path.now().load, path.now().arc);
     Status status = path.advance();
     // A place that the equations themselves call another branch is none to go on from.
     if (status.ok()) status = path.system().status();
     if (!status.ok()) return status;
     const Outcome outcome = path.critical_points(here);
     if (outcome != Outcome::success)
-      return Status::failure(
-          outcome,
-          fmt::format("path: between the loads {:.10g} and {:.10g} eigenvalues of dF/dx change their "
-                      "signs, and no limit or branch point is found; take shorter steps (turn)",
-                      path.before().load, path.now().load));
+      return failed_with(outcome,
+                         "path: between the loads {:.10g} and {:.10g} eigenvalues of dF/dx change their "
+                         "signs, and no limit or branch point is found; take shorter steps (turn)",
+                         path.before().load, path.now().load);
     found.insert(found.end(), here.begin(), here.end());
   }
   return {};

@@ -1,12 +1,11 @@
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -32,13 +31,11 @@ class Search {
     Status status = start();
     while (status.ok() && !is_found_) {
       if (path_.statistics().steps + path_.statistics().rejected >= method_.steps) {
-        status = Status::failure(
-            Outcome::step_limit,
-            fmt::format(
-                "{}: after {} steps ({} rejected) the path is at load {:.6g} of 1; allow more steps or "
-                "a longer first one",
-                name_of(method_.path), path_.statistics().steps, path_.statistics().rejected,
-                path_.now().load));
+        status = failed_with(Outcome::step_limit,
+                             "{}: after {} steps ({} rejected) the path is at load {:.6g} of 1; allow more "
+                             "steps or a longer first one",
+                             name_of(method_.path), path_.statistics().steps, path_.statistics().rejected,
+                             path_.now().load);
         break;
       }
       status = path_.advance();
@@ -52,9 +49,8 @@ class Search {
   Status start() {
     report_.first = report_.least = report_.last = embedding_.start().norm();
     if (!std::isfinite(report_.first))
-      return Status::failure(
-          Outcome::non_finite,
-          fmt::format("{}: F is not finite at the start; start elsewhere", name_of(method_.path)));
+      return failed_with(Outcome::non_finite, "{}: F is not finite at the start; start elsewhere",
+                         name_of(method_.path));
     is_found_ = report_.first == 0;  // x0 is a root
     found_ = path_.now();
     if (is_found_) {
@@ -73,9 +69,8 @@ class Search {
     report_.least = std::min(report_.least, report_.last);
     report_.time = point.load;
     if (!observer_ || observer_({seen_++, point.load, point.x, rest_, report_.last})) return {};
-    return Status::failure(
-        Outcome::interrupted,
-        fmt::format("{}: stopped by the observer at load {:.6g} of 1", name_of(method_.path), point.load));
+    return failed_with(Outcome::interrupted, "{}: stopped by the observer at load {:.6g} of 1",
+                       name_of(method_.path), point.load);
   }
 
   //! [limit points decide]
@@ -101,10 +96,10 @@ class Search {
       begin = end;
     }
     if (outcome == Outcome::success) return {};
-    return Status::failure(outcome,
-                           fmt::format("{}: between loads {:.9g} and {:.9g} of 1 a limit point or the end "
-                                       "is not found; take shorter steps",
-                                       name_of(method_.path), path_.before().load, path_.now().load));
+    return failed_with(
+        outcome,
+        "{}: between loads {:.9g} and {:.9g} of 1 a limit point or the end is not found; take shorter steps",
+        name_of(method_.path), path_.before().load, path_.now().load);
   }
   //! [limit points decide]
 

@@ -1,9 +1,9 @@
 #include "nlmech/algebraic/paths/path_system.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
 
@@ -11,8 +11,7 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
     : equations_(equations), scale_(scale) {
   const Eigen::Index n = equations.size();
   if (x.size() != n)
-    throw std::invalid_argument(
-        fmt::format("path: the start has {} components, the equations {}", x.size(), n));
+    throw invalid_argument("path: the start has {} components, the equations {}", x.size(), n);
   if (scale.size() > 0 && !(scale.size() == n && (scale.array() > 0).all()))
     throw std::invalid_argument("path: scale has another size than x, or is not positive");
   f_.resize(n);

@@ -1,10 +1,10 @@
 #include "nlmech/bvp/newton/condensed.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 double coefficient(const Problem& problem, const LinearEquation& e) {
   const int n = problem.states();
   const auto refuse = [&](const char* why) {
-    throw std::invalid_argument(
-        fmt::format("condensed collocation: equation {} for unknown {}: {}", e.equation, e.unknown, why));
+    throw invalid_argument("condensed collocation: equation {} for unknown {}: {}", e.equation, e.unknown,
+                           why);
   };
   if (e.equation < 0 || e.equation >= n || e.unknown < 0 || e.unknown >= n || e.equation == e.unknown) {
     refuse("no such pair");
@@ -55,8 +55,7 @@ CondensedCollocation::CondensedCollocation(const Problem& problem, GlobalColloca
       const Index row = e.equation * nodes + j, unknown = e.unknown * nodes + j;
       if (equations.is_replaced(row)) continue;
       if (unknown_gone[static_cast<std::size_t>(unknown)]) {
-        throw std::invalid_argument(
-            fmt::format("condensed collocation: two equations for unknown {}", e.unknown));
+        throw invalid_argument("condensed collocation: two equations for unknown {}", e.unknown);
       }
       unknown_gone[static_cast<std::size_t>(unknown)] = row_gone[static_cast<std::size_t>(row)] = true;
       gone_.push_back(unknown);

@@ -1,9 +1,9 @@
 #include "nlmech/bvp/newton/newton_iteration.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -50,41 +50,36 @@ void advance(const Unknowns& from, double fraction, const Unknowns& step, Unknow
 
 Status singular(const NewtonSystem& system, Index conditions, int iteration) {
   if (system.independent_conditions() < conditions && system.contradiction() > 1e-6) {
-    return Status::failure(
-        Outcome::infeasible,
-        fmt::format("bvp: the {} conditions contradict each other: only {} are independent, and the others "
-                    "cannot be met with them (Newton's iteration {}); take one of them back",
-                    conditions, system.independent_conditions(), iteration));
+    return failed_with(Outcome::infeasible,
+                       "bvp: the {} conditions contradict each other: only {} are independent, and the "
+                       "others cannot be met with them (Newton's iteration {}); take one of them back",
+                       conditions, system.independent_conditions(), iteration);
   }
   if (system.independent_conditions() < conditions) {
-    return Status::failure(
-        Outcome::singular_matrix,
-        fmt::format("bvp: only {} of the {} conditions are independent of each other (Newton's iteration "
-                    "{}): the solution is not determined; replace those that repeat others",
-                    system.independent_conditions(), conditions, iteration));
+    return failed_with(Outcome::singular_matrix,
+                       "bvp: only {} of the {} conditions are independent of each other (Newton's iteration "
+                       "{}): the solution is not determined; replace those that repeat others",
+                       system.independent_conditions(), conditions, iteration);
   }
-  return Status::failure(
+  return failed_with(
       Outcome::singular_matrix,
-      fmt::format("bvp: Newton's matrix is singular (pivots 1 to {:.2g}, iteration {}): with these equations "
-                  "the conditions leave a solution undetermined or admit none; change the conditions, or "
-                  "start elsewhere",
-                  system.pivot_ratio(), iteration));
+      "bvp: Newton's matrix is singular (pivots 1 to {:.2g}, iteration {}): with these equations the "
+      "conditions leave a solution undetermined or admit none; change the conditions, or start elsewhere",
+      system.pivot_ratio(), iteration);
 }
 
 Status diverged(int iteration, double damping, double update) {
-  return Status::failure(
-      Outcome::newton_diverged,
-      fmt::format("bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
-                  "length {:.3g}; start elsewhere",
-                  iteration, damping, update));
+  return failed_with(Outcome::newton_diverged,
+                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
+                     "length {:.3g}; start elsewhere",
+                     iteration, damping, update);
 }
 
 Status not_finite(int iteration) {
-  return Status::failure(
+  return failed_with(
       Outcome::non_finite,
-      fmt::format("bvp: the equations or their derivatives are not finite at Newton's iteration {}; start "
-                  "elsewhere",
-                  iteration));
+      "bvp: the equations or their derivatives are not finite at Newton's iteration {}; start elsewhere",
+      iteration);
 }
 
 /// One run of the iteration on a mesh.
@@ -117,11 +112,10 @@ class Run {
       Status status = shorten(k, update, scales);
       if (!status.ok() || done_) return status;
     }
-    return Status::failure(
+    return failed_with(
         Outcome::not_converged,
-        fmt::format("bvp: Newton's updates are still {:.3g} after {} iterations; allow more, "
-                    "or start closer",
-                    before_, options_.newton_iterations));
+        "bvp: Newton's updates are still {:.3g} after {} iterations; allow more, or start closer", before_,
+        options_.newton_iterations);
   }
 
  private:

@@ -1,11 +1,10 @@
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -310,11 +309,10 @@ class Descent {
 DirectResult direct_start(const ExtremalProblem& problem, const ControlGuess& guess,
                           const DirectOptions& options) {
   if (options.pieces < 2 || options.pieces > 5000) {
-    throw std::invalid_argument(
-        fmt::format("direct_start: {} pieces; 2 to 5000 are allowed", options.pieces));
+    throw invalid_argument("direct_start: {} pieces; 2 to 5000 are allowed", options.pieces);
   }
   if (guess.begin.size() != problem.model().states() || !guess.control) {
-    throw std::invalid_argument(fmt::format("direct_start: a guess of {} states", guess.begin.size()));
+    throw invalid_argument("direct_start: a guess of {} states", guess.begin.size());
   }
   DirectResult result = Descent(problem, options).run(guess);
   result.start.parameters = problem.own_parameters();

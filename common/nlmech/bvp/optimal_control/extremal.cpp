@@ -1,10 +1,10 @@
 #include "nlmech/bvp/optimal_control/extremal.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 
@@ -16,8 +16,7 @@ namespace {
 
 void check_constraints(const Constraints& c, int states) {
   const auto require = [](bool good, const char* name, double value) {
-    if (!good)
-      throw std::invalid_argument(fmt::format("optimal control: {} = {} is out of range", name, value));
+    if (!good) throw invalid_argument("optimal control: {} = {} is out of range", name, value);
   };
   require(c.control_limit > 0, "control_limit", c.control_limit);
   require(c.control_smoothing > 0, "control_smoothing", c.control_smoothing);
@@ -38,12 +37,12 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
   n_ = model_->states();
   const auto count = static_cast<std::size_t>(n_);
   if (task_.begin.size() != count || task_.end.size() != count) {
-    throw std::invalid_argument(fmt::format("optimal control: {} and {} end values for {} states",
-                                            task_.begin.size(), task_.end.size(), n_));
+    throw invalid_argument("optimal control: {} and {} end values for {} states", task_.begin.size(),
+                           task_.end.size(), n_);
   }
   if (!(task_.begin_time < task_.final_time) || !std::isfinite(task_.final_time - task_.begin_time)) {
-    throw std::invalid_argument(fmt::format("optimal control: the final time {} is not after the begin {}",
-                                            task_.final_time, task_.begin_time));
+    throw invalid_argument("optimal control: the final time {} is not after the begin {}", task_.final_time,
+                           task_.begin_time);
   }
   if (task_.free_final_time && task_.continued == Continued::final_time) {
     throw std::invalid_argument("optimal control: a free final time cannot be continued too");
@@ -52,14 +51,12 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
   points_ = {task_.begin_time, task_.final_time};
   for (const Waypoint& w : task_.waypoints) {
     if (!(w.t > task_.begin_time && w.t < task_.final_time) || w.component < 0 || w.component >= n_) {
-      throw std::invalid_argument(
-          fmt::format("optimal control: waypoint of component {} at t = {}", w.component, w.t));
+      throw invalid_argument("optimal control: waypoint of component {} at t = {}", w.component, w.t);
     }
     for (const Waypoint& other : task_.waypoints) {
       if (other.t == w.t && other.component == w.component && other.value != w.value) {
-        throw std::invalid_argument(
-            fmt::format("optimal control: component {} at t = {} is prescribed as {} and as {}", w.component,
-                        w.t, w.value, other.value));
+        throw invalid_argument("optimal control: component {} at t = {} is prescribed as {} and as {}",
+                               w.component, w.t, w.value, other.value);
       }
     }
     points_.push_back(w.t);

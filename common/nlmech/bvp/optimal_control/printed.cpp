@@ -13,6 +13,7 @@
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -78,11 +79,10 @@ GlobalCollocation::GlobalCollocation(const Problem& problem, GlobalMethod method
   const double length = points.back() - points.front();
   times_ = points.front() + length * (collocation::legendre_gauss_lobatto(method_.nodes).array() + 1) / 2;
   if (d_.size() == 0) {
-    status_ = Status::failure(
-        Outcome::non_finite,
-        fmt::format("global collocation: the derivative matrix of {} nodes and shape c T = {} is not finite; "
-                    "choose a larger shape",
-                    method_.nodes, method_.relative_shape));
+    status_ = failed_with(Outcome::non_finite,
+                          "global collocation: the derivative matrix of {} nodes and shape c T = {} is not "
+                          "finite; choose a larger shape",
+                          method_.nodes, method_.relative_shape);
     return;
   }
   d_ /= length;
@@ -164,8 +164,7 @@ void GlobalCollocation::linearise(const VectorXd& x) {
 
 std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem) {
   if (problem.model().states() != 2) {
-    throw std::invalid_argument(
-        fmt::format("printed_rows: {} states; the text has two", problem.model().states()));
+    throw invalid_argument("printed_rows: {} states; the text has two", problem.model().states());
   }
   const auto& begin = problem.task().begin;
   const auto& end = problem.task().end;
@@ -223,13 +222,11 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
   if (integrated.cols() == t.size()) s.integrated_end = integrated.rightCols(1);
   s.integration_error = worst;
   if (worst <= tolerance) return;
-  s.status = Status::failure(
-      Outcome::spurious_root,
-      fmt::format(
-          "global collocation: the root of the equations is no solution: integrated from its own initial "
-          "values the trajectory is {:.3g} off at a node (relative; allowed {:.2g}); take the method "
-          "with refinement, or start elsewhere",
-          worst, tolerance));
+  s.status = failed_with(Outcome::spurious_root,
+                         "global collocation: the root of the equations is no solution: integrated from its "
+                         "own initial values the trajectory is {:.3g} off at a node (relative; allowed "
+                         "{:.2g}); take the method with refinement, or start elsewhere",
+                         worst, tolerance);
 }
 
 }  // namespace

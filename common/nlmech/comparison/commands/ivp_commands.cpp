@@ -11,6 +11,7 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
 namespace {
@@ -36,10 +37,10 @@ Request understand(const Words& words, OwnProblem& problem) {
             .limits = words.limits,
             .verify = !words.settings.step && !words.no_verify};
   if (r.settings.step && r.settings.tolerance)
-    throw InputError(fmt::format("--step {} --tolerance {}: give a step or a tolerance, not both",
-                                 *r.settings.step, *r.settings.tolerance));
+    throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
+                      *r.settings.tolerance);
   if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
-    throw InputError(fmt::format("--every {}: more than 10 million rows", *r.every));
+    throw input_error("--every {}: more than 10 million rows", *r.every);
   return r;
 }
 
@@ -79,13 +80,13 @@ std::vector<Choice> choices(const std::string& list, const ivp::Settings& settin
   }
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
   if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.info.fixed_step(); }))
-    throw InputError(fmt::format("--absolute-tolerance {}: none of the methods {} chooses its steps",
-                                 *settings.absolute_tolerance, list));
+    throw input_error("--absolute-tolerance {}: none of the methods {} chooses its steps",
+                      *settings.absolute_tolerance, list);
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     const std::optional<double> value = setting->value(settings);
     if (value && !some([setting](const Choice& c) { return c.method.info.has(*setting); }))
-      throw InputError(fmt::format("--{} {}: none of the methods {} has {} to choose", setting->name, *value,
-                                   list, setting->name));
+      throw input_error("--{} {}: none of the methods {} has {} to choose", setting->name, *value, list,
+                        setting->name);
   }
   return all;
 }

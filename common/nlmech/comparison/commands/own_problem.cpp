@@ -10,6 +10,7 @@
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
 
@@ -32,8 +33,7 @@ std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::s
     if (problem->name() == name) return problem;
     known.emplace_back(problem->name());
   }
-  throw InputError(
-      fmt::format("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", ")));
+  throw input_error("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", "));
 }
 
 void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments) {
@@ -63,9 +63,8 @@ std::vector<double> initial_state(const OwnProblem& problem, const std::string& 
   const std::vector<std::string> names = problem.state_names();
   std::vector<double> x = scene::typed_numbers("--initial", text);
   if (x.size() != names.size())
-    throw InputError(fmt::format("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(text),
-                                 x.size(), names.size(), fmt::join(names, ","), problem.name(),
-                                 problem.equation()));
+    throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(text), x.size(),
+                      names.size(), fmt::join(names, ","), problem.name(), problem.equation());
   return x;
 }
 

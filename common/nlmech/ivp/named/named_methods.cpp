@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -28,6 +27,7 @@
 #include "nlmech/ivp/structural/hht.hpp"
 #include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::ivp {
 namespace {
@@ -48,8 +48,8 @@ struct Row {
 template <int n, class Maker, bool second_order_only>
 NamedIntegrator<n> made(const MethodInfo& info, const Settings& settings) {
   if constexpr (second_order_only && !has_halves<n>)
-    throw std::invalid_argument(fmt::format(
-        "{}: it needs positions and as many velocities; a state of {} components has none", info.name, n));
+    throw invalid_argument("{}: it needs positions and as many velocities; a state of {} components has none",
+                           info.name, n);
   else
     return Maker{}.template operator()<n>(info, settings);
 }
@@ -224,16 +224,13 @@ constexpr auto methods = [] {
 
 void check_positive(std::string_view name, std::string_view what, const std::optional<double>& value) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
-    throw std::invalid_argument(
-        fmt::format("{}: the {} must be positive and finite, not {}", name, what, *value));
+    throw invalid_argument("{}: the {} must be positive and finite, not {}", name, what, *value);
 }
 
 }  // namespace
 
 void check_settings(const MethodInfo& method, const Settings& settings) {
-  const auto refuse = [&](std::string_view why) {
-    throw std::invalid_argument(fmt::format("{}: {}", method.name, why));
-  };
+  const auto refuse = [&](std::string_view why) { throw invalid_argument("{}: {}", method.name, why); };
   check_positive(method.name, "step", settings.step);
   check_positive(method.name, "tolerance", settings.tolerance);
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
@@ -262,8 +259,7 @@ const MethodInfo& method_info(std::string_view name) {
   if (found != methods.end()) return *found;
   std::vector<std::string_view> known;
   for (const MethodInfo& m : methods) known.push_back(m.name);
-  throw std::invalid_argument(
-      fmt::format("there is no method '{}'; there is {}", name, fmt::join(known, ", ")));
+  throw invalid_argument("there is no method '{}'; there is {}", name, fmt::join(known, ", "));
 }
 
 std::string_view to_string(Controlled controlled) {

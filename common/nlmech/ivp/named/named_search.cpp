@@ -1,9 +1,9 @@
-#include <fmt/format.h>
 
 #include <cmath>
 
 #include "nlmech/ivp/named/named_evidence.hpp"
 #include "nlmech/ivp/named/named_integrators.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::ivp::named {
@@ -19,13 +19,11 @@ Status check_rate(std::string_view name, const System<n>& system, double rate, d
   system.rhs(t, x, f);
   const double drift = rate * std::abs(t1 - t0) * (f.array().abs() / (1 + x.array().abs())).maxCoeff();
   if (drift <= tolerance) return {};
-  return Status::failure(
-      Outcome::not_converged,
-      fmt::format(
-          "{}: no step meets the tolerance {:.6g}: with this shape a constant rate is wrong by {:.2g} "
-          "of itself, which adds up to {:.2g} at t = {:.6g}; take another shape or more nodes, a larger "
-          "tolerance, or polynomials (lgl-coll, radau-coll)",
-          name, tolerance, rate, drift, t1));
+  return failed_with(Outcome::not_converged,
+                     "{}: no step meets the tolerance {:.6g}: with this shape a constant rate is wrong by "
+                     "{:.2g} of itself, which adds up to {:.2g} at t = {:.6g}; take another shape or more "
+                     "nodes, a larger tolerance, or polynomials (lgl-coll, radau-coll)",
+                     name, tolerance, rate, drift, t1);
 }
 
 }  // namespace

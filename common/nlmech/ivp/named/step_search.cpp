@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/ivp/failures.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::ivp::detail {
 namespace {
@@ -50,8 +50,8 @@ std::vector<double> search_times(double t0, double t1, const std::vector<double>
 SearchAccount::SearchAccount(StepSearch search, double interval)
     : search_(std::move(search)), radians_(interval * search_.frequency) {
   if (!(search_.tolerance > 0) || !std::isfinite(search_.tolerance))
-    throw std::invalid_argument(fmt::format("{}: the tolerance must be positive and finite, not {}",
-                                            search_.name, search_.tolerance));
+    throw invalid_argument("{}: the tolerance must be positive and finite, not {}", search_.name,
+                           search_.tolerance);
 }
 
 std::int64_t SearchAccount::first_count() const {
@@ -62,10 +62,10 @@ std::int64_t SearchAccount::first_count() const {
 }
 
 bool SearchAccount::give_up(const std::string& reason) {
-  status_ = Status::failure(Outcome::not_converged,
-                            fmt::format("{}: no step was found for the tolerance {:.6g}: {}{}; take a larger "
-                                        "tolerance, an earlier end, or a step",
-                                        search_.name, search_.tolerance, reason, about_frequency()));
+  status_ = failed_with(Outcome::not_converged,
+                        "{}: no step was found for the tolerance {:.6g}: {}{}; take a larger tolerance, an "
+                        "earlier end, or a step",
+                        search_.name, search_.tolerance, reason, about_frequency());
   return true;
 }
 
@@ -126,9 +126,8 @@ bool SearchAccount::wonders(const Finding& found) {
 
 bool SearchAccount::ended(const Status& why) {
   if (why.outcome() != Outcome::non_finite && why.outcome() != Outcome::step_underflow) return false;
-  status_ = Status::failure(
-      why.outcome(), fmt::format("{}: its runs do not agree, and another method finds why: {}", search_.name,
-                                 why.sentence()));
+  status_ = failed_with(why.outcome(), "{}: its runs do not agree, and another method finds why: {}",
+                        search_.name, why.sentence());
   return true;
 }
 

@@ -1,9 +1,9 @@
 #include "nlmech/ivp/transversal/mtl.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::ivp {
 
@@ -20,28 +20,26 @@ void check_options(const Mtl& method) {
   require_step(Mtl::name, method.step);
   require_within(Mtl::name, "points", method.points, 1, 8);
   if (!(method.error_tolerance >= 0) || !std::isfinite(method.error_tolerance))
-    throw std::invalid_argument(
-        fmt::format("mtl: the error tolerance must be positive and finite, or 0 for no estimate, not {}",
-                    method.error_tolerance));
+    throw invalid_argument(
+        "mtl: the error tolerance must be positive and finite, or 0 for no estimate, not {}",
+        method.error_tolerance);
 }
 
 namespace detail {
 
 Status mtl_overflow(double t, double block) {
-  return Status::failure(
-      Outcome::non_finite,
-      fmt::format("mtl: the exponential of the linear part overflows over the block of {:.6g} from t = "
-                  "{:.17g}; take a smaller step or tolerance (a program can choose another linear part)",
-                  block, t));
+  return failed_with(Outcome::non_finite,
+                     "mtl: the exponential of the linear part overflows over the block of {:.6g} from t = "
+                     "{:.17g}; take a smaller step or tolerance (a program can choose another linear part)",
+                     block, t);
 }
 
 Status mtl_wrong_branch(double t, double block, double estimate, double allowed) {
-  return Status::failure(
-      Outcome::wrong_branch,
-      fmt::format("mtl: the equations of the block of {:.6g} from t = {:.17g} were solved, but between its "
-                  "points the error is estimated as {:.2g}, above {:.2g}: the states may lie on another "
-                  "branch; take a smaller step, or a tolerance in its place",
-                  block, t, estimate, allowed));
+  return failed_with(Outcome::wrong_branch,
+                     "mtl: the equations of the block of {:.6g} from t = {:.17g} were solved, but between "
+                     "its points the error is estimated as {:.2g}, above {:.2g}: the states may lie on "
+                     "another branch; take a smaller step, or a tolerance in its place",
+                     block, t, estimate, allowed);
 }
 
 void check_split(const Eigen::Ref<const Eigen::MatrixXd>& a, std::span<const Harmonic> load,
@@ -55,13 +53,11 @@ void check_split(const Eigen::Ref<const Eigen::MatrixXd>& a, std::span<const Har
   for (const Harmonic& h : load) {
     const Eigen::Index least = second_order ? half : 0;
     if (h.component < least || h.component >= a.rows())
-      throw std::invalid_argument(
-          fmt::format("mtl: a load on component {} of a problem with {}; it must be "
-                      "from {} to {}",
-                      h.component, a.rows(), least, a.rows() - 1));
+      throw invalid_argument("mtl: a load on component {} of a problem with {}; it must be from {} to {}",
+                             h.component, a.rows(), least, a.rows() - 1);
     if (!std::isfinite(h.frequency) || !std::isfinite(h.cosine) || !std::isfinite(h.sine))
-      throw std::invalid_argument(fmt::format("mtl: a harmonic load of frequency {} and amplitudes {} and {}",
-                                              h.frequency, h.cosine, h.sine));
+      throw invalid_argument("mtl: a harmonic load of frequency {} and amplitudes {} and {}", h.frequency,
+                             h.cosine, h.sine);
   }
 }
 

@@ -1,15 +1,13 @@
 #include "nlmech/orbit/transfer/lambert.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/transfer/lambert_core.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -19,18 +17,17 @@ using detail::Span;
 
 void check_position(const Vector3<double>& r, const char* which) {
   if (!r.allFinite()) {
-    throw std::invalid_argument(
-        fmt::format("lambert: the position of {} must be finite, not ({}, {}, {})", which, r[0], r[1], r[2]));
+    throw invalid_argument("lambert: the position of {} must be finite, not ({}, {}, {})", which, r[0], r[1],
+                           r[2]);
   }
   if (r == Vector3<double>::Zero()) {
-    throw std::invalid_argument(
-        fmt::format("lambert: the position of {} is 0, the centre of attraction", which));
+    throw invalid_argument("lambert: the position of {} is 0, the centre of attraction", which);
   }
   if (!std::isfinite(r.stableNorm())) {
-    throw std::invalid_argument(
-        fmt::format("lambert: the distance of {} from the centre, that of ({}, {}, {}), is beyond the range "
-                    "of doubles; take other units",
-                    which, r[0], r[1], r[2]));
+    throw invalid_argument(
+        "lambert: the distance of {} from the centre, that of ({}, {}, {}), is beyond the range of doubles; "
+        "take other units",
+        which, r[0], r[1], r[2]);
   }
 }
 
@@ -39,9 +36,8 @@ void check_problem(const LambertProblem& problem) {
   check_position(problem.to, "arrival");
   check(Gravity{.mu = problem.mu});
   if (problem.normal && !(problem.normal->allFinite() && *problem.normal != Vector3<double>::Zero())) {
-    throw std::invalid_argument(
-        fmt::format("lambert: the plane's normal must be finite and not 0, not ({}, {}, {})",
-                    (*problem.normal)[0], (*problem.normal)[1], (*problem.normal)[2]));
+    throw invalid_argument("lambert: the plane's normal must be finite and not 0, not ({}, {}, {})",
+                           (*problem.normal)[0], (*problem.normal)[1], (*problem.normal)[2]);
   }
 }
 
@@ -71,9 +67,9 @@ struct ScaledChord {
     }
     if (span == Span::opposite && given != nullptr &&
         cross(normal, chord.out1).norm() < 1e-8 * normal.norm()) {
-      throw std::invalid_argument(fmt::format(
+      throw invalid_argument(
           "lambert: the plane's normal ({}, {}, {}) is along the positions; it must be across them",
-          (*problem.normal)[0], (*problem.normal)[1], (*problem.normal)[2]));
+          (*problem.normal)[0], (*problem.normal)[1], (*problem.normal)[2]);
     }
     if (long_way) chord.turn();
     wanted = problem.time / time_unit * chord.rate;
@@ -82,13 +78,11 @@ struct ScaledChord {
 
 [[nodiscard]] Status no_plane(const LambertProblem& problem, Span span) {
   if (span == Span::same) {
-    return Status::failure(
-        Outcome::outside_validity,
-        fmt::format(
-            "lambert: the positions lie in one direction from the centre (a transfer by 0 or 360 degrees) at "
-            "distances {:.6g} and {:.6g}; no plane is determined and the arc is a straight line; move one of "
-            "them",
-            problem.from.stableNorm(), problem.to.stableNorm()));
+    return failed_with(Outcome::outside_validity,
+                       "lambert: the positions lie in one direction from the centre (a transfer by 0 or 360 "
+                       "degrees) at distances {:.6g} and {:.6g}; no plane is determined and the arc is a "
+                       "straight line; move one of them",
+                       problem.from.stableNorm(), problem.to.stableNorm());
   }
   return Status::failure(
       Outcome::outside_validity,
@@ -97,22 +91,19 @@ struct ScaledChord {
 }
 
 [[nodiscard]] Status no_such_arc(const LambertProblem& problem, const LambertArc& arc) {
-  return Status::failure(Outcome::infeasible,
-                         fmt::format("lambert: {} revolution{} the {} way take{} at least {:.17g}, and "
-                                     "{:.17g} is given; ask for fewer, or "
-                                     "for more time",
-                                     arc.revolutions, arc.revolutions == 1 ? "" : "s",
-                                     arc.long_way ? "long" : "short", arc.revolutions == 1 ? "s" : "",
-                                     least_time(problem, arc.long_way, arc.revolutions), problem.time));
+  return failed_with(Outcome::infeasible,
+                     "lambert: {} revolution{} the {} way take{} at least {:.17g}, and {:.17g} is given; ask "
+                     "for fewer, or for more time",
+                     arc.revolutions, arc.revolutions == 1 ? "" : "s", arc.long_way ? "long" : "short",
+                     arc.revolutions == 1 ? "s" : "", least_time(problem, arc.long_way, arc.revolutions),
+                     problem.time);
 }
 
 [[nodiscard]] Status out_of_reach(const LambertProblem& problem, double wanted) {
-  return Status::failure(
-      Outcome::outside_validity,
-      fmt::format(
-          "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} for velocities in double "
-          "precision to tell",
-          problem.time, wanted, wanted > 1 ? "long" : "short"));
+  return failed_with(Outcome::outside_validity,
+                     "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} for velocities in "
+                     "double precision to tell",
+                     problem.time, wanted, wanted > 1 ? "long" : "short");
 }
 
 /// Rounding turns v_1 by 4 eps at most: an eps for the unit vector along r_1, one for the sum of both parts,
@@ -134,20 +125,19 @@ constexpr double largest_without_side = 1e-6;
 }
 
 [[nodiscard]] Status passes_too_near(const LambertProblem& problem, const LambertArc& arc) {
-  return Status::failure(
+  return failed_with(
       Outcome::outside_validity,
-      fmt::format(
-          "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
-          "velocities decides on which side; take {}another time, or positions farther from one line",
-          arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : ""));
+      "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
+      "velocities decides on which side; take {}another time, or positions farther from one line",
+      arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : "");
 }
 
 [[nodiscard]] Status undetermined(const LambertProblem& problem, double wanted, double kappa) {
-  return Status::failure(
+  return failed_with(
       Outcome::outside_validity,
-      fmt::format("lambert: rounding of the velocities leaves the place after {:.6g} undetermined (the arc's "
-                  "condition, {:.2g}, times the rounding of doubles leaves not one digit); take a {} time",
-                  problem.time, kappa, wanted > 1 ? "shorter" : "longer"));
+      "lambert: rounding of the velocities leaves the place after {:.6g} undetermined (the arc's condition, "
+      "{:.2g}, times the rounding of doubles leaves not one digit); take a {} time",
+      problem.time, kappa, wanted > 1 ? "shorter" : "longer");
 }
 
 [[nodiscard]] LambertSolution solve(const LambertProblem& problem, const ScaledChord& scaled,
@@ -192,12 +182,10 @@ constexpr double largest_without_side = 1e-6;
 LambertSolution solve_lambert(const LambertProblem& problem, const LambertArc& arc) {
   check_problem(problem);
   if (!(problem.time > 0) || !std::isfinite(problem.time)) {
-    throw std::invalid_argument(
-        fmt::format("lambert: the time of flight must be positive and finite, not {}", problem.time));
+    throw invalid_argument("lambert: the time of flight must be positive and finite, not {}", problem.time);
   }
   if (arc.revolutions < 0)
-    throw std::invalid_argument(
-        fmt::format("lambert: the number of revolutions must be 0 or more, not {}", arc.revolutions));
+    throw invalid_argument("lambert: the number of revolutions must be 0 or more, not {}", arc.revolutions);
   const ScaledChord scaled(problem, arc.long_way);
   if (scaled.span == Span::same || (scaled.span == Span::opposite && !problem.normal)) {
     LambertSolution refused;
@@ -210,8 +198,7 @@ LambertSolution solve_lambert(const LambertProblem& problem, const LambertArc& a
 double least_time(const LambertProblem& problem, bool long_way, int revolutions) {
   check_problem(problem);
   if (revolutions < 1) {
-    throw std::invalid_argument(
-        fmt::format("lambert: a least time exists for 1 revolution or more, not for {}", revolutions));
+    throw invalid_argument("lambert: a least time exists for 1 revolution or more, not for {}", revolutions);
   }
   LambertProblem timeless = problem;
   timeless.time = 1;

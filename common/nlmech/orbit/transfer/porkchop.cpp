@@ -12,6 +12,7 @@
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/transfer/lambert_core.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::orbit {
@@ -179,12 +180,10 @@ Porkchop porkchop(const PorkchopProblem& problem, const PorkchopWork& work) {
   grid.statistics.right_hand_sides = counts.evaluations;
   grid.statistics.seconds = watch.seconds();
   if (counts.lost > 0) {
-    grid.status = Status::failure(
-        Outcome::outside_validity,
-        fmt::format(
-            "porkchop: {} arcs have times of flight that velocities in double precision cannot tell; choose "
-            "windows in proportion to the periods of the orbits",
-            counts.lost));
+    grid.status = failed_with(Outcome::outside_validity,
+                              "porkchop: {} arcs have times of flight that velocities in double precision "
+                              "cannot tell; choose windows in proportion to the periods of the orbits",
+                              counts.lost);
   }
   return grid;
 }

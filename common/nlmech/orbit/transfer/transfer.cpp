@@ -1,13 +1,12 @@
 #include "nlmech/orbit/transfer/transfer.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::orbit {
@@ -141,20 +140,19 @@ Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& ar
   if (problem.gravity.degree() == 0) {
     transfer.miss = miss_of(problem, conic.v1);
     if (!(transfer.miss <= largest_miss * problem.to.stableNorm())) {
-      transfer.status = Status::failure(
-          Outcome::outside_validity,
-          fmt::format(
-              "lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
-              "distance: doubles do not hold its velocity exactly enough (it passes near the centre, or "
-              "makes very many revolutions); take another arc or time",
-              transfer.miss));
+      transfer.status =
+          failed_with(Outcome::outside_validity,
+                      "lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
+                      "distance: doubles do not hold its velocity exactly enough (it passes near the centre, "
+                      "or makes very many revolutions); take another arc or time",
+                      transfer.miss);
     }
   } else if (!follow_field(problem, transfer)) {
-    transfer.status = Status::failure(
-        Outcome::not_converged,
-        fmt::format("corrected transfer: after {} corrections of Lambert's arc for the zonal terms the "
-                    "orbit still misses by {:.3g}; take another arc, or positions farther from 180 degrees",
-                    transfer.statistics.newton_iterations, transfer.miss));
+    transfer.status =
+        failed_with(Outcome::not_converged,
+                    "corrected transfer: after {} corrections of Lambert's arc for the zonal terms the orbit "
+                    "still misses by {:.3g}; take another arc, or positions farther from 180 degrees",
+                    transfer.statistics.newton_iterations, transfer.miss);
   }
   transfer.statistics.seconds = watch.seconds();
   return transfer;

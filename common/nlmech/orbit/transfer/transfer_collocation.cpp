@@ -1,11 +1,9 @@
-#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <random>
-#include <stdexcept>
 
 #include "nlmech/algebraic/newton/newton.hpp"
 #include "nlmech/collocation/barycentric.hpp"
@@ -15,6 +13,7 @@
 #include "nlmech/orbit/acceleration.hpp"
 #include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/series/dual.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::orbit {
@@ -194,7 +193,7 @@ class Discrete {
 
 void check_method(const TransferCollocation& m) {
   const auto require = [](bool fine, const char* what, double value) {
-    if (!fine) throw std::invalid_argument(fmt::format("transfer by collocation: {}, not {}", what, value));
+    if (!fine) throw invalid_argument("transfer by collocation: {}, not {}", what, value);
   };
   require(m.nodes >= 4 && m.nodes <= 200, "the number of nodes must be from 4 to 200", m.nodes);
   require(m.shape >= 0 && std::isfinite(m.shape), "the shape must be positive, or 0 for the printed one",
@@ -212,8 +211,7 @@ void check_problem(const TransferProblem& p) {
   check(State{p.from, {0, 0, 0}}, "transfer, the departure");
   check(State{p.to, {0, 0, 0}}, "transfer, the arrival");
   if (!(p.time > 0) || !std::isfinite(p.time))
-    throw std::invalid_argument(
-        fmt::format("transfer: the time of flight must be positive and finite, not {}", p.time));
+    throw invalid_argument("transfer: the time of flight must be positive and finite, not {}", p.time);
 }
 
 }  // namespace
@@ -240,11 +238,10 @@ CollocatedTransfer collocate(const TransferProblem& problem, const TransferCollo
       [&](const VectorXd& at, MatrixXd& b) { discrete.derivative(at, b); }, x, workspace, result.statistics);
   result.statistics.seconds = watch.seconds();
   if (outcome != Outcome::success) {
-    result.status = Status::failure(
-        outcome,
-        fmt::format("transfer by collocation: Newton's iteration with {} nodes ended after {} steps ({}); "
-                    "start from another guess, or with more nodes",
-                    method.nodes, result.statistics.newton_iterations, to_string(outcome)));
+    result.status = failed_with(outcome,
+                                "transfer by collocation: Newton's iteration with {} nodes ended after {} "
+                                "steps ({}); start from another guess, or with more nodes",
+                                method.nodes, result.statistics.newton_iterations, to_string(outcome));
     return result;
   }
   const double speed = discrete.length() / discrete.time();
@@ -255,12 +252,11 @@ CollocatedTransfer collocate(const TransferProblem& problem, const TransferCollo
   result.v2 = result.velocities.rightCols(1);
   result.miss = miss_of(problem, result.v1);
   if (!(result.miss <= method.largest_miss * problem.to.stableNorm())) {
-    result.status = Status::failure(
-        Outcome::spurious_root,
-        fmt::format(
-            "transfer by collocation: the {} discrete equations are solved, but the orbit with the velocity "
-            "found, integrated, misses by {:.3g}; take more nodes, or another start",
-            discrete.size(), result.miss));
+    result.status =
+        failed_with(Outcome::spurious_root,
+                    "transfer by collocation: the {} discrete equations are solved, but the orbit with the "
+                    "velocity found, integrated, misses by {:.3g}; take more nodes, or another start",
+                    discrete.size(), result.miss);
   }
   return result;
 }

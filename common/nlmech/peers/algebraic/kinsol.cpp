@@ -1,6 +1,5 @@
 #include "nlmech/peers/algebraic/kinsol.hpp"
 
-#include <fmt/format.h>
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <exception>
 
 #include "nlmech/peers/sundials_objects.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::peers {
 namespace {
@@ -78,9 +78,7 @@ struct Calls {
 
 void check(const Kinsol& method) {
   const auto require = [&](bool good, const char* option, double value, const char* range) {
-    if (!good)
-      throw std::invalid_argument(
-          fmt::format("{}: {} = {}; it must be {}", method.name(), option, value, range));
+    if (!good) throw invalid_argument("{}: {} = {}; it must be {}", method.name(), option, value, range);
   };
   require(method.tolerance > 0 && std::isfinite(method.tolerance), "tolerance", method.tolerance, "positive");
   require(method.step_tolerance > 0 && std::isfinite(method.step_tolerance), "step_tolerance",
@@ -185,9 +183,8 @@ Report find_root(const Kinsol& method, algebraic::Equations& equations, VectorXd
   const bool is_done = std::isfinite(norm) && x.allFinite() && greatest <= method.tolerance;
   if (!(flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK) || !is_done) {
     const Ending end = ending(flag, calls);
-    calls.report.status = Status::failure(
-        end.outcome, fmt::format("{}: at iteration {}, with |F| = {:.3g}: {} (flag {})", method.name(),
-                                 calls.report.statistics.steps, norm, end.what, flag));
+    calls.report.status = failed_with(end.outcome, "{}: at iteration {}, with |F| = {:.3g}: {} (flag {})",
+                                      method.name(), calls.report.statistics.steps, norm, end.what, flag);
   }
   return std::move(calls.report);
 }

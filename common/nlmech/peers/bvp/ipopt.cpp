@@ -1,12 +1,11 @@
 #include "nlmech/peers/bvp/ipopt.hpp"
 
-#include <fmt/format.h>
-
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::peers {
 namespace {
@@ -262,9 +261,9 @@ Status status_of(Ipopt::SolverReturn ended) {
     case Ipopt::MAXITER_EXCEEDED:
       return Status::failure(Outcome::step_limit, "ipopt: the iterations are used up; allow more");
     default:
-      return Status::failure(Outcome::not_converged,
-                             fmt::format("ipopt: ended with code {}; start elsewhere, or take more pieces",
-                                         static_cast<int>(ended)));
+      return failed_with(Outcome::not_converged,
+                         "ipopt: ended with code {}; start elsewhere, or take more pieces",
+                         static_cast<int>(ended));
   }
 }
 
@@ -275,8 +274,7 @@ bool ipopt_available() noexcept { return true; }
 bvp::DirectResult ipopt_start(const bvp::ExtremalProblem& problem, const bvp::ControlGuess& guess,
                               const IpoptOptions& options) {
   if (options.pieces < 2 || options.pieces > 20000) {
-    throw std::invalid_argument(
-        fmt::format("ipopt_start: {} pieces; 2 to 20000 are allowed", options.pieces));
+    throw invalid_argument("ipopt_start: {} pieces; 2 to 20000 are allowed", options.pieces);
   }
   const Ipopt::SmartPtr<Program> program = new Program(problem, guess, options.pieces);
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();

@@ -1,14 +1,12 @@
 #include "nlmech/peers/ivp/peer_stepper.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/limits.hpp"
 #include "nlmech/ivp/step_control.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::peers {
 namespace {
@@ -64,11 +62,11 @@ Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, dou
 
 void require_tolerances(std::string_view method, const Tolerances& tolerances) {
   if (!(tolerances.relative >= 0) || !std::isfinite(tolerances.relative))
-    throw std::invalid_argument(
-        fmt::format("{}: the relative tolerance must be zero or more, not {}", method, tolerances.relative));
+    throw invalid_argument("{}: the relative tolerance must be zero or more, not {}", method,
+                           tolerances.relative);
   if (!(tolerances.absolute > 0) || !std::isfinite(tolerances.absolute))
-    throw std::invalid_argument(
-        fmt::format("{}: the absolute tolerance must be positive, not {}", method, tolerances.absolute));
+    throw invalid_argument("{}: the absolute tolerance must be positive, not {}", method,
+                           tolerances.absolute);
 }
 
 double initial_step(double t, const double* x, const double* f, int size, double end,
@@ -86,11 +84,10 @@ double initial_step(double t, const double* x, const double* f, int size, double
 }
 
 Status non_finite_rhs(std::string_view method, double t, double step) {
-  return Status::failure(
-      Outcome::non_finite,
-      fmt::format("{}: the right-hand side is not finite within the step of {:.6g} from t = {:.17g}; end "
-                  "the integration before, or change the equations",
-                  method, step, t));
+  return failed_with(Outcome::non_finite,
+                     "{}: the right-hand side is not finite within the step of {:.6g} from t = {:.17g}; end "
+                     "the integration before, or change the equations",
+                     method, step, t);
 }
 
 Status walk(std::string_view method, PeerStepper& stepper, Run& run) {

@@ -11,6 +11,7 @@
 #include "nlmech/peers/ivp/odeint/odeint.hpp"
 #include "nlmech/peers/ivp/sundials/arkode.hpp"
 #include "nlmech/peers/ivp/sundials/cvode.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::peers {
 namespace {
@@ -54,8 +55,7 @@ const Peer& find(std::string_view name) {
   for (const Peer& peer : peers()) {
     if (peer.name() == name) return peer;
   }
-  throw std::invalid_argument(
-      fmt::format("there is no peer '{}'; there is {}", name, fmt::join(all_peer_names(), ", ")));
+  throw invalid_argument("there is no peer '{}'; there is {}", name, fmt::join(all_peer_names(), ", "));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace fs = std::filesystem;
@@ -68,7 +69,7 @@ std::map<std::string, std::vector<std::string>> read_check(const std::string& ch
   const fs::path file = out / "results" / chapter / "check.csv";
   std::map<std::string, std::vector<std::string>> rows;
   for (const CsvRecord& r : parse_csv(read_whole(file), file.string())) {
-    if (r.cells.size() != 5) throw InputError(fmt::format("{}: line {}: not 5 cells", file.string(), r.line));
+    if (r.cells.size() != 5) throw input_error("{}: line {}: not 5 cells", file.string(), r.line);
     rows[r.cells[0]] = r.cells;
   }
   return rows;
@@ -188,8 +189,7 @@ std::vector<Checked> collect_checks(const std::vector<std::string>& built, const
     if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
       const auto row = found->second.find(checked.value.name());
       if (row == found->second.end()) {
-        throw InputError(
-            fmt::format("results/{}/check.csv does not list {}", checked.chapter, checked.value.name()));
+        throw input_error("results/{}/check.csv does not list {}", checked.chapter, checked.value.name());
       }
       checked.measured = {optional_number(row->second[1]), optional_number(row->second[2])};
       checked.judgement = judge(checked.value, checked.measured);

@@ -13,6 +13,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace fs = std::filesystem;
@@ -48,7 +49,7 @@ Verdict parse_verdict(const std::string& text, const std::string& where) {
   for (const Verdict v : verdicts) {
     if (to_string(v) == text) return v;
   }
-  throw InputError(fmt::format("{}: '{}' is no verdict", where, echoed(text)));
+  throw input_error("{}: '{}' is no verdict", where, echoed(text));
 }
 
 bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range>& reference) {
@@ -118,7 +119,7 @@ bool compares(Verdict verdict) {
 }
 
 void refuse(bool wrong, const std::string& where, const std::string& what) {
-  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+  if (wrong) throw input_error("{}: {}", where, what);
 }
 
 /// "5 of 6"?
@@ -154,8 +155,7 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
       source, c[0],  c[1], c[2],  c[3],  0,    c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
       c[9],   c[10], 0,    c[12], c[13], c[14]};
   if (!parse_number(p.printed, p.value)) {
-    throw InputError(
-        fmt::format("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed)));
+    throw input_error("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed));
   }
   double tried = 0;
   refuse(!c[11].empty() &&
@@ -165,7 +165,7 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
   try {
     if (!p.tolerance.empty()) static_cast<void>(Tolerance(p.tolerance, p.printed));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw input_error("{}: {}", where, error.what());
   }
   check_evidence(p, where);
   return p;
@@ -226,7 +226,7 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
     number = words.substr(prefix.size());
   }
   if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
-    throw InputError(fmt::format("'{}' is no tolerance", echoed(words)));
+    throw input_error("'{}' is no tolerance", echoed(words));
   }
   // A number that ends on the edge is within.
   if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * (1 + 1e-12);
@@ -275,8 +275,7 @@ std::vector<Place> parse_places(std::string_view text, const std::string& file) 
   std::vector<Place> places;
   for (std::size_t i = 1; i < records.size(); ++i) {
     const auto& c = records[i].cells;
-    if (c.size() != 6)
-      throw InputError(fmt::format("{}: line {}: {} of 6 cells", file, records[i].line, c.size()));
+    if (c.size() != 6) throw input_error("{}: line {}: {} of 6 cells", file, records[i].line, c.size());
     std::istringstream words(c[5]);
     std::vector<std::string> scenes{std::istream_iterator<std::string>(words), {}};
     if (scenes.empty()) scenes = {c[1]};
@@ -294,7 +293,7 @@ const std::string& owner(const PublishedValue& value, const std::vector<Place>& 
   for (const Place& place : places) {
     if (place.source == value.source && place.name == value.place) return place.chapter;
   }
-  throw InputError(fmt::format("tables/places.csv does not list {} of {}", value.place, value.source));
+  throw input_error("tables/places.csv does not list {} of {}", value.place, value.source);
 }
 
 Judgement judge(const PublishedValue& value, const Measured& measured) {

@@ -1,10 +1,10 @@
 #include "nlmech/scene/evidence/ratios.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -35,7 +35,7 @@ const TimeRatio& find(const std::vector<TimeRatio>& rows, const std::string& pla
   for (const TimeRatio& r : rows) {
     if (r.place == place && r.row == row) return r;
   }
-  throw std::invalid_argument(fmt::format("mean_claim: {} has no row {}", place, row));
+  throw invalid_argument("mean_claim: {} has no row {}", place, row);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ Spread ratio_of(const Spread& over, const Spread& under) {
 RatioVerdict judge_ratio(double printed, const Spread& ours) {
   for (const double ratio : {printed, ours.middle, ours.low, ours.high}) {
     if (!std::isfinite(ratio) || ratio <= 0)
-      throw std::invalid_argument(fmt::format("judge_ratio: {} is not a ratio of times", ratio));
+      throw invalid_argument("judge_ratio: {} is not a ratio of times", ratio);
   }
   RatioVerdict v{.printed = printed, .ours = ours};
   v.apart = std::max(ours.middle / printed, printed / ours.middle);
@@ -68,8 +68,7 @@ std::vector<PublishedValue> printed_seconds(const std::vector<PublishedValue>& p
   for (const PublishedValue& value : published) {
     if (value.place != place || value.kind != "time") continue;
     if (value.unit != "s")
-      throw std::invalid_argument(
-          fmt::format("printed_seconds: {} is in {}, not in s", value.name(), value.unit));
+      throw invalid_argument("printed_seconds: {} is in {}, not in s", value.name(), value.unit);
     all.push_back(value);
   }
   if (all.empty()) throw std::invalid_argument("printed_seconds: no times are printed in " + place);

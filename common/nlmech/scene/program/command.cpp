@@ -15,6 +15,7 @@
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -80,7 +81,7 @@ void Parsed::understand() const {
   // An empty text would be taken for an option that is not there.
   for (const CLI::Option* option : app->get_options()) {
     if (std::ranges::any_of(option->results(), &std::string::empty))
-      throw InputError(fmt::format("{}: an empty text", option->get_name()));
+      throw input_error("{}: an empty text", option->get_name());
   }
   for (const Typed& t : typed) {
     if (t.parsed->count() == 0) continue;

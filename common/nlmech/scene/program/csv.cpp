@@ -9,6 +9,7 @@
 
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -48,8 +49,8 @@ bool is_header(std::string_view line, const std::vector<std::string>& names) {
 
 [[noreturn]] void complain(const std::string& name, std::size_t line, std::size_t column,
                            const std::string& column_name, std::string_view cell) {
-  throw InputError(fmt::format("{}: line {}, column {} ({}): '{}' is not a finite number", name, line,
-                               column + 1, column_name, echoed(cell)));
+  throw input_error("{}: line {}, column {} ({}): '{}' is not a finite number", name, line, column + 1,
+                    column_name, echoed(cell));
 }
 
 }  // namespace
@@ -81,16 +82,15 @@ NumberColumns parse_numbers(std::string_view text, const std::string& name,
     if (std::exchange(first, false) && is_header(line, names)) continue;
     bool more = true;
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (!more) throw InputError(fmt::format("{}: line {}: {} of {} cells", name, number, i, names.size()));
+      if (!more) throw input_error("{}: line {}: {} of {} cells", name, number, i, names.size());
       const std::string_view cell = next_piece(line, more);
       double value = 0;
       if (!parse_number(cell, value)) complain(name, number, i, names[i], cell);
       out.column[i].push_back(value);
     }
     if (more) {
-      throw InputError(fmt::format("{}: line {}, column {}: '{}' is beyond the {} columns {}", name, number,
-                                   names.size() + 1, echoed(trim(line)), names.size(),
-                                   fmt::join(names, ",")));
+      throw input_error("{}: line {}, column {}: '{}' is beyond the {} columns {}", name, number,
+                        names.size() + 1, echoed(trim(line)), names.size(), fmt::join(names, ","));
     }
     out.line.push_back(number);
   }
@@ -116,7 +116,7 @@ std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name)
       else if (c != '\r' || quoted)
         cell += c;
     }
-    if (quoted) throw InputError(fmt::format("{}: line {}: a quote is never closed", name, record.line));
+    if (quoted) throw input_error("{}: line {}: a quote is never closed", name, record.line);
     ++i;
     ++line;
     if (record.cells.empty() && trim(cell).empty()) continue;

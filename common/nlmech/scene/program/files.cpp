@@ -19,6 +19,7 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace fs = std::filesystem;
@@ -43,8 +44,7 @@ std::string read_to_end(std::FILE* in, const std::string& name) {
   std::vector<char> buffer(1 << 16);
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), in))
     text.append(buffer.data(), count);
-  if (std::ferror(in) != 0)
-    throw InputError(fmt::format("{}: cannot be read to its end: {}", name, reason()));
+  if (std::ferror(in) != 0) throw input_error("{}: cannot be read to its end: {}", name, reason());
   return text;
 }
 
@@ -95,9 +95,9 @@ std::string read_whole(const fs::path& path) {
   const std::string name = echoed_path(path.string());
   const Doing reading("reading " + name);
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw InputError(fmt::format("{}: is a folder, not a file", name));
+  if (fs::is_directory(path, ignored)) throw input_error("{}: is a folder, not a file", name);
   const std::unique_ptr<std::FILE, Close> in(std::fopen(path.c_str(), "rb"));
-  if (!in) throw InputError(fmt::format("{}: {}", name, reason()));
+  if (!in) throw input_error("{}: {}", name, reason());
   return read_to_end(in.get(), name);
 }
 
@@ -117,7 +117,7 @@ std::vector<fs::path> files_with(const fs::path& folder, std::string_view extens
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() == extension) files.push_back(entry.path());
   }
-  if (error) throw InputError(fmt::format("{}: {}", echoed_path(folder.string()), error.message()));
+  if (error) throw input_error("{}: {}", echoed_path(folder.string()), error.message());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -8,6 +8,7 @@
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -48,16 +49,14 @@ Option& Option::one_of(std::vector<std::string> texts) {
 }
 
 void Option::check(double value, const std::string& text) const {
-  if (positive_ && !(value > 0))
-    throw InputError(fmt::format("{} {}: must be positive", name_, echoed(text)));
+  if (positive_ && !(value > 0)) throw input_error("{} {}: must be positive", name_, echoed(text));
   if (range_ && !(value >= range_->first && value <= range_->second))
-    throw InputError(
-        fmt::format("{} {}: must be from {:g} to {:g}", name_, echoed(text), range_->first, range_->second));
+    throw input_error("{} {}: must be from {:g} to {:g}", name_, echoed(text), range_->first, range_->second);
 }
 
 void Option::check_text(const std::string& text) const {
   if (!texts_.empty() && std::ranges::find(texts_, text) == texts_.end())
-    throw InputError(fmt::format("{} {}: there is {}", name_, echoed(text), fmt::join(texts_, ", ")));
+    throw input_error("{} {}: there is {}", name_, echoed(text), fmt::join(texts_, ", "));
 }
 
 double Option::number(const std::string& text) const {
@@ -91,8 +90,8 @@ void Option::understand(const std::vector<std::string>& typed) const {
                  [&](const std::span<double>& to) {
                    const std::vector<double> all = numbers();
                    if (all.size() != to.size())
-                     throw InputError(fmt::format("{} {}: {} numbers where {} are needed", name_,
-                                                  echoed(text), all.size(), to.size()));
+                     throw input_error("{} {}: {} numbers where {} are needed", name_, echoed(text),
+                                       all.size(), to.size());
                    std::ranges::copy(all, to.begin());
                  }},
       to_);

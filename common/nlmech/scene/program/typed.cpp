@@ -1,7 +1,5 @@
 #include "nlmech/scene/program/typed.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,27 +7,26 @@
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 
 double typed_number(std::string_view option, const std::string& text) {
   double value = 0;
-  if (!parse_number(text, value))
-    throw InputError(fmt::format("{} {}: not a finite number", option, echoed(text)));
+  if (!parse_number(text, value)) throw input_error("{} {}: not a finite number", option, echoed(text));
   return value;
 }
 
 double typed_positive(std::string_view option, const std::string& text) {
   const double value = typed_number(option, text);
-  if (!(value > 0)) throw InputError(fmt::format("{} {}: must be positive", option, echoed(text)));
+  if (!(value > 0)) throw input_error("{} {}: must be positive", option, echoed(text));
   return value;
 }
 
 int typed_whole(std::string_view option, const std::string& text, int least, int most) {
   const double value = typed_number(option, text);
   if (!(value >= least && value <= most && value == std::floor(value)))
-    throw InputError(
-        fmt::format("{} {}: must be a whole number from {} to {}", option, echoed(text), least, most));
+    throw input_error("{} {}: must be a whole number from {} to {}", option, echoed(text), least, most);
   return static_cast<int>(value);
 }
 
@@ -48,7 +45,7 @@ std::vector<std::string> typed_words(std::string_view option, const std::string&
   for (const std::string& word : all) {
     double value = 0;
     if (!parse_number(word, value))
-      throw InputError(fmt::format("{} {}: '{}' is not a finite number", option, echoed(text), echoed(word)));
+      throw input_error("{} {}: '{}' is not a finite number", option, echoed(text), echoed(word));
   }
   return all;
 }

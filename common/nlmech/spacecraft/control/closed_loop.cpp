@@ -6,10 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/plant/zero_cluster.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr double band_margin = 0.3;
 
 void require(bool right, const char* name, const char* range, double value) {
-  if (!right) throw std::invalid_argument(fmt::format("{} = {:g}: it must be {}", name, value, range));
+  if (!right) throw invalid_argument("{} = {:g}: it must be {}", name, value, range);
 }
 
 void require_finite(const Gains& g) {
@@ -216,7 +216,7 @@ std::vector<Complex> ClosedLoop::settled(const std::vector<Complex>& roots) cons
 
 LoopPoles ClosedLoop::poles(int count, PoleOrder order) const {
   if (count < 1 || count > 5000)
-    throw std::invalid_argument(fmt::format("closed-loop poles: count = {}; 1 to 5000 are possible", count));
+    throw invalid_argument("closed-loop poles: count = {}; 1 to 5000 are possible", count);
   const Frequencies cuts = undamped(parameters(), kappa(), count + 3);
   LoopPoles found;
   if (!cuts.status.ok()) return {{}, cuts.status};
@@ -229,9 +229,8 @@ LoopPoles ClosedLoop::poles(int count, PoleOrder order) const {
     const Roots roots =
         band(i == 0 ? -middle : bottom, top, (cuts.omega[i + 1] + cuts.omega[i + 2]) / 2, left);
     if (!roots.status.ok()) {
-      found.status = Status::failure(roots.status.outcome(),
-                                     fmt::format("closed-loop poles between {:g} and {:g} rad/s: {}", bottom,
-                                                 top, roots.status.sentence()));
+      found.status = failed_with(roots.status.outcome(), "closed-loop poles between {:g} and {:g} rad/s: {}",
+                                 bottom, top, roots.status.sentence());
       return found;
     }
     for (const Complex s : settled(roots.roots)) {
@@ -250,10 +249,9 @@ LoopPoles ClosedLoop::poles(int count, PoleOrder order) const {
                    [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
   const auto last = static_cast<std::size_t>(count) - 1;
   if (found.s.size() <= last || std::abs(found.s[last]) > top) {
-    found.status =
-        Status::failure(Outcome::not_converged,
-                        fmt::format("closed-loop poles: {} of {} found up to {:g} rad/s; ask for fewer",
-                                    found.s.size(), count, top));
+    found.status = failed_with(Outcome::not_converged,
+                               "closed-loop poles: {} of {} found up to {:g} rad/s; ask for fewer",
+                               found.s.size(), count, top);
   }
   if (found.s.size() <= last) return found;
   double highest = 0;

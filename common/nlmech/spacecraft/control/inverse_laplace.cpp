@@ -1,14 +1,12 @@
 #include "nlmech/spacecraft/control/inverse_laplace.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/control/missed_residues.hpp"
 #include "nlmech/spacecraft/plant/jet.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -16,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 void demand(bool right, const char* method, const char* what, double value) {
-  if (!right) throw std::invalid_argument(fmt::format("{}: {} = {:g}", method, what, value));
+  if (!right) throw invalid_argument("{}: {} = {:g}", method, what, value);
 }
 
 void require_time(const char* method, double time) {
@@ -24,31 +22,27 @@ void require_time(const char* method, double time) {
 }
 
 Inverted not_finite(const char* method, double time, Complex s) {
-  return {0,
-          Status::failure(Outcome::non_finite,
-                          fmt::format("{} at t = {:g}: the transform is not finite at s = {:g}{:+g}i; move "
-                                      "the contour by other nodes or another shift",
-                                      method, time, s.real(), s.imag()))};
+  return {0, failed_with(Outcome::non_finite,
+                         "{} at t = {:g}: the transform is not finite at s = {:g}{:+g}i; move the contour by "
+                         "other nodes or another shift",
+                         method, time, s.real(), s.imag())};
 }
 
 /// The value if it is a number.
 Inverted checked(const char* method, double time, double value) {
   if (std::isfinite(value)) return {value, {}};
   return {0,
-          Status::failure(Outcome::non_finite,
-                          fmt::format("{} at t = {:g}: the sum is not finite; use fewer nodes or a smaller "
-                                      "shift times time",
-                                      method, time))};
+          failed_with(Outcome::non_finite,
+                      "{} at t = {:g}: the sum is not finite; use fewer nodes or a smaller shift times time",
+                      method, time)};
 }
 
 Status not_agreed(const char* method, double time, double first, double second) {
-  return Status::failure(
-      Outcome::not_converged,
-      fmt::format(
-          "{} at t = {:g}: two sums give {:.6g} and {:.6g}; use a degree or nodes whose frequencies "
-          "reach beyond the modes, residues for late times of a lightly damped structure, or say which "
-          "differences are negligible",
-          method, time, first, second));
+  return failed_with(Outcome::not_converged,
+                     "{} at t = {:g}: two sums give {:.6g} and {:.6g}; use a degree or nodes whose "
+                     "frequencies reach beyond the modes, residues for late times of a lightly damped "
+                     "structure, or say which differences are negligible",
+                     method, time, first, second);
 }
 
 /// Is nothing left out beyond the frequencies of a sum?
@@ -57,19 +51,15 @@ Status nothing_missed(const char* method, double time, const Transform& transfor
   const MissedResidues missed = missed_residues(transform, time, boundary);
   if (missed.amplitude <= allowed) return {};
   if (std::isnan(missed.amplitude)) {
-    return Status::failure(
-        Outcome::not_converged,
-        fmt::format(
-            "{} at t = {:g}: the transform is not finite at s = {:g}{:+g}i, beyond the frequencies of the "
-            "sum, so that the value cannot be verified; use residues",
-            method, time, missed.near.real(), missed.near.imag()));
+    return failed_with(Outcome::not_converged,
+                       "{} at t = {:g}: the transform is not finite at s = {:g}{:+g}i, beyond the "
+                       "frequencies of the sum, so that the value cannot be verified; use residues",
+                       method, time, missed.near.real(), missed.near.imag());
   }
-  return Status::failure(
-      Outcome::not_converged,
-      fmt::format(
-          "{} at t = {:g}: residues of up to {:.3g} lie beyond the frequencies of the sum, about |s| = "
-          "{:.1g}; use more nodes or a higher degree, or residues",
-          method, time, missed.amplitude, std::abs(missed.near)));
+  return failed_with(Outcome::not_converged,
+                     "{} at t = {:g}: residues of up to {:.3g} lie beyond the frequencies of the sum, about "
+                     "|s| = {:.1g}; use more nodes or a higher degree, or residues",
+                     method, time, missed.amplitude, std::abs(missed.near));
 }
 
 /// The quotient-difference table's first row, the coefficients d of the continued fraction.
@@ -265,12 +255,11 @@ std::vector<Inverted> bromwich(const Transform& transform, std::span<const doubl
         std::max(std::exp(-2 * options.shift * half_period) * largest, 4 * half * half / largest);
     inverted[i].status = beyond;
     if (beyond.ok() && !(rest + aliased <= allowed)) {
-      inverted[i].status = Status::failure(
-          Outcome::not_converged,
-          fmt::format(
-              "bromwich at t = {:g}: what is left out may be {:.3g} beyond the highest frequency, and "
-              "{:.3g} by aliasing; raise the frequency, or the shift times the half period",
-              times[i], rest, aliased));
+      inverted[i].status =
+          failed_with(Outcome::not_converged,
+                      "bromwich at t = {:g}: what is left out may be {:.3g} beyond the highest frequency, "
+                      "and {:.3g} by aliasing; raise the frequency, or the shift times the half period",
+                      times[i], rest, aliased);
     }
   }
   return inverted;

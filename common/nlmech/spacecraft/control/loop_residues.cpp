@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "nlmech/spacecraft/plant/zero_cluster.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -128,10 +129,10 @@ Weights transforms(const ClosedLoop& loop, Complex s, std::span<const double> pl
 
 Status not_separated(const Cluster& cluster, const std::string& why) {
   const Complex c = cluster.centre();
-  return Status::failure(
+  return failed_with(
       Outcome::not_converged,
-      fmt::format("step response: {} poles near {:g}{:+g}i nearly coincide, and {}; change a gain a little",
-                  cluster.poles.size(), c.real(), c.imag(), why));
+      "step response: {} poles near {:g}{:+g}i nearly coincide, and {}; change a gain a little",
+      cluster.poles.size(), c.real(), c.imag(), why);
 }
 
 /// Several poles that nearly coincide.

@@ -1,7 +1,5 @@
 #include "nlmech/spacecraft/control/lyapunov.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 
@@ -21,14 +20,12 @@ using Eigen::VectorXd;
 DiscreteLoop::DiscreteLoop(const DiscreteModel& model, const Gains& gains, double final_angle, double step)
     : step_(step), k3_(gains.k3), final_angle_(final_angle), shape_(model.shape) {
   if (!(step > 0) || !std::isfinite(step))
-    throw std::invalid_argument(fmt::format("DiscreteLoop: the step is {:g}; it must be positive", step));
+    throw invalid_argument("DiscreteLoop: the step is {:g}; it must be positive", step);
   const bool right = gains.k1 > 0 && gains.k2 > -2 && gains.k3 >= 0 && std::isfinite(gains.k1) &&
                      std::isfinite(gains.k2) && std::isfinite(gains.k3);
   if (!right)
-    throw std::invalid_argument(
-        fmt::format("DiscreteLoop: gains {:g}, {:g}, {:g}; k1 > 0, k2 > -2, k3 >= 0 are "
-                    "possible",
-                    gains.k1, gains.k2, gains.k3));
+    throw invalid_argument("DiscreteLoop: gains {:g}, {:g}, {:g}; k1 > 0, k2 > -2, k3 >= 0 are possible",
+                           gains.k1, gains.k2, gains.k3);
   const double part = (2 + gains.k2) / 2;
   MatrixXd mass = model.full_mass(), stiffness = part * model.full_stiffness();
   mass(0, 0) -= model.hub_inertia;
@@ -109,8 +106,8 @@ double DiscreteLoop::dissipation() const {
 LyapunovHistory lyapunov_history(const Parameters& parameters, const Gains& gains, int modes, double until,
                                  double step) {
   if (!(until > 0) || !(step > 0) || !(until / step < 1e7))
-    throw std::invalid_argument(fmt::format(
-        "lyapunov_history: until {:g} in steps of {:g}; 1 to 1e7 steps are possible", until, step));
+    throw invalid_argument("lyapunov_history: until {:g} in steps of {:g}; 1 to 1e7 steps are possible",
+                           until, step);
   DiscreteLoop loop(assumed_modes(parameters, modes), gains, 1, step);
   Parameters simplified = parameters;
   simplified.tip_inertia = 0;

@@ -1,15 +1,13 @@
 #include "nlmech/spacecraft/control/margins.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/bisection.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -17,12 +15,10 @@ namespace {
 using std::numbers::pi;
 
 void require_modes(const ClosedLoop& loop, int modes) {
-  if (modes < 1 || modes > 1000)
-    throw std::invalid_argument(fmt::format("margins: modes = {}; 1 to 1000 are possible", modes));
+  if (modes < 1 || modes > 1000) throw invalid_argument("margins: modes = {}; 1 to 1000 are possible", modes);
   if (loop.gains().k1 <= 0 || loop.gains().k3 <= 0)
-    throw std::invalid_argument(
-        fmt::format("margins: k1 = {:g} and k3 = {:g} must be positive for a stable loop", loop.gains().k1,
-                    loop.gains().k3));
+    throw invalid_argument("margins: k1 = {:g} and k3 = {:g} must be positive for a stable loop",
+                           loop.gains().k1, loop.gains().k3);
 }
 
 /// L = numerator/denominator at j omega, both times D_0: entire functions of omega.
@@ -153,8 +149,7 @@ std::vector<SensitivityPeak> sensitivity_peaks(const ClosedLoop& loop, int modes
 DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
   require_modes(loop, modes);
   if (!(delay >= 0) || !std::isfinite(delay))
-    throw std::invalid_argument(
-        fmt::format("delayed_poles: the delay is {:g}; it must be at least 0", delay));
+    throw invalid_argument("delayed_poles: the delay is {:g}; it must be at least 0", delay);
   const LoopPoles start = loop.poles(modes);
   DelayedPoles result{{}, 0, start.status};
   const Gains g = loop.gains();
@@ -175,12 +170,10 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
     // Each step is at most a twentieth of a radian of this pole, which moves little compared to it.
     bool followed = 20 * std::abs(first) * delay < 1e5;
     if (!followed) {
-      result.status = Status::failure(
-          Outcome::step_limit,
-          fmt::format(
-              "delayed_poles: a delay of {:g} s is {:g} radians of the pole {:g}{:+g}i; ask for fewer "
-              "modes or a shorter delay",
-              delay, std::abs(first) * delay, first.real(), first.imag()));
+      result.status = failed_with(Outcome::step_limit,
+                                  "delayed_poles: a delay of {:g} s is {:g} radians of the pole {:g}{:+g}i; "
+                                  "ask for fewer modes or a shorter delay",
+                                  delay, std::abs(first) * delay, first.real(), first.imag());
     }
     for (int steps = 0; followed && tau < delay; ++steps) {
       Complex by_delay;
@@ -209,11 +202,10 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
         }
       }
       if (!followed || steps > 100000) {
-        result.status =
-            Status::failure(Outcome::not_converged,
-                            fmt::format("delayed_poles: the pole from {:g}{:+g}i could not be followed "
-                                        "beyond a delay of {:g} s; ask for a shorter one",
-                                        first.real(), first.imag(), tau));
+        result.status = failed_with(Outcome::not_converged,
+                                    "delayed_poles: the pole from {:g}{:+g}i could not be followed beyond a "
+                                    "delay of {:g} s; ask for a shorter one",
+                                    first.real(), first.imag(), tau);
         break;
       }
     }

@@ -1,25 +1,22 @@
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/control/parseval.hpp"
 #include "nlmech/spacecraft/response.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
 
 void require_weights(const CostWeights& w) {
   if (!(w.deflection >= 0) || !std::isfinite(w.deflection))
-    throw std::invalid_argument(
-        fmt::format("cost: the weight of the deflection is {:g}; it must be at least 0", w.deflection));
+    throw invalid_argument("cost: the weight of the deflection is {:g}; it must be at least 0", w.deflection);
   if (!(w.torque > 0) || !std::isfinite(w.torque))
-    throw std::invalid_argument(
-        fmt::format("cost: the weight of the torque is {:g}; it must be positive, for "
-                    "without a price the gains grow without bound",
-                    w.torque));
+    throw invalid_argument(
+        "cost: the weight of the torque is {:g}; it must be positive, for without a price the gains grow "
+        "without bound",
+        w.torque);
 }
 
 /// Weights and data whose optimum is beyond the range of double.
@@ -28,10 +25,10 @@ OptimalGains finite(const OptimalGains& best, const CostWeights& w) {
   const bool inside = std::isfinite(g.k1) && std::isfinite(g.k2) && std::isfinite(g.k3) &&
                       std::isfinite(best.cost) && g.k1 > 0 && g.k3 > 0;
   if (!inside)
-    throw std::invalid_argument(
-        fmt::format("cost: with the weights {:g} and {:g} the optimal gains of this "
-                    "spacecraft, or their cost, leave the range of double",
-                    w.deflection, w.torque));
+    throw invalid_argument(
+        "cost: with the weights {:g} and {:g} the optimal gains of this spacecraft, or their cost, leave the "
+        "range of double",
+        w.deflection, w.torque);
   return best;
 }
 

@@ -1,17 +1,15 @@
 #include "nlmech/spacecraft/control/parseval.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -19,8 +17,7 @@ namespace {
 using Three = std::array<double, 3>;  // error, torque, deflection
 
 void require_gain(const char* name, double value) {
-  if (!(value > 0))
-    throw std::invalid_argument(fmt::format("costs: {} = {:g}; it must be positive", name, value));
+  if (!(value > 0)) throw invalid_argument("costs: {} = {:g}; it must be positive", name, value);
 }
 
 /// |e|^2, |u|^2, |y|^2 at s = j omega for a unit step, where B and g_3 are real. Multiplied by D_0
@@ -91,8 +88,7 @@ QuadratureCosts costs_by_quadrature(const Parameters& parameters, const Gains& g
   require_gain("k3", gains.k3);
   loop.plant().appendage().require_place(x);
   if (modes < 16 || modes > 2000)
-    throw std::invalid_argument(
-        fmt::format("costs by quadrature: modes = {}; 16 to 2000 are possible", modes));
+    throw invalid_argument("costs by quadrature: modes = {}; 16 to 2000 are possible", modes);
   QuadratureCosts costs;
   LoopPoles poles = loop.poles(modes + 8);
   const Frequencies cuts = hub_zeros(loop.plant(), modes);

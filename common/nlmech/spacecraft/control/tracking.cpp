@@ -1,12 +1,10 @@
 #include "nlmech/spacecraft/control/tracking.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -21,12 +19,11 @@ double binomial(int n, int k) {
 
 SmoothTurn::SmoothTurn(double angle, double duration, int smoothness)
     : angle_(angle), duration_(duration), smoothness_(smoothness) {
-  if (!std::isfinite(angle)) throw std::invalid_argument(fmt::format("SmoothTurn: the angle is {:g}", angle));
+  if (!std::isfinite(angle)) throw invalid_argument("SmoothTurn: the angle is {:g}", angle);
   if (!(duration > 0) || !std::isfinite(duration))
-    throw std::invalid_argument(
-        fmt::format("SmoothTurn: the duration is {:g}; it must be positive", duration));
+    throw invalid_argument("SmoothTurn: the duration is {:g}; it must be positive", duration);
   if (smoothness < 1 || smoothness > 6)
-    throw std::invalid_argument(fmt::format("SmoothTurn: smoothness {}; 1 to 6 are possible", smoothness));
+    throw invalid_argument("SmoothTurn: smoothness {}; 1 to 6 are possible", smoothness);
   // r' is proportional to x^m (1 - x)^m, x = t/T: integrated term by term, scaled to r(T) = angle.
   const int m = smoothness;
   coefficients_.assign(2 * static_cast<std::size_t>(m) + 2, 0);
@@ -61,7 +58,7 @@ Tracking::Tracking(const ClosedLoop& loop, const SmoothTurn& turn, TrackingLaw l
                    std::span<const double> places, const ResidueOptions& options)
     : turn_(turn) {
   const Gains& g = loop.gains();
-  if (!(g.k1 > 0)) throw std::invalid_argument(fmt::format("Tracking: k1 = {:g}; it must be positive", g.k1));
+  if (!(g.k1 > 0)) throw invalid_argument("Tracking: k1 = {:g}; it must be positive", g.k1);
   // Its weights are k1/(p P') for theta and k1 g_3/(p P') for y.
   const TimeResponse step = step_response(loop, 1, places, options);
   status_ = step.status;
@@ -138,7 +135,7 @@ Complex Tracking::convolution(Complex p, const Course& course, int order) const 
 
 TrackedMotion Tracking::at(double time) const {
   if (!(time >= 0) || !std::isfinite(time))
-    throw std::invalid_argument(fmt::format("Tracking: time {:g}; it must be at least 0", time));
+    throw invalid_argument("Tracking: time {:g}; it must be at least 0", time);
   const Course course(turn_, time);
   double error = 0, rate = 0;
   std::vector<double> y(quasi_static_.size(), 0);

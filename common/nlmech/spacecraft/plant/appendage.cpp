@@ -1,9 +1,8 @@
 #include "nlmech/spacecraft/plant/appendage.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -75,8 +74,7 @@ Complex Appendage::shear(Complex s, double x) const {
 
 void Appendage::require_place(double x) const {
   if (!(x >= 0 && x <= parameters_.length))
-    throw std::invalid_argument(
-        fmt::format("spacecraft: x = {} is not on the appendage, 0 to {}", x, parameters_.length));
+    throw invalid_argument("spacecraft: x = {} is not on the appendage, 0 to {}", x, parameters_.length);
 }
 
 }  // namespace nlmech::spacecraft

@@ -1,18 +1,16 @@
 #include "nlmech/spacecraft/plant/assumed_modes.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -84,8 +82,7 @@ Family eigenfunctions(const Plant& plant, int count) {
 // Integrals over two half waves of the shortest function a panel are exact to rounding.
 DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctions functions) {
   const Plant plant(parameters);
-  if (count < 1 || count > 400)
-    throw std::invalid_argument(fmt::format("assumed_modes: {} modes, of 1 to 400", count));
+  if (count < 1 || count > 400) throw invalid_argument("assumed_modes: {} modes, of 1 to 400", count);
   const Family family =
       functions == ModeFunctions::eigenfunctions ? eigenfunctions(plant, count) : polynomial_cosine(count);
   const double l = parameters.length, rho = parameters.mass_per_length, r = parameters.hub_radius;

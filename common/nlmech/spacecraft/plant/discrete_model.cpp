@@ -1,7 +1,5 @@
 #include "nlmech/spacecraft/plant/discrete_model.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -9,15 +7,16 @@
 #include <limits>
 #include <stdexcept>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::spacecraft {
 namespace {
 
 void require_sizes(const DiscreteModel& m) {
   const Eigen::Index n = m.size();
   if (n < 1 || m.mass.rows() != n || m.mass.cols() != n || m.stiffness.rows() != n || m.stiffness.cols() != n)
-    throw std::invalid_argument(fmt::format("DiscreteModel: {} coordinates, mass {} x {}, stiffness {} x {}",
-                                            n, m.mass.rows(), m.mass.cols(), m.stiffness.rows(),
-                                            m.stiffness.cols()));
+    throw invalid_argument("DiscreteModel: {} coordinates, mass {} x {}, stiffness {} x {}", n, m.mass.rows(),
+                           m.mass.cols(), m.stiffness.rows(), m.stiffness.cols());
 }
 
 template <class R>

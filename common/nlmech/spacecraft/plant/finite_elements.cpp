@@ -1,11 +1,10 @@
 #include "nlmech/spacecraft/plant/finite_elements.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -37,7 +36,7 @@ Eigen::Matrix4d element_stiffness() {
 DiscreteModel finite_elements(const Parameters& parameters, int elements) {
   require_physical(parameters);
   if (elements < 1 || elements > 500)
-    throw std::invalid_argument(fmt::format("finite_elements: {} elements, of 1 to 500", elements));
+    throw invalid_argument("finite_elements: {} elements, of 1 to 500", elements);
   const Eigen::Index n = 2 * (static_cast<Eigen::Index>(elements) + 1);
   const double l = parameters.length, h = l / elements;
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n), stiffness = mass;
@@ -63,8 +62,7 @@ DiscreteModel finite_elements(const Parameters& parameters, int elements) {
   model.stiffness = stiffness.bottomRightCorner(n - 2, n - 2);
   model.shape = [l, elements, n](double x) {
     if (!(x >= 0 && x <= l))
-      throw std::invalid_argument(
-          fmt::format("finite_elements: x = {} is not on the appendage, 0 to {}", x, l));
+      throw invalid_argument("finite_elements: x = {} is not on the appendage, 0 to {}", x, l);
     const double at = x / l * elements;
     const int element = std::min(static_cast<int>(at), elements - 1);
     Eigen::VectorXd all = Eigen::VectorXd::Zero(n);

@@ -1,10 +1,9 @@
 #include "nlmech/spacecraft/plant/plant.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 bool vanishes(double sum, double size, double waves) {
@@ -27,8 +26,7 @@ AxisResponse Plant::at_frequency(double omega, double x) const {
 }
 
 Outcome Plant::response(Complex s, std::span<const double> x, Complex& theta, std::span<Complex> y) const {
-  if (x.size() != y.size())
-    throw std::invalid_argument(fmt::format("Plant: {} places and {} deflections", x.size(), y.size()));
+  if (x.size() != y.size()) throw invalid_argument("Plant: {} places and {} deflections", x.size(), y.size());
   for (const double at : x) appendage_.require_place(at);
   const auto fill = [&](const auto& m, const auto& squared) {
     const auto hub = parameters().hub_inertia * m.determinant, beams = 2. * appendage_.inertia(m);
@@ -58,13 +56,14 @@ double Plant::static_deflection(double x) const {
 Status Plant::status(Outcome outcome, Complex s) const {
   if (outcome == Outcome::success) return {};
   if (outcome == Outcome::at_pole) {
-    return Status::failure(outcome, fmt::format("transfer function: s = {} + {} i is a pole to the rounding "
-                                                "of s; choose another frequency",
-                                                s.real(), s.imag()));
+    return failed_with(
+        outcome, "transfer function: s = {} + {} i is a pole to the rounding of s; choose another frequency",
+        s.real(), s.imag());
   }
-  return Status::failure(outcome, fmt::format("transfer function: s = {} + {} i is not finite, or too large: "
-                                              "|s|^2 rho L^4/EI must stay below 1e200",
-                                              s.real(), s.imag()));
+  return failed_with(
+      outcome,
+      "transfer function: s = {} + {} i is not finite, or too large: |s|^2 rho L^4/EI must stay below 1e200",
+      s.real(), s.imag());
 }
 
 }  // namespace nlmech::spacecraft

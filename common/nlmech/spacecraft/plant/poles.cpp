@@ -1,7 +1,5 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 
 #include "nlmech/spacecraft/bisection.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -49,7 +48,7 @@ std::vector<double> scan(const Characteristic& c, double step, const Enough& eno
 }
 
 Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, const char* what) {
-  if (count < 1) throw std::invalid_argument(fmt::format("{}: a count of {}", what, count));
+  if (count < 1) throw invalid_argument("{}: a count of {}", what, count);
   const std::size_t wanted = static_cast<std::size_t>(count) + 1;
   // One zero comes about every pi; a heavy tip adds two below.
   const double last = (count + 20) * std::numbers::pi, highest = last * last / std::sqrt(c.beta_unit);
@@ -70,12 +69,11 @@ Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, 
   }
   all.omega.resize(std::min(all.omega.size(), wanted - 1));
   if (all.status.ok()) {
-    all.status = Status::failure(
-        Outcome::not_converged,
-        fmt::format("{}: {} found, {} counted by the argument principle, up to {} rad/s for {}; some lie too "
-                    "close to each other",
-                    what, all.omega.size(), all.counted, all.omega.empty() ? 0. : all.omega.back(),
-                    plant.parameters().has_tip() ? "a spacecraft with tip bodies" : "one without"));
+    all.status = failed_with(Outcome::not_converged,
+                             "{}: {} found, {} counted by the argument principle, up to {} rad/s for {}; "
+                             "some lie too close to each other",
+                             what, all.omega.size(), all.counted, all.omega.empty() ? 0. : all.omega.back(),
+                             plant.parameters().has_tip() ? "a spacecraft with tip bodies" : "one without");
   }
   return all;
 }
@@ -109,7 +107,7 @@ Zeros deflection_zeros(const Plant& plant, double x, double omega) {
   plant.appendage().require_place(x);
   if (x == 0) throw std::invalid_argument("deflection_zeros: y is always 0 at x = 0");
   if (!(omega > 0) || !std::isfinite(omega))
-    throw std::invalid_argument(fmt::format("deflection_zeros: up to {} rad/s", omega));
+    throw invalid_argument("deflection_zeros: up to {} rad/s", omega);
   const auto part = [&plant, x](const auto& m) { return plant.appendage().deflection(m, x); };
   const Characteristic c = characteristic(plant, part);
 

@@ -1,17 +1,15 @@
 #include "nlmech/spacecraft/plant/roots.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "nlmech/spacecraft/plant/zero_cluster.hpp"
 #include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -23,24 +21,22 @@ void require_region(const Rectangle& r) {
   const bool finite =
       std::isfinite(r.left) && std::isfinite(r.right) && std::isfinite(r.bottom) && std::isfinite(r.top);
   if (!finite || !(r.left < r.right) || !(r.bottom < r.top))
-    throw std::invalid_argument(
-        fmt::format("roots: the rectangle {} to {}, {} to {} i is empty or not finite", r.left, r.right,
-                    r.bottom, r.top));
+    throw invalid_argument("roots: the rectangle {} to {}, {} to {} i is empty or not finite", r.left,
+                           r.right, r.bottom, r.top);
 }
 
 Status on_boundary(Complex s) {
-  return Status::failure(Outcome::not_converged,
-                         fmt::format("argument principle: a zero lies on the boundary near {} + {} i, or the "
-                                     "function is not analytic there; choose another region",
-                                     s.real(), s.imag()));
+  return failed_with(Outcome::not_converged,
+                     "argument principle: a zero lies on the boundary near {} + {} i, or the function is not "
+                     "analytic there; choose another region",
+                     s.real(), s.imag());
 }
 
 Status too_many(const Rectangle& r) {
-  return Status::failure(
-      Outcome::step_limit,
-      fmt::format("find_roots: more than {} values of the function were needed from {} to {}, {} to {} i; "
-                  "choose a smaller region",
-                  most_evaluations, r.left, r.right, r.bottom, r.top));
+  return failed_with(Outcome::step_limit,
+                     "find_roots: more than {} values of the function were needed from {} to {}, {} to {} i; "
+                     "choose a smaller region",
+                     most_evaluations, r.left, r.right, r.bottom, r.top);
 }
 
 /// Follows the phase of F along a line. False if it cannot.
@@ -190,19 +186,18 @@ Root refine_root(const AnalyticFunction& f, Complex start) {
     const Complex step = here.value / here.slope;
     const double size = std::abs(step), scale = std::max(std::abs(s - step), 1e-6 * std::abs(start));
     if (!std::isfinite(size)) {
-      return {
-          s, Status::failure(Outcome::non_finite,
-                             fmt::format("Newton's method for zeros: no step from {} + {} i; start elsewhere",
-                                         s.real(), s.imag()))};
+      return {s, failed_with(Outcome::non_finite,
+                             "Newton's method for zeros: no step from {} + {} i; start elsewhere", s.real(),
+                             s.imag())};
     }
     s -= step;
     // Once small, steps that no longer shrink are the rounding of F.
     if (size <= 4 * eps * std::abs(s) || (size <= 1e-10 * scale && size >= before / 2)) return {s, {}};
     before = size;
   }
-  return {s, Status::failure(Outcome::not_converged,
-                             fmt::format("Newton's method for zeros: 50 steps from {} + {} i; start nearer",
-                                         start.real(), start.imag()))};
+  return {s, failed_with(Outcome::not_converged,
+                         "Newton's method for zeros: 50 steps from {} + {} i; start nearer", start.real(),
+                         start.imag())};
 }
 
 }  // namespace nlmech::spacecraft

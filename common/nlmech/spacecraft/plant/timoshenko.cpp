@@ -1,13 +1,12 @@
 #include "nlmech/spacecraft/plant/timoshenko.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -17,7 +16,7 @@ using Vector4 = Eigen::Vector4cd;
 
 void require_positive(const char* name, double value, bool may_be_zero = false) {
   if (!std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero))
-    throw std::invalid_argument(fmt::format("spacecraft: {} = {} is out of range", name, value));
+    throw invalid_argument("spacecraft: {} = {} is out of range", name, value);
 }
 
 /// Constants of the field equations at one s.
@@ -107,7 +106,7 @@ ShearBeam solid_section(const Parameters& parameters, double density, double poi
   require_positive("density", density);
   require_positive("shear_coefficient", shear_coefficient);
   if (!(poisson > -1 && poisson <= 0.5))
-    throw std::invalid_argument(fmt::format("spacecraft: Poisson's ratio {} is not in (-1, 1/2]", poisson));
+    throw invalid_argument("spacecraft: Poisson's ratio {} is not in (-1, 1/2]", poisson);
   const double area = parameters.mass_per_length / density;
   const double shear_modulus = parameters.youngs_modulus / (2 * (1 + poisson));
   return {shear_coefficient * shear_modulus * area, density * parameters.second_moment};
@@ -167,8 +166,7 @@ TimoshenkoPlant::Solution TimoshenkoPlant::solve(Complex s, double x) const {
 
 Response TimoshenkoPlant::response(Complex s, double x) const {
   if (!(x >= 0 && x <= parameters_.length))
-    throw std::invalid_argument(
-        fmt::format("spacecraft: x = {} is not on the appendage, 0 to {}", x, parameters_.length));
+    throw invalid_argument("spacecraft: x = {} is not on the appendage, 0 to {}", x, parameters_.length);
   const Solution a = solve(s, x);
   const Complex sum = parameters_.hub_inertia + 2. * a.inertia;
   Response r{1. / (s * s * sum), a.deflection / sum, Outcome::success};
@@ -195,7 +193,7 @@ double TimoshenkoPlant::cutoff() const {
 // zero at a pole, for all its terms store energy, and jumps down at a resonance with the hub locked.
 std::vector<double> TimoshenkoPlant::poles(int count, double highest) const {
   if (count < 1 || !(highest > 0))
-    throw std::invalid_argument(fmt::format("TimoshenkoPlant: {} poles up to {}", count, highest));
+    throw invalid_argument("TimoshenkoPlant: {} poles up to {}", count, highest);
   struct Sample {
     double omega, sum, product;
     int way;

@@ -1,13 +1,12 @@
 #include "nlmech/spacecraft/plant/zero_cluster.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
@@ -15,9 +14,8 @@ namespace {
 constexpr std::size_t most_zeros = 8;
 
 Status no_cluster(Outcome outcome, Complex centre, double radius, const char* what) {
-  return Status::failure(outcome, fmt::format("zeros in a circle about {:g}{:+g}i of radius {:g}: {}; choose "
-                                              "another circle",
-                                              centre.real(), centre.imag(), radius, what));
+  return failed_with(outcome, "zeros in a circle about {:g}{:+g}i of radius {:g}: {}; choose another circle",
+                     centre.real(), centre.imag(), radius, what);
 }
 
 /// Zeros of z^m + sum a_j z^j, by the eigenvalues of its companion matrix: right for coefficients that are
@@ -91,7 +89,7 @@ std::vector<Complex> on_circle(const std::vector<Complex>& nodes, const std::vec
 
 ZeroCluster zeros_in_circle(const std::function<Jet(Complex)>& f, Complex centre, double radius) {
   if (!(radius > 0) || !std::isfinite(radius))
-    throw std::invalid_argument(fmt::format("zeros in a circle: the radius is {:g}", radius));
+    throw invalid_argument("zeros in a circle: the radius is {:g}", radius);
   ZeroCluster cluster{centre, radius, {}, {}, {}};
   std::vector<Complex> sums(most_zeros + 1, 0.);
   for (std::size_t k = 0; k < circle_points; ++k) {

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string_view>
 
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/peers/ivp/peer_stepper.hpp"
 #include "nlmech/peers/sundials_objects.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::peers {
 
@@ -44,7 +44,7 @@ struct SundialsCallbacks {
 
 /// SUNDIALS interpolates within the latest step alone, and leaves the vector as it is elsewhere.
 [[noreturn]] inline void refuse_dense_output(std::string_view method, double t) {
-  throw std::invalid_argument(fmt::format("{}: t = {:.17g} is not within the latest step", method, t));
+  throw invalid_argument("{}: t = {:.17g} is not within the latest step", method, t);
 }
 
 /// The status of a negative return flag of CVode() or ARKStepEvolve(), which number them alike.
