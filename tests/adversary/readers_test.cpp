@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 
-#include "nlmech/scene/evidence/errata.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/program/command.hpp"
 #include "nlmech/scene/program/csv.hpp"
@@ -20,6 +19,7 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/adversary/mutation.hpp"
+#include "tools/reproduction/errata.hpp"
 
 namespace nlmech::adversary::readers_test {
 namespace {
@@ -112,7 +112,7 @@ TEST(AdversaryReaders, PlacesAndErrata) {
       });
     }
     return read_or_refused(damaged(draw, errata), [](const std::string& text) {
-      static_cast<void>(scene::parse_errata(text, "hermitian", "hermitian.csv"));
+      static_cast<void>(reproduction::parse_errata(text, "hermitian", "hermitian.csv"));
       return true;
     });
   });

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/evidence/errata.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/process.hpp"
 #include "tests/places.hpp"
+#include "tools/reproduction/errata.hpp"
 
 namespace nlmech::tests::errata_test {
 namespace {
@@ -90,15 +90,15 @@ bool agrees(double said, const std::string& listed) {
 
 TEST(Errata, OfChaptersBuiltAreProved) {
   const std::set<std::string> built = built_chapters();
-  std::vector<scene::Erratum> errata = scene::read_errata(NLMECH_SOURCE_DIR);
-  std::erase_if(errata, [&](const scene::Erratum& e) { return !built.contains(e.chapter); });
+  std::vector<reproduction::Erratum> errata = reproduction::read_errata(NLMECH_SOURCE_DIR);
+  std::erase_if(errata, [&](const reproduction::Erratum& e) { return !built.contains(e.chapter); });
   std::set<std::string> tests, ids;
-  for (const scene::Erratum& e : errata) {
+  for (const reproduction::Erratum& e : errata) {
     tests.insert(e.tests.begin(), e.tests.end());
     ids.insert(e.id);
   }
   const std::map<std::string, Said> said = run_tests(tests);
-  for (const scene::Erratum& e : errata) {
+  for (const reproduction::Erratum& e : errata) {
     if (e.tests.empty()) continue;
     const auto found = said.find(e.id);
     if (found == said.end()) {
@@ -120,7 +120,8 @@ TEST(Errata, OfChaptersBuiltAreProved) {
 /// refuses). An entry that names the digits of a table stands beside a number that differs.
 TEST(Errata, OfPrintedNumbersAreThoseThatTheFilesName) {
   std::map<std::string, std::string> sources;
-  for (const scene::Erratum& e : scene::read_errata(NLMECH_SOURCE_DIR)) sources[e.id] = e.source;
+  for (const reproduction::Erratum& e : reproduction::read_errata(NLMECH_SOURCE_DIR))
+    sources[e.id] = e.source;
   int named = 0;
   for (const scene::PublishedValue& value : scene::read_published(NLMECH_SOURCE_DIR)) {
     if (value.erratum.empty()) continue;
@@ -134,7 +135,8 @@ TEST(Errata, OfPrintedNumbersAreThoseThatTheFilesName) {
 
 TEST(Errata, EveryChapterHasAList) {
   std::set<std::string> listed;
-  for (const scene::Erratum& e : scene::read_errata(NLMECH_SOURCE_DIR)) listed.insert(e.chapter);
+  for (const reproduction::Erratum& e : reproduction::read_errata(NLMECH_SOURCE_DIR))
+    listed.insert(e.chapter);
   for (const std::string& chapter : built_chapters()) EXPECT_TRUE(listed.contains(chapter)) << chapter;
 }
 

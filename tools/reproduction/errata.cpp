@@ -1,4 +1,4 @@
-#include "nlmech/scene/evidence/errata.hpp"
+#include "tools/reproduction/errata.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,11 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 namespace fs = std::filesystem;
+using namespace scene;
 
 namespace {
 
@@ -29,7 +31,7 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 void refuse(bool wrong, const std::string& where, const std::string& what) {
-  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+  if (wrong) throw input_error("{}: {}", where, what);
 }
 
 bool is_test(const std::string& name) {
@@ -150,4 +152,4 @@ std::string errata_table(const std::vector<Erratum>& errata, const std::string& 
   return table_of(entries, false).markdown();
 }
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

@@ -1,13 +1,14 @@
-#include "nlmech/scene/evidence/completeness.hpp"
+#include "tools/reproduction/completeness.hpp"
 
 #include <gtest/gtest.h>
 
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene::completeness_test {
+namespace nlmech::reproduction::completeness_test {
 namespace {
 
+using namespace scene;
 using tests::put;
 using tests::TemporaryFolder;
 
@@ -102,4 +103,4 @@ TEST_F(Completeness, RefusesABrokenRecord) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene::completeness_test
+}  // namespace nlmech::reproduction::completeness_test

@@ -9,7 +9,7 @@
 
 #include "nlmech/scene/evidence/published.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 
 /// A statement of a source that can be checked, and one number that decides about it. The columns of
 /// `tables/claims.csv`, which `tables/published/README.md` explains.
@@ -22,8 +22,8 @@ struct Claim {
   std::string scene;
   std::string quantity;  ///< of that scene, or "table-4.4/HHT-1/RMS error"; may be empty if not stated
   std::string means;     ///< what the claim says of it: "at least 2", "at most 1e-7", "0.9 to 1.1"
-  Verdict expected = Verdict::not_stated;  ///< `holds`, `does not hold`, or `not stated`
-  std::string reading;                     ///< how the claim was understood, or what it leaves out
+  scene::Verdict expected = scene::Verdict::not_stated;  ///< `holds`, `does not hold`, or `not stated`
+  std::string reading;  ///< how the claim was understood, or what it leaves out
 };
 
 /// Is @p value what the words say? Never true for NaN.
@@ -36,10 +36,10 @@ struct Claim {
 
 /// A claim, and what the evidence on disk says of it.
 struct JudgedClaim {
-  Claim claim;                           ///< as listed
-  double value = 0;                      ///< of the quantity; NaN if it is not there
-  Verdict verdict = Verdict::not_built;  ///< by the evidence
-  bool passes = false;                   ///< the expected verdict, or the chapter is not built
+  Claim claim;                                         ///< as listed
+  double value = 0;                                    ///< of the quantity; NaN if it is not there
+  scene::Verdict verdict = scene::Verdict::not_built;  ///< by the evidence
+  bool passes = false;                                 ///< the expected verdict, or the chapter is not built
 };
 
 /// All claims of `<data>/tables/claims.csv`, with the quantities that checks left under @p out.
@@ -51,4 +51,4 @@ struct JudgedClaim {
 /// The page `CLAIMS.md`: counts, then a table a source, in the order of the list.
 [[nodiscard]] std::string claims_page(const std::vector<JudgedClaim>& claims);
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 
 /// A misprint. The columns of `tables/errata/<chapter>.csv`, which its README explains.
 struct Erratum {
@@ -40,4 +40,4 @@ struct Erratum {
 /// The entries of one chapter as a table in Markdown, for its page.
 [[nodiscard]] std::string errata_table(const std::vector<Erratum>& errata, const std::string& chapter);
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

@@ -8,11 +8,11 @@
 
 #include "nlmech/scene/evidence/published.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 
 /// A figure or table of a source, and what a chapter left on disk for it.
 struct Shown {
-  Place place;                ///< of the source
+  scene::Place place;         ///< of the source
   bool built = false;         ///< is its chapter part of this build?
   bool drawn = false;         ///< a figure with curves, or a table with rows
   std::size_t numbers = 0;    ///< rows of data behind the figure, or rows of the table
@@ -34,4 +34,4 @@ struct Shown {
 /// The page `COMPLETENESS.md`: counts by source, then one row a figure or table.
 [[nodiscard]] std::string completeness_page(const std::vector<Shown>& shown);
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

@@ -1,4 +1,4 @@
-#include "nlmech/scene/evidence/claims.hpp"
+#include "tools/reproduction/claims.hpp"
 
 #include <fmt/format.h>
 
@@ -16,9 +16,11 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 namespace fs = std::filesystem;
+using namespace scene;
 
 namespace {
 
@@ -45,14 +47,13 @@ Range parse_range(std::string_view words) {
             range.low <= range.high;
   }
   if (!right) {
-    throw InputError(
-        fmt::format("'{}' is not of the form 'at least 2', 'at most 2' or '1 to 2'", echoed(words)));
+    throw input_error("'{}' is not of the form 'at least 2', 'at most 2' or '1 to 2'", echoed(words));
   }
   return range;
 }
 
 void refuse(bool wrong, const std::string& where, const std::string& what) {
-  if (wrong) throw InputError(fmt::format("{}: {}", where, what));
+  if (wrong) throw input_error("{}: {}", where, what);
 }
 
 Verdict parse_verdict(const std::string& text, const std::string& where) {
@@ -75,7 +76,7 @@ Claim to_claim(const CsvRecord& record, const std::string& file) {
   try {
     if (judged) static_cast<void>(parse_range(claim.means));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
+    throw input_error("{}: {}", where, error.what());
   }
   return claim;
 }
@@ -87,7 +88,7 @@ Values read_quantities(const fs::path& file) {
   Values found;
   if (!fs::exists(file)) return found;
   const auto json = nlohmann::json::parse(read_whole(file), nullptr, false);
-  if (json.is_discarded()) throw InputError(fmt::format("{}: no JSON", file.string()));
+  if (json.is_discarded()) throw input_error("{}: no JSON", file.string());
   for (const auto& quantity : json.value("quantities", nlohmann::json::array())) {
     if (quantity.contains("value") && quantity["value"].is_number())
       found[quantity.value("name", "")] = quantity["value"].get<double>();
@@ -216,4 +217,4 @@ std::string claims_page(const std::vector<JudgedClaim>& claims) {
   return page;
 }
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

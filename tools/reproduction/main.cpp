@@ -24,18 +24,19 @@
 #include <sstream>
 
 #include "nlmech/scene/evidence/check.hpp"
-#include "nlmech/scene/evidence/claims.hpp"
-#include "nlmech/scene/evidence/completeness.hpp"
-#include "nlmech/scene/evidence/errata.hpp"
 #include "nlmech/scene/program/command.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "tools/reproduction/claims.hpp"
+#include "tools/reproduction/completeness.hpp"
+#include "tools/reproduction/errata.hpp"
 
 namespace {
 
 using namespace nlmech::scene;
+using namespace nlmech::reproduction;
 
 constexpr int passed = 0, failed = 1, skipped = 77;
 

@@ -1,4 +1,4 @@
-#include "nlmech/scene/evidence/completeness.hpp"
+#include "tools/reproduction/completeness.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,11 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
-namespace nlmech::scene {
+namespace nlmech::reproduction {
 namespace fs = std::filesystem;
+using namespace scene;
 
 namespace {
 
@@ -38,7 +40,7 @@ bool has_curves(const fs::path& picture) {
 void count_quantities(const fs::path& file, Shown& shown) {
   if (!fs::exists(file)) return;
   const auto json = nlohmann::json::parse(read_whole(file), nullptr, false);
-  if (json.is_discarded()) throw InputError(fmt::format("{}: no JSON", file.string()));
+  if (json.is_discarded()) throw input_error("{}: no JSON", file.string());
   for (const auto& quantity : json.value("quantities", nlohmann::json::array())) {
     ++shown.checked;
     if (quantity.value("passes", false)) ++shown.passed;
@@ -138,4 +140,4 @@ std::string completeness_page(const std::vector<Shown>& shown) {
   return page;
 }
 
-}  // namespace nlmech::scene
+}  // namespace nlmech::reproduction

@@ -1,11 +1,11 @@
-#include "nlmech/scene/evidence/errata.hpp"
+#include "tools/reproduction/errata.hpp"
 
 #include <gtest/gtest.h>
 
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene::errata_test {
+namespace nlmech::reproduction::errata_test {
 namespace {
 
 using tests::put;
@@ -79,4 +79,4 @@ TEST(ErrataPages, ShowBothFormsWithTheirDistances) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene::errata_test
+}  // namespace nlmech::reproduction::errata_test

@@ -1,4 +1,4 @@
-#include "nlmech/scene/evidence/claims.hpp"
+#include "tools/reproduction/claims.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,10 @@
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
-namespace nlmech::scene::claims_test {
+namespace nlmech::reproduction::claims_test {
 namespace {
 
+using namespace scene;
 using tests::put;
 using tests::TemporaryFolder;
 
@@ -137,4 +138,4 @@ TEST_F(ClaimsOnDisk, ThePageCountsAndLinksThem) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene::claims_test
+}  // namespace nlmech::reproduction::claims_test
