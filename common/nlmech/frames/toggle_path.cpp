@@ -1,7 +1,6 @@
 #include "nlmech/frames/toggle_path.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/sign_change.hpp"
 
 namespace nlmech::frames {
 namespace {
@@ -129,7 +129,7 @@ std::vector<double> drops_at(const Williams& w, double n, double end) {
 /// The root of the slope between two drops, to the last bit.
 double stationary_drop(const Williams& w, double low, double high) {
   const auto slope = [&](double drop) { return w.stiffness(drop); };
-  return boost::math::tools::bisect(slope, low, high, [](double, double) { return false; }).first;
+  return sign_change(slope, low, high);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/bisection.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/sign_change.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "nlmech/spacecraft/bisection.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/sign_change.hpp"
 
 namespace nlmech::spacecraft {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/bisection.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/sign_change.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
