@@ -30,7 +30,7 @@ macro(nlmech_require_pkg name debian)
 endmacro()
 
 # Real numbers of many digits, nlmech/support/extended_real.hpp, by the target nlmech_extended: chapters and tests.
-macro(nlmech_require_extended)
+macro(nlmech_extended_precision)
   nlmech_require(Boost Boost libboost-dev)
   nlmech_require_pkg(mpfr libmpfr-dev)
   if(NOT TARGET nlmech_extended)

@@ -63,7 +63,8 @@ TEST(Packages, ThatTheBuildNamesAreListed) {
   }
   for (const auto& file : files) {
     if (file.extension() != ".cmake" && file.extension() != ".txt") continue;
-    for (const std::string& line : lines_of(file)) {
+    for (std::string line : lines_of(file)) {
+      line.erase(0, line.find_first_not_of(' '));
       if (!line.starts_with("nlmech_require")) continue;
       const auto open = line.find('('), close = line.find(')');
       const auto words = words_of(line.substr(open + 1, close - open - 1));
