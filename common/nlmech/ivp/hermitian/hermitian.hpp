@@ -106,6 +106,7 @@ class FixedStepper : public Stepper<S::dimension> {
     x1 = trial_.end_state();
     return {};
   }
+  /// Within the latest step.
   void at(double t, State<n>& x) const override { trial_.at(t, x); }
 
  private:

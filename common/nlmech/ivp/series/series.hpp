@@ -86,6 +86,7 @@ class FixedStepper : public Stepper<S::dimension> {
     expansion_.accept();
     return {};
   }
+  /// Within the latest step.
   void at(double t, State<n>& x) const override { expansion_.at(t, x); }
 
  private:

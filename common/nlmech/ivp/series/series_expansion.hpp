@@ -122,6 +122,7 @@ class Expansion : public DenseOutput<S::dimension> {
     return slope(taylor_.coefficients(i), order_, h / scale_) / scale_;
   }
 
+  /// Within the latest step.
   void at(double t, State<n>& x) const override {
     x.resize(size_);
     const double s = (t - t0_) / scale_;
