@@ -98,6 +98,7 @@ check: figures
 	exit $$failed
 
 quantities-%:
+	@$(CHECK) -D STEP=measure -P tests/reproduction/check.cmake
 	@$(CHECK) -D STEP=quantities -P tests/reproduction/check.cmake
 
 # Claims about speed, measured with nothing beside them; tables/BENCH.md. Printed ratios of run times; tables/RATIOS.md.

@@ -2,8 +2,8 @@
 #
 # `measure` is the fixture of a chapter's values: it succeeds as soon as they are on disk, or each of them would be "Not Run"
 # because of one that is missed. What was said about missed quantities is kept for `quantities`. With SOURCE, figures are drawn
-# too, and nothing is computed again that this very program made of these very files of SOURCE: `make figures`, `make check`
-# and `make test` share what stands in OUT.
+# too, and nothing is computed again that this very program, with its libraries, made of these very files of SOURCE:
+# `make figures`, `make check` and `make test` share what stands in OUT.
 cmake_minimum_required(VERSION 3.25)
 set(values ${OUT}/results/${CHAPTER}/check.csv)
 set(complaints ${OUT}/${CHAPTER}.txt)
@@ -13,13 +13,15 @@ if(STEP STREQUAL "measure")
   if(SOURCE)
     file(GLOB inputs ${SOURCE}/figures/style.gp ${SOURCE}/figures/templates/drawing.gp
          ${SOURCE}/figures/templates/${CHAPTER}-*.gp ${SOURCE}/tables/*.csv ${SOURCE}/tables/published/*.csv)
+    execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
+    string(REGEX MATCHALL "/[^ \n]+" libraries "${libraries}")
     set(digests "")
-    foreach(input IN LISTS PROGRAM inputs)
+    foreach(input IN LISTS PROGRAM libraries inputs)
       file(SHA256 ${input} digest)
       string(APPEND digests "${digest}\n")
     endforeach()
     set(known "")
-    if(EXISTS ${stamp})
+    if(EXISTS ${stamp} AND EXISTS ${values} AND EXISTS ${complaints})
       file(READ ${stamp} known)
     endif()
     if(known STREQUAL digests)

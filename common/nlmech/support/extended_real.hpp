@@ -6,7 +6,7 @@
 
 namespace nlmech {
 
-/// A real number of @p digits decimal digits; each operation and elementary function rounds correctly (MPFR).
+/// A real number of @p digits decimal digits, at least; operations and elementary functions are MPFR's.
 /// Programs that use it link mpfr.
 template <unsigned digits>
 using ExtendedReal = boost::multiprecision::number<

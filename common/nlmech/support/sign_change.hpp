@@ -1,5 +1,5 @@
 /// @file
-/// Roots between two places with different signs.
+/// Roots between two places with different signs. For sources that are compiled with Boost.
 #pragma once
 
 #include <boost/math/tools/roots.hpp>
