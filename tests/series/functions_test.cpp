@@ -2,6 +2,8 @@
 /// identities that no recurrence is built from; composition.
 #include <gtest/gtest.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include "nlmech/series/composition.hpp"
 #include "nlmech/series/growing_series.hpp"
 #include "nlmech/series/power_series.hpp"
@@ -40,6 +42,18 @@ TEST(PowerSeriesFunctions, ClosedForms) {
   EXPECT_EQ(rise[0], 0);
 }
 
+// 2/sqrt(pi) times the sum of (-1)^k s^(2 k + 1)/(k! (2 k + 1)).
+TEST(PowerSeriesFunctions, ErrorFunction) {
+  const S bell = erf(S::variable(0, order));
+  Real term = 2 / sqrt(boost::math::constants::pi<Real>());
+  for (int k = 0; k < static_cast<int>(order) / 2; ++k) {
+    if (k > 0) term /= -k;
+    const auto i = static_cast<std::size_t>(2 * k);
+    EXPECT_EQ(bell[i], 0) << 2 * k;
+    EXPECT_LE(abs(bell[i + 1] - term / (2 * k + 1)), 90 * real_epsilon * abs(term)) << 2 * k + 1;
+  }
+}
+
 TEST(PowerSeriesFunctions, Identities) {
   const S t = S::variable(Real(0.25), order), x = 1 + t / 2 - t * t / 8;
   expect_equal(tan(x), sin(x) / cos(x));
@@ -49,6 +63,18 @@ TEST(PowerSeriesFunctions, Identities) {
   expect_equal(pow(x, Real(0.5)), sqrt(x));
   expect_equal(pow(x, Real(-3)), 1 / (x * x * x));
   expect_equal(pow(x, Real(2.5)), x * x * sqrt(x));
+  expect_equal(log(pow(x, t)), t * log(x));
+}
+
+TEST(PowerSeriesFunctions, Inverses) {
+  const S t = S::variable(Real(0.25), order), x = (1 + t / 2 - t * t / 8) / 4;
+  const Real pi = boost::math::constants::pi<Real>();
+  expect_equal(sin(asin(x)), x);
+  expect_equal(asin(x) + acos(x), S(pi / 2) + 0 * t);
+  expect_equal(tan(atan(x)), x);
+  expect_equal(atan2(t * sin(x), t * cos(x)), x);
+  expect_equal(atan2(sin(x + 3), cos(x + 3)), x + 3 - 2 * pi);  // beyond pi the angle is negative
+  expect_equal(atan2(S(Real(2)), x), pi / 2 - atan(x / 2));
 }
 
 TEST(PowerSeriesFunctions, OfConstants) {
@@ -58,6 +84,11 @@ TEST(PowerSeriesFunctions, OfConstants) {
                                       {tanh(two), tanh(Real(2))},
                                       {sinh(two), sinh(Real(2))},
                                       {cosh(two), cosh(Real(2))},
+                                      {asin(two / 4), asin(Real(0.5))},
+                                      {acos(two / 4), acos(Real(0.5))},
+                                      {atan(two), atan(Real(2))},
+                                      {atan2(two, -two), atan2(Real(2), Real(-2))},
+                                      {erf(two), erf(Real(2))},
                                       {pow(two, Real(0.3)), pow(Real(2), Real(0.3))}}) {
     EXPECT_TRUE(series.is_constant());
     EXPECT_EQ(series[0], value);
@@ -70,7 +101,18 @@ RC_GTEST_PROP(GrowingFunctions, EqualThoseOfPowerSeries, ()) {
   for (int k = 1; k <= 12; ++k) c.push_back(*between(-1, 1));
   const PowerSeries<double> whole(c);
   const auto all = [](const auto& x) {
-    return std::array{log(x), pow(x, -1.5), sinh(x), cosh(x), tan(x), tanh(x)};
+    return std::array{log(x),
+                      pow(x, -1.5),
+                      sinh(x),
+                      cosh(x),
+                      tan(x),
+                      tanh(x),
+                      asin(0.5 * x),
+                      acos(0.5 * x),
+                      atan(x),
+                      atan2(x, 1 - x * x),
+                      erf(x),
+                      pow(x, x)};
   };
   const auto expected = all(whole);
   SeriesMemory<double> memory;

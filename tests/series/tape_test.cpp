@@ -109,6 +109,35 @@ TEST(Tape, HasTheCoefficientsOfTheSolution) {
   }
 }
 
+/// Functions that a tape makes of their slopes: each of a state, of the time and of a constant.
+struct Inverses {
+  static constexpr int dimension = 3;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 3>& x, Vector<T, 3>& f) const {
+    const T a = x[0], b = x[1], c = x[2], constant = 0.5;
+    f[0] = asin(a * c / 2.0) - acos(t) * b + asin(constant);
+    f[1] = atan(a - b) + erf(c * c - t) - atan2(b, a * c) + acos(constant) + erf(constant);
+    f[2] = atan2(T(2), -b) - atan2(-c, T(-1)) + atan(t * t) * a + atan2(constant, T(-3)) + atan(constant);
+  }
+};
+
+TEST(Tape, HasFunctionsMadeOfTheirSlopes) {
+  const Inverses problem;
+  for (const int order : {1, 2, 3, 8, 30, 60}) {
+    const auto truth = exact(problem, 0.3, point, static_cast<std::size_t>(order));
+    for (const InstructionSet set : sets()) {
+      SCOPED_TRACE(std::string(to_string(set)) + ", order " + std::to_string(order));
+      TapeExpansion expansion(set);
+      expansion.load(record<Inverses, 3>(problem, 0.3, point, false), order);
+      for (const double scale : {1.0, 0.125}) {
+        expansion.expand(0.3, point.data(), scale);
+        expect_coefficients(
+            truth, [&](int i) { return expansion.coefficients(i); }, scale);
+      }
+    }
+  }
+}
+
 // A few operations to the highest order, all of them to the first ones: every order is code of its own.
 struct Few {
   static constexpr int dimension = 3;

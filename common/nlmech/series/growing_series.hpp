@@ -136,6 +136,16 @@ class GrowingSeries {
     if (is_constant()) return T(next(&constant_, nullptr, 0));
     return result(*this, *this, [&](std::size_t k, const T* r) { return next(data(), r, k); });
   }
+  /// The integral of g da from the point of the series on; 0 if this, a, is a constant.
+  [[nodiscard]] GrowingSeries integral_of(const GrowingSeries& g) const {
+    if (is_constant()) return {};
+    if (g.is_constant())
+      return result(*this, *this,
+                    [&](std::size_t k, const T*) { return k == 0 ? T(0) : T(g.constant_ * (*this)[k]); });
+    return result(*this, *this, [&](std::size_t k, const T*) {
+      return k == 0 ? T(0) : T(recurrence::slope_product(data(), g.data(), k) / static_cast<int>(k));
+    });
+  }
   /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
   template <class First, class Second>
   [[nodiscard]] std::pair<GrowingSeries, GrowingSeries> by_recurrences(const First& first,

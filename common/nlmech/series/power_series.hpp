@@ -147,6 +147,19 @@ class PowerSeries {
     for (std::size_t k = 0; k < r.size(); ++k) r[k] = next(c_.data(), r.data(), k);
     return PowerSeries(std::move(r));
   }
+  /// The integral of g da from the point of the series on; 0 if this, a, is a constant.
+  [[nodiscard]] PowerSeries integral_of(const PowerSeries& g) const {
+    if (constant_) return {};
+    if (g.constant_) {
+      PowerSeries r = *this * g[0];
+      r.c_[0] = T(0);
+      return r;
+    }
+    PowerSeries r(std::vector<T>(std::min(size(), g.size()), T(0)));
+    for (std::size_t k = 1; k < r.size(); ++k)
+      r.c_[k] = recurrence::slope_product(c_.data(), g.c_.data(), k) / static_cast<int>(k);
+    return r;
+  }
   /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
   template <class First, class Second>
   [[nodiscard]] std::pair<PowerSeries, PowerSeries> by_recurrences(const First& first,

@@ -2,6 +2,7 @@
 /// Elementary functions of power series, by the recurrences of their coefficients.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <utility>
 
@@ -103,6 +104,52 @@ requires(!std::integral<P> && std::convertible_to<P, typename S::Coefficient>) [
   const T exponent = static_cast<T>(p);
   return a.by_recurrence(
       [&](const T* c, const T* r, std::size_t k) { return recurrence::power(c, exponent, r, k); });
+}
+
+/// Arc sine, for |c_0| < 1. As the other inverse functions by its slope.
+template <RecurrentSeries S>
+[[nodiscard]] S asin(const S& a) {
+  using std::asin;
+  return S(asin(a[0])) + a.integral_of(pow((1 - a) * (1 + a), -0.5));
+}
+
+/// Arc cosine, for |c_0| < 1.
+template <RecurrentSeries S>
+[[nodiscard]] S acos(const S& a) {
+  using std::acos;
+  return S(acos(a[0])) - a.integral_of(pow((1 - a) * (1 + a), -0.5));
+}
+
+/// Arc tangent.
+template <RecurrentSeries S>
+[[nodiscard]] S atan(const S& a) {
+  using std::atan;
+  return S(atan(a[0])) + a.integral_of(1 / (1 + a * a));
+}
+
+/// Angle of the point (x, y), which is not the origin.
+template <RecurrentSeries S>
+[[nodiscard]] S atan2(const S& y, const S& x) {
+  using std::atan2;
+  const S slope = 1 / (x * x + y * y);
+  return S(atan2(y[0], x[0])) + y.integral_of(x * slope) - x.integral_of(y * slope);
+}
+
+/// Error function.
+template <RecurrentSeries S>
+[[nodiscard]] S erf(const S& a) {
+  using std::atan;
+  using std::erf;
+  using std::sqrt;
+  using T = typename S::Coefficient;
+  const T factor = 1 / sqrt(atan(T(1)));  // 2/sqrt(pi) = 1/sqrt(pi/4)
+  return S(erf(a[0])) + a.integral_of(factor * exp(-(a * a)));
+}
+
+/// x^y = exp(y log x), for x_0 > 0.
+template <RecurrentSeries S>
+[[nodiscard]] S pow(const S& x, const S& y) {
+  return exp(y * log(x));
 }
 
 /// a^p for an integer exponent, by repeated squaring; a^0 is the constant 1. A negative exponent needs

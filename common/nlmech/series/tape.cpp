@@ -1,6 +1,7 @@
 #include "nlmech/series/tape.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "nlmech/series/expansion_errors.hpp"
 
@@ -32,6 +33,11 @@ double evaluate(Step step, double a, double b, double constant) {
     case Step::tangent: return std::tan(a);
     case Step::hyperbolic_tangent: return std::tanh(a);
     case Step::power: return std::pow(a, constant);
+    case Step::arc_sine: return std::asin(a);
+    case Step::arc_cosine: return std::acos(a);
+    case Step::arc_tangent: return std::atan(a);
+    case Step::error_function: return std::erf(a);
+    case Step::angle: return std::atan2(a, b);
   }
   return 0;
 }
@@ -132,6 +138,33 @@ Recorded tan(const Recorded& a) { return a.step(Step::tangent); }
 Recorded sinh(const Recorded& a) { return a.step(Step::hyperbolic_sine); }
 Recorded cosh(const Recorded& a) { return a.step(Step::hyperbolic_cosine); }
 Recorded tanh(const Recorded& a) { return a.step(Step::hyperbolic_tangent); }
+
+template <class Slope>
+Recorded Recorded::by_slope(Step step, Slope slope) const {
+  return is_constant() ? Recorded(evaluate(step, constant_, 0, 0))
+                       : Recorded::step(step, *this, slope(*this));
+}
+Recorded asin(const Recorded& a) {
+  return a.by_slope(Step::arc_sine, [](const Recorded& x) { return ((1 - x) * (1 + x)).power(-0.5); });
+}
+Recorded acos(const Recorded& a) {
+  return a.by_slope(Step::arc_cosine, [](const Recorded& x) { return -((1 - x) * (1 + x)).power(-0.5); });
+}
+Recorded atan(const Recorded& a) {
+  return a.by_slope(Step::arc_tangent, [](const Recorded& x) { return 1 / (1 + x * x); });
+}
+Recorded erf(const Recorded& a) {
+  return a.by_slope(Step::error_function,
+                    [](const Recorded& x) { return 2 * std::numbers::inv_sqrtpi * exp(-(x * x)); });
+}
+Recorded atan2(const Recorded& y, const Recorded& x) {
+  if (y.is_constant() && x.is_constant()) return std::atan2(y.constant_, x.constant_);
+  // A constant coordinate becomes a node: 0 times the other one plus it.
+  const auto node = [](const Recorded& c, const Recorded& other) {
+    return c.is_constant() ? other.step(Step::scaled, 0).step(Step::shifted, c.constant_) : c;
+  };
+  return Recorded::step(Step::angle, node(y, x), node(x, y));
+}
 
 Recorded Recorded::power(double p) const {
   if (is_constant()) return std::pow(constant_, p);

@@ -64,7 +64,12 @@ class TapeRecorder {
     hyperbolic_cosine,
     tangent,
     hyperbolic_tangent,
-    power  ///< a to the constant
+    power,           ///< a to the constant
+    arc_sine,        ///< asin a, whose derivative by a is b
+    arc_cosine,      ///< acos a, whose derivative by a is b
+    arc_tangent,     ///< atan a, whose derivative by a is b
+    error_function,  ///< erf a, whose derivative by a is b
+    angle            ///< atan2(a, b)
   };
   /// An operation and its result.
   struct Node {
@@ -159,6 +164,16 @@ class Recorded {
   friend Recorded cosh(const Recorded& a);
   /// Hyperbolic tangent.
   friend Recorded tanh(const Recorded& a);
+  /// Arc sine.
+  friend Recorded asin(const Recorded& a);
+  /// Arc cosine.
+  friend Recorded acos(const Recorded& a);
+  /// Arc tangent.
+  friend Recorded atan(const Recorded& a);
+  /// Angle of the point (x, y).
+  friend Recorded atan2(const Recorded& y, const Recorded& x);
+  /// Error function.
+  friend Recorded erf(const Recorded& a);
   /// a^p for a constant exponent: by products if p is a whole number, else for a_0 > 0.
   template <class P>
   requires std::is_arithmetic_v<P>
@@ -179,6 +194,9 @@ class Recorded {
   [[nodiscard]] bool is_constant() const { return recorder_ == nullptr; }
   [[nodiscard]] Recorded step(TapeRecorder::Step step, double constant = 0) const;
   static Recorded step(TapeRecorder::Step step, const Recorded& a, const Recorded& b);
+  // The function of that step, and its derivative.
+  template <class Slope>
+  [[nodiscard]] Recorded by_slope(TapeRecorder::Step step, Slope slope) const;
   [[nodiscard]] Recorded power(double p) const;
   [[nodiscard]] Recorded whole_power(double p) const;
 

@@ -16,7 +16,9 @@ bool is_sum(Step step) { return step == Step::sum || step == Step::difference; }
 bool is_linear(Step step) {
   return is_sum(step) || step == Step::scaled || step == Step::divided || step == Step::shifted;
 }
-bool has_two_operands(Step step) { return is_sum(step) || step == Step::product || step == Step::quotient; }
+bool has_two_operands(Step step) {
+  return is_sum(step) || step == Step::product || step == Step::quotient || step >= Step::arc_sine;
+}
 
 }  // namespace
 
@@ -149,11 +151,41 @@ class TapeCompiler {
   Instruction of_two(const Node& n) {
     int a = n.a, b = n.b;
     if (n.step == Step::quotient) return instruction(Operation::quotient, series_[at(a)], series_[at(b)]);
+    if (n.step >= Step::arc_sine) return of_slope(n);
     if (node(b).degree == 1) std::swap(a, b);
     const Operation operation = node(a).degree == 1 ? Operation::product_by_line
                                 : a == b            ? Operation::square
                                                     : Operation::product;
     return instruction(operation, series_[at(a)], series_[at(b)]);
+  }
+
+  // A function made of its slope.
+  Instruction of_slope(const Node& n) {
+    const int a = series_[at(n.a)], b = series_[at(n.b)];
+    const int slope =
+        n.step == Step::angle ? slope_of_angle(n) : emitted(Operation::product, slope_of(n.a), b);
+    Instruction made = instruction(function(n.step), a, b);
+    made.extra = slope;
+    return made;
+  }
+  // Of atan2(y, x): (x y' - y x')/(x^2 + y^2).
+  int slope_of_angle(const Node& n) {
+    const int y = series_[at(n.a)], x = series_[at(n.b)];
+    const int up = emitted(Operation::product, x, slope_of(n.a)),
+              down = emitted(Operation::product, y, slope_of(n.b));
+    const int squares = combined(emitted(Operation::square, x, x), 1, emitted(Operation::square, y, y));
+    return emitted(Operation::quotient, combined(up, -1, down), squares);
+  }
+  int emitted(Operation operation, int a, int b) {
+    tape_.instructions_.push_back(instruction(operation, a, b));
+    return tape_.instructions_.back().r;
+  }
+  int combined(int a, double factor, int b) {
+    const auto first = static_cast<int>(tape_.terms_.size());
+    tape_.terms_.push_back({1, a});
+    tape_.terms_.push_back({factor, b});
+    tape_.instructions_.push_back({Operation::linear, false, new_series(), 0, 0, 0, first, 2, 1, 1, 0});
+    return tape_.instructions_.back().r;
   }
 
   Instruction of_one(const Node& n) {
@@ -181,6 +213,11 @@ class TapeCompiler {
       case Step::hyperbolic_cosine: return Operation::hyperbolic;
       case Step::tangent: return Operation::tangent;
       case Step::hyperbolic_tangent: return Operation::hyperbolic_tangent;
+      case Step::arc_sine: return Operation::arc_sine;
+      case Step::arc_cosine: return Operation::arc_cosine;
+      case Step::arc_tangent: return Operation::arc_tangent;
+      case Step::error_function: return Operation::error_function;
+      case Step::angle: return Operation::angle;
       default: return Operation::power;
     }
   }
@@ -201,7 +238,7 @@ int Tape::products() const {
   int count = 0;
   for (const Instruction& i : instructions_) {
     const bool linear = i.operation == Operation::linear || i.operation == Operation::slope ||
-                        i.operation == Operation::product_by_line || i.line;
+                        i.operation == Operation::product_by_line || i.line || tape::has_slope(i.operation);
     if (!linear) ++count;
   }
   return count;

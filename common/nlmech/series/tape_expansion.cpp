@@ -40,6 +40,11 @@ std::pair<double, double> value(const Instruction& i, double x, double other) {
     case Operation::hyperbolic_tangent: return {std::tanh(x), 1 / (std::cosh(x) * std::cosh(x))};
     case Operation::logarithm: return {std::log(x), 0};
     case Operation::power: return {std::pow(x, i.factor), 0};
+    case Operation::arc_sine: return {std::asin(x), 0};
+    case Operation::arc_cosine: return {std::acos(x), 0};
+    case Operation::arc_tangent: return {std::atan(x), 0};
+    case Operation::angle: return {std::atan2(x, other), 0};
+    case Operation::error_function: return {std::erf(x), 0};
     default: return {0, 0};
   }
 }

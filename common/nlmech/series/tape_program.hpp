@@ -16,6 +16,11 @@ enum class Operation : std::uint8_t {
   reciprocal,          ///< factor / b
   root,                ///< sqrt a
   slope,               ///< s a'(s), s the variable of the series
+  arc_sine,            ///< asin a; extra: its slope
+  arc_cosine,          ///< acos a; extra: its slope
+  arc_tangent,         ///< atan a; extra: its slope
+  angle,               ///< atan2(a, b); extra: its slope
+  error_function,      ///< erf a; extra: its slope
   exponential,         ///< exp a; extra: slope of a
   circular,            ///< sin a, and cos a in r + 1; extra: slope of a
   hyperbolic,          ///< sinh a, and cosh a in r + 1; extra: slope of a
@@ -24,6 +29,11 @@ enum class Operation : std::uint8_t {
   logarithm,           ///< log a, and its slope in r + 1
   power                ///< a^factor, and its slope in r + 1; extra: slope of a
 };
+
+/// Is it a function that comes from its slope alone, by a division by k?
+[[nodiscard]] constexpr bool has_slope(Operation operation) {
+  return operation >= Operation::arc_sine && operation <= Operation::error_function;
+}
 
 /// One operation.
 struct Instruction {

@@ -94,6 +94,11 @@ class Replayer {
         r[k_] = slope_times(d, g, i.line) / k_;
         g[k_] = i.operation == Operation::tangent ? square(r) : -square(r);
         return;
+      case Operation::arc_sine:
+      case Operation::arc_cosine:
+      case Operation::arc_tangent:
+      case Operation::angle:
+      case Operation::error_function: r[k_] = d[k_] / k_; return;
       case Operation::logarithm:
         g[k_] = (k_ * a[k_] - middle(g, a)) / a[0];
         r[k_] = g[k_] / k_;
