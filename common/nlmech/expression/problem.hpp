@@ -1,0 +1,88 @@
+/// @file
+/// Typed equations as a problem, so that every method runs on them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "nlmech/expression/equations.hpp"
+#include "nlmech/expression/program.hpp"
+#include "nlmech/expression/switches.hpp"
+#include "nlmech/series/vector.hpp"
+
+namespace nlmech::expression {
+
+/// The right-hand side of Equations for every type of number: what ivp::System and ivp::Direct take.
+/// Copies share the program.
+/// @tparam n components of the state, or Eigen::Dynamic
+template <int n>
+class Problem {
+ public:
+  static constexpr int dimension = n;  ///< components of the state
+
+  /// @throws std::invalid_argument if n is not the size of the equations
+  explicit Problem(const Equations& equations)
+      : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
+        switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
+        size_(equations.size()),
+        second_order_(equations.second_order()),
+        smooth_(switches_->count() == 0) {
+    if (n != Eigen::Dynamic && n != size_)
+      throw std::invalid_argument("expression: the equations have " + std::to_string(size_) + " components");
+  }
+
+  /// Components of the state.
+  [[nodiscard]] int size() const { return size_; }
+  /// Is every unknown of second order?
+  [[nodiscard]] bool second_order() const { return second_order_; }
+
+  /// How many functions decide by their signs what the equations are; none within a mode.
+  [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
+  /// The smooth equations of a mode.
+  [[nodiscard]] Problem in_mode(const Mode& mode) const {
+    Problem smooth = *this;
+    smooth.program_ = switches_->in_mode(mode);
+    smooth.smooth_ = true;
+    return smooth;
+  }
+  /// Within a mode: the functions that decide, and their derivatives along a solution.
+  void surfaces(double t, const Vector<double, n>& x, std::span<double> values,
+                std::span<double> rates) const {
+    const auto size = static_cast<std::size_t>(size_), count = values.size();
+    program_->run(t, x, size, size + count,
+                  [&](int i, double value) { values[static_cast<std::size_t>(i)] = value; });
+    program_->run(t, x, size + count, size + 2 * count,
+                  [&](int i, double value) { rates[static_cast<std::size_t>(i)] = value; });
+  }
+
+  /// dx/dt.
+  template <class T>
+  void operator()(const T& t, const Vector<T, n>& x, Vector<T, n>& dxdt) const {
+    program_->run(t, x, 0, static_cast<std::size_t>(size_), [&](int i, const T& value) { dxdt[i] = value; });
+  }
+  /// Second-order equations: the accelerations at positions @p q and velocities @p v.
+  template <class T, int m>
+  void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
+    const int half = size_ / 2;
+    const auto state = [&](int i) -> const T& { return i < half ? q[i] : v[i - half]; };
+    program_->run(t, Halves<decltype(state)>{state}, static_cast<std::size_t>(half),
+                  static_cast<std::size_t>(size_), [&](int i, const T& value) { a[i] = value; });
+  }
+
+ private:
+  /// Positions and velocities side by side, read as one state.
+  template <class Get>
+  struct Halves {
+    const Get& get;
+    decltype(auto) operator[](int i) const { return get(i); }
+  };
+
+  std::shared_ptr<const Program> program_;
+  std::shared_ptr<const Switches> switches_;
+  int size_;
+  bool second_order_, smooth_;
+};
+
+}  // namespace nlmech::expression

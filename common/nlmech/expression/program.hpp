@@ -1,0 +1,151 @@
+/// @file
+/// Expressions compiled to a list of instructions, which any type of number can run through.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "nlmech/expression/graph.hpp"
+#include "nlmech/series/value_of.hpp"
+
+namespace nlmech::expression {
+
+/// Values of several expressions at a time and a state. Each operation is done once, numbers are known
+/// beforehand, and results live in as few places as their order allows.
+class Program {
+ public:
+  /// Nothing to compute.
+  Program() = default;
+  /// @param outputs expressions of @p graph
+  Program(const Graph& graph, const std::vector<NodeId>& outputs);
+
+  /// How many instructions there are.
+  [[nodiscard]] std::size_t instructions() const { return instructions_.size(); }
+  /// How many expressions.
+  [[nodiscard]] std::size_t outputs() const { return outputs_.size(); }
+
+  /// Computes outputs @p first to @p last - 1 (all instructions are run).
+  /// @param t time
+  /// @param x component i of the state is x[i]
+  /// @param out becomes out(i - first, value) for each output i
+  template <class T, class State, class Out>
+  void run(const T& t, const State& x, std::size_t first, std::size_t last, Out&& out) const {
+    if (places_ <= 16) {
+      std::array<T, 16> place;
+      run_in(place.data(), t, x, first, last, out);
+    } else if (places_ <= 128) {
+      std::array<T, 128> place;
+      run_in(place.data(), t, x, first, last, out);
+    } else {
+      std::vector<T> place(places_);
+      run_in(place.data(), t, x, first, last, out);
+    }
+  }
+
+ private:
+  friend class ProgramCompiler;
+  /// A node with places for operands; r of the result.
+  struct Instruction {
+    Operation operation;
+    Function function;
+    bool scaled_second;  ///< of a sum: c b in place of b
+    std::uint32_t r, a, b, decides;
+    double c;
+  };
+  /// A place, or a number.
+  struct Output {
+    bool number;
+    std::uint32_t place;
+    double c;
+  };
+
+  template <class T, class State, class Out>
+  void run_in(T* place, const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
+    place[0] = t;
+    for (std::size_t i = 0; i < size_; ++i) place[i + 1] = x[static_cast<int>(i)];
+    for (const Instruction& i : instructions_) place[i.r] = value(i, place);
+    for (std::size_t i = first; i < last; ++i) {
+      const Output& o = outputs_[i];
+      out(static_cast<int>(i - first), o.number ? T(o.c) : place[o.place]);
+    }
+  }
+
+  template <class T>
+  static T value(const Instruction& i, const T* place) {
+    using std::atan2;
+    using std::pow;
+    const T &a = place[i.a], &b = place[i.b];
+    switch (i.operation) {
+      case Operation::sum: return i.scaled_second ? T(a + i.c * b) : T(a + b);
+      case Operation::difference: return a - b;
+      case Operation::shifted: return a + i.c;
+      case Operation::scaled: return i.c * a;
+      case Operation::divided: return a / i.c;
+      case Operation::product: return a * b;
+      case Operation::quotient: return a / b;
+      case Operation::reciprocal: return i.c / a;
+      case Operation::power: return pow(a, i.c);
+      case Operation::any_power: return any_power(a, b);
+      case Operation::function: return apply(i.function, a);
+      case Operation::atan2: return atan2(a, b);
+      case Operation::choice: return value_of(place[i.decides]) >= 0 ? a : b;
+      case Operation::number: return T(i.c);
+      default: return a;
+    }
+  }
+
+  // Numbers have a power of their own; for all else it is exp(b log a), for a > 0.
+  template <class T>
+  static T any_power(const T& a, const T& b) {
+    using std::exp;
+    using std::log;
+    using std::pow;
+    if constexpr (std::is_floating_point_v<T>) {
+      return pow(a, b);
+    } else {
+      return exp(b * log(a));
+    }
+  }
+
+  template <class T>
+  static T apply(Function function, const T& a) {
+    using std::acos;
+    using std::asin;
+    using std::atan;
+    using std::cos;
+    using std::cosh;
+    using std::erf;
+    using std::exp;
+    using std::log;
+    using std::sin;
+    using std::sinh;
+    using std::sqrt;
+    using std::tan;
+    using std::tanh;
+    switch (function) {
+      case Function::sqrt: return sqrt(a);
+      case Function::exp: return exp(a);
+      case Function::log: return log(a);
+      case Function::sin: return sin(a);
+      case Function::cos: return cos(a);
+      case Function::tan: return tan(a);
+      case Function::asin: return asin(a);
+      case Function::acos: return acos(a);
+      case Function::atan: return atan(a);
+      case Function::sinh: return sinh(a);
+      case Function::cosh: return cosh(a);
+      case Function::tanh: return tanh(a);
+      default: return erf(a);
+    }
+  }
+
+  std::size_t size_ = 0, places_ = 0;
+  std::vector<Instruction> instructions_;
+  std::vector<Output> outputs_;
+};
+
+}  // namespace nlmech::expression
