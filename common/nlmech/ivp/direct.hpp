@@ -31,6 +31,12 @@ concept GivesAcceleration = requires(const Problem& problem, double t,
   problem.acceleration(t, q, q, a);
 };
 
+/// True if the problem says itself whether it is of second order, as typed equations do.
+template <class Problem>
+concept SaysItsOrder = requires(const Problem& problem) {
+  { problem.second_order() } -> std::same_as<bool>;
+};
+
 /// True if the problem offers `jacobian(t, x, j)`, which replaces the one by dual numbers.
 template <class Problem>
 concept GivesJacobian = requires(const Problem& problem, double t, const State<Problem::dimension>& x,
@@ -49,6 +55,13 @@ concept TakesDual = requires(const Problem& problem, const D& t, const Vector<D,
 template <class Problem>
 concept GivesDiscontinuities = requires(const Problem& problem, double t) {
   problem.discontinuities(t, t);
+};
+
+/// True if the problem consists of smooth parts, one for each choice of signs of some functions.
+template <class Problem>
+concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
+  { problem.switches() } -> std::same_as<int>;
+  { problem.in_mode(mode) } -> std::same_as<Problem>;
 };
 
 /// True if the problem says which part of it is linear with constant coefficients.
@@ -94,10 +107,14 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 /// `template <class T> void operator()(const T& t, const Vector<T, m>& x, Vector<T, m>& dxdt) const` with
 /// `static constexpr int dimension = m` (Eigen::Dynamic: a member `int size() const` beside it). It may
 /// offer:
-///  - `acceleration(t, q, v, a)`, the same template on the scalar: a second-order problem, state q then v;
+///  - `acceleration(t, q, v, a)`, the same template on the scalar: a second-order problem, state q then v.
+///    With a member `bool second_order() const` only if that is true;
 ///  - `jacobian(t, x, j)` in double: used in place of dual numbers;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
 ///    travel. Methods step onto them. At such a time f is the limit from the right;
+///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: functions of time and state whose
+///  signs
+///    decide what the equations are, and the smooth equations for each choice of signs (switching.hpp);
 ///  - `linear_part(a)` in double: the constant matrix of its linear terms;
 ///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone;
 ///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
@@ -122,7 +139,13 @@ class Direct {
     }
   }
   /// Does the problem give its acceleration?
-  [[nodiscard]] bool second_order() const { return detail::GivesAcceleration<Problem>; }
+  [[nodiscard]] bool second_order() const {
+    if constexpr (detail::SaysItsOrder<Problem>) {
+      return problem_.second_order();
+    } else {
+      return detail::GivesAcceleration<Problem>;
+    }
+  }
   /// The problem itself.
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
@@ -250,6 +273,27 @@ class Direct {
     } else {
       return {};
     }
+  }
+
+  /// How many functions decide by their signs what the equations are. Methods run on smooth ones alone.
+  [[nodiscard]] int switches() const {
+    if constexpr (detail::GivesSwitches<Problem>) {
+      return problem_.switches();
+    } else {
+      return 0;
+    }
+  }
+  /// The smooth equations of a mode. @throws std::logic_error if the problem has no switches
+  [[nodiscard]] Direct in_mode(const Mode& mode) const {
+    if constexpr (detail::GivesSwitches<Problem>) {
+      return Direct(problem_.in_mode(mode));
+    } else {
+      throw std::logic_error("this problem has no switches");
+    }
+  }
+  /// Of the equations of a mode: the functions whose signs decide, and their derivatives along a solution.
+  void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
+    if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, State<m>(x), values, rates);
   }
 
   /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.

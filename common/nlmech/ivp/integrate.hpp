@@ -6,6 +6,7 @@
 
 #include "nlmech/ivp/solution.hpp"
 #include "nlmech/ivp/stated_limits.hpp"
+#include "nlmech/ivp/switching.hpp"
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -88,13 +89,20 @@ template <SystemLike S, class Method>
   if (!stated.status().ok()) solution.status = stated.status();
   return solution;
 }
+
+/// May the system switch?
+template <class S>
+inline constexpr bool has_switching = false;
+template <int n>
+inline constexpr bool has_switching<System<n>> = can_switch<n>;
 }  // namespace detail
 
 /// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method.
 /// Never throws for what happens on the way: blow-up, non-convergence, step underflow and used-up limits are
 /// the solution's status; so is, for a method with tolerances, a run that leaves the bounds or invariants
 /// that the problem names (StatedLimits).
-/// @param system a System, or a Direct for inlined right-hand sides
+/// @param system a System, or a Direct for inlined right-hand sides. One that switches is integrated from
+/// switch to switch (switching.hpp)
 /// @param x0 as many components as the system has
 /// @param t0 begin, finite
 /// @param t1 end, finite; equal to t0 gives x0 back
@@ -109,6 +117,14 @@ template <SystemLike S, class Method>
                                                const Observer<S::dimension>& observer = {},
                                                const Limits& limits = {}) {
   detail::check_arguments(t0, t1, x0.size(), system.size());
+  if constexpr (detail::has_switching<S>) {
+    if (system.switches() > 0) {
+      const SmoothRun<S::dimension> smooth =
+          [&method](const S& part, const auto& x, double from, double to, const Observer<S::dimension>& seen,
+                    const Limits& most) { return integrate(part, x, from, to, method, seen, most); };
+      return integrate_switching<S::dimension>(system, x0, t0, t1, smooth, observer, limits);
+    }
+  }
   const Stopwatch watch;
   Solution<S::dimension> solution{t0, x0, detail::check_initial_state(x0.data(), system.size(), t0), {}};
   if (solution.status.ok() && t0 != t1) {

@@ -78,6 +78,14 @@ class System {
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     return face_->discontinuities(t0, t1);
   }
+  /// How many functions decide by their signs what the equations are; 0 for smooth equations.
+  [[nodiscard]] int switches() const { return face_->switches(); }
+  /// The smooth equations of a mode. @throws std::logic_error if there are no switches
+  [[nodiscard]] System in_mode(const Mode& mode) const { return System(face_->in_mode(mode)); }
+  /// Of the equations of a mode: the functions whose signs decide, and their derivatives along a solution.
+  void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
+    face_->surfaces(t, x, values, rates);
+  }
   /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
   [[nodiscard]] bool linear_part(Jacobian<n>& a) const { return face_->linear_part(a); }
   /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
@@ -113,6 +121,9 @@ class System {
                                    Jacobian<n>&) const = 0;
     virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
     virtual std::vector<double> discontinuities(double, double) const = 0;
+    virtual int switches() const = 0;
+    virtual std::shared_ptr<const Face> in_mode(const Mode&) const = 0;
+    virtual void surfaces(double, const State<n>&, std::span<double>, std::span<double>) const = 0;
     virtual bool linear_part(Jacobian<n>&) const = 0;
     virtual std::vector<Harmonic> load() const = 0;
     virtual bool invariants(double, const State<n>&, Eigen::VectorXd&) const = 0;
@@ -145,6 +156,14 @@ class System {
     std::vector<double> discontinuities(double t0, double t1) const override {
       return direct.discontinuities(t0, t1);
     }
+    int switches() const override { return direct.switches(); }
+    std::shared_ptr<const Face> in_mode(const Mode& mode) const override {
+      return std::make_shared<const Compiled>(direct.in_mode(mode));
+    }
+    void surfaces(double t, const State<n>& x, std::span<double> values,
+                  std::span<double> rates) const override {
+      direct.surfaces(t, x, values, rates);
+    }
     bool linear_part(Jacobian<n>& a) const override { return direct.linear_part(a); }
     std::vector<Harmonic> load() const override { return direct.load(); }
     bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const override {
@@ -154,6 +173,8 @@ class System {
     Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
     D direct;
   };
+  explicit System(std::shared_ptr<const Face> face) : face_(std::move(face)) {}
+
   std::shared_ptr<const Face> face_;
 };
 

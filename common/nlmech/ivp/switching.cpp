@@ -1,0 +1,252 @@
+#include "nlmech/ivp/switching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+/// Where equations of a mode cease to be valid.
+template <int n>
+struct Switch {
+  std::size_t surface;  ///< at which function's zero, or end of a motion on it
+  double t;             ///< when
+  State<n> x;           ///< where
+};
+
+/// A system in one mode after another.
+template <int n>
+class Walk {
+ public:
+  Walk(const System<n>& system, double t0, double t1, const SmoothRun<n>& run, const Observer<n>& observer,
+       const Limits& limits)
+      : system_(system),
+        run_(run),
+        observer_(observer),
+        limits_(limits),
+        direction_(t1 > t0 ? 1 : -1),
+        end_(t1),
+        mode_(static_cast<std::size_t>(system.switches()), 1),
+        values_(mode_.size()),
+        rates_(mode_.size()) {}
+
+  Solution<n> from(double t, const State<n>& x0) {
+    solution_ = {t, x0, {}, {}};
+    for (std::size_t i = 0; i < mode_.size() && solution_.status.ok(); ++i) choose(i, t, x0, true);
+    while (solution_.status.ok() && solution_.t != end_) segment();
+    solution_.statistics.seconds = watch_.seconds();
+    return solution_;
+  }
+
+ private:
+  static constexpr int places = 8;          // of a step at which surfaces are looked at
+  static constexpr int most_repeated = 32;  // switches at one time
+
+  // Sets values_ and rates_.
+  void look(const Mode& mode, double t, const State<n>& x) { in(mode).surfaces(t, x, values_, rates_); }
+  const System<n>& in(const Mode& mode) {
+    const auto known = systems_.find(mode);
+    return known != systems_.end() ? known->second
+                                   : systems_.emplace(mode, system_.in_mode(mode)).first->second;
+  }
+  // How fast function i changes in the direction of travel, if the motion were on that side of its zero.
+  double rate(std::size_t i, int side, double t, const State<n>& x) {
+    Mode mode = mode_;
+    mode[i] = static_cast<std::int8_t>(side);
+    look(mode, t, x);
+    return direction_ * rates_[i];
+  }
+
+  // [choose]
+  // The mode of a function: its sign away from zero, and at its zero the side to which the motion leads.
+  void choose(std::size_t i, double t, const State<n>& x, bool anywhere) {
+    if (anywhere) {
+      mode_[i] = 1;
+      look(mode_, t, x);
+      if (values_[i] != 0 && !std::isnan(values_[i])) {
+        mode_[i] = values_[i] > 0 ? 1 : -1;
+        return;
+      }
+    }
+    const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
+    if (above > 0 || below < 0) {
+      mode_[i] = above > 0 ? 1 : -1;
+    } else if (above < 0 || below > 0) {
+      stay(i, t);
+    }
+  }
+  // [choose]
+  void stay(std::size_t i, double t) {
+    mode_[i] = 0;
+    if (direction_ < 0)
+      fail(t, "a motion that stays on the surface of switching function {} has no past; integrate forwards",
+           i + 1);
+  }
+  template <class... Args>
+  void fail(double t, fmt::format_string<Args...> sentence, Args&&... args) {
+    solution_.status = failed_with(Outcome::outside_validity, "switching at t = {:.17g}: {}", t,
+                                   fmt::format(sentence, std::forward<Args>(args)...));
+  }
+
+  // Not negative as long as the mode holds for function i.
+  double holds(std::size_t i, double t, const State<n>& x) {
+    if (mode_[i] == 0) return std::min(-rate(i, 1, t, x), rate(i, -1, t, x));
+    look(mode_, t, x);
+    return mode_[i] * values_[i];
+  }
+
+  void segment() {
+    const System<n>& smooth = in(mode_);
+    found_.reset();
+    armed_.assign(mode_.size(), false);
+    told_ = false;
+    const Observer<n> look_out = [this, &smooth](const Step<n>& step) { return seen(smooth, step); };
+    const Limits left{limits_.steps - solution_.statistics.steps - solution_.statistics.rejected,
+                      limits_.seconds - watch_.seconds()};
+    const double begin = solution_.t;
+    Solution<n> part = run_(smooth, solution_.x, begin, end_, look_out, left);
+    solution_.statistics += part.statistics;
+    if (found_ && !told_) {
+      solution_.t = found_->t;
+      solution_.x = found_->x;
+      repeated_ = found_->t == begin ? repeated_ + 1 : 0;
+      if (repeated_ > most_repeated)
+        fail(begin, "switches follow each other without end; smooth the equation there");
+      else
+        change(*found_);
+      return;
+    }
+    solution_.t = part.t;
+    solution_.x = part.x;
+    solution_.status = part.status;
+  }
+  void change(const Switch<n>& at) {
+    const std::int8_t before = mode_[at.surface];
+    if (before == 0) {
+      mode_[at.surface] = rate(at.surface, 1, at.t, at.x) > 0 ? 1 : -1;
+      return;
+    }
+    // The rates alone decide; where they do not, the motion has come from one side and goes on to the other.
+    mode_[at.surface] = static_cast<std::int8_t>(-before);
+    choose(at.surface, at.t, at.x, false);
+  }
+
+  // A step of the method: the first switch in it ends the segment.
+  bool seen(const System<n>& smooth, const Step<n>& step) {
+    double from = step.t0;
+    for (int k = 1; k <= places; ++k) {
+      const double to = k == places ? step.t1 : step.t0 + (step.t1 - step.t0) * k / places;
+      const State<n> x = step.at(to);
+      for (std::size_t i = 0; i < mode_.size(); ++i) {
+        const double value = holds(i, to, x);
+        if (value > 0) armed_[i] = true;
+        if (value < 0 && (!found_ || earlier(first_zero(step, i, from, to), found_->t)))
+          found(smooth, step, i, from, to);
+      }
+      if (found_) return cut(step);
+      from = to;
+    }
+    return !observer_ || observer_(step) || stop();
+  }
+  bool stop() {
+    told_ = true;
+    return false;
+  }
+  [[nodiscard]] bool earlier(double a, double b) const { return direction_ * (a - b) < 0; }
+
+  // The first double at which the mode does not hold, by the dense output. A function that has not been
+  // positive since the segment began is looked at shortly after its begin.
+  double first_zero(const Step<n>& step, std::size_t i, double from, double to) {
+    if (!armed_[i]) {
+      const double after = from + (to - from) * 0x1p-26;
+      if (!(holds(i, after, step.at(after)) > 0)) return step.t0;
+      from = after;
+    }
+    for (;;) {
+      const double middle = from + (to - from) / 2;
+      if (middle == from || middle == to) return to;
+      (holds(i, middle, step.at(middle)) < 0 ? to : from) = middle;
+    }
+  }
+
+  void found(const System<n>& smooth, const Step<n>& step, std::size_t i, double from, double to) {
+    double t = first_zero(step, i, from, to);
+    State<n> x = t == step.t0 ? step.x0 : step.at(t);
+    if (t != step.t0) refine(smooth, step, i, t, x);
+    found_ = Switch<n>{i, t, x};
+  }
+  // By steps of the method from the begin of the step: Newton's iteration for the time, and the state there.
+  void refine(const System<n>& smooth, const Step<n>& step, std::size_t i, double& t, State<n>& x) {
+    constexpr int most = 4;
+    for (int k = 0; k < most; ++k) {
+      const Solution<n> there = run_(smooth, step.x0, step.t0, t, {}, limits_);
+      if (!there.status.ok()) return;
+      solution_.statistics += there.statistics;
+      x = there.x;
+      if (mode_[i] == 0) return;
+      smooth.surfaces(t, x, values_, rates_);
+      const double change = -values_[i] / rates_[i], next = t + change;
+      const bool inside = earlier(step.t0, next) && !earlier(step.t1, next);
+      if (!inside || std::abs(change) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(t)) return;
+      t = next;
+    }
+  }
+  // Shows the part of the step before the switch.
+  bool cut(const Step<n>& step) {
+    if (!observer_ || found_->t == step.t0) return false;
+    Nodes<n> states(step.x0.size(), 1);
+    states.col(0) = found_->x;
+    const double end = found_->t;
+    if (!observer_({step.index, step.t0, end, step.x0, found_->x, {&end, 1}, states, step.dense}))
+      told_ = true;
+    return false;
+  }
+
+  const System<n>& system_;
+  const SmoothRun<n>& run_;
+  const Observer<n>& observer_;
+  const Limits& limits_;
+  int direction_;
+  double end_;
+  Mode mode_;
+  std::map<Mode, System<n>> systems_;
+  std::vector<double> values_, rates_;
+  std::vector<bool> armed_;
+  std::optional<Switch<n>> found_;
+  bool told_ = false;
+  int repeated_ = 0;
+  Solution<n> solution_;
+  Stopwatch watch_;
+};
+
+}  // namespace
+
+template <int n>
+Solution<n> integrate_switching(const System<n>& system, const State<n>& x0, double t0, double t1,
+                                const SmoothRun<n>& run, const Observer<n>& observer, const Limits& limits) {
+  return Walk<n>(system, t0, t1, run, observer, limits).from(t0, x0);
+}
+
+template Solution<1> integrate_switching(const System<1>&, const State<1>&, double, double,
+                                         const SmoothRun<1>&, const Observer<1>&, const Limits&);
+template Solution<2> integrate_switching(const System<2>&, const State<2>&, double, double,
+                                         const SmoothRun<2>&, const Observer<2>&, const Limits&);
+template Solution<3> integrate_switching(const System<3>&, const State<3>&, double, double,
+                                         const SmoothRun<3>&, const Observer<3>&, const Limits&);
+template Solution<4> integrate_switching(const System<4>&, const State<4>&, double, double,
+                                         const SmoothRun<4>&, const Observer<4>&, const Limits&);
+template Solution<6> integrate_switching(const System<6>&, const State<6>&, double, double,
+                                         const SmoothRun<6>&, const Observer<6>&, const Limits&);
+template Solution<Eigen::Dynamic> integrate_switching(const System<Eigen::Dynamic>&,
+                                                      const State<Eigen::Dynamic>&, double, double,
+                                                      const SmoothRun<Eigen::Dynamic>&,
+                                                      const Observer<Eigen::Dynamic>&, const Limits&);
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,37 @@
+/// @file
+/// Systems that are smooth but for switching surfaces: friction, impacts, saturations.
+///
+/// Between two surfaces every method sees smooth equations, whose solution it may carry beyond the surface
+/// while it looks for the time of the switch. That time is found on its dense output and then made exact by
+/// steps of the method itself, so that it is as accurate as they are. Where both sides of a surface lead back
+/// to it, the motion stays there (friction that sticks) until one of them leads away.
+#pragma once
+
+#include <functional>
+
+#include "nlmech/ivp/solution.hpp"
+#include "nlmech/ivp/system.hpp"
+
+namespace nlmech::ivp {
+
+/// integrate() of smooth equations by some method.
+template <int n>
+using SmoothRun = std::function<Solution<n>(const System<n>&, const State<n>& x0, double t0, double t1,
+                                            const Observer<n>&, const Limits&)>;
+
+/// The sizes for which the library compiles integrate_switching().
+template <int n>
+inline constexpr bool can_switch = n == Eigen::Dynamic || (n >= 1 && n <= 4) || n == 6;
+
+/// Integrates a system that switches from (t0, x0) to t1.
+///
+/// The observer sees steps that end at switches. Statuses as of the method; `outside_validity` where a motion
+/// backwards in time would have to stay on a surface, or where switches accumulate.
+/// @param system system.switches() > 0
+/// @param run one integration of smooth equations
+template <int n>
+[[nodiscard]] Solution<n> integrate_switching(const System<n>& system, const State<n>& x0, double t0,
+                                              double t1, const SmoothRun<n>& run, const Observer<n>& observer,
+                                              const Limits& limits);
+
+}  // namespace nlmech::ivp

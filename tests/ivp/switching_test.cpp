@@ -1,0 +1,139 @@
+/// Systems that switch: dry friction, parabolas with corners, switches without end.
+#include "nlmech/ivp/switching.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+
+namespace nlmech::tests::switching_test {
+namespace {
+
+using ivp::Mode;
+using ivp::State;
+constexpr double pi = std::numbers::pi;
+
+/// q'' = -stiffness q - force sign(q) - friction sign(v).
+struct Corners {
+  static constexpr int dimension = 2;
+  double stiffness = 0, force = 0, friction = 0;
+  Mode mode = {1, 1};
+
+  void operator()(const auto& t, const auto& x, auto& dxdt) const {
+    dxdt[0] = x[1];
+    dxdt[1] = slope(t, x);
+  }
+  int switches() const { return 2; }
+  Corners in_mode(const Mode& m) const { return {stiffness, force, friction, m}; }
+  void surfaces(double t, const State<2>& x, std::span<double> values, std::span<double> rates) const {
+    values[0] = x[0];
+    values[1] = x[1];
+    rates[0] = x[1];
+    rates[1] = slope(t, x);
+  }
+
+ private:
+  template <class T, class X>
+  auto slope(const T& /*t*/, const X& x) const {
+    // On v = 0, the mixture of both slopes along which v stays 0.
+    return mode[1] == 0 ? 0 * x[0] : -stiffness * x[0] - force * mode[0] - friction * mode[1];
+  }
+};
+
+/// Methods that choose their steps, of every kind.
+const std::vector<std::string> methods = {"ode45", "series", "hermitian", "adaptive-collocation"};
+
+ivp::Solution<2> run(const Corners& problem, const std::string& method, const State<2>& x0, double t1,
+                     double tolerance, const ivp::Observer<2>& observer = {}) {
+  return ivp::named_integrator<2>(method, {.tolerance = tolerance})(ivp::System(problem), x0, 0, t1, observer,
+                                                                    {});
+}
+
+// Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4, -0.1.
+// The bound: a thousand tolerances, for errors of three half swings and of the times of their turns.
+TEST(Switching, DryFrictionComesToRest) {
+  const Corners friction{.stiffness = 1, .friction = 0.15};
+  for (const std::string& method : methods) {
+    SCOPED_TRACE(method);
+    const auto moving = run(friction, method, {1, 0}, 2 * pi + 1, 1e-10);
+    ASSERT_TRUE(moving.status.ok()) << moving.status.text();
+    EXPECT_NEAR(moving.x[0], 0.15 + 0.25 * std::cos(1), 1e-7);
+    EXPECT_NEAR(moving.x[1], -0.25 * std::sin(1), 1e-7);
+    const auto rest = run(friction, method, {1, 0}, 20, 1e-10);
+    ASSERT_TRUE(rest.status.ok()) << rest.status.text();
+    EXPECT_NEAR(rest.x[0], -0.1, 1e-7);
+    EXPECT_NEAR(rest.x[1], 0, 1e-9);
+  }
+}
+
+// Arcs of parabolas, of period 4 sqrt(2 q0); what is seen on the way are whole steps between the corners.
+TEST(Switching, StepsEndAtCorners) {
+  const double quarter = std::sqrt(2.0);
+  for (const std::string& method : methods) {
+    SCOPED_TRACE(method);
+    std::vector<double> corners;
+    double last = 0;
+    const auto watch = [&](const ivp::Step<2>& step) {
+      EXPECT_EQ(step.t0, last);
+      EXPECT_NEAR(step.at(step.t0)[0], step.x0[0], 1e-9);
+      last = step.t1;
+      if (std::abs(step.x1[0]) < 1e-7) corners.push_back(step.t1);
+      return true;
+    };
+    const auto end = run({.force = 1}, method, {1, 0}, 8 * quarter, 1e-12, watch);
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    EXPECT_EQ(last, 8 * quarter);
+    EXPECT_NEAR(end.x[0], 1, 1e-9);
+    EXPECT_NEAR(end.x[1], 0, 1e-9);
+    ASSERT_EQ(corners.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(corners[k], static_cast<double>(2 * k + 1) * quarter, 1e-9);
+  }
+}
+
+TEST(Switching, RunsBackwardsWhereItHasAPast) {
+  const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
+  ASSERT_TRUE(there.status.ok());
+  const auto back = ivp::named_integrator<2>("series", {.tolerance = 1e-13})(
+      ivp::System(Corners{.force = 1}), there.x, 5, 0, {}, {});
+  ASSERT_TRUE(back.status.ok());
+  EXPECT_NEAR(back.x[0], 1, 1e-11);
+  EXPECT_NEAR(back.x[1], 0.3, 1e-11);
+  // At rest under friction: nothing says for how long it has been.
+  const auto rest = ivp::named_integrator<2>("series", {.tolerance = 1e-9})(
+      ivp::System(Corners{.stiffness = 1, .friction = 0.5}), {0.1, 0}, 5, 0, {}, {});
+  EXPECT_EQ(rest.status.outcome(), Outcome::outside_validity);
+  EXPECT_NE(rest.status.text().find("has no past"), std::string::npos) << rest.status.text();
+}
+
+// Each return to q = 0 is slower by a fixed ratio: infinitely many switches before the time 3.5.
+// Steps become as short as the numbers allow; the motion then rests at the origin or says that it cannot go on.
+TEST(Switching, SwitchesWithoutEndEnd) {
+  for (const std::string& method : methods) {
+    const auto end = run({.force = 1, .friction = 0.5}, method, {1, 0}, 20, 1e-9);
+    if (end.status.ok()) {
+      EXPECT_NEAR(end.x.norm(), 0, 1e-6) << method;
+      EXPECT_EQ(end.t, 20) << method;
+    } else {
+      EXPECT_NE(end.status.outcome(), Outcome::time_limit) << method << ": " << end.status.text();
+      EXPECT_LT(end.t, 12) << method;
+    }
+  }
+}
+
+TEST(Switching, StopsWhenToldTo) {
+  int steps = 0;
+  const auto end = run({.force = 1}, "ode45", {1, 0}, 10, 1e-9, [&steps](const ivp::Step<2>&) {
+    ++steps;
+    return steps < 3;
+  });
+  EXPECT_EQ(steps, 3);
+  EXPECT_EQ(end.status.outcome(), Outcome::interrupted);
+}
+
+}  // namespace
+}  // namespace nlmech::tests::switching_test
