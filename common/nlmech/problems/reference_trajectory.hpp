@@ -149,7 +149,7 @@ namespace detail {
 /// Adds to a sum and keeps what rounding cuts off (Knuth, The Art of Computer Programming, 4.2.2, Theorem B).
 template <class Real, int n>
 void add_compensated(Vector<Real, n>& sum, Vector<Real, n>& carry, const Vector<Real, n>& increment) {
-  for (int i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < sum.size(); ++i) {
     const Real term = carry[i] + increment[i], next = sum[i] + term, taken = next - sum[i];
     carry[i] = (sum[i] - (next - taken)) + (term - taken);
     sum[i] = next;
@@ -172,7 +172,7 @@ template <class Real, class Problem>
 template <class Real, int n>
 [[nodiscard]] bool all_finite(const Vector<Real, n>& x) {
   using std::isfinite;
-  for (int i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (!isfinite(x[i])) return false;
   }
   return true;
@@ -193,8 +193,8 @@ Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimens
   }
   TaylorStep<Real, n> step;
   SeriesMemory<Real> memory;
-  std::vector<double> scale(n, -detail::polynomial);
-  Vector<Real, n> x = x0, carry = Vector<Real, n>::Zero();
+  std::vector<double> scale(static_cast<std::size_t>(x0.size()), -detail::polynomial);
+  Vector<Real, n> x = x0, carry = Vector<Real, n>::Zero(x0.size());
   Real t = t0;
   std::size_t count = 0;
   const auto failure = [&](Outcome outcome) {

@@ -37,20 +37,20 @@ template <class Real, class Problem>
 void taylor_coefficients(const Problem& problem, const Real& t, const Vector<Real, Problem::dimension>& x,
                          int order, std::vector<Vector<Real, Problem::dimension>>& coefficient,
                          SeriesMemory<Real>& memory) {
-  constexpr int n = Problem::dimension;
+  const auto size = static_cast<int>(x.size());
   using Series = GrowingSeries<Real>;
   memory.start(static_cast<std::size_t>(order));
   Series time = Series::variable(memory);
-  Vector<Series, n> state, slope;
-  for (int i = 0; i < n; ++i) state[i] = Series::variable(memory);
+  Vector<Series, Problem::dimension> state(size), slope(size);
+  for (int i = 0; i < size; ++i) state[i] = Series::variable(memory);
   time.set(0, t);
   time.set(1, Real(1));
   coefficient.assign(static_cast<std::size_t>(order) + 1, x);
-  for (int i = 0; i < n; ++i) state[i].set(0, x[i]);
+  for (int i = 0; i < size; ++i) state[i].set(0, x[i]);
   for (std::size_t k = 0; k < static_cast<std::size_t>(order); ++k) {
     memory.begin_pass(k);
     problem(time, state, slope);
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < size; ++i) {
       coefficient[k + 1][i] = slope[i][k] / static_cast<int>(k + 1);
       state[i].set(k + 1, coefficient[k + 1][i]);
     }
@@ -81,15 +81,16 @@ template <class Real, int n>
 [[nodiscard]] double log2_step(const std::vector<Vector<Real, n>>& c, double tolerance,
                                std::vector<double>& log2_scale) {
   const std::size_t order = c.size() - 1;
+  const auto size = static_cast<int>(c[0].size());
   const auto root = [&](int i, double log2_size) {
     const double last = (log2_size - log2_of(c[order][i])) / static_cast<double>(order);
     const double before = (log2_size - log2_of(c[order - 1][i])) / static_cast<double>(order - 1);
     return std::min(last, before);
   };
   double radius = polynomial, step = polynomial;
-  for (int i = 0; i < n; ++i) radius = std::min(radius, root(i, 0));
+  for (int i = 0; i < size; ++i) radius = std::min(radius, root(i, 0));
   if (radius > polynomial / static_cast<double>(2 * order)) return polynomial;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < size; ++i) {
     // A component that starts at 0 gets the size of its terms well within the disc of convergence.
     double& scale = log2_scale[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < order; ++k) {

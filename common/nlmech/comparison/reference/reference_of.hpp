@@ -49,7 +49,7 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
   constexpr int n = Problem::dimension;
   using Exact = Vector<long double, n>;
   const std::vector<double>& times = way.times;
-  states.resize(n, static_cast<Eigen::Index>(times.size()));
+  states.resize(way.x0.size(), static_cast<Eigen::Index>(times.size()));
   std::size_t next = 0;
   for (; next < times.size() && times[next] == way.t0; ++next)
     states.col(static_cast<Eigen::Index>(next)) = way.x0;
@@ -84,10 +84,12 @@ Status taylor_either_way(const Problem& problem, const Way& way, const problems:
 }  // namespace detail
 
 /// Two Taylor series in extended precision, of the orders 22 and 28.
+/// @param size components of the state
 template <class Problem>
-[[nodiscard]] std::vector<Candidate> taylor_candidates(const Problem& problem, const Effort& effort) {
+[[nodiscard]] std::vector<Candidate> taylor_candidates(const Problem& problem, int size,
+                                                       const Effort& effort) {
   // A step takes 15 microseconds for two components, 600 for the 24 of four bodies, which attract each other.
-  const double most_steps = effort.work * 1e5 / Problem::dimension;
+  const double most_steps = effort.work * 1e5 / size;
   std::vector<Candidate> all;
   for (const int order : {22, 28}) {
     problems::ReferenceOptions options;
@@ -110,7 +112,7 @@ template <class Problem>
                                      double t0, const std::vector<double>& times, const Needed& needed,
                                      const Effort& effort) {
   constexpr int m = ivp::compiled_dimension<Problem>;
-  std::vector<Candidate> all = taylor_candidates(problem, effort);
+  std::vector<Candidate> all = taylor_candidates(problem, static_cast<int>(x0.size()), effort);
   for (Candidate& c : method_candidates<m>(ivp::System<m>(problem), needed, effort))
     all.push_back(std::move(c));
   return agree(all, {x0.template cast<long double>(), t0, times}, needed, effort.seconds);
