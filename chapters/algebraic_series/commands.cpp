@@ -6,21 +6,9 @@
 
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/comparison/commands/ivp_commands.hpp"
+#include "nlmech/comparison/commands/library_problems.hpp"
 #include "nlmech/comparison/commands/own_problem_of.hpp"
-#include "nlmech/problems/bodies.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/projectile.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
-
-namespace nlmech::comparison {
-
-// In own_problems.cpp.
-extern template std::unique_ptr<OwnProblem> own_problem<problems::Lorenz>();
-extern template std::unique_ptr<OwnProblem> own_problem<problems::Projectile>();
-extern template std::unique_ptr<OwnProblem> own_problem<problems::FourBodies>();
-
-}  // namespace nlmech::comparison
 
 namespace nlmech::chapters::algebraic_series {
 namespace {
@@ -45,7 +33,7 @@ void declare(scene::Options& options, Words& words) {
 std::string section_rows(const Words& words) {
   comparison::OwnProblemOf<problems::StrongOscillator> problem;
   comparison::apply_settings(problem, words.set);
-  const std::vector<double> x0 = comparison::initial_state(problem, words.initial);
+  const std::vector<double> x0 = problem.initial_state(words.initial);
   const auto all =
       sections(problem.problem(), {x0[0], x0[1]}, problem.initial_time(), words.sections, words.limits);
   std::string text = "section,x,v\n";
@@ -57,12 +45,9 @@ std::string section_rows(const Words& words) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  using comparison::own_problem;
-  const comparison::OwnProblems problems = {
-      &own_problem<problems::Lorenz>, &own_problem<problems::ForcedDuffing>,
-      &own_problem<problems::StrongOscillator>, &own_problem<problems::Projectile>,
-      &own_problem<problems::FourBodies>};
-  comparison::add_integrate_command(all, problems, {"series"});
+  const auto problems =
+      comparison::library_problems({"lorenz", "forced-duffing", "oscillator", "projectile", "bodies"});
+  comparison::add_integrate_command(all, problems, "series");
   comparison::add_compare_command(all, problems);
   all.add("poincare", "States of the oscillator every pi, from t = pi on, as CSV: section,x,v", declare,
           section_rows);

@@ -2,14 +2,14 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "chapters/hermitian/peaks.hpp"
 #include "nlmech/comparison/commands/ivp_commands.hpp"
+#include "nlmech/comparison/commands/library_problems.hpp"
 #include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
-#include "nlmech/problems/two_dof.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::chapters::hermitian {
@@ -17,10 +17,12 @@ namespace {
 
 // The paper's own parameters and starts.
 struct Duffing : problems::DrivenDuffing {
+  static constexpr std::string_view name = "laier-duffing";
   Duffing() : DrivenDuffing(laier_duffing()) {}
   [[nodiscard]] static Vector<double, 2> initial_state() { return {0, 0}; }
 };
 struct VanDerPol : problems::VanDerPol {
+  static constexpr std::string_view name = "laier-van-der-pol";
   VanDerPol() : problems::VanDerPol(laier_van_der_pol()) {}
   [[nodiscard]] static Vector<double, 2> initial_state() { return {0.01, 0}; }
 };
@@ -53,12 +55,10 @@ std::string peak(const Words& words) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  using comparison::own_problem;
-  const comparison::OwnProblems problems = {&own_problem<Duffing>, &own_problem<VanDerPol>,
-                                            &own_problem<problems::LinearOscillator>,
-                                            &own_problem<problems::TwoDof>};
-  // The rows of the paper's Table 1.
-  comparison::add_integrate_command(all, problems, {"laier", "argyris", "newmark", "hoff", "bazzi"});
+  comparison::OwnProblems problems =
+      comparison::library_problems({"driven-duffing", "van-der-pol", "linear", "two-dof"});
+  problems.insert(problems.begin(), {&comparison::own_problem<Duffing>, &comparison::own_problem<VanDerPol>});
+  comparison::add_integrate_command(all, problems, "laier");
   comparison::add_compare_command(all, problems);
   all.add("peak", "The first peak of the paper's oscillators, as CSV: t,peak", declare, peak);
 }

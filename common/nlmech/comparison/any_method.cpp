@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "nlmech/ivp/switching.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -44,7 +45,13 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
     throw std::invalid_argument(peers::absent_peer_sentence(method.name));
   ivp::check_settings(method.info, settings);
   const double tolerance = settings.tolerance.value_or(ivp::default_tolerance);
-  return peers::peer_integrator<n>(method.name, tolerance, settings.absolute_tolerance.value_or(tolerance));
+  const ivp::NamedIntegrator<n> smooth =
+      peers::peer_integrator<n>(method.name, tolerance, settings.absolute_tolerance.value_or(tolerance));
+  return [smooth](const ivp::System<n>& system, const ivp::State<n>& x0, double t0, double t1,
+                  const ivp::Observer<n>& observer, const ivp::Limits& limits) {
+    return system.switches() == 0 ? smooth(system, x0, t0, t1, observer, limits)
+                                  : ivp::integrate_switching<n>(system, x0, t0, t1, smooth, observer, limits);
+  };
 }
 
 template ivp::NamedIntegrator<1> any_integrator<1>(const AnyMethod&, const ivp::Settings&);

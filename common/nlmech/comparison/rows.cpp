@@ -10,18 +10,28 @@
 namespace nlmech::comparison {
 
 Rows::Rows(const Request& request, const std::vector<std::string>& names)
-    : request_(request), text_(fmt::format("t,{}\n", fmt::join(names, ","))) {
+    : request_(request),
+      text_(fmt::format("t,{}{}\n", fmt::join(names, ","), request.events.empty() ? "" : ",event")) {
   if (request.every) {
     const double rows = std::abs(request.t1 - request.t0) / *request.every;
     stride_ = 1 + static_cast<std::int64_t>(rows / most_verified);
   }
 }
 
-void Rows::add(double t, const double* x, std::size_t size) {
+void Rows::print(double t, const double* x, std::size_t size, const std::string& event) {
   auto out = std::back_inserter(text_);
   fmt::format_to(out, "{:.17g}", t);
   for (std::size_t i = 0; i < size; ++i) fmt::format_to(out, ",{:.17g}", x[i]);
+  if (!request_.events.empty()) fmt::format_to(out, ",{}", event);
   text_ += '\n';
+}
+
+void Rows::add(double t, const double* x, std::size_t size) {
+  if (!request_.section) print(t, x, size, "");
+  keep(t, x, size);
+}
+
+void Rows::keep(double t, const double* x, std::size_t size) {
   const Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(size));
   if (added_ > 1 && (added_ - 1) % stride_ != 0) kept_.pop_back();
   kept_.push_back({t, state});

@@ -24,18 +24,24 @@ class Rows {
   void add(double t, const State& x) {
     add(t, x.data(), static_cast<std::size_t>(x.size()));
   }
+  /// A row of an event. @param what its text
+  template <class State>
+  void add_event(double t, const State& x, const std::string& what) {
+    print(t, x.data(), static_cast<std::size_t>(x.size()), what);
+  }
 
-  /// The asked times within a step, by its dense output.
+  /// The last state of a run that has its row already.
+  template <class State>
+  void keep(double t, const State& x) {
+    keep(t, x.data(), static_cast<std::size_t>(x.size()));
+  }
+
+  /// The asked times within a step and before @p end, by its dense output.
   template <int n>
-  void add_within(const ivp::Step<n>& step) {
-    ivp::State<n> x;
-    for (double t = next(); is_inner(t) && !is_after(t, step.t1); t = next()) {
-      if (t == step.t1) {
-        x = step.x1;
-      } else {
-        step.dense.at(t, x);
-      }
-      add(t, x);
+  void add_before(double end, const ivp::Step<n>& step) {
+    if (!request_.every) return;
+    for (double t = next(); is_inner(t) && !is_after(t, end); t = next()) {
+      add(t, step.at(t));
       ++count_;
     }
   }
@@ -51,6 +57,8 @@ class Rows {
     Eigen::VectorXd x;
   };
   void add(double t, const double* x, std::size_t size);
+  void keep(double t, const double* x, std::size_t size);
+  void print(double t, const double* x, std::size_t size, const std::string& event);
   [[nodiscard]] double next() const {
     return request_.t0 +
            std::copysign(static_cast<double>(count_) * *request_.every, request_.t1 - request_.t0);

@@ -79,10 +79,10 @@ TEST(Integrate, EveryProblemByEveryOperator) {
     std::vector<std::string> header;
   };
   const std::vector<Asked> all = {
-      {"driven-duffing --until 10", {"t", "x1", "v1"}},
-      {"driven-duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x1", "v1"}},
-      {"van-der-pol --until 5", {"t", "x1", "v1"}},
-      {"van-der-pol --set mu=3 --initial 2,0 --until 2", {"t", "x1", "v1"}},
+      {"laier-duffing --until 10", {"t", "x1", "v1"}},
+      {"laier-duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x1", "v1"}},
+      {"laier-van-der-pol --until 5", {"t", "x1", "v1"}},
+      {"laier-van-der-pol --set mu=3 --initial 2,0 --until 2", {"t", "x1", "v1"}},
       {"two-dof --until 10", {"t", "x1", "x2", "v1", "v2"}}};
   for (const Asked& a : all) {
     const Finished best = hermitian("integrate --problem " + a.words + " --tolerance 1e-10");
@@ -103,7 +103,7 @@ TEST(Integrate, EveryProblemByEveryOperator) {
 
 TEST(Compare, BesideAPeer) {
   const Finished f =
-      hermitian("compare --problem driven-duffing --until 10 --methods laier,ode45,newmark --tolerance 1e-8");
+      hermitian("compare --problem laier-duffing --until 10 --methods laier,ode45,newmark --tolerance 1e-8");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   const auto records = scene::parse_csv(f.output, "output");
   ASSERT_EQ(records.size(), 4U);
@@ -122,14 +122,13 @@ TEST(OwnWork, BadInputIsNamed) {
       {"peak --problem driven-duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
       {"peak --problem lorenz --method laier --step 0.1", {"--problem", "lorenz", "van-der-pol"}},
       {"peak --problem driven-duffing --step 0.1", {"--method"}},
-      {"integrate --problem driven-duffing --until 1 --step 0.1 --method rk4", {"--method", "rk4", "laier"}},
-      {"integrate --problem driven-duffing --until 1 --step -0.1", {"--step", "-0.1"}},
-      {"integrate --problem driven-duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},
-      {"integrate --problem driven-duffing --until 1 --step 0.1 --set mass=2",
-       {"--set", "mass=2", "damping"}},
+      {"integrate --problem laier-duffing --until 1 --step 0.1 --method rk5", {"--method", "rk5", "laier"}},
+      {"integrate --problem laier-duffing --until 1 --step -0.1", {"--step", "-0.1"}},
+      {"integrate --problem laier-duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},
+      {"integrate --problem laier-duffing --until 1 --step 0.1 --set mass=2", {"--set", "mass=2", "damping"}},
       {"integrate --problem two-dof --until 1 --step 0.1 --initial 1,2", {"--initial", "1,2"}},
       {"integrate --problem dufing --until 1", {"--problem", "dufing", "two-dof"}},
-      {"integrate --problem driven-duffing --until x", {"--until", "x"}}};
+      {"integrate --problem laier-duffing --until x", {"--until", "x"}}};
   for (const Bad& bad : cases) {
     const Finished f = hermitian(bad.words);
     EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;
@@ -141,8 +140,8 @@ TEST(OwnWork, BadInputIsNamed) {
 
 // A step that the leap of a stiff oscillator does not allow ends with the reason, where, and what to change.
 TEST(Integrate, WrongBranchIsSaid) {
-  const Finished f =
-      hermitian("integrate --problem van-der-pol --set mu=1000 --initial 2,0 --until 2000 --step 0.125");
+  const Finished f = hermitian(
+      "integrate --problem laier-van-der-pol --set mu=1000 --initial 2,0 --until 2000 --step 0.125");
   EXPECT_EQ(f.exit_code, 1) << f.errors;
   EXPECT_EQ(f.output, "");
   for (const std::string word : {"wrong_branch", "laier", "t = 807", "smaller step"})

@@ -224,7 +224,6 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --method rk4 --limit 0" + good, {"--limit 0", "positive"}},
       {"integrate --problem duffing --method rk4", {"--until"}},
       {"integrate --until 1 --method rk4", {"--problem"}},
-      {"integrate" + good, {"--method"}},
       {"compare" + good, {"--methods"}},
       {"integrate --method rk4 --frobnicate 1" + good, {"--frobnicate"}},
   };

@@ -1,6 +1,6 @@
 /// @file
-/// The commands by which every chapter on initial value problems takes a user's numbers: `integrate` and
-/// `compare`.
+/// The commands by which every chapter on initial value problems takes a user's equations and numbers:
+/// `integrate` and `compare`.
 #pragma once
 
 #include <string>
@@ -12,11 +12,10 @@
 namespace nlmech::comparison {
 
 /// `integrate`: a problem from begin to end as rows of CSV.
-/// @param problems that it offers
-/// @param methods that runs may take, the first of them where `--method` is not given; a single one needs no
-/// such option. None: any method of ours and any peer, and the option is required
+/// @param problems that it offers by name, beside equations that are typed
+/// @param method that is taken where `--method` is not given; empty: as the problem asks for
 void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
-                           const std::vector<std::string>& methods = {});
+                           const std::string& method = "");
 
 /// `compare`: methods side by side.
 void add_compare_command(scene::Commands& commands, const OwnProblems& problems);

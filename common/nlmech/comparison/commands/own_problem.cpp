@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "nlmech/expression/program.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
@@ -36,7 +37,8 @@ std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::s
   throw input_error("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", "));
 }
 
-void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments) {
+std::map<std::string, double> settings_of(const std::vector<std::string>& assignments) {
+  std::map<std::string, double> values;
   std::map<std::string, std::string> seen;
   for (const std::string& assignment : assignments) {
     const auto refuse = [&](std::string_view why) {
@@ -50,21 +52,72 @@ void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignm
       throw refuse(fmt::format("{} is set twice, by {} too", echoed(name), echoed(before->second)));
     double value = 0;
     if (!scene::parse_number(assignment.substr(sign + 1), value)) throw refuse("the value is not a number");
+    values[name] = value;
+  }
+  return values;
+}
+
+void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments) {
+  for (const auto& [name, value] : settings_of(assignments)) {
     try {
       problem.set_parameter(name, value);
     } catch (const std::invalid_argument& error) {
-      throw refuse(error.what());
+      throw input_error("--set {}={:.6g}: {}", echoed(name), value, error.what());
     }
   }
 }
 
-std::vector<double> initial_state(const OwnProblem& problem, const std::string& text) {
-  if (text.empty()) return problem.initial_state();
+namespace {
+
+// "x1=1, v1=0"
+std::vector<double> by_name(const OwnProblem& problem, const std::string& text) {
   const std::vector<std::string> names = problem.state_names();
+  std::vector<double> x = problem.initial_state();
+  std::vector<bool> given(x.size());
+  for (const std::string& piece : scene::split(text, ',')) {
+    const auto sign = piece.find('=');
+    std::string name = piece.substr(0, sign);
+    name.erase(0, name.find_first_not_of(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
+    const auto place = std::find(names.begin(), names.end(), name);
+    if (sign == std::string::npos || place == names.end())
+      throw input_error("--initial {}: {} is no name=value of the components {}", echoed(text), echoed(piece),
+                        fmt::join(names, ","));
+    const auto i = static_cast<std::size_t>(place - names.begin());
+    if (given[i]) throw input_error("--initial {}: {} is given twice", echoed(text), name);
+    given[i] = true;
+    x[i] = scene::typed_number("--initial " + name, piece.substr(sign + 1));
+  }
+  return x;
+}
+
+}  // namespace
+
+StateFunction state_function(expression::Equations equations, const std::string& option,
+                             const std::string& text) {
+  const expression::NodeId node = equations.expression(option, text);
+  return [program = expression::Program(equations.graph(), {node})](double t, const double* x) {
+    double value = 0;
+    program.run(t, x, 0, 1, [&value](int, double v) { value = v; });
+    return value;
+  };
+}
+
+StateFunction OwnProblem::expression(const std::string& option, const std::string& text) const {
+  // Equations whose unknowns have these names.
+  std::string names;
+  for (const std::string& name : state_names()) names += name + "' = 0;";
+  return state_function(expression::Equations(expression::SourceText(option, names)), option, text);
+}
+
+std::vector<double> OwnProblem::initial_state(const std::string& text) const {
+  if (text.empty()) return initial_state();
+  if (text.find('=') != std::string::npos) return by_name(*this, text);
+  const std::vector<std::string> names = state_names();
   std::vector<double> x = scene::typed_numbers("--initial", text);
   if (x.size() != names.size())
     throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(text), x.size(),
-                      names.size(), fmt::join(names, ","), problem.name(), problem.equation());
+                      names.size(), fmt::join(names, ","), name(), equation());
   return x;
 }
 

@@ -2,6 +2,8 @@
 /// A problem that a user names on the command line, with parameters and initial state of his own.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +13,8 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/expression/equations.hpp"
+#include "nlmech/ivp/events.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/support/errors.hpp"
@@ -27,15 +31,32 @@ auto about(const char* option, Work work) {
   }
 }
 
+/// A function of time and state.
+using StateFunction = std::function<double(double t, const double* x)>;
+
+/// What a run is to look out for.
+struct WantedEvent {
+  std::string text;                                ///< as typed
+  StateFunction value;                             ///< whose zero it is
+  ivp::Crossing crossing = ivp::Crossing::either;  ///< which passages count
+  bool ends = false;                               ///< is the run over at the first of them?
+};
+
+/// An expression of equations as a function. @throws InputError that points at the mistake
+[[nodiscard]] StateFunction state_function(expression::Equations equations, const std::string& option,
+                                           const std::string& text);
+
 /// What a user asks of a problem.
 struct Request {
-  std::vector<double> x0;       ///< initial state
-  double t0 = 0;                ///< begin
-  double t1 = 0;                ///< end
-  ivp::Settings settings;       ///< of the method
-  std::optional<double> every;  ///< distance of the rows in time; nothing: first and last alone
-  ivp::Limits limits;           ///< when to give up, all in all
-  bool verify = false;          ///< hold the run to a reference: for runs by a tolerance
+  std::vector<double> x0;                ///< initial state
+  double t0 = 0;                         ///< begin
+  double t1 = 0;                         ///< end
+  ivp::Settings settings;                ///< of the method
+  std::optional<double> every;           ///< distance of the rows in time; nothing: first and last alone
+  ivp::Limits limits;                    ///< when to give up, all in all
+  std::vector<WantedEvent> events = {};  ///< a row each time one takes place
+  bool section = false;                  ///< rows of events alone
+  bool verify = false;                   ///< hold the run to a reference: for runs by a tolerance
 };
 
 /// A run as it is printed.
@@ -71,11 +92,20 @@ class OwnProblem {
   [[nodiscard]] virtual std::vector<std::string> state_names() const = 0;
   /// The publication's.
   [[nodiscard]] virtual std::vector<double> initial_state() const = 0;
+  /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=0" for some of them; the
+  /// publication's for what is not given.
+  /// @throws InputError naming `--initial`, and how many numbers of which name there must be
+  [[nodiscard]] virtual std::vector<double> initial_state(const std::string& text) const;
   /// Where the publication begins.
   [[nodiscard]] virtual double initial_time() const = 0;
   /// The equation in text, and which letter is which parameter.
   [[nodiscard]] virtual std::string_view equation() const = 0;
-  /// Rows `t,...` as CSV: the first, those at Request::every, and the last at t1 exactly.
+  /// An expression of time and components, "x = 0" being x - 0. @throws InputError that points at the mistake
+  [[nodiscard]] virtual StateFunction expression(const std::string& option, const std::string& text) const;
+  /// The method that is taken where none is named.
+  [[nodiscard]] virtual std::string usual_method(const Request& request) const = 0;
+  /// Rows `t,...` as CSV: the first, those at Request::every and at events, and the last at t1 exactly, or at
+  /// the event that ends the run. With events a last column, `event`, has the text of each.
   /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot
   /// be meant
   [[nodiscard]] virtual Trajectory trajectory(const Request& request, const AnyMethod& method) const = 0;
@@ -102,9 +132,9 @@ using OwnProblems = std::vector<std::unique_ptr<OwnProblem> (*)()>;
 /// parameter that is set twice, both texts
 void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignments);
 
-/// The initial state: the publication's for an empty text, else numbers with commas between.
-/// @throws InputError naming `--initial`, and how many numbers of which name there must be
-[[nodiscard]] std::vector<double> initial_state(const OwnProblem& problem, const std::string& text);
+/// Texts "name=value" as values by name. @throws InputError naming `--set` and the text; for a name that is
+/// set twice, both texts
+[[nodiscard]] std::map<std::string, double> settings_of(const std::vector<std::string>& assignments);
 
 /// For the help: each problem with its equation, its parameters and their values.
 [[nodiscard]] std::string describe_problems(const OwnProblems& all);

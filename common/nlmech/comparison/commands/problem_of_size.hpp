@@ -1,0 +1,32 @@
+/// @file
+/// What methods make of a problem of one size: everything but the equations themselves, compiled once a size.
+#pragma once
+
+#include <vector>
+
+#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/reference/reference.hpp"
+#include "nlmech/ivp/system.hpp"
+
+namespace nlmech::comparison {
+
+/// A problem as a System of the size @p m, one of those for which methods are compiled.
+template <int m>
+class ProblemOfSize : public OwnProblem {
+ public:
+  /// The equations, with the parameters as set.
+  [[nodiscard]] virtual ivp::System<m> system() const = 0;
+  /// Computations in extended precision, for references; may be none.
+  [[nodiscard]] virtual std::vector<Candidate> extended(const Effort& effort) const = 0;
+
+  [[nodiscard]] std::string usual_method(const Request& request) const override;
+  [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;
+  [[nodiscard]] std::string comparison(const Request& request, const std::vector<Choice>& methods,
+                                       std::string_view program) const override;
+
+ private:
+  [[nodiscard]] Reference reference(const ivp::State<m>& x0, double t0, const std::vector<double>& times,
+                                    const Needed& needed, const Effort& effort) const;
+};
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,68 @@
+#include "nlmech/comparison/commands/typed_problem.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/commands/problem_of_size.hpp"
+#include "nlmech/comparison/reference/reference_of.hpp"
+#include "nlmech/expression/problem.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+template <int m>
+class TypedProblem final : public ProblemOfSize<m> {
+ public:
+  TypedProblem(expression::Equations equations, expression::Settings settings)
+      : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_) {}
+
+  [[nodiscard]] std::string_view name() const override { return "the equation"; }
+  [[nodiscard]] std::vector<std::pair<std::string, double>> parameters() const override {
+    return equations_.parameters();
+  }
+  void set_parameter(std::string_view parameter, double value) override {
+    settings_[std::string(parameter)] = value;
+    equations_ = expression::Equations(equations_.source(), settings_);
+    problem_ = expression::Problem<m>(equations_);
+  }
+  [[nodiscard]] std::vector<std::string> state_names() const override { return equations_.state_names(); }
+  [[nodiscard]] std::vector<double> initial_state() const override { return initial_state(""); }
+  [[nodiscard]] std::vector<double> initial_state(const std::string& text) const override {
+    if (!text.empty() && text.find('=') == std::string::npos) return OwnProblem::initial_state(text);
+    return expression::Equations(equations_).initial_state("--initial", text);
+  }
+  [[nodiscard]] double initial_time() const override { return equations_.initial_time().value_or(0); }
+  [[nodiscard]] std::string_view equation() const override { return equations_.source().text(); }
+  [[nodiscard]] StateFunction expression(const std::string& option, const std::string& text) const override {
+    return state_function(equations_, option, text);
+  }
+  [[nodiscard]] ivp::System<m> system() const override { return ivp::System<m>(problem_); }
+  // A Taylor series in extended precision does not see where an equation switches.
+  [[nodiscard]] std::vector<Candidate> extended(const Effort& effort) const override {
+    if (problem_.switches() > 0) return {};
+    return taylor_candidates(problem_, problem_.size(), effort);
+  }
+
+ private:
+  expression::Equations equations_;
+  expression::Settings settings_;
+  expression::Problem<m> problem_;
+};
+
+}  // namespace
+
+std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
+                                          const expression::Settings& settings) {
+  expression::Equations equations(source, settings);
+  switch (equations.size()) {
+    case 1: return std::make_unique<TypedProblem<1>>(std::move(equations), settings);
+    case 2: return std::make_unique<TypedProblem<2>>(std::move(equations), settings);
+    case 3: return std::make_unique<TypedProblem<3>>(std::move(equations), settings);
+    case 4: return std::make_unique<TypedProblem<4>>(std::move(equations), settings);
+    case 6: return std::make_unique<TypedProblem<6>>(std::move(equations), settings);
+    default: return std::make_unique<TypedProblem<Eigen::Dynamic>>(std::move(equations), settings);
+  }
+}
+
+}  // namespace nlmech::comparison
