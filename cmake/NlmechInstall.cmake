@@ -48,6 +48,7 @@ if(NLMECH_CHAPTERS_SELECTED)
   install(FILES ${PROJECT_SOURCE_DIR}/figures/style.gp DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/figures/templates DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/published DESTINATION ${data_dir}/tables)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/chapters/integrators/examples DESTINATION ${data_dir}/chapters/integrators)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/errata DESTINATION ${data_dir}/tables)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/places.csv ${PROJECT_SOURCE_DIR}/tables/claims.csv
                 ${PROJECT_SOURCE_DIR}/tables/ratios.json DESTINATION ${data_dir}/tables)

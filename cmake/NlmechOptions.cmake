@@ -1,7 +1,7 @@
 # What is built, and how.
 
 # The chapters in the order of the book. A chapter is built once its folder exists.
-set(NLMECH_ALL_CHAPTERS homotopy geodesy gss_control two_body_series rbf_ivp rbf_inverse algebraic_series hermitian transversal)
+set(NLMECH_ALL_CHAPTERS homotopy geodesy gss_control two_body_series rbf_ivp rbf_inverse algebraic_series hermitian transversal integrators)
 # Established libraries that chapters compare with, behind our interfaces.
 set(NLMECH_ALL_PEERS geographiclib cvode arkode kinsol gsl odeint ipopt)
 
