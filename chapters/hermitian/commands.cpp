@@ -35,7 +35,7 @@ struct Words {
 
 void declare(scene::Options& options, Words& words) {
   options.add("--problem", words.problem, "from rest, or from 0.01")
-      .one_of({"driven-duffing", "van-der-pol"})
+      .one_of({"laier-duffing", "laier-van-der-pol"})
       .required();
   options.add("--method", words.method, "operators of")
       .one_of({"laier", "argyris", "newmark", "hoff", "bazzi"})
@@ -44,7 +44,7 @@ void declare(scene::Options& options, Words& words) {
 }
 
 std::string peak(const Words& words) {
-  const Case what = words.problem == "driven-duffing" ? duffing_case() : van_der_pol_case();
+  const Case what = words.problem == "laier-duffing" ? duffing_case() : van_der_pol_case();
   // The peaks lie at 2.45 and 4.60; a step beyond that sees none.
   const Peak found =
       first_peak(what, {.operators = ivp::hermitian_pair(words.method), .step = words.step}, 40);

@@ -57,8 +57,8 @@ Course course(const expression::Equations& equations, const std::vector<double>&
     }
     return x;
   };
-  const State<any> one = go(method, true), two = go(other, false);
-  made.difference = ((one - two).array().abs() / size.array()).maxCoeff();
+  const State<any> one = go(method, true);
+  if (!other.empty()) made.difference = ((one - go(other, false)).array().abs() / size.array()).maxCoeff();
   return made;
 }
 

@@ -15,7 +15,8 @@ struct Course {
   std::vector<std::string> names;            ///< of the components
   std::vector<double> t;                     ///< times
   std::vector<std::vector<double>> columns;  ///< a component each
-  double difference = 0;  ///< of the end states of two methods, relative to the greatest values
+  double difference =
+      0;  ///< of the end states of two methods, relative to the greatest values; 0 of one alone
 
   /// The column of a component.
   [[nodiscard]] const std::vector<double>& operator[](const std::string& name) const;
@@ -25,7 +26,7 @@ struct Course {
 [[nodiscard]] expression::Equations example(const std::string& name);
 
 /// From the file's initial values to each of @p times, which rise. @p method and @p other begin anew at each
-/// time that is asked for with a tolerance of 1e-13.
+/// time that is asked for with a tolerance of 1e-13. Where nothing determines the end @p other is empty.
 /// @throws Failure if one of them fails
 [[nodiscard]] Course course(const expression::Equations& equations, const std::vector<double>& times,
                             const std::string& method, const std::string& other);

@@ -1,5 +1,5 @@
 /// Every command that README, CONTRIBUTING and the chapters' pages print is run as a reader would type it, in
-/// an empty folder, or is one of a stated few that something else runs.
+/// a folder with the build and the chapters, or is one of a stated few that something else runs.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -28,9 +28,14 @@ std::vector<Command> commands_of(const fs::path& page) {
   for (const Block& block : blocks_of(page)) {
     if (block.language != "sh") continue;
     int number = block.line;
+    bool goes_on = false;  // the line before ended with a backslash
     for (const std::string& line : block.lines) {
       ++number;
-      if (!line.empty() && !line.starts_with("#")) commands.push_back({line, number});
+      if (goes_on)
+        commands.back().line += "\n" + line;
+      else if (!line.empty() && !line.starts_with("#"))
+        commands.push_back({line, number});
+      goes_on = line.ends_with("\\");
     }
   }
   return commands;
@@ -65,6 +70,7 @@ TEST_P(PrintedCommands, EndWithZero) {
   const fs::path folder = fs::temp_directory_path() / ("nlmech-" + name + std::to_string(::getpid()));
   fs::create_directories(folder);
   fs::create_directory_symlink(NLMECH_BINARY_DIR, folder / "build");
+  fs::create_directory_symlink(source / "chapters", folder / "chapters");
   int run = 0;
   for (const Command& command : commands_of(page)) {
     const std::string program = program_of(command.line);

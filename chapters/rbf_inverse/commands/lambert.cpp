@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@
 #include "chapters/rbf_inverse/commands/porkchop_file.hpp"
 #include "chapters/rbf_inverse/lambert/porkchop_map.hpp"
 #include "nlmech/orbit/transfer/transfer.hpp"
-#include "nlmech/scene/gnuplot.hpp"
+#include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -159,22 +158,6 @@ std::pair<int, int> halves(const char* option, const std::string& text, char mar
   return {whole(text.substr(0, place)), whole(text.substr(place + 1))};
 }
 
-/// A folder for the data of a drawing, gone with it.
-class Scratch {
- public:
-  Scratch() : path_(std::filesystem::temp_directory_path() / fmt::format("nlmech-porkchop-{}", ::getpid())) {}
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
 std::pair<double, std::string> short_unit(double largest, const std::string& label) {
   if (!(largest >= 1e4 || (largest > 0 && largest < 1e-2))) return {1, label};
@@ -196,16 +179,14 @@ PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
   return axes;
 }
 
-/// What pictures of this command end with. A file without it is never overwritten.
-constexpr std::string_view drawn_here = "<!-- drawn by rbf_inverse porkchop --plot -->\n";
-
 /// Where the picture goes: <name of the TOML file>.svg in the current folder.
 std::filesystem::path picture_of(const Grid& g) {
   return (g.file == "-" ? "porkchop" : std::filesystem::path(g.file).stem().string()) + ".svg";
 }
 
-/// Everything about a picture that can be refused before there are numbers.
-void check_plot(const Grid& g, const orbit::PorkchopProblem& p) {
+/// The picture, if one is asked for; refuses what cannot be drawn before there are numbers.
+scene::Picture wanted_picture(const Grid& g, const orbit::PorkchopProblem& p) {
+  if (!g.plot) return scene::Picture("");
   if (!g.shard.empty())
     throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", g.shard));
   if (p.departures.count < 4 || p.arrivals.count < 4)
@@ -214,31 +195,7 @@ void check_plot(const Grid& g, const orbit::PorkchopProblem& p) {
     if (!(window.first < window.last))
       throw InputError(fmt::format("{}: --plot needs a window of {} that has a width", g.file, name));
   }
-  const std::filesystem::path picture = picture_of(g);
-  std::error_code none;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(picture, none))) return;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(picture, none)) ||
-      !scene::read_whole(picture).ends_with(drawn_here))
-    throw InputError(
-        fmt::format("--plot: {} is there and is no picture of this command, which overwrites nothing else; "
-                    "move it, or run in "
-                    "another folder",
-                    picture.string()));
-}
-
-/// Draws the picture. The numbers have been printed: a failure leaves them where they are.
-void plot(const Grid& g, const orbit::Porkchop& grid) {
-  try {
-    const scene::Figure figure = porkchop_map(grid, plain_axes(grid));
-    const Scratch folder;
-    scene::write_whole(folder.path() / "data.csv", figure.data.csv());
-    scene::write_whole(folder.path() / "map.gp", scene::gnuplot_script(figure, "data.csv"));
-    scene::put_style(folder.path());
-    scene::write_whole(picture_of(g), scene::draw(folder.path(), "map.gp").append(drawn_here));
-  } catch (const Failure& failure) {
-    throw Failure(fmt::format("porkchop: all numbers are written, but {} is not drawn: {}",
-                              picture_of(g).string(), failure.what()));
-  }
+  return scene::Picture(picture_of(g));
 }
 
 void porkchop(const Grid& g) {
@@ -250,7 +207,7 @@ void porkchop(const Grid& g) {
     if (work.shard > work.shards)
       throw InputError(fmt::format("--shard {}: there are {} shards", g.shard, work.shards));
   }
-  if (g.plot) check_plot(g, p);
+  const scene::Picture picture = wanted_picture(g, p);
   orbit::Porkchop grid;
   try {
     grid = orbit::porkchop(p, work);
@@ -259,7 +216,7 @@ void porkchop(const Grid& g) {
   }
   if (!grid.status.ok()) throw Failure(grid.status);
   scene::print_result(g.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
-  if (g.plot) plot(g, grid);
+  if (picture.wanted()) picture.draw([&] { return porkchop_map(grid, plain_axes(grid)); });
 }
 
 /// `merge`

@@ -4,24 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "nlmech/comparison/judgement.hpp"
 #include "nlmech/comparison/reference/reference_end.hpp"
+#include "nlmech/comparison/rows.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
-namespace {
-
-/// A cell in quotes.
-std::string quoted(std::string_view sentence) {
-  std::string cell = "\"";
-  for (const char c : sentence) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + '"';
-}
-
-}  // namespace
-
 ComparisonTable::ComparisonTable(std::string_view program, const Reference& truth, const Eigen::VectorXd& x0)
     : program_(program), truth_(truth), size_(x0.cwiseAbs()) {
   if (truth.status.ok()) {
@@ -56,34 +48,40 @@ std::string ComparisonTable::note(const Choice& choice, const Eigen::VectorXd& x
     most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
-  return quoted(fmt::format("off by {:.3g} tolerances, since one {}", most, held(what)));
+  return quoted_cell(fmt::format("off by {:.3g} tolerances, since one {}", most, held(what)));
 }
 
 void ComparisonTable::add(const Choice& choice, const Status& status, const Statistics& statistics,
-                          const Eigen::VectorXd& x, double seconds) {
+                          const Eigen::VectorXd& x, const Timing& time) {
   some_ = true;
   std::string digits, note;
+  std::optional<double> error;
   if (!status.ok()) {
     say(choice, status.text());
-    note = quoted(status.sentence());
+    note = quoted_cell(status.sentence());
   } else if (truth_.status.ok()) {
-    digits = fmt::format("{:.3f}", digits_of(std::max(error_of(x), truth_.uncertainty())));
+    error = std::max(error_of(x), truth_.uncertainty());
+    digits = fmt::format("{:.3f}", digits_of(*error));
     note = this->note(choice, x);
   }
   text_ += fmt::format("{},{},{},{},{:.4g},{},{},{}\n", choice.method.name, choice.setting(),
-                       to_string(status.outcome()), digits, seconds, statistics.right_hand_sides,
+                       to_string(status.outcome()), digits, time.median, statistics.right_hand_sides,
                        to_string(controlled(choice.method, choice.settings)), note);
+  if (curves_.empty() || curves_.back().name != choice.method.name)
+    curves_.push_back({choice.method.name, kind_of(choice.method), {}});
+  curves_.back().costs.push_back(
+      {choice.setting(), std::string(to_string(status.outcome())), error, statistics, time});
 }
 
 void ComparisonTable::add_unsuitable(const Choice& choice, const std::string& why) {
   unsuitable_ += (unsuitable_.empty() ? "" : "; ") + why;
   say(choice, why);
-  text_ += fmt::format("{},{},unsuitable,,,,,{}\n", choice.method.name, choice.setting(), quoted(why));
+  text_ += fmt::format("{},{},unsuitable,,,,,{}\n", choice.method.name, choice.setting(), quoted_cell(why));
 }
 
-const std::string& ComparisonTable::text() const {
+Comparison ComparisonTable::take() {
   if (!some_) throw InputError("--methods: none of them is for this: " + unsuitable_);
-  return text_;
+  return {std::move(text_), std::move(curves_)};
 }
 
 }  // namespace nlmech::comparison

@@ -11,10 +11,11 @@
 #include "nlmech/comparison/reference/reference.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 
-/// Rows `method,setting,status,digits,seconds,rhs_evaluations,controlled,note`.
+/// Rows `method,setting,status,digits,seconds,right_hand_sides,controlled,note`.
 ///
 /// The digits are those of the end state, but no more than the reference knows. `controlled` says what the
 /// tolerance or step was held to; `note` is the sentence of a failure, or says of a run by a tolerance that
@@ -28,12 +29,12 @@ class ComparisonTable {
 
   /// A run that ended with @p status at the state @p x.
   void add(const Choice& choice, const Status& status, const Statistics& statistics, const Eigen::VectorXd& x,
-           double seconds);
+           const Timing& time);
   /// A method that is not for this problem or these settings: the status is `unsuitable`.
   void add_unsuitable(const Choice& choice, const std::string& why);
 
   /// All of it. @throws InputError naming `--methods` if there are unsuitable ones alone
-  [[nodiscard]] const std::string& text() const;
+  [[nodiscard]] Comparison take();
 
  private:
   void say(const Choice& choice, std::string_view sentence) const;
@@ -45,7 +46,8 @@ class ComparisonTable {
   Eigen::VectorXd size_;
   bool some_ = false;
   std::string unsuitable_;
-  std::string text_ = "method,setting,status,digits,seconds,rhs_evaluations,controlled,note\n";
+  std::vector<Curve> curves_;
+  std::string text_ = "method,setting,status,digits,seconds,right_hand_sides,controlled,note\n";
 };
 
 }  // namespace nlmech::comparison

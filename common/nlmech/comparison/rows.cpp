@@ -9,6 +9,12 @@
 
 namespace nlmech::comparison {
 
+std::string quoted_cell(std::string_view text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
+}
+
 Rows::Rows(const Request& request, const std::vector<std::string>& names)
     : request_(request),
       text_(fmt::format("t,{}{}\n", fmt::join(names, ","), request.events.empty() ? "" : ",event")) {
@@ -22,7 +28,8 @@ void Rows::print(double t, const double* x, std::size_t size, const std::string&
   auto out = std::back_inserter(text_);
   fmt::format_to(out, "{:.17g}", t);
   for (std::size_t i = 0; i < size; ++i) fmt::format_to(out, ",{:.17g}", x[i]);
-  if (!request_.events.empty()) fmt::format_to(out, ",{}", event);
+  const bool plain = event.find_first_of(",\"\n\r") == std::string::npos;
+  if (!request_.events.empty()) fmt::format_to(out, ",{}", plain ? event : quoted_cell(event));
   text_ += '\n';
 }
 

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "nlmech/comparison/commands/own_problem.hpp"
 #include "nlmech/comparison/reference/verification.hpp"
 
 namespace nlmech::comparison {
+
+/// A text as a cell of CSV, in quotes.
+[[nodiscard]] std::string quoted_cell(std::string_view text);
 
 /// Collects the rows of a run: the first, those at equal distances, the last. Numbers with 17 digits. Keeps
 /// the states of some of them, at most most_verified at equal distances and the last, for their verification.

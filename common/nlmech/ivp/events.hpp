@@ -54,7 +54,7 @@ struct EventSolution {
 /// bisection until two neighbouring doubles are left. Two zeros between neighbouring places go unseen: bound
 /// the method's `largest_step` where that may happen. A function that is zero at the begin of a place has the
 /// sign that it takes in the first 2^-26 of it: a ball that leaves the ground makes no event until it is
-/// back.
+/// back. Poles and jumps, where the sign changes without a zero, are no events.
 template <int n>
 class EventFinder {
  public:
@@ -110,7 +110,8 @@ class EventFinder {
       const bool rising = before < 0;
       if (before == 0 || after == before || !status_.ok() || !counts(events_[i].crossing, rising)) continue;
       const Hit<n> hit = narrowed(step, i, begin, to, before);
-      if (status_.ok()) hits_.push_back(hit);  // else the function was NaN on the way to its zero
+      // Else the function was NaN on the way to its zero.
+      if (status_.ok() && is_zero(step, hit, begin, to, x)) hits_.push_back(hit);
     }
     const auto begin = hits_.begin() + static_cast<std::ptrdiff_t>(first);
     const bool forwards = step.t1 > step.t0;
@@ -135,6 +136,18 @@ class EventFinder {
   }
   static bool counts(Crossing crossing, bool rising) {
     return crossing == Crossing::either || (crossing == Crossing::rising) == rising;
+  }
+  // A pole and a jump change the sign too. Between neighbouring doubles a continuous function does not move
+  // as far as between two places.
+  bool is_zero(const Step<n>& step, const Hit<n>& hit, double from, double to, const State<n>& x_to) const {
+    const auto& value = events_[hit.event].value;
+    const auto at = [&](double t) {
+      State<n> x = step.x1;
+      step.dense.at(t, x);
+      return value(t, x);
+    };
+    const double across = std::abs(value(hit.t, hit.x) - at(std::nextafter(hit.t, from)));
+    return !(across > (std::abs(at(from)) + std::abs(value(to, x_to))) / 4);
   }
   // The first double at which the sign is no longer that of `from`.
   Hit<n> narrowed(const Step<n>& step, std::size_t event, double from, double to, int sign) {

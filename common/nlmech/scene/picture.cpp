@@ -3,29 +3,39 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
+#include <exception>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/echo.hpp"
-#include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 namespace fs = std::filesystem;
 
 namespace {
 
-/// What such pictures end with. A file without it is never overwritten.
-constexpr std::string_view drawn_here = "<!-- drawn by nlmech --plot -->\n";
+/// What such pictures end with. A file without it is never overwritten. (A comment of XML has no two
+/// hyphens.)
+constexpr std::string_view drawn_here = "<!-- drawn by a command of nlmech -->\n";
 
 /// A folder for the data of a drawing, gone with it and with the process.
 class Scratch {
  public:
-  Scratch() : path_(fs::temp_directory_path() / fmt::format("nlmech-plot-{}", ::getpid())) {
+  Scratch() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "nlmech-plot-XXXXXX").string();
     const WholeAct act;
+    if (error || ::mkdtemp(name.data()) == nullptr)
+      throw Failure(fmt::format("no temporary folder {}: {}", name, std::generic_category().message(errno)));
+    path_ = name;
     trace_.emplace(act, [path = path_] { clear(path); });
   }
   Scratch(const Scratch&) = delete;
@@ -52,33 +62,41 @@ std::string without_markup(const std::string& text) {
   std::string plain;
   for (const char c : text) {
     if (std::string_view("^_{}@&~\\").find(c) != std::string_view::npos) plain += '\\';
-    plain += c;
+    if (c == '\'')
+      plain += "\u2032";  // gnuplot cannot quote two of the other kind in a row
+    else
+      plain += c;
   }
   return plain;
 }
 
 Picture::Picture(fs::path file) : file_(std::move(file)) {
   if (!wanted()) return;
-  const std::string name = echoed(file_.string());
-  if (file_.extension() != ".svg") throw InputError(fmt::format("--plot {}: needs a name.svg", name));
+  const std::string name = echoed_path(file_.string());
+  if (file_.extension() != ".svg") throw input_error("--plot {}: needs a name.svg", name);
   std::error_code none;
+  const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
+  if (!fs::is_directory(folder, none)) throw input_error("--plot {}: there is no such folder", name);
   const fs::file_status there = fs::symlink_status(file_, none);
   if (!fs::exists(there)) return;
   if (!fs::is_regular_file(there) || !read_whole(file_).ends_with(drawn_here))
-    throw InputError(fmt::format("--plot {}: is there and is no picture of such a command, which overwrites "
-                                 "nothing else; give another name, or move it",
-                                 name));
+    throw input_error(
+        "--plot {}: is there and is no picture of such a command, which overwrites nothing else; "
+        "give another name, or move it",
+        name);
 }
 
-void Picture::draw(const Figure& figure) const {
+void Picture::draw(const std::function<Figure()>& make) const {
   try {
+    const Doing doing("drawing");
+    const Figure figure = make();
     const Scratch folder;
     write_whole(folder.path() / "data.csv", figure.data.csv());
     write_whole(folder.path() / "picture.gp", gnuplot_script(figure, "data.csv"));
     put_style(folder.path());
     write_whole(file_, scene::draw(folder.path(), "picture.gp").append(drawn_here));
-  } catch (const Failure& failure) {
-    throw Failure(fmt::format("all numbers are written, but {} is not drawn: {}", file_.string(),
+  } catch (const std::exception& failure) {
+    throw Failure(fmt::format("all numbers are written, but {} is not drawn: {}", echoed_path(file_.string()),
                               failure.what()));
   }
 }

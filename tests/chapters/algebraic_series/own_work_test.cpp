@@ -117,7 +117,7 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --problem forced-duffing --until 1 --order 2.5", {"--order", "2.5"}},
       {"integrate --problem forced-duffing --until 1 --step -1", {"--step", "-1"}},
       {"integrate --problem forced-duffing --until 1 --step 0.1 --tolerance 1e-9", {"--step", "--tolerance"}},
-      {"integrate --problem duffing --until 1", {"--problem", "duffing", "forced-duffing"}},
+      {"integrate --problem duffin --until 1", {"--problem", "duffin", "forced-duffing"}},
       {"integrate --problem lorenz --until 1 --initial 1,2", {"--initial", "1,2", "u,v,w"}},
       {"integrate --problem lorenz --until 1 --set q=1", {"--set", "q=1"}},
       {"compare --problem lorenz --until 1 --methods ode45 --order 20", {"--order 20", "ode45"}},

@@ -36,16 +36,16 @@ struct Known {
 TEST(Peak, IsThatOfTheLimitAndOfTheTables) {
   // oracle: transversal_motions Laier's *
   const std::vector<Known> all = {
-      {"driven-duffing --method laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
-      {"driven-duffing --method argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
-      {"van-der-pol --method laier --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
-      {"van-der-pol --method argyris --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
-      {"driven-duffing --method laier --step 0.2", 2.4505, 0.538264556, 1e-9},
-      {"driven-duffing --method argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
-      {"driven-duffing --method newmark --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"driven-duffing --method hoff --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"driven-duffing --method bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
-      {"van-der-pol --method newmark --step 0.2", 4.5895, -0.312725, 5e-7}};
+      {"laier-duffing --method laier --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"laier-duffing --method argyris --step 0.001", 2.4505135743840013, 0.53826530480163, 2e-14},
+      {"laier-van-der-pol --method laier --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
+      {"laier-van-der-pol --method argyris --step 0.001", 4.60362115304892, -0.31932967523380, 2e-14},
+      {"laier-duffing --method laier --step 0.2", 2.4505, 0.538264556, 1e-9},
+      {"laier-duffing --method argyris --step 0.05", 2.4505, 0.538265305, 1e-9},
+      {"laier-duffing --method newmark --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"laier-duffing --method hoff --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"laier-duffing --method bazzi --step 0.1", 2.4525, 0.538046, 5e-7},
+      {"laier-van-der-pol --method newmark --step 0.2", 4.5895, -0.312725, 5e-7}};
   for (const Known& k : all) {
     const Finished f = hermitian("peak --problem " + k.words);
     ASSERT_EQ(f.exit_code, 0) << f.errors;
@@ -117,11 +117,11 @@ TEST(OwnWork, BadInputIsNamed) {
     std::vector<std::string> says;
   };
   const std::vector<Bad> cases = {
-      {"peak --problem driven-duffing --method laier --step 0", {"--step", "0"}},
-      {"peak --problem driven-duffing --method laier --step x", {"--step", "x"}},
-      {"peak --problem driven-duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
+      {"peak --problem laier-duffing --method laier --step 0", {"--step", "0"}},
+      {"peak --problem laier-duffing --method laier --step x", {"--step", "x"}},
+      {"peak --problem laier-duffing --method laire --step 0.1", {"--method", "laire", "argyris"}},
       {"peak --problem lorenz --method laier --step 0.1", {"--problem", "lorenz", "van-der-pol"}},
-      {"peak --problem driven-duffing --step 0.1", {"--method"}},
+      {"peak --problem laier-duffing --step 0.1", {"--method"}},
       {"integrate --problem laier-duffing --until 1 --step 0.1 --method rk5", {"--method", "rk5", "laier"}},
       {"integrate --problem laier-duffing --until 1 --step -0.1", {"--step", "-0.1"}},
       {"integrate --problem laier-duffing --until 1 --step 0.1 --tolerance 1e-6", {"--step", "--tolerance"}},

@@ -4,48 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/process.hpp"
-#include "tests/places.hpp"
+#include "tests/chapters/integrators/run.hpp"
 
 namespace nlmech::integrators_commands_test {
 namespace {
-
-using scene::Finished;
-using Words = std::vector<std::string>;
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
-Finished integrators(Words words) {
-  words.insert(words.begin(), NLMECH_BINARY_DIR "/bin/integrators");
-  return scene::run_program(words, NLMECH_SOURCE_DIR);
-}
-
-struct Rows {
-  Words header;
-  std::vector<std::vector<double>> values;
-  Words events;
-};
-
-Rows integrate(Words words) {
-  words.insert(words.begin(), "integrate");
-  const Finished f = integrators(words);
-  EXPECT_EQ(f.exit_code, 0) << f.errors;
-  Rows rows;
-  if (f.exit_code != 0) return rows;
-  const auto records = scene::parse_csv(f.output, "output");
-  rows.header = records.at(0).cells;
-  const bool events = rows.header.back() == "event";
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    auto cells = records[i].cells;
-    if (events) {
-      rows.events.push_back(cells.back());
-      cells.pop_back();
-    }
-    rows.values.emplace_back();
-    for (const std::string& cell : cells) rows.values.back().push_back(std::stod(cell));
-  }
-  return rows;
-}
 
 TEST(TypedEquation, ColumnsHaveItsNames) {
   const Rows rows =
@@ -112,6 +74,29 @@ TEST(Events, AreRowsInOrder) {
   EXPECT_EQ(rows.events, (Words{"", "x'=0", "", "x=0", "", "x'=0", "", ""}));
 }
 
+// tan has poles between its zeros, and atan2 jumps from pi to -pi.
+TEST(Events, PolesAndJumpsAreNone) {
+  const double pi = std::numbers::pi;
+  const Words swing = {"--equation", "x'' = -x", "--initial", "x=1, x'=0", "--until", "10", "--event"};
+  const auto times = [&](const std::string& event) {
+    Words words = swing;
+    words.push_back(event);
+    std::vector<double> found;
+    const Rows rows = integrate(words);
+    for (std::size_t i = 0; i < rows.values.size(); ++i)
+      if (rows.events[i] == event) found.push_back(rows.values[i][0]);
+    return found;
+  };
+  const std::vector<double> zeros = times("tan(t)=0");
+  ASSERT_EQ(zeros.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(zeros[i], pi * static_cast<double>(i + 1), 1e-12);
+  EXPECT_TRUE(times("1/x=0").empty());
+  // x = cos t, x' = -sin t, and their angle pi/2 + t is 1 at 3 pi/2 + 1. A comma in the text of an event.
+  const std::vector<double> angle = times("atan2(x,x')=1");
+  ASSERT_EQ(angle.size(), 1U);
+  EXPECT_NEAR(angle[0], 3 * pi / 2 + 1, 1e-8);
+}
+
 TEST(Section, HasItsRowsAlone) {
   const Rows rows = integrate({"--equation", "x'' = -x", "--initial", "x=0, x'=1", "--until", "20",
                                "--section", "x=0 rising", "--tolerance", "1e-13"});
@@ -150,44 +135,6 @@ TEST(Switching, AbsoluteValueIsExact) {
   ASSERT_EQ(rows.values.size(), 2U);
   EXPECT_NEAR(rows.values[1][1], 0.5, 1e-11);  // three periods
   EXPECT_NEAR(rows.values[1][2], 0, 1e-11);
-}
-
-struct Bad {
-  Words words;
-  Words says;
-};
-
-TEST(Mistakes, EndWithTwoAndAreNamed) {
-  const std::vector<Bad> cases = {
-      {{"integrate", "--equation", "x'' + y = 0", "--initial", "x=1, x'=0", "--until", "1"},
-       {"--equation:1:7: y is not defined", "\n  x'' + y = 0\n        ^\n"}},
-      {{"integrate", "--equation", "x'' = -x", "--initial", "x=1", "--until", "1"},
-       {"an initial value is missing: --initial x'=..."}},
-      {{"integrate", "--equation", "x' = -x", "--initial", "x=1, x=2", "--until", "1"},
-       {"--initial:1:6: given a second time"}},
-      {{"integrate", "--equation", "x' = -x", "--problem", "lorenz", "--until", "1"},
-       {"give one of --problem NAME, --equation TEXT and --file NAME.ode"}},
-      {{"integrate", "--until", "1"}, {"--equation TEXT"}},
-      {{"integrate", "--file", "nowhere.ode", "--until", "1"}, {"nowhere.ode"}},
-      {{"integrate", "--equation", "x' = -a x; a = 1", "--set", "b=1", "--initial", "x=1", "--until", "1"},
-       {"--set b: the equation has no such definition; there is a"}},
-      {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--event", "z=0"},
-       {"--event:1:1: z is not defined"}},
-      {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--event", "x'=0"},
-       {"--event:1:1: highest derivatives may not stand here"}},
-      {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--section", "x=1",
-        "--every", "1"},
-       {"--section shows its own rows alone"}},
-      {{"compare", "--equation", "x'^2 = x", "--initial", "x=1", "--until", "1", "--methods", "all"},
-       {"x' stands in a power"}},
-  };
-  for (const Bad& bad : cases) {
-    const Finished f = integrators(bad.words);
-    EXPECT_EQ(f.exit_code, 2) << f.errors;
-    EXPECT_EQ(f.output, "");
-    for (const std::string& word : bad.says)
-      EXPECT_NE(f.errors.find(word), std::string::npos) << "no '" << word << "' in: " << f.errors;
-  }
 }
 
 TEST(Example, OfThePageRuns) {

@@ -12,27 +12,33 @@
 
 namespace nlmech::comparison {
 
-/// A problem from its own initial state at 0 to @p end. Amplitudes: the greatest of 4000 samples.
+/// A problem from @p x0 at 0 to @p end. Amplitudes: the greatest of 4000 samples.
 /// @throws Failure if the reference does not get there
 template <class Problem>
-[[nodiscard]] Example<Problem::dimension> example_of(const Problem& problem, double end) {
+[[nodiscard]] Example<Problem::dimension> example_of(const Problem& problem, const std::string& name,
+                                                     const ivp::State<Problem::dimension>& x0, double end) {
   constexpr int n = Problem::dimension;
-  using Trajectory = problems::ReferenceTrajectory<long double, Problem>;
-  const ivp::State<n> x0 = Problem::initial_state();
+  using Path = problems::ReferenceTrajectory<long double, Problem>;
   const Vector<long double, n> exact = x0.template cast<long double>();
-  const auto path = std::make_shared<const Trajectory>(problem, exact, 0, end);
+  const auto path = std::make_shared<const Path>(problem, exact, 0, end);
   if (!path->status().ok()) throw Failure(path->status());
   constexpr int samples = 4000;
   ivp::State<n> amplitude = x0.cwiseAbs();
   for (int i = 1; i <= samples; ++i)
     amplitude = amplitude.cwiseMax((*path)(end * i / samples).template cast<double>().cwiseAbs());
-  return {.name = std::string(Problem::name),
+  return {.name = name,
           .system = ivp::System<n>(problem),
           .x0 = x0,
           .t0 = 0,
           .t1 = end,
           .amplitude = amplitude,
           .reference = [path, end](double t) { return (*path)(std::min(t, end)); }};
+}
+
+/// A problem from its own initial state.
+template <class Problem>
+[[nodiscard]] Example<Problem::dimension> example_of(const Problem& problem, double end) {
+  return example_of(problem, std::string(Problem::name), Problem::initial_state(), end);
 }
 
 }  // namespace nlmech::comparison

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/commands/choices.hpp"
+#include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
-#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/expression/syntax.hpp"
+#include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -21,7 +25,7 @@ namespace {
 
 /// What was typed.
 struct Words {
-  std::string problem, equation, file, initial, method;
+  std::string problem, equation, file, initial, method, tolerances, plot;
   double until = 0;
   std::optional<double> from, every;
   ivp::Settings settings;
@@ -30,12 +34,6 @@ struct Words {
   std::string section;
   bool no_verify = false;
 };
-
-std::string trimmed(std::string text) {
-  text.erase(0, text.find_first_not_of(" \t"));
-  text.erase(text.find_last_not_of(" \t") + 1);
-  return text;
-}
 
 /// "x = 0 falling end"
 WantedEvent event_of(const std::string& option, const std::string& typed, const OwnProblem& problem) {
@@ -55,6 +53,18 @@ WantedEvent event_of(const std::string& option, const std::string& typed, const 
   return event;
 }
 
+/// A file of equations: not one that never ends, and not one that nobody has typed.
+std::string read_equations(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::file_status what = fs::status(name, none);
+  if (fs::is_character_file(what) || fs::is_block_file(what))
+    throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
+  if (fs::is_regular_file(what) && fs::file_size(name, none) > expression::most_bytes)
+    throw input_error("--file {}: more than {} bytes", echoed_path(name), expression::most_bytes);
+  return scene::read_whole(name);
+}
+
 /// The problem by name, or the equations that were typed or stand in a file.
 std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& problems) {
   const int given = !words.problem.empty() + !words.equation.empty() + !words.file.empty();
@@ -62,7 +72,7 @@ std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& pr
   if (words.problem.empty()) {
     const bool typed = words.file.empty();
     return typed_problem(
-        {typed ? "--equation" : words.file, typed ? words.equation : scene::read_whole(words.file)},
+        {typed ? "--equation" : words.file, typed ? words.equation : read_equations(words.file)},
         settings_of(words.set));
   }
   auto problem = problem_by_name(problems, words.problem);
@@ -88,55 +98,46 @@ Request understand(const Words& words, const OwnProblem& problem) {
   if (r.section && (!r.events.empty() || r.every))
     throw InputError("--section shows its own rows alone: give neither --event nor --every with it");
   if (r.section) r.events.push_back(event_of("--section", words.section, problem));
+  r.draw = !words.plot.empty();
   return r;
 }
 
-std::string integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
+/// Above a picture: what was typed, if it fits.
+std::string heading_of(const Words& words) {
+  constexpr std::size_t most = 60;
+  std::string text = words.equation;
+  if (!words.problem.empty()) text = words.problem;
+  if (!words.file.empty()) text = std::filesystem::path(words.file).filename().string();
+  return echoed(text, most);
+}
+
+void integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_of(words, problems);
+  const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
   const AnyMethod method = about(
       "--method", [&] { return any_method(words.method.empty() ? problem->usual_method(r) : words.method); });
   const Trajectory run = problem->trajectory(r, method);
   if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
-  return run.rows;
+  scene::print_result(run.rows);
+  if (picture.wanted())
+    picture.draw([&] {
+      return r.section ? section_figure(run.seen, heading_of(words))
+                       : run_figure(run.seen, heading_of(words));
+    });
 }
 
-/// The names of a list, blanks beside its commas aside. "all": those of ours and of the peers in this build.
-std::vector<std::string> names_of(const std::string& list) {
-  if (trimmed(list) == "all") return built_method_names();
-  std::vector<std::string> names;
-  for (const std::string& name : scene::split(list, ',')) names.push_back(trimmed(name));
-  return names;
-}
-
-/// The methods of a list, each with those of the settings that it has.
-std::vector<Choice> choices(const std::string& list, const ivp::Settings& settings) {
-  std::vector<Choice> all;
-  for (const std::string& name : names_of(list)) {
-    const AnyMethod method = about("--methods", [&] { return any_method(name); });
-    all.push_back({method, settings});
-    if (method.info.fixed_step()) all.back().settings.absolute_tolerance.reset();
-    for (const ivp::SettingInfo* setting : ivp::own_settings) {
-      if (!method.info.has(*setting)) setting->reset(all.back().settings);
-    }
-  }
-  const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
-  if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.info.fixed_step(); }))
-    throw input_error("--absolute-tolerance {}: none of the methods {} chooses its steps",
-                      *settings.absolute_tolerance, list);
-  for (const ivp::SettingInfo* setting : ivp::own_settings) {
-    const std::optional<double> value = setting->value(settings);
-    if (value && !some([setting](const Choice& c) { return c.method.info.has(*setting); }))
-      throw input_error("--{} {}: none of the methods {} has {} to choose", setting->name, *value, list,
-                        setting->name);
-  }
-  return all;
-}
-
-std::string compare(const Words& words, const OwnProblems& problems, const std::string& program) {
+void compare(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_of(words, problems);
+  const scene::Picture picture(words.plot);
+  if (!words.tolerances.empty() && (words.settings.tolerance || words.settings.step))
+    throw InputError("--tolerances: give no --tolerance and no --step with it");
   const Request r = understand(words, *problem);
-  return problem->comparison(r, choices(words.method, r.settings), program);
+  const auto methods = words.method.empty() ? problem->usual_methods(r) : method_list(words.method);
+  const auto tolerances = words.tolerances.empty() ? std::vector<double>() : tolerance_list(words.tolerances);
+  const Comparison found = problem->comparison(r, choices(methods, r.settings, tolerances), program);
+  scene::print_result(found.rows);
+  if (picture.wanted()) picture.draw([&] { return comparison_figure(found, heading_of(words)); });
 }
 
 void declare_common(scene::Options& options, Words& words) {
@@ -207,6 +208,9 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
     options.add("--section", words.section, "Poincare section: rows there alone, as \"x=0 rising\"");
     options.add("--no-verify", words.no_verify,
                 "print the run without holding it to an independent one, which every run by a tolerance is");
+    options.add(
+        "--plot", words.plot,
+        "draws the unknowns against time, or the section: a name.svg, over an older such picture alone");
     options.footer(describe_all(problems));
   };
   commands.add<Words>("integrate", "An equation from begin to end, as CSV: t,x,x',...", declare,
@@ -218,17 +222,20 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
 void add_compare_command(scene::Commands& commands, const OwnProblems& problems) {
   const auto declare = [&](scene::Options& options, Words& words) {
     declare_common(options, words);
-    options
-        .add("--methods", words.method,
-             "methods with commas between: rbf-coll,ode45,cvode-adams; or all; they "
-             "share the limit")
-        .required();
+    options.add(
+        "--methods", words.method,
+        "methods with commas between: rbf-coll,ode45,cvode-adams; or all. They share the limit. Without "
+        "it those that suit the problem, and the best peer of each kind");
+    options.add("--tolerances", words.tolerances,
+                "a sweep instead of one tolerance: 1e-3:1e-12 by decades, or 1e-3,1e-6");
     declare_settings(options, words.settings, any_method_names());
+    options.add("--plot", words.plot,
+                "draws digits against run time: a name.svg, over an older such picture alone");
     options.footer(describe_all(problems));
   };
   commands.add<Words>(
       "compare",
-      "Methods side by side: method,setting,status,digits,seconds,rhs_evaluations,controlled,note as CSV",
+      "Methods side by side: method,setting,status,digits,seconds,right_hand_sides,controlled,note as CSV",
       declare, [problems, program = commands.program()](const Words& words) {
         return compare(words, problems, program);
       });

@@ -1,5 +1,5 @@
 /// @file
-/// What a run shows on its way: rows at asked times, and events.
+/// What a run shows on its way: rows at asked times, events, and what a picture needs.
 #pragma once
 
 #include <cmath>
@@ -8,19 +8,25 @@
 #include <optional>
 #include <vector>
 
+#include "nlmech/comparison/commands/seen.hpp"
 #include "nlmech/comparison/rows.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
 
-/// What the steps of a run show: rows at asked times, and events.
+/// What the steps of a run show: rows at asked times, events, and what a picture needs.
 template <int m>
 class LookOut {
  public:
   /// All outlive this. @param run the method, without observer
   LookOut(const Request& request, const ivp::NamedIntegrator<m>& run, const ivp::System<m>& system,
-          Rows& rows)
-      : request_(request), run_(run), system_(system), rows_(rows), finder_(events_of(request)) {}
+          Rows& rows, Seen& seen)
+      : request_(request),
+        run_(run),
+        system_(system),
+        rows_(rows),
+        seen_(seen),
+        finder_(events_of(request)) {}
 
   /// Looks at a step; false if an event ends the run in it.
   bool see(const ivp::Step<m>& step) {
@@ -30,8 +36,10 @@ class LookOut {
       last_ = refined(step, finder_.hits()[i]);
       rows_.add_before(last_->t, step);
       rows_.add_event(last_->t, last_->x, request_.events[last_->event].text);
+      if (request_.draw) seen_.events.push_back({last_->t, {last_->x.begin(), last_->x.end()}});
     }
     if (on) rows_.add_before(step.t1, step);
+    if (request_.draw && !request_.section) seen_.path.see(step, on ? step.t1 : last_->t);
     return on;
   }
   /// Has an event ended the run?
@@ -80,6 +88,7 @@ class LookOut {
   const ivp::NamedIntegrator<m>& run_;
   const ivp::System<m>& system_;
   Rows& rows_;
+  Seen& seen_;
   ivp::EventFinder<m> finder_;
   std::optional<ivp::Hit<m>> last_;
 };

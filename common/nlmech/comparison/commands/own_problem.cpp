@@ -69,26 +69,14 @@ void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignm
 
 namespace {
 
-// "x1=1, v1=0"
-std::vector<double> by_name(const OwnProblem& problem, const std::string& text) {
+/// Equations whose unknowns are the components of a problem, with its initial state.
+expression::Equations components_of(const OwnProblem& problem) {
+  std::string text;
   const std::vector<std::string> names = problem.state_names();
-  std::vector<double> x = problem.initial_state();
-  std::vector<bool> given(x.size());
-  for (const std::string& piece : scene::split(text, ',')) {
-    const auto sign = piece.find('=');
-    std::string name = piece.substr(0, sign);
-    name.erase(0, name.find_first_not_of(' '));
-    name.erase(name.find_last_not_of(' ') + 1);
-    const auto place = std::find(names.begin(), names.end(), name);
-    if (sign == std::string::npos || place == names.end())
-      throw input_error("--initial {}: {} is no name=value of the components {}", echoed(text), echoed(piece),
-                        fmt::join(names, ","));
-    const auto i = static_cast<std::size_t>(place - names.begin());
-    if (given[i]) throw input_error("--initial {}: {} is given twice", echoed(text), name);
-    given[i] = true;
-    x[i] = scene::typed_number("--initial " + name, piece.substr(sign + 1));
-  }
-  return x;
+  const std::vector<double> x0 = problem.initial_state();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{0}' = 0; {0}(0) = {1:.17g};", names[i], x0[i]);
+  return expression::Equations(expression::SourceText(std::string(problem.name()), text));
 }
 
 }  // namespace
@@ -104,15 +92,12 @@ StateFunction state_function(expression::Equations equations, const std::string&
 }
 
 StateFunction OwnProblem::expression(const std::string& option, const std::string& text) const {
-  // Equations whose unknowns have these names.
-  std::string names;
-  for (const std::string& name : state_names()) names += name + "' = 0;";
-  return state_function(expression::Equations(expression::SourceText(option, names)), option, text);
+  return state_function(components_of(*this), option, text);
 }
 
 std::vector<double> OwnProblem::initial_state(const std::string& text) const {
   if (text.empty()) return initial_state();
-  if (text.find('=') != std::string::npos) return by_name(*this, text);
+  if (text.find('=') != std::string::npos) return components_of(*this).initial_state("--initial", text);
   const std::vector<std::string> names = state_names();
   std::vector<double> x = scene::typed_numbers("--initial", text);
   if (x.size() != names.size())

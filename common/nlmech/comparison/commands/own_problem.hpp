@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/commands/seen.hpp"
+#include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/expression/equations.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/problems/parameters.hpp"
@@ -57,12 +59,20 @@ struct Request {
   std::vector<WantedEvent> events = {};  ///< a row each time one takes place
   bool section = false;                  ///< rows of events alone
   bool verify = false;                   ///< hold the run to a reference: for runs by a tolerance
+  bool draw = false;                     ///< keep what a picture shows
 };
 
 /// A run as it is printed.
 struct Trajectory {
   std::string rows;    ///< CSV
   std::string remark;  ///< of its verification, for standard error; may be empty
+  Seen seen;           ///< for a picture, if Request::draw
+};
+
+/// Methods side by side.
+struct Comparison {
+  std::string rows;           ///< CSV
+  std::vector<Curve> curves;  ///< the same by method, for a picture
 };
 
 /// A method of a list, with those of the settings that it has.
@@ -92,9 +102,9 @@ class OwnProblem {
   [[nodiscard]] virtual std::vector<std::string> state_names() const = 0;
   /// The publication's.
   [[nodiscard]] virtual std::vector<double> initial_state() const = 0;
-  /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=0" for some of them; the
-  /// publication's for what is not given.
-  /// @throws InputError naming `--initial`, and how many numbers of which name there must be
+  /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=pi/2" for some of them, by
+  /// expressions; the publication's for what is not given.
+  /// @throws InputError naming `--initial` that points at the mistake, or says how many numbers there must be
   [[nodiscard]] virtual std::vector<double> initial_state(const std::string& text) const;
   /// Where the publication begins.
   [[nodiscard]] virtual double initial_time() const = 0;
@@ -104,6 +114,9 @@ class OwnProblem {
   [[nodiscard]] virtual StateFunction expression(const std::string& option, const std::string& text) const;
   /// The method that is taken where none is named.
   [[nodiscard]] virtual std::string usual_method(const Request& request) const = 0;
+  /// The methods that are compared where none is named: those of ours that suit the problem, and of each kind
+  /// of peers the best that this build has.
+  [[nodiscard]] virtual std::vector<std::string> usual_methods(const Request& request) const = 0;
   /// Rows `t,...` as CSV: the first, those at Request::every and at events, and the last at t1 exactly, or at
   /// the event that ends the run. With events a last column, `event`, has the text of each.
   /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot
@@ -113,8 +126,8 @@ class OwnProblem {
   /// settings, keep their row and say why, also on standard error after the name of the @p program. Wall time
   /// is shared: each method gets its part of what those before it have left.
   /// @throws InputError naming `--methods` if none of the methods is for the problem and the settings
-  [[nodiscard]] virtual std::string comparison(const Request& request, const std::vector<Choice>& methods,
-                                               std::string_view program) const = 0;
+  [[nodiscard]] virtual Comparison comparison(const Request& request, const std::vector<Choice>& methods,
+                                              std::string_view program) const = 0;
 };
 
 /// Makes a problem of that type with the publication's parameters.

@@ -21,10 +21,10 @@
 namespace nlmech::comparison {
 namespace {
 
-/// One run, repeated if it is short: its solution, and the median time without the first, which warms up.
+/// One run, repeated if it is short: its solution, and the times without the first, which warms up.
 /// @param enough seconds after which it is not repeated
 template <int n>
-std::pair<ivp::Solution<n>, double> timed(const std::function<ivp::Solution<n>()>& work, double enough) {
+std::pair<ivp::Solution<n>, Timing> timed(const std::function<ivp::Solution<n>()>& work, double enough) {
   constexpr int repeats = 5;
   const Stopwatch watch;
   const ivp::Solution<n> first = work();
@@ -32,7 +32,45 @@ std::pair<ivp::Solution<n>, double> timed(const std::function<ivp::Solution<n>()
   while (static_cast<int>(seconds.size()) <= repeats && watch.seconds() + seconds.back() < enough)
     seconds.push_back(work().statistics.seconds);
   if (seconds.size() > 1) seconds.erase(seconds.begin());
-  return {first, median(seconds)};
+  const auto [least, most] = std::ranges::minmax(seconds);
+  return {first, {median(seconds), least, most, static_cast<int>(seconds.size())}};
+}
+
+/// What of a state a picture shows: unknowns and their derivatives, by their names ("x" and "x'") or, of a
+/// problem with accelerations, by their places.
+std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_order) {
+  std::vector<Shown> all;
+  const int size = static_cast<int>(names.size()), half = size / 2;
+  for (int i = 0; i < size; ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    const bool is_rate = second_order ? i >= half : name.ends_with('\'');
+    const auto rate = second_order ? i + half : std::ranges::find(names, name + "'") - names.begin();
+    Shown& shown = all.emplace_back(Shown{name, !is_rate});
+    if (rate < size) shown.rate = static_cast<int>(rate);
+  }
+  return all;
+}
+
+/// Does an acceleration depend on velocities?
+template <int m>
+bool is_damped(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+  const Eigen::Index half = system.size() / 2;
+  ivp::Jacobian<m> j(system.size(), system.size());
+  for (const double shift : {0.0, 0.1}) {  // at rest or in a point of symmetry a product may vanish
+    system.jacobian(t, (x.array() + shift).matrix(), j);
+    if (!j.bottomRightCorner(half, half).isZero(0)) return true;
+  }
+  return false;
+}
+
+/// The first of them that this build has.
+void add_first(const std::vector<std::string>& names, std::vector<std::string>& to) {
+  const std::vector<std::string> built = built_method_names();
+  for (const std::string& name : names) {
+    if (std::ranges::find(built, name) == built.end()) continue;
+    to.push_back(name);
+    return;
+  }
 }
 
 template <int m>
@@ -51,17 +89,53 @@ Reference ProblemOfSize<m>::reference(const ivp::State<m>& x0, double t0, const 
 }
 
 // Where a component decays many times within the way, its decay and not the solution would bound the steps of
-// an explicit method.
+// an explicit method. The initial state may not show it yet, as where a reaction has not begun: a few coarse
+// steps of an implicit method do.
 template <int m>
-std::string ProblemOfSize<m>::usual_method(const Request& r) const {
+bool ProblemOfSize<m>::is_stiff(const Request& r) const {
   constexpr double many_decays = 2000;
   const ivp::System<m> system = this->system();
   ivp::Jacobian<m> j(system.size(), system.size());
-  system.jacobian(r.t0, begin<m>(r), j);
-  if (!j.allFinite()) return "series";
-  const Eigen::VectorXcd rates = Eigen::MatrixXd(j).eigenvalues();
-  const double fastest = (r.t1 > r.t0 ? -1 : 1) * rates.real().minCoeff();
-  return fastest * std::abs(r.t1 - r.t0) > many_decays ? "adaptive-collocation" : "series";
+  const auto decays_fast = [&](double t, const ivp::State<m>& x) {
+    system.jacobian(t, x, j);
+    if (!j.allFinite()) return false;
+    // Eigenvalues of many components take their cube; their diagonal has the scale of what decays.
+    constexpr int many = 100;
+    const Eigen::VectorXd rates =
+        system.size() > many ? Eigen::VectorXd(j.diagonal()) : Eigen::MatrixXd(j).eigenvalues().real();
+    const double fastest = r.t1 > r.t0 ? -rates.minCoeff() : rates.maxCoeff();
+    return fastest * std::abs(r.t1 - r.t0) > many_decays;
+  };
+  bool stiff = decays_fast(r.t0, begin<m>(r));
+  if (stiff || r.t0 == r.t1) return stiff;
+  const ivp::Observer<m> look = [&](const ivp::Step<m>& step) {
+    stiff = decays_fast(step.t1, step.x1);
+    return !stiff;
+  };
+  const auto coarse = any_integrator<m>(any_method("adaptive-collocation"), {.tolerance = 1e-3});
+  static_cast<void>(coarse(system, begin<m>(r), r.t0, r.t1, look, {.steps = 20, .seconds = 0.1}));
+  return stiff;
+}
+
+template <int m>
+std::string ProblemOfSize<m>::usual_method(const Request& r) const {
+  return is_stiff(r) ? "adaptive-collocation" : "series";
+}
+
+template <int m>
+std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const {
+  const ivp::System<m> system = this->system();
+  std::vector<std::string> names = {"adaptive-collocation"};
+  if (!is_stiff(r)) {
+    names.insert(names.end(), {"series", "ode45"});
+    if (system.second_order() && !is_damped<m>(system, r.t0, begin<m>(r))) names.emplace_back("rkn1210");
+    add_first({"odeint-fehlberg78", "gsl-rk8pd", "arkode-erk"}, names);
+    add_first({"odeint-bulirsch-stoer"}, names);
+    add_first({"cvode-adams", "gsl-msadams"}, names);
+  }
+  add_first({"cvode-bdf", "gsl-msbdf"}, names);
+  add_first({"odeint-rosenbrock4", "arkode-dirk", "gsl-bsimp"}, names);
+  return names;
 }
 
 template <int m>
@@ -73,9 +147,11 @@ Trajectory ProblemOfSize<m>::trajectory(const Request& r, const AnyMethod& metho
   Request way = r;
   Rows rows(way, state_names());
   rows.add(r.t0, x0);
-  LookOut<m> events(r, run, system, rows);
+  Seen seen{shown_of(state_names(), system.second_order()), Samples(r.t0, r.t1), {}};
+  if (r.draw && r.t1 != r.t0) seen.path.add(r.t0, x0);
+  LookOut<m> events(r, run, system, rows, seen);
   ivp::Observer<m> observer;
-  if (r.every || !r.events.empty())
+  if (r.every || r.draw || !r.events.empty())
     observer = [&events](const ivp::Step<m>& step) { return events.see(step); };
   ivp::Solution<m> end = about("--method", [&] { return run(system, x0, r.t0, r.t1, observer, r.limits); });
   events.finish(end);
@@ -83,18 +159,18 @@ Trajectory ProblemOfSize<m>::trajectory(const Request& r, const AnyMethod& metho
   way.t1 = end.t;
   if (!events.ended()) rows.add(end.t, end.x);
   if (events.ended()) rows.keep(end.t, end.x);
-  if (!r.verify || r.t0 == r.t1) return {rows.text(), ""};
+  if (!r.verify || r.t0 == r.t1) return {rows.text(), "", std::move(seen)};
   const Verified what = rows.verified(tolerance_of(r.settings));
   const scene::Doing doing("verifying the run by integration");
   const Effort effort = effort_after(end.statistics, system.size(), r.limits.seconds - watch.seconds());
   const Reference truth = reference(x0, r.t0, what.times, needed_for(what.tolerance), effort);
   const Verification found = verify<m>(system, x0, r.t0, what, truth, effort);
-  return {rows.text(), remark(found, truth, method, r.settings, state_names())};
+  return {rows.text(), remark(found, truth, method, r.settings, state_names()), std::move(seen)};
 }
 
 template <int m>
-std::string ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choice>& methods,
-                                         std::string_view program) const {
+Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choice>& methods,
+                                        std::string_view program) const {
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   const ivp::System<m> system = this->system();
@@ -112,13 +188,13 @@ std::string ProblemOfSize<m>::comparison(const Request& r, const std::vector<Cho
       const std::function<ivp::Solution<m>()> once = [&] {
         return run(system, x0, r.t0, r.t1, {}, {r.limits.steps, share});
       };
-      const auto [end, seconds] = timed<m>(once, std::min(0.5, share / 2));
-      table.add(methods[i], end.status, end.statistics, Eigen::VectorXd(end.x), seconds);
+      const auto [end, time] = timed<m>(once, std::min(0.5, share / 2));
+      table.add(methods[i], end.status, end.statistics, Eigen::VectorXd(end.x), time);
     } catch (const std::invalid_argument& error) {
       table.add_unsuitable(methods[i], error.what());
     }
   }
-  return table.text();
+  return table.take();
 }
 
 template class ProblemOfSize<1>;

@@ -20,11 +20,13 @@ class ProblemOfSize : public OwnProblem {
   [[nodiscard]] virtual std::vector<Candidate> extended(const Effort& effort) const = 0;
 
   [[nodiscard]] std::string usual_method(const Request& request) const override;
+  [[nodiscard]] std::vector<std::string> usual_methods(const Request& request) const override;
   [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;
-  [[nodiscard]] std::string comparison(const Request& request, const std::vector<Choice>& methods,
-                                       std::string_view program) const override;
+  [[nodiscard]] Comparison comparison(const Request& request, const std::vector<Choice>& methods,
+                                      std::string_view program) const override;
 
  private:
+  [[nodiscard]] bool is_stiff(const Request& request) const;
   [[nodiscard]] Reference reference(const ivp::State<m>& x0, double t0, const std::vector<double>& times,
                                     const Needed& needed, const Effort& effort) const;
 };

@@ -9,6 +9,16 @@
 
 namespace nlmech::comparison {
 
+Kind kind_of(const AnyMethod& method) {
+  const std::string& name = method.name;
+  if (method.peer) return peers::peer_is_implicit(name) ? Kind::implicit : Kind::explicit_;
+  if (name == "adaptive-collocation") return Kind::own;
+  if (name == "series") return Kind::series;
+  if (name == "rbf-coll") return Kind::radial;
+  if (name == "mcpi" || name == "lgl-coll" || name == "radau-coll") return Kind::polynomial;
+  return method.info.steps == ivp::Steps::chosen ? Kind::explicit_ : Kind::classical;
+}
+
 std::string Contender::label() const {
   if (points) return fmt::format("{}, p = {}", name, *points);
   return nodes ? fmt::format("{}, N = {}", name, *nodes) : name;

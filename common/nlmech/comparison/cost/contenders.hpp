@@ -7,21 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
-
-/// Which methods belong together in a picture.
-enum class Kind {
-  radial = 1,   ///< collocation by radial functions, steps by hand
-  polynomial,   ///< collocation by polynomials and Picard iteration, steps by hand
-  classical,    ///< the other methods of fixed step, steps by hand
-  explicit_,    ///< step control, explicit
-  implicit,     ///< step control, implicit
-  series,       ///< Taylor series
-  closed_form,  ///< no integration at all
-  own           ///< adaptive collocation
-};
 
 /// One setting of a method.
 struct Setting {

@@ -10,28 +10,13 @@
 
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
-
-/// What one setting of one method came to.
-struct Cost {
-  std::string setting;          ///< "tolerance 1e-06"
-  std::string status;           ///< "success"
-  std::optional<double> error;  ///< median of the relative errors; nothing if the run failed
-  Statistics work;              ///< of one run
-  Timing time;                  ///< seconds
-};
-
-/// A method with what its settings cost.
-struct Curve {
-  std::string name;         ///< of the method
-  Kind kind;                ///< for its colour
-  std::vector<Cost> costs;  ///< empty: not in this build
-};
 
 /// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
 /// twice.

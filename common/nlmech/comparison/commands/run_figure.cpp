@@ -1,0 +1,177 @@
+#include "nlmech/comparison/commands/run_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/cost/cost_curves.hpp"
+#include "nlmech/scene/picture.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+using Values = std::vector<double>;
+
+std::string italic(const std::string& name) {
+  return fmt::format("{{/:Italic {}}}", scene::without_markup(name));
+}
+
+/// Do they differ by more than what their rounding leaves?
+bool varies(const Values& values) {
+  const auto [low, high] = std::ranges::minmax(values);
+  return high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
+}
+
+/// gnuplot does not choose a range for what is constant.
+void give_range(const Values& values, scene::Panel& panel) {
+  if (varies(values)) return;
+  const double margin = values.front() == 0 ? 1 : std::abs(values.front()) / 2;
+  panel.y_range(values.front() - margin, values.front() + margin);
+}
+
+/// Where a logarithmic axis of time begins, if most of the steps lie near the begin of the run.
+std::optional<double> log_begin(const Values& times) {
+  if (times.front() != 0 || !(times.back() > 0)) return {};
+  if (times[times.size() / 2] > 1e-3 * times.back()) return {};
+  return std::max(times[1 + times.size() / 100], 1e-16 * times.back());
+}
+
+/// The unknowns that there is room for.
+std::vector<std::size_t> panels_of(const Seen& run) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < run.components.size(); ++i) {
+    if (run.components[i].unknown && shown.size() < most_panels) shown.push_back(i);
+  }
+  return shown;
+}
+
+void put_events(const Seen& run, std::size_t component, scene::Panel& panel) {
+  if (run.events.empty()) return;
+  Values t, x;
+  for (const Seen::Moment& m : run.events) {
+    t.push_back(m.t);
+    x.push_back(m.x[component]);
+  }
+  panel.curve("", t, x, {"points pointtype 7 pointsize 0.6", 5});
+}
+
+/// Panels of a grid: rows and columns, in the order of reading.
+class Grid {
+ public:
+  Grid(std::size_t count, scene::Plot& plot)
+      : columns_(count > 4 ? 2 : 1), rows_((count + columns_ - 1) / columns_), count_(count), plot_(plot) {
+    plot.size(width(), height());
+  }
+  scene::Panel& panel(const std::string& x_label, const std::string& y_label) {
+    const std::size_t row = next_ / columns_, column = next_ % columns_;
+    ++next_;
+    scene::Panel& panel = plot_.panel(lowest() ? x_label : "", y_label);
+    panel.set("format y '%.10g'");
+    if (count_ == 1) return panel;
+    const double w = width(), h = height(), share = (w - 20) / static_cast<double>(columns_);
+    const double left = share * static_cast<double>(column), high = static_cast<double>(row_height * row);
+    return panel.place((left + 110) / w, (left + share - 5) / w, 1 - (high + top + row_height - 26) / h,
+                       1 - (high + top) / h);
+  }
+  /// Does the last panel stand below all others of its column?
+  [[nodiscard]] bool lowest() const { return next_ + columns_ > count_; }
+
+ private:
+  static constexpr int top = 44, bottom = 64;
+  [[nodiscard]] int width() const { return columns_ == 1 ? 760 : 1000; }
+  [[nodiscard]] int height() const {
+    return count_ == 1 ? 420 : top + bottom + static_cast<int>(rows_) * static_cast<int>(row_height);
+  }
+  std::size_t columns_, rows_, count_, next_ = 0;
+  static constexpr std::size_t row_height = 170;
+  scene::Plot& plot_;
+};
+
+/// Two components, the first of each pair the abscissa.
+std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const Seen& run) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  const auto& all = run.components;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].unknown && all[i].rate) pairs.emplace_back(i, static_cast<std::size_t>(*all[i].rate));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) pairs.emplace_back(i, j);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+scene::Figure run_figure(const Seen& run, const std::string& heading) {
+  const std::vector<std::size_t> shown = panels_of(run);
+  if (run.path.empty()) throw Failure("a run of no length has no picture");
+  scene::Show show(false);
+  scene::Plot& plot = show.plots(scene::without_markup(heading));
+  const std::optional<double> begin = log_begin(run.path.component(0).first);
+  Grid grid(shown.size(), plot);
+  for (const std::size_t i : shown) {
+    const auto [t, x] = run.path.component(i);
+    scene::Panel& panel = grid.panel("{/:Italic t}", italic(run.components[i].name));
+    if (begin)
+      panel.log_x(*begin, t.back());
+    else
+      panel.x_range(std::min(t.front(), t.back()), std::max(t.front(), t.back()));
+    if (!grid.lowest()) panel.set("format x ''");
+    give_range(x, panel);
+    panel.curve("", t, x, scene::lines(1));
+    put_events(run, i, panel);
+  }
+  return *show.take().figure;
+}
+
+scene::Figure section_figure(const Seen& run, const std::string& heading) {
+  if (run.events.empty()) throw Failure("the run does not meet the section");
+  const auto values = [&](std::size_t component) {
+    Values all;
+    for (const Seen::Moment& m : run.events) all.push_back(m.x[component]);
+    return all;
+  };
+  scene::Show show(false);
+  const scene::Look dots = {
+      run.events.size() > 500 ? "points pointtype 7 pointsize 0.2" : "points pointtype 7 pointsize 0.5", 1};
+  const auto put = [&](const std::string& x_label, const Values& x, const std::string& y_label,
+                       const Values& y) {
+    scene::Panel& panel = show.plot(scene::without_markup(heading), x_label, y_label);
+    give_range(y, panel);
+    panel.curve("", x, y, dots);
+    show.figure().size(620, 480);
+    return *show.take().figure;
+  };
+  for (const auto& [i, j] : pairs_of(run)) {
+    const Values x = values(i), y = values(j);
+    if (varies(x) && varies(y))
+      return put(italic(run.components[i].name), x, italic(run.components[j].name), y);
+  }
+  // All but one component are constant, or there is a single point.
+  std::size_t moving = 0;
+  while (moving + 1 < run.components.size() && !varies(values(moving))) ++moving;
+  Values t;
+  for (const Seen::Moment& m : run.events) t.push_back(m.t);
+  if (t.size() == 1) throw Failure("the run meets the section once, which is no picture");
+  return put("{/:Italic t}", t, italic(run.components[moving].name), values(moving));
+}
+
+scene::Figure comparison_figure(const Comparison& comparison, const std::string& heading) {
+  const auto& curves = comparison.curves;
+  if (std::ranges::none_of(curves, [](const Curve& c) { return best_of(c) != nullptr; }))
+    throw Failure("no method has digits");
+  scene::Show show(false);
+  scene::show_work_precision({.heading = scene::without_markup(heading),
+                              .work = {"right-hand sides", "steps", "rejected"},
+                              .work_label = "right-hand sides",
+                              .groups = method_groups("adaptive collocation")},
+                             {{"", method_lines(curves)}}, show);
+  return *show.take().figure;
+}
+
+}  // namespace nlmech::comparison
