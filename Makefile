@@ -56,7 +56,7 @@ draw: $(DRAWN)
 # that was linked anew to the same bytes is not run again.
 CHECK = cmake -D CHAPTER=$* -D PROGRAM=$(BUILD)/bin/$* -D OUT=$(BUILD)/check -D SOURCE=$(CURDIR)
 .SECONDEXPANSION:
-$(OUT)/figures/%/.complete: $(BUILD)/bin/% figures/style.gp figures/templates/drawing.gp \
+$(OUT)/figures/%/.complete: $(BUILD)/bin/% figures/style.gp figures/curves.xml figures/templates/drawing.gp \
                             $$(wildcard figures/templates/$$*-*.gp tables/*.csv tables/published/*.csv)
 	@$(CHECK) -D STEP=measure -P tests/reproduction/check.cmake > /dev/null
 	@mkdir -p $(OUT)/figures $(OUT)/tables $(OUT)/results

@@ -45,7 +45,8 @@ install(FILES ${PROJECT_BINARY_DIR}/nlmechConfig.cmake ${PROJECT_BINARY_DIR}/nlm
 
 if(NLMECH_CHAPTERS_SELECTED)
   set(data_dir ${CMAKE_INSTALL_DATADIR}/nlmech)
-  install(FILES ${PROJECT_SOURCE_DIR}/figures/style.gp DESTINATION ${data_dir}/figures)
+  install(FILES ${PROJECT_SOURCE_DIR}/figures/style.gp ${PROJECT_SOURCE_DIR}/figures/curves.xml
+          DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/figures/templates DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/published DESTINATION ${data_dir}/tables)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/chapters/integrators/examples DESTINATION ${data_dir}/chapters/integrators)

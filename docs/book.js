@@ -19,11 +19,14 @@ function outdent(fragment) {
 
 // The picture of a link fills the window; Escape, the button or a click closes it, and the link has the focus
 // again.
+// A picture that answers is a document of its own there, and a click in it is its own.
 function enlarge(link, dialog) {
-  const small = link.querySelector("img");
-  const large = dialog.querySelector("img");
-  large.src = link.href;
-  large.alt = small.alt;
+  const answers = link.parentElement.querySelector("a.curves") !== null || link.classList.contains("curves");
+  const large = document.createElement(answers ? "object" : "img");
+  large[answers ? "data" : "src"] = link.href;
+  if (answers) large.type = "image/svg+xml";
+  else large.alt = link.querySelector("img").alt;
+  dialog.firstElementChild.replaceWith(large);
   dialog.showModal();
 }
 
@@ -141,11 +144,11 @@ document.querySelectorAll(".contents table.markdownTable").forEach((table) => {
   mark_cells(table);
   box(table);
 });
-const figures = document.querySelectorAll("figure.plate > a");
+const figures = document.querySelectorAll("figure.plate > a, figure.plate a.curves");
 if (figures.length && window.HTMLDialogElement) {
   const dialog = make_dialog();
   figures.forEach((link) => {
-    link.title = "Enlarge";
+    link.title = link.classList.contains("curves") ? "Point at a curve; switch curves off" : "Enlarge";
     link.addEventListener("click", (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;  // a new tab, as asked
       event.preventDefault();

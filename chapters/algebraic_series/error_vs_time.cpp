@@ -36,9 +36,9 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 /// @param change of the begin, for the condition
 template <int n>
 scene::Scene scene_of(const comparison::Example<n>& (*example)(), const std::string& name,
-                      const std::string& heading, double change) {
+                      const std::string& title, double change) {
   return comparison::cost_scene({.name = name,
-                                 .heading = heading,
+                                 .problem = title,
                                  .reading = "default settings over one sweep of tolerances",
                                  .measure =
                                      [example, change](bool quick) {
@@ -51,10 +51,9 @@ scene::Scene scene_of(const comparison::Example<n>& (*example)(), const std::str
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {scene_of(lorenz_example, "lorenz", "Lorenz system to t = 20: digits against cost", 1e-9),
-          scene_of(oscillator_example, "oscillator",
-                   "Strongly nonlinear oscillator to 375 s: digits against cost", 1e-8),
-          scene_of(bodies_example, "bodies", "Four bodies to t = 3000: digits against cost", 1e-9)};
+  return {scene_of(lorenz_example, "lorenz", "Lorenz system to t = 20", 1e-9),
+          scene_of(oscillator_example, "oscillator", "Strongly nonlinear oscillator to 375 s", 1e-8),
+          scene_of(bodies_example, "bodies", "Four bodies to t = 3000", 1e-9)};
 }
 
 }  // namespace nlmech::chapters::algebraic_series::error_vs_time

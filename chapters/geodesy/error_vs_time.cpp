@@ -21,12 +21,19 @@ using Truth = std::vector<nlmech::geodesy::BasicGeodetic<Extended>>;
 
 constexpr std::size_t timed_points = 4096;  // six columns of them stay in the second-level cache
 
-/// Batches by instruction set, then one point after the other.
-enum Group : std::size_t { avx512, avx2, baseline, one_point };
-Group group_of(const Contender& c) {
-  if (!c.batch) return one_point;
-  const std::string_view set = to_string(*c.batch);
-  return set == "baseline" ? baseline : set == "avx2" ? avx2 : avx512;
+/// The dissertation's series, what became of it, and what others have published.
+enum Group : std::size_t { series, fast_batch, fast_point, other_batch, other_point, library };
+const char *const fast = "fast", *const geographiclib = "GeographicLib";
+
+/// A contender without times.
+scene::MethodLine line_of(const Contender& c) {
+  const bool ours = c.method.starts_with(fast);
+  const Group group = c.method.starts_with("series") ? series
+                      : c.method == geographiclib    ? library
+                      : ours                         ? (c.batch ? fast_batch : fast_point)
+                      : c.batch                      ? other_batch
+                                                     : other_point;
+  return {c.name(), group, {}, group <= fast_point ? scene::Side::subject : scene::Side::peer};
 }
 
 /// Greatest errors of latitude, rad, and height, m.
@@ -79,28 +86,29 @@ scene::ProblemLines measure(bool quick) {
       attempt.error = errors.latitude;
       attempt.work = {errors.height};
     }
-    all.lines.push_back({c.method, group_of(c), {attempt}});
+    all.lines.push_back(line_of(c));
+    all.lines.back().attempts.push_back(attempt);
   }
-  if (std::ranges::find(all.lines, "GeographicLib", &scene::MethodLine::method) == all.lines.end())
-    all.lines.push_back({"GeographicLib", one_point, {}});
+  if (std::ranges::find(all.lines, library, &scene::MethodLine::group) == all.lines.end())
+    all.lines.push_back({geographiclib, library, {}, scene::Side::peer});
   return all;
 }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
   // Our fastest batch in units of the floor of its instruction set: what this machine showed, not what
   // another did. The last set is the largest.
-  double fast = 0, floor = 1, latitude = 0, height = 0;
+  double batch = 0, floor = 1, latitude = 0, height = 0;
   for (const scene::MethodLine& line : all.lines) {
     if (line.attempts.empty()) continue;
     const scene::Attempt& a = line.attempts.front();
     if (!a.error) floor = a.time.median;
-    if (line.method == "fast" && line.group != one_point) fast = a.time.median;
-    if (!a.error || !line.method.starts_with("fast")) continue;
+    if (line.group == fast_batch) batch = a.time.median;
+    if (!a.error || !line.method.starts_with(fast)) continue;
     latitude = std::max(latitude, *a.error);
     height = std::max(height, std::get<double>(a.work.front()));
   }
   scene::show_work_precision(
-      {.heading = fmt::format("Full precision in {:.1f} times the time of two arctangents", fast / floor),
+      {.heading = fmt::format("Full precision in {:.1f} times the time of two arctangents", batch / floor),
        .digits = "digits: -log_{10} of the latitude's greatest error (rad)",
        .least_digits = 7,
        .most_digits = 17,
@@ -108,10 +116,12 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
        .time = "time a point (s)",
        .unit = "ns",
        .work = {"max height error (m)"},
-       .groups = {{"batch, AVX-512", "#0072B2", 7},
-                  {"batch, AVX2", "#D55E00", 9},
-                  {"batch, baseline", "#E69F00", 5},
-                  {"one point", "#000000", 13}},
+       .groups = {{"series of the dissertation", 2},
+                  {"ours, in batches", 0},
+                  {"ours, one point", 1},
+                  {"published, in batches", 3},
+                  {"published, one point", 4},
+                  {"library", 5}},
        .least_time = std::pair{floor, "two arctangents"}},
       {all}, show);
   const char* statement = "error statement of ReverseTransform, in every form and instruction set";

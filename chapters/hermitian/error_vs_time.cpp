@@ -19,8 +19,8 @@ using comparison::Kind;
 /// @param scale longest of the fixed steps
 std::vector<Contender> contenders(double scale, bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
-  std::vector<Contender> all = {comparison::by_tolerances("laier", Kind::own, quick),
-                                comparison::by_tolerances("argyris", Kind::own, quick),
+  std::vector<Contender> all = {comparison::by_tolerances("laier", Kind::source, quick),
+                                comparison::by_tolerances("argyris", Kind::source, quick),
                                 comparison::by_steps("newmark", {}, Kind::classical, scale, factors, quick),
                                 comparison::by_steps("rk4", {}, Kind::classical, scale, factors, quick),
                                 comparison::by_tolerances("series", Kind::series, quick),
@@ -40,7 +40,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 
 /// @param scale longest of the fixed steps @param change of the begin, for the condition
 template <class Problem>
-scene::Scene scene_of(const Problem& problem, const std::string& heading, double end, double scale,
+scene::Scene scene_of(const Problem& problem, const std::string& title, double end, double scale,
                       double change) {
   const auto measure = [=](bool quick) {
     return comparison::costs_of(comparison::example_of(problem, end), contenders(scale, quick), change,
@@ -48,9 +48,8 @@ scene::Scene scene_of(const Problem& problem, const std::string& heading, double
   };
   return comparison::cost_scene(
       {.name = std::string(Problem::name),
-       .heading = heading,
+       .problem = title,
        .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
-       .own = "Hermitian operators",
        .measure = measure,
        .check = check});
 }
@@ -58,10 +57,8 @@ scene::Scene scene_of(const Problem& problem, const std::string& heading, double
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {scene_of(problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50: digits against cost", 50,
-                   0.4, 1e-8),
-          scene_of(problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200: digits against cost",
-                   200, 0.01, 1e-6)};
+  return {scene_of(problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50", 50, 0.4, 1e-8),
+          scene_of(problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200", 200, 0.01, 1e-6)};
 }
 
 }  // namespace nlmech::chapters::hermitian::error_vs_time

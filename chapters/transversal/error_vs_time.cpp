@@ -15,7 +15,7 @@ using comparison::Kind;
 
 Contender by_points(int p, bool quick) {
   constexpr std::array factors = {0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625};
-  Contender c = comparison::by_steps("mtl", {}, Kind::classical, 1, factors, quick);
+  Contender c = comparison::by_steps("mtl", {}, Kind::source, 1, factors, quick);
   c.points = p;
   for (comparison::Setting& s : c.settings) s.settings.points = p;
   return c;
@@ -53,7 +53,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {comparison::cost_scene({.name = "",
-                                  .heading = "Driven Duffing oscillator to t = 50: digits against cost",
+                                  .problem = "Driven Duffing oscillator to t = 50",
                                   .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, "
                                              "default settings over one sweep of tolerances",
                                   .measure =

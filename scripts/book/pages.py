@@ -177,6 +177,8 @@ class Page:
             self.book.copy(file, path)
             image = f'<a href="{path}"><img src="{path}" alt="{plain_text(caption)}"/></a>'
             before, after = f'<figure class="plate">{image}<figcaption>', "</figcaption></figure>"
+            if path.endswith(".svg") and "<script" in self.book.text(file):  # its curves say their names where it stands alone
+                after = f'<a class="curves" href="{path}">All curves by name</a>{after}'
         text = (f"\\anchor {anchor(path)} \\htmlonly[block]{before}\\endhtmlonly {caption} "
                 f"\\htmlonly[block]{after}\\endhtmlonly")
         return text + self.included(path, file) if is_table else text

@@ -93,6 +93,7 @@ class InAHouse(unittest.TestCase):
         for file, text in ((f"out/{JSON}", QUANTITIES),
                            ("out/figures/geodesy/fig-2.27.svg", "<svg/>"),
                            ("out/figures/geodesy/fig-9.svg", "<svg/>"),
+                           ("out/figures/geodesy/error-vs-time.svg", "<svg><script/></svg>"),
                            ("out/tables/geodesy/table-2.6.md", "| a |\n| --- |\n"),
                            ("out/tables/geodesy/table-2.7.md", "| \\f$a\\f$ |\n| --- |\n"),
                            ("source/docs/references.bib", WORKS),
@@ -172,6 +173,12 @@ class Pages(InAHouse):
         page = self.made('![A "c"\nover two](../../figures/geodesy/fig-2.27.svg)')
         self.assertIn(r'alt="A &quot;c&quot; over two"/></a><figcaption>\endhtmlonly A "c" over two ', page)
         self.assertTrue((self.book.folder / "html/figures/geodesy/fig-2.27.svg").exists())
+        self.assertNotIn("All curves", page)
+
+    def test_a_figure_that_answers_is_linked_as_such(self):
+        page = self.made("![a](../../figures/geodesy/error-vs-time.svg)")
+        self.assertIn(r'\htmlonly[block]<a class="curves" href="figures/geodesy/error-vs-time.svg">All curves by name</a>'
+                      "</figcaption>", page)
 
     def test_works_cited(self):
         self.expect_page("[@old1900]\n\n{{references}}", '\\ref work_old1900 "Old (1900)"\n\n<ul><li>Old, C. (1900). *U*. '

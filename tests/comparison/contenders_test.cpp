@@ -37,7 +37,7 @@ TEST(Contenders, SweepStepsAsMultiplesOfAScale) {
 
 // c T is what decides how flat a radial function is over a step, so it stays the same down the sweep.
 TEST(Contenders, KeepTheShapeOfRadialFunctionsAStep) {
-  const Contender c = by_steps("rbf-coll", 9, Kind::radial, 2, std::vector<double>{1, 0.125}, false, 3);
+  const Contender c = by_steps("rbf-coll", 9, Kind::source, 2, std::vector<double>{1, 0.125}, false, 3);
   for (const Setting& s : c.settings) EXPECT_DOUBLE_EQ(s.settings.shape.value() * s.settings.step.value(), 3);
   EXPECT_EQ(c.label(), "rbf-coll, N = 9");
 }

@@ -133,7 +133,7 @@ TEST(Condition, IsTheGrowthOfADifference) {
 std::vector<Curve> three_curves() {
   const Cost coarse{"step 1", "success", 1e-3, {}, {}}, fine{"step 0.1", "success", 1e-7, {}, {}};
   const Cost failed{"step 10", "non_finite", {}, {}, {}};
-  return {{"one", Kind::radial, {failed, coarse, fine}},
+  return {{"one", Kind::source, {failed, coarse, fine}},
           {"absent", Kind::series, {}},
           {"two", Kind::own, {coarse}}};
 }
@@ -146,7 +146,7 @@ TEST(MethodLines, AreThoseOfADiagram) {
   EXPECT_EQ(lines[0].attempts[1].error, 1e-3);
   EXPECT_EQ(lines[0].attempts[0].work.size(), 3U) << "right-hand sides, steps, rejected";
   EXPECT_TRUE(lines[1].attempts.empty()) << "not in this build";
-  const auto groups = method_groups("Hermitian operators");
+  const auto groups = method_groups("Hermitian operators", "radial functions");
   EXPECT_EQ(groups.at(lines[0].group).name, "radial functions");
   EXPECT_EQ(groups.at(lines[1].group).name, "Taylor series");
   EXPECT_EQ(groups.at(lines[2].group).name, "Hermitian operators");

@@ -1,10 +1,10 @@
-/// Work-precision diagrams: which points and numbers are drawn where, and what the table says of runs that
-/// fail and of methods that a build lacks.
+/// Work-precision diagrams: what is drawn and named where, who is said to be fastest, and what the table says
+/// of runs that fail and of methods that a build lacks.
 #include "nlmech/scene/work_precision.hpp"
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,46 +17,81 @@ std::vector<ProblemLines> one_problem() {
   const Attempt failed{"step 10", "non_finite", {}, fast, {3}}, coarse{"step 1", "success", 1e-3, fast, {10}},
       fine{"step 0.1", "success", 1e-7, slow, {100}}, exact{"", "success", 0., fast, {1}};
   return {{"",
-           {{"one", 1, {failed, coarse, fine}},
+           {{"one", 1, {failed, coarse, fine}, Side::peer},
             {"failing", 1, {failed}},
             {"absent", 0, {}},
-            {"two", 0, {exact}}}}};
+            {"two", 0, {exact}, Side::subject}}}};
 }
 
 Showing shown(WorkPrecision what, const std::vector<ProblemLines>& problems) {
   what.heading = "heading";
   what.work = {"right-hand sides"};
-  what.groups = {{"front", "#000000", 7, 2}, {"back", "#D55E00", 5}};
+  what.groups = {{"front", 0}, {"back", 1}};
   Show show(false);
   show_work_precision(what, problems, show);
   return show.take();
 }
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(WorkPrecision, DataHaveARowARunOfMethodsWithPoints) {
-  const Showing showing = shown({}, one_problem());
-  EXPECT_EQ(
-      showing.figure->data.csv(),
-      "line,problem,group,number,digits,time_s,time_low_s,time_high_s,best,status,method,setting,"
-      "right-hand sides\n"
-      "1,1,2,1,,0.001,0.00089999999999999998,0.002,0,non_finite,one,step 10,3\n"
-      "1,1,2,1,3,0.001,0.00089999999999999998,0.002,0,success,one,step 1,10\n"
-      "1,1,2,1,7,0.10000000000000001,0.10000000000000001,0.10000000000000001,1,success,one,step 0.1,100\n"
-      "\n"
-      "2,1,1,2,15.954589770191003,0.001,0.00089999999999999998,0.002,1,success,two,,1\n")
+/// The same with nine bystanders, so that there is more than colours.
+std::vector<ProblemLines> crowd() {
+  std::vector<ProblemLines> problems = one_problem();
+  const Attempt late{"step 1", "success", 1e-3, {1, 1, 1, 1}, {10}};
+  for (int i = 0; i < 9; ++i) problems[0].lines.push_back({"bystander " + std::to_string(i), 1, {late}});
+  return problems;
+}
+
+TEST(WorkPrecision, DataHaveARowARunOfMethodsWithPointsThenWhoIsFastest) {
+  std::string data = shown({}, one_problem()).figure->data.csv();
+  const std::string six = "3,1,front,1,6,0.001,,,fastest,two,,one,";
+  const auto row = data.find(six);
+  ASSERT_NE(row, std::string::npos) << data;
+  EXPECT_NEAR(std::stod(data.substr(row + six.size())), std::pow(10, 1.5), 1e-12) << "one takes 10^-1.5 s";
+  data.erase(row, data.find('\n', row) + 1 - row);
+  EXPECT_EQ(data,
+            "line,problem,kind,colour,digits,time_s,time_low_s,time_high_s,status,method,setting,next,factor,"
+            "right-hand sides\n"
+            "1,1,back,2,,0.001,0.00089999999999999998,0.002,non_finite,one,step 10,,,3\n"
+            "1,1,back,2,3,0.001,0.00089999999999999998,0.002,success,one,step 1,,,10\n"
+            "1,1,back,2,7,0.10000000000000001,0.10000000000000001,0.10000000000000001,success,one,step "
+            "0.1,,,100\n"
+            "\n"
+            "2,1,front,1,15.954589770191003,0.001,0.00089999999999999998,0.002,success,two,,,,1\n"
+            "\n"
+            "3,1,back,2,3,0.001,,,fastest,one,,two,1,\n"
+            "3,1,front,1,9,0.001,,,fastest,two,,,,\n"
+            "3,1,front,1,12,0.001,,,fastest,two,,,,\n")
       << "an error of zero has the digits of half an epsilon";
 }
 
-TEST(WorkPrecision, ForemostGroupsAreDrawnLast) {
+TEST(WorkPrecision, CurvesAreNamedAtTheirEndsAndSayTheirNames) {
   const std::string script = shown({}, one_problem()).figure->script;
-  const auto front = script.find("linecolor rgb '#000000'"), back = script.find("linecolor rgb '#D55E00'");
-  ASSERT_NE(front, std::string::npos) << script;
-  ASSERT_NE(back, std::string::npos) << script;
-  EXPECT_LT(back, front);
-  EXPECT_TRUE(holds(script, "label 'one' at")) << script;
-  EXPECT_TRUE(holds(script, "label bold('front') at")) << script;
-  EXPECT_FALSE(holds(script, "failing")) << "a method without a point has no number in the picture";
-  EXPECT_FALSE(holds(script, "condition times rounding"));
+  EXPECT_TRUE(holds(script, "set label 'one' at graph 1.03, first 7 ")) << script;
+  EXPECT_TRUE(holds(script, "title 'one' noenhanced")) << script;
+  EXPECT_FALSE(holds(script, "failing")) << "a method without a point is not drawn";
+  const auto subject = script.find("every :::1::1"), peer = script.find("every :::0::0");
+  EXPECT_LT(peer, subject) << "the subject of the page lies above the others";
+  EXPECT_TRUE(holds(script, "Solid: this suite.  Dashed: peers.")) << script;
+  EXPECT_FALSE(holds(script, "Grey:")) << "two curves are no crowd";
+  EXPECT_EQ(shown({}, one_problem()).figure->variables.at("answers"), "curves");
+}
+
+TEST(WorkPrecision, WhatIsNeitherFastNorOfInterestIsGreyAndUnnamed) {
+  const std::string script = shown({}, crowd()).figure->script;
+  EXPECT_TRUE(holds(script, "Grey: 9 other methods.")) << script;
+  EXPECT_TRUE(holds(script, "title 'bystander 3' noenhanced"));
+  EXPECT_FALSE(holds(script, "set label 'bystander 3'"));
+  EXPECT_LT(script.find("title 'bystander 3'"), script.find("title 'one'")) << "behind those in colour";
+}
+
+TEST(WorkPrecision, AStripSaysWhoIsFastest) {
+  const std::string script = shown({}, one_problem()).figure->script;
+  EXPECT_TRUE(holds(script, "set label '32 times before one'")) << script;
+  EXPECT_TRUE(holds(script, "set label 'level with two'")) << script;
+  EXPECT_TRUE(holds(script, "set label 'alone'")) << script;
+  std::vector<ProblemLines> coarse = one_problem();
+  coarse[0].lines.pop_back();
+  EXPECT_TRUE(holds(shown({}, coarse).figure->script, "set label 'nobody'"));
 }
 
 TEST(WorkPrecision, OneProblemHasAPanelOfWork) {
@@ -78,10 +113,12 @@ TEST(WorkPrecision, SeveralProblemsHaveAPanelEach) {
   EXPECT_EQ(showing.table->rows().size(), 12U);
 }
 
-TEST(WorkPrecision, RoundingIsALine) {
+TEST(WorkPrecision, RoundingIsALevelThatSaysWhatItIs) {
   const std::string script = shown({.rounding = 1e-12}, one_problem()).figure->script;
-  EXPECT_TRUE(holds(script, "condition times rounding"));
+  EXPECT_TRUE(holds(script, "one rounding of the data"));
+  EXPECT_TRUE(holds(script, "rounding was kinder than at its worst"));
   EXPECT_TRUE(holds(script, "first 12 to graph 1, first 12")) << script;
+  EXPECT_FALSE(holds(shown({}, one_problem()).figure->script, "rounding"));
 }
 
 TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
@@ -94,13 +131,6 @@ TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
   EXPECT_TRUE(holds(error, "| one | step 1 | success | 1e-3 | 1e6 |") ||
               holds(error, "| one | step 1 | success | 0.001 | 1e6 |"))
       << error;
-}
-
-TEST(WorkPrecision, LeastErrorsAreFoundByName) {
-  const ProblemLines problem = one_problem()[0];
-  EXPECT_EQ(problem.of("one").least_error(), 1e-7);
-  EXPECT_EQ(problem.of("failing").least_error(), HUGE_VAL);
-  EXPECT_THROW(static_cast<void>(problem.of("three")), std::out_of_range);
 }
 
 TEST(WorkPrecision, AnAttemptIsJudgedAndTimed) {

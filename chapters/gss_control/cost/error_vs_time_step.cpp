@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -33,6 +34,7 @@ struct History {
 using Compute = std::function<History()>;
 
 enum Group : std::size_t { residue_sums, inversion, truncation };
+constexpr std::array sides = {scene::Side::subject, scene::Side::ours, scene::Side::peer};
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
 
@@ -68,7 +70,9 @@ class Field {
   }
 
   /// Begins a line of the next attempts.
-  void begin(const std::string& method, Group group) { all_.lines.push_back({method, group, {}}); }
+  void begin(const std::string& method, Group group) {
+    all_.lines.push_back({method, group, {}, sides.at(group)});
+  }
 
   void add(const std::string& setting, const Compute& compute) {
     double largest = 0;
@@ -90,7 +94,7 @@ class Field {
     const std::vector<int> all_pairs =
         quick_ ? std::vector{1, 2, 4, 8, 16} : std::vector{1, 2, 4, 8, 16, 32, 64};
     const auto setting = [](int pairs) { return fmt::format("{} pairs", pairs); };
-    begin("residues and their poles", residue_sums);
+    begin("residues, poles sought", residue_sums);
     for (const int pairs : all_pairs)
       add(setting(pairs), [&] { return sample(step_response(loop_, 1, places, {.pairs = pairs})); });
     begin("residues, poles known", residue_sums);
@@ -198,16 +202,15 @@ class Field {
 scene::ProblemLines measure_all(bool quick) { return Field(quick).measure(); }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
-  scene::show_work_precision({.heading = "Residues gain digits; ten assumed modes stop at three",
-                              .digits = "digits of {/:Italic θ} and {/:Italic y}, median",
-                              .most_digits = 17,
-                              .error = "median error",
-                              .time = "time for 16 instants (s)",
-                              .work = {"largest error"},
-                              .groups = {{"residues", "#0072B2", 7, 2},
-                                         {"numerical inversion", "#009E73", 9},
-                                         {"truncated models", "#D55E00", 5}}},
-                             {all}, show);
+  scene::show_work_precision(
+      {.heading = "Residues gain digits; ten assumed modes stop at three",
+       .digits = "digits of {/:Italic θ} and {/:Italic y}, median",
+       .most_digits = 17,
+       .error = "median error",
+       .time = "time for 16 instants (s)",
+       .work = {"largest error"},
+       .groups = {{"residues", 2}, {"numerical inversion", 3}, {"truncated models", 1}}},
+      {all}, show);
   const auto best = [&](const char* method) { return all.of(method).least_error(); };
   show.at_most("least error of residues", best("residues, poles known"), 1e-7,
                "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");

@@ -122,12 +122,12 @@ std::vector<std::string> solvers() {
 /// Solvers that belong together; those of no other group are homotopies.
 const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>>& groups() {
   static const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> all = {
-      {{"Newton's kind", "#0072B2", 7}, {"newton", "least-squares", "continuous-newton", "broyden"}},
-      {{"made safe by |F|", "#E69F00", 5}, {"damped-newton", kinsol, "levenberg-marquardt", "dogleg"}},
-      {{"descent", "#7F7F7F", 2}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
-      {{"energy", "#000000", 15}, {trust_region}},
-      {{"path following", "#CC79A7", 13}, {"riks", "crisfield", "gdc"}},
-      {{"homotopy", "#009E73", 9}, {}}};
+      {{"Newton's kind", 2}, {"newton", "least-squares", "continuous-newton", "broyden"}},
+      {{"made safe by |F|", 5}, {"damped-newton", kinsol, "levenberg-marquardt", "dogleg"}},
+      {{"descent", 6}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
+      {{"energy", 0}, {trust_region}},
+      {{"path following", 4}, {"riks", "crisfield", "gdc"}},
+      {{"homotopy", 1}, {}}};
   return all;
 }
 
@@ -147,6 +147,9 @@ Toggle measure(const Setting& setting, bool quick) {
     scene::MethodLine& line = toggle.problem.lines.emplace_back();
     line.method = solver;
     line.group = group_of(solver);
+    line.side = solver == kinsol                    ? scene::Side::peer
+                : line.group + 1 == groups().size() ? scene::Side::subject
+                                                    : scene::Side::ours;
     if (solver == kinsol && !peers::kinsol_available()) continue;
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
       if (quick && tolerance != 1e-4 && tolerance != 1e-8) continue;

@@ -42,7 +42,10 @@ struct Subject {
   bvp::Start start = direct_start(problem, guess, {.pieces = 40}).start;
 
   /// Begins a line of the next settings.
-  void begin(const char* method, Group group) const { lines.push_back({method, group, {}}); }
+  void begin(const char* method, Group group) const {
+    const bool peer = method == shooting || method == ipopt;
+    lines.push_back({method, group, {}, peer ? scene::Side::peer : scene::Side::subject});
+  }
   void add(const std::string& setting, const std::function<Answer()>& solve) const {
     const auto judge = [&](const Answer& answer) -> scene::Ending {
       if (!answer.status.ok()) return {answer.status, {}};
@@ -122,15 +125,16 @@ std::vector<scene::ProblemLines> measure(bool quick) {
 }
 
 void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
-  scene::show_work_precision({.heading = "Digits of the initial co-states against time, {/:Italic T} = 2",
-                              .digits = "digits of {/:Italic λ}(0)",
-                              .most_digits = 16,
-                              .error = "error of the initial co-states",
-                              .groups = {{"collocation, refined", "#0072B2", 7, 2.6},
-                                         {"collocation, one interval", "#D55E00", 5, 2},
-                                         {"multiple shooting", "#009E73", 9},
-                                         {"direct methods", "#7F7F7F", 13}}},
-                             problems, show);
+  scene::show_work_precision(
+      {.heading = "Printed Gaussians lose their digits again, refined intervals keep them",
+       .digits = "digits of {/:Italic λ}(0)",
+       .most_digits = 16,
+       .error = "error of the initial co-states",
+       .groups = {{"collocation, refined", 0},
+                  {"collocation, one interval", 2},
+                  {"multiple shooting", 3},
+                  {"direct methods", 5}}},
+      problems, show);
   for (const DuffingCase which : {DuffingCase::free, DuffingCase::fixed}) {
     const std::string name = fmt::format(", {}", to_string(which));
     const scene::ProblemLines& problem = problems[which == DuffingCase::free ? 0 : 1];

@@ -37,7 +37,7 @@ scene::Attempt closed_form(const orbit::TransferProblem& p, bool quick) {
 
 scene::MethodLine collocation(const std::string& name, TransferEquations equations,
                               const orbit::TransferProblem& p, bool quick) {
-  scene::MethodLine line{name, 1, {}};
+  scene::MethodLine line{name, 1, {}, scene::Side::subject};
   for (const int n : {21, 31, 41, 47, 61}) {
     const orbit::TransferCollocation method{.nodes = n, .equations = equations, .largest_miss = 0.01};
     const auto t = orbit::collocate(p, method);
@@ -58,15 +58,14 @@ scene::ProblemLines measure(bool quick) {
 }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
-  scene::show_work_precision(
-      {.heading = "Izzo's method: more digits in a thousandth of the time",
-       .digits = "digits of the end: -log_{10}(miss/|{/:Bold r}_F|)",
-       .most_digits = 17,
-       .error = "miss over distance",
-       .time = "time of a solve (s)",
-       .work = {"miss (m)"},
-       .groups = {{"closed form", "#000000", 15, 2.6}, {"collocation", "#0072B2", 7, 2}}},
-      {all}, show);
+  scene::show_work_precision({.heading = "Izzo's method: more digits in a thousandth of the time",
+                              .digits = "digits of the end: -log_{10}(miss/|{/:Bold r}_F|)",
+                              .most_digits = 17,
+                              .error = "miss over distance",
+                              .time = "time of a solve (s)",
+                              .work = {"miss (m)"},
+                              .groups = {{"closed form", 0}, {"collocation", 2}}},
+                             {all}, show);
   const double scale = printed_transfer().to.norm();
   show.at_most("miss of Izzo's arc", {all.of(izzo).least_error() * scale, "m"}, 1e-6,
                "2e-9 to 7e-8 m; recorded; kappa eps |r_F| is 1e-7 m");

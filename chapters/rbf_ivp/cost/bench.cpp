@@ -17,6 +17,7 @@
 #include "chapters/speed.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/duffing.hpp"
 
 namespace {
@@ -96,7 +97,7 @@ std::vector<Work> rivals(const Case<n>& c, const chapters::rbf_ivp::StepScales& 
   std::vector<Contender> libraries;
   for (const Contender& contender : chapters::rbf_ivp::contenders(scales, false)) {
     const bool mine = std::find(ours.begin(), ours.end(), contender.label()) != ours.end();
-    if (contender.kind == comparison::Kind::explicit_ && contender.name != "ode45")
+    if (peers::is_peer(contender.name) && !peers::peer_is_implicit(contender.name))
       libraries.push_back(contender);
     if (!mine) continue;
     if (const auto work = fastest(c, contender)) all.push_back(*work);

@@ -12,7 +12,7 @@ using comparison::Costs;
 
 /// What a scene is about.
 struct Subject {
-  std::string problem, heading;
+  std::string name, title;
   double radial_low, radial_high;  ///< least error of RBF-Coll with N = 35, recorded
   const char* reason;
 };
@@ -34,8 +34,8 @@ scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), co
                  comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
                  "end errors of hundred periods are the tolerance, 1e-13, times their number");
   };
-  return comparison::cost_scene({.name = subject.problem,
-                                 .heading = subject.heading,
+  return comparison::cost_scene({.name = subject.name,
+                                 .problem = subject.title,
                                  .reading = "default settings over one sweep of tolerances; steps of "
                                             "fixed-step methods by hand, beginning with the dissertation's",
                                  .measure = measure,
@@ -45,17 +45,17 @@ scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), co
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {against_all<2>({"duffing", "Free Duffing oscillator to t = 500: digits against cost", 2e-7, 2e-5,
-                          "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
-                         free_duffing_case, free_duffing_steps()),
-          against_all<2>(
-              {"impact", "Impact on the Duffing oscillator to t = 500: digits against cost", 1e-8, 2e-5,
-               "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
-               "amplitude"},
-              impact_case, impact_steps()),
-          against_all<6>({"three-dof", "Three masses to t = 200: digits against cost", 8e-10, 8e-8,
-                          "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
-                         three_mass_case, three_mass_steps())};
+  return {
+      against_all<2>({"duffing", "Free Duffing oscillator to t = 500", 2e-7, 2e-5,
+                      "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
+                     free_duffing_case, free_duffing_steps()),
+      against_all<2>({"impact", "Impact on the Duffing oscillator to t = 500", 1e-8, 2e-5,
+                      "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
+                      "amplitude"},
+                     impact_case, impact_steps()),
+      against_all<6>({"three-dof", "Three masses to t = 200", 8e-10, 8e-8,
+                      "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
+                     three_mass_case, three_mass_steps())};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp::error_vs_time

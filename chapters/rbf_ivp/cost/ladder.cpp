@@ -58,7 +58,7 @@ std::vector<Rung> climb(const Case<n>& c, const StepScales& s, bool quick) {
   Case<n> first_order = c;
   first_order.system = ivp::System<n>(FirstOrder<Problem>{});
   return {rung("the dissertation: Gaussians at 35 LGL nodes, Newton",
-               one(c, comparison::by_steps("rbf-coll", 35, Kind::radial, s.many_nodes, ladder, quick,
+               one(c, comparison::by_steps("rbf-coll", 35, Kind::source, s.many_nodes, ladder, quick,
                                            s.many_shape))),
           rung("polynomials at the same nodes",
                one(c, comparison::by_steps("lgl-coll", 35, Kind::polynomial, s.many_nodes, ladder, quick))),

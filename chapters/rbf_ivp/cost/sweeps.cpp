@@ -48,8 +48,8 @@ StepScales three_mass_steps() {
 std::vector<Contender> contenders(const StepScales& s, bool quick) {
   const double few = s.few_nodes, many = s.many_nodes;
   std::vector<Contender> all = {
-      by_steps("rbf-coll", 7, Kind::radial, few, ladder, quick, s.few_shape),
-      by_steps("rbf-coll", 35, Kind::radial, many, long_ladder, quick, s.many_shape),
+      by_steps("rbf-coll", 7, Kind::source, few, ladder, quick, s.few_shape),
+      by_steps("rbf-coll", 35, Kind::source, many, long_ladder, quick, s.many_shape),
       by_steps("lgl-coll", 7, Kind::polynomial, few, ladder, quick),
       by_steps("lgl-coll", 35, Kind::polynomial, many, long_ladder, quick),
       by_steps("radau-coll", 7, Kind::polynomial, few, ladder, quick),

@@ -24,7 +24,7 @@ const char* const ours = "analytic-continuation";
 
 /// What a scene is about.
 struct Subject {
-  std::string name, heading;
+  std::string name, title;
   double eccentricity;
   int order;               ///< of fixed continuation
   std::vector<int> steps;  ///< an orbit, coarse first
@@ -60,7 +60,7 @@ Example<6> example_of(const Subject& subject) {
 
 /// Analytic continuation over the sweep of tolerances and on to what double can hold.
 Curve adaptive(const Example<6>& c, bool quick) {
-  Curve curve{ours, Kind::series, {}};
+  Curve curve{ours, Kind::own, {}};
   for (int power = 4; power <= 17; power += quick ? 6 : 1) {
     const double tolerance = std::pow(10, -power);
     curve.costs.push_back(
@@ -71,7 +71,7 @@ Curve adaptive(const Example<6>& c, bool quick) {
 }
 
 Curve fixed(const Example<6>& c, const Subject& subject, bool quick) {
-  Curve curve{fmt::format("fixed steps, order {}", subject.order), Kind::classical, {}};
+  Curve curve{fmt::format("fixed steps, order {}", subject.order), Kind::source, {}};
   for (std::size_t i = 0; i < subject.steps.size(); ++i) {
     if (quick && subject.printed < 0 && i % 2 == 1) continue;  // these short steps are dear
     const orbit::FixedContinuation method{.step = revolution / subject.steps[i], .order = subject.order};
@@ -143,7 +143,7 @@ void check(const comparison::Costs& m, const Subject& subject, scene::Show& show
 scene::Scene scene_of(const Subject& subject) {
   return comparison::cost_scene(
       {.name = subject.name,
-       .heading = subject.heading,
+       .problem = subject.title,
        .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default "
                   "settings, fixed steps by hand; errors are |dr|/a against Kepler's equation in 50 digits",
        .measure = [subject](bool quick) { return measure(subject, quick); },
@@ -155,7 +155,7 @@ scene::Scene scene_of(const Subject& subject) {
 
 std::vector<scene::Scene> scenes() {
   return {scene_of({.name = "leo",
-                    .heading = "Twenty orbits, e = 0.1: digits against cost",
+                    .title = "Twenty orbits, e = 0.1",
                     .eccentricity = 0.1,
                     .order = 10,
                     .steps = {15, 25, 35, 50, 70, 100, 140},
@@ -163,7 +163,7 @@ std::vector<scene::Scene> scenes() {
                     .low = 1e-7,  // 7.6 m of 7.309e6 m
                     .high = 1e-5}),
           scene_of({.name = "heo",
-                    .heading = "Twenty orbits, e = 0.7: digits against cost",
+                    .title = "Twenty orbits, e = 0.7",
                     .eccentricity = 0.7,
                     .order = 30,
                     .steps = {50, 70, 100, 140},
@@ -171,7 +171,7 @@ std::vector<scene::Scene> scenes() {
                     .low = 9e-12,  // 2.4e-3 m of 2.7e7 m
                     .high = 9e-10}),
           scene_of({.name = "e099",
-                    .heading = "Twenty orbits, e = 0.99: digits against cost",
+                    .title = "Twenty orbits, e = 0.99",
                     .eccentricity = 0.99,
                     .order = 30,
                     .steps = {10'000, 14'000, 20'000, 28'000},

@@ -46,6 +46,16 @@ std::string put_style(const fs::path& out) {
   return style;
 }
 
+std::string answers_of(const Figure& figure) {
+  const auto found = figure.variables.find("answers");
+  return found == figure.variables.end() ? ""
+                                         : read_whole(data_folder() / "figures" / (found->second + ".xml"));
+}
+
+std::string with_answers(std::string svg, const std::string& answers) {
+  return answers.empty() ? svg : svg.insert(svg.rfind("</svg>"), answers);
+}
+
 std::string draw(const fs::path& folder, const std::string& script, PictureFormat format) {
   std::vector<std::string> command = {"gnuplot"};
   if (format == PictureFormat::png) command.insert(command.end(), {"-e", "png=1"});

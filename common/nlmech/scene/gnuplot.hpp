@@ -23,6 +23,15 @@ enum class PictureFormat { svg, png };
 /// @throws Failure if it cannot be written
 std::string put_style(const std::filesystem::path& out);
 
+/// What makes a picture answer, at the end of its SVG: a reader who opens it by itself points at curves,
+/// which say their titles, and switches them off in a list. Elsewhere it looks like any other. Empty for a
+/// figure whose variables have no `answers`; else the text of `figures/<answers>.xml`.
+/// @throws Failure if that is missing
+[[nodiscard]] std::string answers_of(const Figure& figure);
+
+/// Puts them there. @param svg what draw() makes
+[[nodiscard]] std::string with_answers(std::string svg, const std::string& answers);
+
 /// Runs gnuplot on a script in the folder @p folder, and returns what it draws.
 /// @param script relative to @p folder, so that no drawing holds a path of the machine
 /// @throws Failure if gnuplot cannot be started, fails, complains, or draws nothing; with its own words

@@ -94,7 +94,8 @@ void Picture::draw(const std::function<Figure()>& make) const {
     write_whole(folder.path() / "data.csv", figure.data.csv());
     write_whole(folder.path() / "picture.gp", gnuplot_script(figure, "data.csv"));
     put_style(folder.path());
-    write_whole(file_, scene::draw(folder.path(), "picture.gp").append(drawn_here));
+    const std::string svg = with_answers(scene::draw(folder.path(), "picture.gp"), answers_of(figure));
+    write_whole(file_, svg + std::string(drawn_here));
   } catch (const std::exception& failure) {
     throw Failure(fmt::format("all numbers are written, but {} is not drawn: {}", echoed_path(file_.string()),
                               failure.what()));

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/program/files.hpp"
@@ -34,8 +35,8 @@ bool ends_with(const fs::path& file, const std::string& text) {
 }
 
 /// An SVG that was drawn from the same is left as it is.
-void draw_figure(const std::string& chapter, const std::string& scene, const std::string& origin,
-                 const Publishing& how) {
+void draw_figure(const std::string& chapter, const std::string& scene, const std::string& answers,
+                 const std::string& origin, const Publishing& how) {
   const std::string script = fmt::format("results/{}/{}.gp", chapter, scene);
   const auto draw_as = [&](PictureFormat format) {
     const bool svg = format == PictureFormat::svg;
@@ -43,7 +44,9 @@ void draw_figure(const std::string& chapter, const std::string& scene, const std
     const fs::path picture = how.out / "figures" / chapter / name;
     if (svg && ends_with(picture, origin)) return;
     try {
-      write_whole(picture, draw(how.out, script, format) + (svg ? origin : ""));
+      std::string drawn = draw(how.out, script, format);
+      if (svg) drawn = with_answers(std::move(drawn), answers);
+      write_whole(picture, drawn + (svg ? origin : ""));
     } catch (const Failure& failure) {
       std::error_code ignored;
       fs::remove(picture, ignored);  // a drawing of older data beside new data would mislead
@@ -74,7 +77,7 @@ std::vector<fs::path> publish(const Chapter& chapter, const Scene& scene, const 
                       script = remark + gnuplot_script(*showing.figure, name + ".csv");
     put("results", ".csv", data);
     put("results", ".gp", script);
-    origin = drawn_from(put_style(how.out), script, data);
+    origin = drawn_from(put_style(how.out) + answers_of(*showing.figure), script, data);
   }
   if (showing.table) {
     put("tables", ".csv", showing.table->csv());
@@ -82,7 +85,7 @@ std::vector<fs::path> publish(const Chapter& chapter, const Scene& scene, const 
   }
   put("results", ".json", provenance(chapter, scene, performance, quick));
   if (showing.figure && how.plots) {
-    draw_figure(chapter.name(), scene.name, origin, how);
+    draw_figure(chapter.name(), scene.name, answers_of(*showing.figure), origin, how);
     for (const char* extension : {".svg", ".png"}) {
       if (extension == std::string_view(".svg") || how.png)
         files.push_back(fs::path("figures") / chapter.name() / (scene.name + extension));

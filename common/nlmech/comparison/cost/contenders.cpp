@@ -9,13 +9,27 @@
 
 namespace nlmech::comparison {
 
+namespace {
+
+Kind kind_of(peers::Family family) {
+  switch (family) {
+    case peers::Family::runge_kutta: return Kind::explicit_;
+    case peers::Family::extrapolation: return Kind::extrapolation;
+    case peers::Family::adams: return Kind::adams;
+    case peers::Family::implicit: break;
+  }
+  return Kind::implicit;
+}
+
+}  // namespace
+
 Kind kind_of(const AnyMethod& method) {
   const std::string& name = method.name;
-  if (method.peer) return peers::peer_is_implicit(name) ? Kind::implicit : Kind::explicit_;
+  if (method.peer) return kind_of(peers::peer_family(name));
   if (name == "adaptive-collocation") return Kind::own;
   if (name == "series") return Kind::series;
-  if (name == "rbf-coll") return Kind::radial;
-  if (name == "mcpi" || name == "lgl-coll" || name == "radau-coll") return Kind::polynomial;
+  if (name == "rbf-coll" || name == "mcpi" || name == "lgl-coll" || name == "radau-coll")
+    return Kind::polynomial;
   return method.info.steps == ivp::Steps::chosen ? Kind::explicit_ : Kind::classical;
 }
 
@@ -49,7 +63,7 @@ std::vector<Contender> all_peers(bool quick) {
   for (const bool implicit : {false, true}) {
     for (const std::string& name : peers::all_peer_names()) {
       if (peers::peer_is_implicit(name) != implicit) continue;
-      all.push_back(by_tolerances(name, implicit ? Kind::implicit : Kind::explicit_, quick));
+      all.push_back(by_tolerances(name, kind_of(any_method(name)), quick));
       if (!peers::peer_available(name)) all.back().settings.clear();
     }
   }

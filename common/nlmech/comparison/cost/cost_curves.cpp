@@ -1,16 +1,19 @@
 #include "nlmech/comparison/cost/cost_curves.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
-#include <utility>
+
+#include "nlmech/peers/ivp/registry.hpp"
 
 namespace nlmech::comparison {
 namespace {
 
-constexpr std::array foremost_first = {Kind::own,        Kind::closed_form, Kind::series,    Kind::radial,
-                                       Kind::polynomial, Kind::classical,   Kind::explicit_, Kind::implicit};
+/// A curve of a peer, of what its page is about, or else of ours.
+scene::Side side_of(const Curve& curve) {
+  if (peers::is_peer(curve.name)) return scene::Side::peer;
+  if (curve.kind == Kind::closed_form) return scene::Side::floor;
+  return curve.kind <= Kind::series ? scene::Side::subject : scene::Side::ours;
+}
 
 }  // namespace
 
@@ -37,10 +40,10 @@ double least_error(const std::vector<Curve>& curves, const std::string& name) {
 std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves) {
   std::vector<scene::MethodLine> lines;
   for (const Curve& curve : curves) {
-    const auto* group = std::ranges::find(foremost_first, curve.kind);
     scene::MethodLine& line = lines.emplace_back();
     line.method = curve.name;
-    line.group = static_cast<std::size_t>(group - foremost_first.begin());
+    line.group = static_cast<std::size_t>(curve.kind);
+    line.side = side_of(curve);
     for (const Cost& c : curve.costs)
       line.attempts.push_back(
           {c.setting, c.status, c.error, c.time, {c.work.right_hand_sides, c.work.steps, c.work.rejected}});
@@ -48,15 +51,18 @@ std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves) {
   return lines;
 }
 
-std::vector<scene::MethodGroup> method_groups(const std::string& own) {
-  return {{own, "#000000", 15, 2.8},
-          {"closed form", "#000000", 15, 2.6},
-          {"Taylor series", "#D55E00", 13, 2.6},
-          {"radial functions", "#D55E00", 5, 2.6},
-          {"polynomials, Picard", "#0072B2", 7, 2},
-          {"fixed step, others", "#7F7F7F", 2, 1},
-          {"step control, explicit", "#009E73", 9, 1.4},
-          {"step control, implicit", "#CC79A7", 11, 1.4}};
+std::vector<scene::MethodGroup> method_groups(const std::string& own, const std::string& source) {
+  // In the order of Kind. No picture has both closed forms and collocation by polynomials.
+  return {{source, 2},
+          {own, 0},
+          {"closed form", 7},
+          {"Taylor series", 1},
+          {"polynomials, Picard", 7},
+          {"fixed step, others", 6},
+          {"Runge-Kutta, step control", 3},
+          {"extrapolation", 6},
+          {"Adams", 5},
+          {"implicit, step control", 4}};
 }
 
 }  // namespace nlmech::comparison

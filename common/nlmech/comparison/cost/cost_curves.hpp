@@ -95,7 +95,8 @@ template <int n>
 /// As work-precision diagrams show them, with right-hand sides, steps and rejected steps.
 [[nodiscard]] std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves);
 
-/// What MethodLine::group numbers. @param own what the method of Kind::own is
-[[nodiscard]] std::vector<scene::MethodGroup> method_groups(const std::string& own);
+/// What MethodLine::group numbers, in the order of Kind. @param own, source what methods of these kinds are
+[[nodiscard]] std::vector<scene::MethodGroup> method_groups(
+    const std::string& own = "adaptive collocation", const std::string& source = "the source's method");
 
 }  // namespace nlmech::comparison

@@ -21,15 +21,18 @@ scene::Scene cost_scene(CostScene what) {
       what.measure);
   const auto put = [what](const Costs& all, scene::Show& show) {
     const bool known = all.condition >= 10;  // less lies beyond the 15 digits of the picture
-    scene::show_work_precision({.heading = what.heading,
+    const scene::ProblemLines lines{"", method_lines(all.curves)};
+    scene::show_work_precision({.heading = what.problem + ": " + who_leads(lines),
                                 .work = {"right-hand sides", "steps", "rejected"},
                                 .work_label = "right-hand sides evaluated",
-                                .groups = method_groups(what.own),
+                                .groups = method_groups(),
                                 .rounding = known ? all.condition * 0x1p-53 : 0},
-                               {{"", method_lines(all.curves)}}, show);
+                               {lines}, show);
     what.check(all, show);
   };
-  return {.name = "error-vs-time" + suffix, .title = what.heading, .content = scene::Content(put, costs)};
+  return {.name = "error-vs-time" + suffix,
+          .title = what.problem + ": digits against cost",
+          .content = scene::Content(put, costs)};
 }
 
 }  // namespace nlmech::comparison

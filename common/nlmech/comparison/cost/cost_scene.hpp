@@ -35,9 +35,8 @@ void check_condition(const Costs& costs, scene::Show& show);
 /// What a scene of digits against cost is about.
 struct CostScene {
   std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
-  std::string heading;  ///< "Driven Duffing oscillator to t = 50: digits against cost"
+  std::string problem;  ///< "Driven Duffing oscillator to t = 50"; the heading adds who is fastest
   std::string reading;  ///< of the run: settings, and what else is particular
-  std::string own = "adaptive collocation";                    ///< what the method of Kind::own is
   std::function<Costs(bool quick)> measure = {};               ///< called at most once a process
   std::function<void(const Costs&, scene::Show&)> check = {};  ///< of the scene
 };

@@ -14,17 +14,19 @@ namespace nlmech::comparison {
 
 /// Which methods belong together in a picture.
 enum class Kind {
-  radial = 1,   ///< collocation by radial functions, steps by hand
-  polynomial,   ///< collocation by polynomials and Picard iteration, steps by hand
-  classical,    ///< the other methods of fixed step, steps by hand
-  explicit_,    ///< step control, explicit
-  implicit,     ///< step control, implicit
-  series,       ///< Taylor series
-  closed_form,  ///< no integration at all
-  own           ///< adaptive collocation
+  source,         ///< the method of the page's source
+  own,            ///< what became of it: adaptive collocation, analytic continuation
+  closed_form,    ///< no integration at all
+  series,         ///< Taylor series
+  polynomial,     ///< collocation and Picard iteration, steps by hand
+  classical,      ///< the other methods of fixed step, steps by hand
+  explicit_,      ///< Runge-Kutta and Nystrom methods with step control
+  extrapolation,  ///< explicit, with control of step and order
+  adams,          ///< multistep, not for stiff problems
+  implicit        ///< step control, for stiff problems
 };
 
-/// The kind of a method or peer.
+/// The kind of a method or peer, where no page has a source of its own.
 [[nodiscard]] Kind kind_of(const AnyMethod& method);
 
 /// What one setting of one method came to.

@@ -21,7 +21,7 @@ using Method = std::variant<Cvode, Arkode, Gsl, Odeint>;
 struct Peer {
   std::string_view library;
   bool (*available)() noexcept;
-  bool implicit;
+  Family family;
   Method method;
   [[nodiscard]] std::string_view name() const {
     return std::visit([](const auto& m) { return m.name(); }, method);
@@ -33,20 +33,21 @@ const std::array<Peer, 13>& peers() {
   using A = Arkode::Formula;
   using G = Gsl::Formula;
   using O = Odeint::Formula;
+  using F = Family;
   static const std::array<Peer, 13> all = {{
-      {"CVODE", &cvode_available, false, Cvode{.formula = C::adams}},
-      {"CVODE", &cvode_available, true, Cvode{.formula = C::bdf}},
-      {"ARKODE", &arkode_available, false, Arkode{.formula = A::erk}},
-      {"ARKODE", &arkode_available, true, Arkode{.formula = A::dirk}},
-      {"GSL", &gsl_available, false, Gsl{.formula = G::rkf45}},
-      {"GSL", &gsl_available, false, Gsl{.formula = G::rk8pd}},
-      {"GSL", &gsl_available, true, Gsl{.formula = G::bsimp}},
-      {"GSL", &gsl_available, false, Gsl{.formula = G::msadams}},
-      {"GSL", &gsl_available, true, Gsl{.formula = G::msbdf}},
-      {"Odeint", &odeint_available, false, Odeint{.formula = O::dopri5}},
-      {"Odeint", &odeint_available, false, Odeint{.formula = O::fehlberg78}},
-      {"Odeint", &odeint_available, false, Odeint{.formula = O::bulirsch_stoer}},
-      {"Odeint", &odeint_available, true, Odeint{.formula = O::rosenbrock4}},
+      {"CVODE", &cvode_available, F::adams, Cvode{.formula = C::adams}},
+      {"CVODE", &cvode_available, F::implicit, Cvode{.formula = C::bdf}},
+      {"ARKODE", &arkode_available, F::runge_kutta, Arkode{.formula = A::erk}},
+      {"ARKODE", &arkode_available, F::implicit, Arkode{.formula = A::dirk}},
+      {"GSL", &gsl_available, F::runge_kutta, Gsl{.formula = G::rkf45}},
+      {"GSL", &gsl_available, F::runge_kutta, Gsl{.formula = G::rk8pd}},
+      {"GSL", &gsl_available, F::implicit, Gsl{.formula = G::bsimp}},
+      {"GSL", &gsl_available, F::adams, Gsl{.formula = G::msadams}},
+      {"GSL", &gsl_available, F::implicit, Gsl{.formula = G::msbdf}},
+      {"Odeint", &odeint_available, F::runge_kutta, Odeint{.formula = O::dopri5}},
+      {"Odeint", &odeint_available, F::runge_kutta, Odeint{.formula = O::fehlberg78}},
+      {"Odeint", &odeint_available, F::extrapolation, Odeint{.formula = O::bulirsch_stoer}},
+      {"Odeint", &odeint_available, F::implicit, Odeint{.formula = O::rosenbrock4}},
   }};
   return all;
 }
@@ -85,7 +86,9 @@ ivp::MethodInfo peer_info(std::string_view name) {
 
 bool peer_available(std::string_view name) { return find(name).available(); }
 
-bool peer_is_implicit(std::string_view name) { return find(name).implicit; }
+Family peer_family(std::string_view name) { return find(name).family; }
+
+bool peer_is_implicit(std::string_view name) { return peer_family(name) == Family::implicit; }
 
 std::string absent_peer_sentence(std::string_view name) {
   return fmt::format("{} is not in this build: configure with {} (NLMECH_PEERS)", name, find(name).library);

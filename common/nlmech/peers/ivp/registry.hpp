@@ -15,6 +15,14 @@ namespace nlmech::peers {
 template <int n>
 using PeerIntegrator = ivp::NamedIntegrator<n>;
 
+/// What kind of formula a peer has.
+enum class Family {
+  runge_kutta,    ///< explicit, one step
+  extrapolation,  ///< explicit, one step
+  adams,          ///< several steps, not for stiff problems
+  implicit        ///< equations are solved in each step, so that stiff problems do not slow it down
+};
+
 /// All peers that integrate: "cvode-adams cvode-bdf arkode-erk arkode-dirk gsl-rkf45 gsl-rk8pd gsl-bsimp
 /// gsl-msadams gsl-msbdf odeint-dopri5 odeint-fehlberg78 odeint-bulirsch-stoer odeint-rosenbrock4", in this
 /// order.
@@ -33,8 +41,10 @@ using PeerIntegrator = ivp::NamedIntegrator<n>;
 /// Does this build have it? @throws std::invalid_argument if @p name is not one of all_peer_names()
 [[nodiscard]] bool peer_available(std::string_view name);
 
-/// Does it solve equations in each step, so that stiff problems do not slow it down?
-/// @throws std::invalid_argument if @p name is not one of all_peer_names()
+/// Its kind. @throws std::invalid_argument if @p name is not one of all_peer_names()
+[[nodiscard]] Family peer_family(std::string_view name);
+
+/// Is it Family::implicit? @throws std::invalid_argument if @p name is not one of all_peer_names()
 [[nodiscard]] bool peer_is_implicit(std::string_view name);
 
 /// "cvode-bdf is not in this build: configure with CVODE (NLMECH_PEERS)": for where an absent peer would

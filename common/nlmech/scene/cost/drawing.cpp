@@ -1,0 +1,236 @@
+#include "nlmech/scene/cost/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <ranges>
+#include <utility>
+
+#include "nlmech/scene/cost/spread.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+constexpr const char* small_font = "font sprintf(\"%s,%d\", font_family, font_size - 3)";
+constexpr double letter = 6.1;  // pixels, of the small font, on average
+
+std::size_t letters(const std::string& text) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // of UTF-8
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
+}
+
+constexpr std::size_t time_column = 5, work_column = 13;
+
+/// A problem over a column of the data, and where it stands, in pixels from the picture's upper left corner.
+struct Axes {
+  std::size_t problem, column;
+  std::string label;
+  bool named;  // at the ends of curves
+  double left, right, top, bottom;
+};
+
+struct Layout {
+  double width, height;
+  std::vector<Axes> axes;
+};
+
+/// Names to the right of the axes, who is fastest below them.
+Layout layout_of(const Diagram& d) {
+  std::size_t longest = 0;
+  for (const InColour& c : d.chosen)
+    longest = std::max(longest, letters(d.problems.front().lines[c.line].method));
+  const double names = 34 + letter * static_cast<double>(longest);
+  constexpr double strip = 150;  // and tics, label
+  if (d.problems.size() == 1) {
+    const bool work = !d.what.work_label.empty();
+    const double width = work ? 1000 : 820, bottom = work ? 400 : 420;
+    const double rest = width - 70 - names - (work ? 60 : 10), first = work ? 0.58 * rest : rest;
+    Layout l{width, bottom + strip + 30, {{0, time_column, d.what.time, true, 70, 70 + first, 46, bottom}}};
+    if (work) {
+      const double left = 70 + first + names + 45;
+      l.axes.push_back({0, work_column, d.what.work_label, false, left, width - 15, 46, bottom});
+    }
+    return l;
+  }
+  const bool rows = d.problems.size() > 2;
+  const double height = rows ? 240 : 320;
+  Layout l{1040, 0, {}};
+  double top = 76;
+  for (std::size_t p = 0; p < d.problems.size(); ++p) {
+    const double left = p % 2 == 0 ? 62 : 574;
+    l.axes.push_back({p, time_column, d.what.time, true, left, left + 456 - names, top, top + height});
+    l.height = top + height + strip + 30;
+    if (p % 2 == 1) top += height + strip + 46;
+  }
+  return l;
+}
+
+/// Least and greatest of what is drawn for a problem, with some room.
+std::pair<double, double> range_of(const Table& table, std::size_t problem, std::size_t column) {
+  double low = HUGE_VAL, high = 0;
+  for (const auto& row : table.rows()) {
+    const auto* real = std::get_if<double>(&row[column]);
+    const auto* whole = std::get_if<std::int64_t>(&row[column]);
+    const double x = real != nullptr ? *real : whole != nullptr ? static_cast<double>(*whole) : 0;
+    const bool here = std::get<std::int64_t>(row[1]) == static_cast<std::int64_t>(problem) + 1;
+    if (!here || !(x > 0) || std::holds_alternative<std::monostate>(row[4])) continue;
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  if (high == 0) return {0.1, 1};
+  if (high < 30 * low)  // two tics at least
+    return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high)))};
+  return {low / 1.8, high * 1.5};
+}
+
+/// The curves of a problem: grey ones, then those in colour, the most important last.
+void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
+  const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
+  bool empty = true;
+  const auto put = [&](std::size_t i, const std::string& look) {
+    const int block = d.blocks[axes.problem][i];
+    if (block < 0) return;
+    empty = false;
+    panel.also(
+        fmt::format("data using \"{}\":\"digits\" every :::{}::{} with linespoints {} title {} noenhanced",
+                    d.data.columns()[axes.column].name, block, block, look, gnuplot_quoted(lines[i].method)));
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (d.colour_of(i) != nullptr) continue;
+    const bool alone = lines[i].attempts.size() == 1;  // a point, and no line that shows it
+    put(i, fmt::format("linecolor rgb '#bdbdbd' linewidth 0.8 dashtype solid pointtype 7 pointsize {}",
+                       alone ? 0.45 : 0.2));
+  }
+  for (const InColour& c : d.chosen | std::views::reverse) {
+    const Side side = lines[c.line].side;
+    put(c.line, fmt::format("linecolor rgb '{}' linewidth {} dashtype {} pointtype {} pointsize 0.65",
+                            method_looks[c.colour].colour, side == Side::peer ? 1.6 : 2.4,
+                            side == Side::peer ? "6" : "solid", method_looks[c.colour].symbol));
+  }
+  if (empty) panel.also("NaN notitle");  // the axes alone
+}
+
+/// Names beside the axes, each joined to the end of its curve.
+void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
+  const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
+  std::vector<const InColour*> named;
+  std::vector<double> ends;
+  for (const InColour& c : d.chosen) {
+    const Attempt* best = lines[c.line].best();
+    if (best == nullptr) continue;
+    named.push_back(&c);
+    ends.push_back(std::clamp(*best->digits(), d.what.least_digits, d.what.most_digits));
+  }
+  const double digit = (axes.bottom - axes.top) / (d.what.most_digits - d.what.least_digits);
+  const auto places = spread(ends, 16 / digit, d.what.least_digits, d.what.most_digits);
+  for (std::size_t k = 0; k < named.size(); ++k) {
+    const MethodLine& line = lines[named[k]->line];
+    const MethodLook& look = method_looks[named[k]->colour];
+    panel.set(
+        fmt::format("arrow from first {:.6g}, first {:.6g} to graph 1.02, first {:.6g} nohead linecolor rgb "
+                    "'{}' linewidth 0.6 dashtype 3",
+                    line.best()->time.median, ends[k], places[k], look.colour));
+    panel.set(fmt::format(
+        "label {} at graph 1.03, first {:.6g} left noenhanced {} textcolor rgb '{}' point "
+        "linecolor rgb '{}' pointtype {} pointsize 0.65 offset 0.8,-0.15",
+        gnuplot_quoted(line.method), places[k], small_font, look.colour, look.colour, look.symbol));
+  }
+}
+
+/// Who is fastest at how many digits, in rows below the axes.
+void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& panel) {
+  const ProblemLines& problem = d.problems[axes.problem];
+  const auto leads = leads_of(problem);
+  std::size_t longest = 0;
+  for (const Lead& lead : leads)
+    longest = std::max(longest, lead.first ? letters(problem.lines[*lead.first].method) : 6);
+  double y = axes.bottom + 76;
+  const auto put = [&](const std::string& text, double x, const char* side, const std::string& colour) {
+    panel.set(fmt::format("label {} at screen {:.4f}, screen {:.4f} {} noenhanced {} textcolor rgb {}",
+                          gnuplot_quoted(text), x / layout.width, 1 - y / layout.height, side, small_font,
+                          colour));
+  };
+  const double names = axes.left + 34, margins = names + 16 + letter * static_cast<double>(longest);
+  put("digits", axes.left + 20, "right", "soft_ink");
+  put("fastest", names, "left", "soft_ink");
+  for (const Lead& lead : leads) {
+    y += 17;
+    put(fmt::format("{:g}", lead.digits), axes.left + 20, "right", "ink");
+    const InColour* colour = lead.first ? d.colour_of(*lead.first) : nullptr;
+    put(lead.first ? problem.lines[*lead.first].method : "nobody", names, "left",
+        colour != nullptr ? gnuplot_quoted(method_looks[colour->colour].colour) : "soft_ink");
+    if (lead.first) put(lead.margin(problem), margins, "left", "ink");
+  }
+}
+
+/// Digits that one rounding of the data may cost.
+void put_rounding(double digits, Panel& panel) {
+  panel.level(digits).set(
+      fmt::format("label 'one rounding of the data' at graph 0.01, first {:.6g} left offset 0,0.5 {} "
+                  "textcolor rgb soft_ink",
+                  digits, small_font));
+}
+
+/// Curves of no colour.
+std::size_t grey_of(const Diagram& d) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < d.problems.front().lines.size(); ++i) {
+    const bool drawn = std::ranges::any_of(d.blocks, [i](const auto& of) { return of[i] >= 0; });
+    count += drawn && d.colour_of(i) == nullptr ? 1 : 0;
+  }
+  return count;
+}
+
+/// What the looks of curves and the level say.
+std::string explanation(const Diagram& d) {
+  const auto has = [&](Side side) {
+    return std::ranges::any_of(
+        d.chosen, [&](const InColour& c) { return d.problems.front().lines[c.line].side == side; });
+  };
+  std::string text;
+  const auto say = [&text](const std::string& sentence) { text += (text.empty() ? "" : "  ") + sentence; };
+  if (has(Side::peer)) say("Solid: this suite.  Dashed: peers.");
+  if (const std::size_t grey = grey_of(d); grey > 0)
+    say(fmt::format("Grey: {} other method{}.", grey, grey == 1 ? "" : "s"));
+  if (d.what.rounding > 0) say("Points above the level: rounding was kinder than at its worst.");
+  return text;
+}
+
+}  // namespace
+
+Figure drawn(Diagram d) {
+  const WorkPrecision& what = d.what;
+  const Layout layout = layout_of(d);
+  Plot plot(what.heading);
+  plot.size(static_cast<int>(layout.width), static_cast<int>(layout.height));
+  for (const Axes& axes : layout.axes) {
+    auto [low, high] = range_of(d.data, axes.problem, axes.column);
+    const bool over_time = axes.column == time_column;
+    if (what.least_time && over_time) low = std::min(low, what.least_time->first / 7);
+    Panel& panel = plot.panel(axes.label, axes.left < 100 ? what.digits : "");
+    panel.log_x()
+        .set(fmt::format("xrange [{:.3g}:{:.3g}]", low, high))
+        .set("xtics 10")
+        .y_range(what.least_digits, what.most_digits)
+        .key("off")
+        .set("ytics 3");
+    panel.place(axes.left / layout.width, axes.right / layout.width, 1 - axes.bottom / layout.height,
+                1 - axes.top / layout.height);
+    panel.caption(d.problems[axes.problem].problem);
+    if (what.rounding > 0) put_rounding(-std::log10(what.rounding), panel);
+    if (what.least_time && over_time) panel.mark(what.least_time->first, what.least_time->second);
+    if (axes.named) {
+      put_names(d, axes, panel);
+      put_leads(d, axes, layout, panel);
+    }
+    if (&axes == &layout.axes.front())
+      panel.set(fmt::format(
+          "label {} at screen {:.4f}, screen {:.4f} left noenhanced {} textcolor rgb soft_ink",
+          gnuplot_quoted(explanation(d)), axes.left / layout.width, 14 / layout.height, small_font));
+    put_curves(d, axes, panel);
+  }
+  return {std::move(d.data), "", {{"answers", "curves"}}, plot.prelude(), plot.script()};
+}
+
+}  // namespace nlmech::scene
