@@ -128,6 +128,31 @@ TEST(Equations, DefinitionsOfStateAndTime) {
             (std::vector<double>{0.8, 1.4}));
 }
 
+// A definition that holds a highest derivative is no parameter.
+TEST(Equations, ParametersAreNumbers) {
+  EXPECT_EQ(read("F = 3 x''; 0 = F + k x", {{"k", 2}}).parameters().size(), 1U);
+}
+
+// Leading minors are 0 at some of these times, where the whole determinant is not: no order of pivots is
+// good.
+TEST(Equations, CoupledWithoutPivots) {
+  const Equations e = read(
+      "s a' + b' + c' + d' = 1; a' + s b' + d' = 2; c' s + a' + d' = 3; a' + b' - c' + s d' = 4; s = t/3");
+  EXPECT_EQ(e.state_names(), (Names{"a", "b", "c", "d"}));
+  for (const double t : {0.0, 1e-9, 0.5, 3.03, -3.0}) {
+    const double s = t / 3;
+    Eigen::Matrix4d m;
+    m << s, 1, 1, 1, 1, s, 0, 1, 1, 0, s, 1, 1, 1, -1, s;
+    const Eigen::JacobiSVD<Eigen::Matrix4d> svd(m);
+    const double condition = svd.singularValues()[0] / svd.singularValues()[3];
+    const Eigen::Vector4d expected = m.fullPivLu().solve(Eigen::Vector4d(1, 2, 3, 4));
+    const std::vector<double> f = slopes(e, {0, 0, 0, 0}, t);
+    // Modified Gram-Schmidt is backward stable: the condition, times a few roundings a column.
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(f[i], expected[static_cast<int>(i)], 64 * 2.2e-16 * condition * expected.norm()) << t;
+  }
+}
+
 TEST(Equations, LinesMayGoOn) {
   EXPECT_EQ(slopes(read("x' = (1\n + 2)\n\n\ny' = 3 +\n  x"), {5, 0}), (std::vector<double>{3, 8}));
 }

@@ -1,6 +1,7 @@
 /// Typed equations give the numbers that C++ gives for the same formula.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,8 @@ TEST(Typed, ProductsSideBySide) {
   EXPECT_EQ(value("2 x^2 y", 0, 3, 5), 90);
   EXPECT_EQ(value("-x y", 0, 3, 5), -15);
   EXPECT_EQ(value("2 cos(t) x", 0, 3), 6);
+  EXPECT_EQ(value("-1/2 x", 0, 3), -1.5);
+  EXPECT_EQ(value("x (y - 1)(y + 1)", 0, 3, 5), 72);
 }
 
 TEST(Typed, Functions) {
@@ -82,6 +85,53 @@ TEST(Typed, OperationsOnNumbers) {
   EXPECT_EQ(value("x + 3 y - 2 x", 0, 1, 3), 8);
   EXPECT_EQ(value("0 x + 1 y", 0, 1, 3), 3);
   EXPECT_EQ(value("x - x"), 0);
+}
+
+// What is zero as a formula is zero; x^0 is 1; what is not a number decides nothing.
+TEST(Typed, ZerosAndNumbersThatAreNone) {
+  EXPECT_EQ(value("0 log(x)", 0, -1), 0);
+  EXPECT_EQ(value("0/x", 0, 0), 0);
+  EXPECT_EQ(value("x^0", 0, 0), 1);
+  EXPECT_EQ(value("0^0"), 1);
+  EXPECT_EQ(value("(-8)^3"), -512);
+  EXPECT_TRUE(std::isnan(value("x^(1/3)", 0, -8)));
+  for (const char* text : {"sign(log(x))", "abs(log(x))", "max(log(x), 1)", "min(1, log(x))"})
+    EXPECT_TRUE(std::isnan(value(text, 0, -1))) << text;
+  EXPECT_TRUE(std::isinf(value("1/x", 0, 0)));
+  EXPECT_EQ(value("sign(0) + abs(0) + min(0, 0)"), 0);
+  EXPECT_EQ(value("abs(-2) + sign(-3) + max(-1, -2)"), 0);
+}
+
+// By one function where they change on one surface.
+TEST(Typed, SwitchesOnOneSurface) {
+  const auto switches = [](const std::string& text) {
+    return Problem<2>(Equations(SourceText("test", text))).switches();
+  };
+  EXPECT_EQ(switches("x'' = -x"), 0);
+  EXPECT_EQ(switches("x'' = abs(x) + abs(-2 x) + sign(x/3) + max(0, x) + min(x, 0)"), 1);
+  EXPECT_EQ(switches("x'' = max(x, x') + min(x', x) + abs(x - x') + sign(x' - x)"), 1);
+  EXPECT_EQ(switches("x'' = max(x, 1) + min(1, x)"), 1);
+  EXPECT_EQ(switches("x'' = abs(x) + sign(x')"), 2);
+  EXPECT_EQ(switches("x'' = abs(-3) x"), 0);
+}
+
+// Three dry brakes at rest together: each holds its mass with the share of its friction that it takes.
+TEST(Typed, StaysOnSeveralSurfaces) {
+  const Equations equations(SourceText("test",
+                                       "x'' = a - sign(x'); y'' + x'' = b - sign(y') - sign(x') + a;"
+                                       "z' = -2 sign(z); a = 0.5; b = -0.25"));
+  const Problem<Eigen::Dynamic> problem(equations);
+  ASSERT_EQ(problem.switches(), 3);
+  const auto stuck = problem.in_mode({0, 0, 0});
+  const Vector<double, Eigen::Dynamic> x = Eigen::VectorXd::Zero(5);
+  Vector<double, Eigen::Dynamic> f(5);
+  stuck(0.0, x, f);
+  EXPECT_EQ(f, Eigen::VectorXd::Zero(5));
+  std::vector<double> shares(3), rates(3);
+  stuck.surfaces(0.0, x, shares, rates);
+  std::sort(shares.begin(), shares.end());  // the order of the functions is the text's business
+  EXPECT_EQ(shares, (std::vector<double>{0.375, 0.5, 0.75}));
+  EXPECT_EQ(rates, (std::vector<double>{0, 0, 0}));
 }
 
 /// The same formula in C++.

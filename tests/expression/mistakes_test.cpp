@@ -1,6 +1,8 @@
 /// A mistake in an equation is pointed at, with a sentence that says what was expected.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "nlmech/expression/equations.hpp"
@@ -69,6 +71,34 @@ TEST(Mistake, IsPointedAt) {
        "E:1:16: an initial value is a number, or an expression of definitions that are\n"},
       {"x' = 1; x''(0) = 1", "E:1:9: no component of the state; these are x\n"},
       {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation has one sign =\n"},
+      {"x'' = \u2212x", "E:1:7: a minus sign is typed -\n  x'' = \u2212x\n        ^"},
+      {"x'' = x\u00b2", "E:1:8: a square is typed ^2\n  x'' = x\u00b2\n         ^"},
+      {"x'' = 30\u00b0", "E:1:9: angles are in radians: a degree is pi/180\n"},
+      {"x\u2032 = 1", "E:1:2: a derivative is typed with a straight prime, x'\n"},
+      {"x' = x \xff", "E:1:8: \\xff has no meaning here\n  x' = x \\xff\n         ^^^^"},
+      {"x' =\t\t$", "E:1:7: $ has no meaning here\n  x' =\\t\\t$\n          ^"},
+      {"# a\u00f1o\r\nx' = 1 +\r\n  y\r\n",
+       "E:3:3: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n    y\n    ^"},
+      {"\xEF\xBB\xBFx' = y",
+       "E:1:6: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n  x' = y\n     "
+       "  ^"},
+      {"x' = 1..2", "E:1:6: a number has one decimal point\n"},
+      {"x' = 1e400", "E:1:6: this number is beyond the range of double precision\n"},
+      {"x' = 1e200^2", "E:1:6: this is infinite, or beyond the range of double precision\n"},
+      {"x' = 1 + x/(2 - 2)", "E:1:12: a division by zero\n"},
+      {"x' = log(a) x; a = -1", "E:1:6: this is no real number\n  x' = log(a) x; a = -1\n       ^^^^^^"},
+      {"x'/0 = 1", "E:1:4: a division by zero\n"},
+      {"x' = x - 1 = 2", "E:1:12: an equation has one sign =\n"},
+      {"x' = 2 x)", "E:1:9: expected an operator or the end of the equation\n"},
+      {"x' = (x; y' = 1", "E:1:8: expected an operator or ), and here the equation ends\n"},
+      {"x' = [x]", "E:1:6: brackets are round\n"},
+      {"x' = x, y' = 1", "E:1:7: expected an operator or the end of the equation\n"},
+      {"x'(1 + x') = 1", "E:1:4: the time of an initial value is a number"},
+      {"x' x' = 1", "E:1:4: x' stands in a product with another one"},
+      {"x'' + 2^x'' = 0", "E:1:9: x'' stands in an exponent; a highest derivative has to stand linearly\n"},
+      {"x'' = abs(x'')", "E:1:11: x'' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value is a number"},
+      {"x' = 1; x(0) 1 = 2", "E:1:9: x is no function; for a product write x*(...)"},
       {"", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
   };
   for (const Case& c : cases)
@@ -77,6 +107,10 @@ TEST(Mistake, IsPointedAt) {
 
 TEST(Mistake, OfASetting) {
   EXPECT_EQ(refusal("x' = a; a = 1", {{"b", 2}}), "--set b: the equation has no such definition; there is a");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"x", 2}}), "--set x: the equation has no such definition; there is a");
+  EXPECT_EQ(refusal("x' = 1", {{"t", 2}}), "--set t: the equation has no such definition");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"a", std::nan("")}}), "--set a: a finite number, and this is nan");
+  EXPECT_EQ(refusal("x' = 1/a; a = 1", {{"a", 0}}).substr(0, 26), "E:1:8: a division by zero\n");
 }
 
 TEST(Mistake, OfAnInitialState) {
@@ -96,8 +130,7 @@ TEST(Mistake, OfAnInitialState) {
             "--initial:1:6: no component of the state; these are x, y, x'\n  x=1, z=2\n       ^");
   EXPECT_EQ(refused("x=1, y"),
             "--initial:1:7: expected an operator or =, and here the text ends\n  x=1, y\n        ^");
-  EXPECT_EQ(refused("x=1/0, y=1, x'=1"),
-            "--initial:1:3: an initial value is finite, and this is inf\n  x=1/0, y=1, x'=1\n    ^^^");
+  EXPECT_EQ(refused("x=1/0, y=1, x'=1"), "--initial:1:5: a division by zero\n  x=1/0, y=1, x'=1\n      ^");
 }
 
 TEST(Mistake, DepthIsBounded) {
@@ -112,6 +145,30 @@ TEST(Mistake, DepthIsBounded) {
   for (int i = 0; i < 5000; ++i) chain += ";a" + std::to_string(i) + "=a" + std::to_string(i + 1);
   EXPECT_NE(refusal(chain).find("definitions are nested too deeply here"), std::string::npos);
   EXPECT_NE(refusal(std::string(1'000'001, ' ')).find("longer than 1000000 bytes"), std::string::npos);
+}
+
+// Definitions that double, towers of choices and long lists of highest derivatives: shared, or refused.
+TEST(Mistake, GrowthIsBounded) {
+  std::string doubling = "x' = a60; a0 = 1 + x";
+  for (int i = 1; i <= 60; ++i) doubling += fmt::format("; a{0} = a{1} a{1} + a{1}", i, i - 1);
+  EXPECT_EQ(refusal(doubling), "accepted");
+  EXPECT_LT(Equations(SourceText("E", doubling)).graph().nodes(), 300);
+  std::string choices = "x' = a60; a0 = x";
+  for (int i = 1; i <= 60; ++i) choices += fmt::format("; a{0} = abs(a{1} - {0}) + max(a{1}, {0})", i, i - 1);
+  EXPECT_EQ(refusal(choices), "accepted");
+  EXPECT_LT(Equations(SourceText("E", choices)).graph().nodes(), 1000);
+
+  // 1500 highest derivatives, each scaled by each of 1500 factors: two million operations.
+  std::string sum = "F = x0'", product = "0 = F";
+  for (int i = 1; i < 1500; ++i) {
+    sum += fmt::format(" + x{}'", i);
+    product += fmt::format(" (1 + t/{})", i);
+  }
+  const char* const too_many = "the equations come to more than 1000000 operations here";
+  EXPECT_NE(refusal(product + "; " + sum).find(too_many), std::string::npos);
+  std::string copies = "0 = F";
+  for (int i = 0; i < 100'000; ++i) copies += "+F";
+  EXPECT_NE(refusal(copies + "; " + sum).find(too_many), std::string::npos);
 }
 
 TEST(Mistake, LongSumsAreNone) {

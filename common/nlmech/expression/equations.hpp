@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nlmech/expression/graph.hpp"
+#include "nlmech/expression/meaning.hpp"
 #include "nlmech/expression/source_text.hpp"
 #include "nlmech/expression/syntax.hpp"
 
@@ -18,15 +19,8 @@ namespace nlmech::expression {
 /// A value given from outside: `--set a=4`.
 using Settings = std::map<std::string, double>;
 
-/// An unknown of the equations.
-struct Unknown {
-  std::string name;  ///< "x"
-  int order;         ///< of its highest derivative
-  Place place;       ///< where that first stands
-};
-
-/// How high derivatives may be.
-inline constexpr int highest_order = 4;
+/// How high derivatives may be, and how many unknowns there may be.
+inline constexpr int highest_order = 4, most_unknowns = 2000;
 
 /// A system of equations. Every method of initial value problems runs on it, through Problem (problem.hpp).
 ///
@@ -36,7 +30,8 @@ class Equations {
  public:
   /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`) and initial values (`x'(0) = 1`).
   /// @param settings replace definitions by numbers, and give those that the text leaves out
-  /// @throws InputError that points at the mistake and says what was expected
+  /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
+  /// finite, or that the text does not name
   explicit Equations(SourceText source, const Settings& settings = {});
 
   /// Components of the state.
@@ -46,7 +41,7 @@ class Equations {
   /// "x", "y", "x'", "y'"
   [[nodiscard]] const std::vector<std::string>& state_names() const { return state_names_; }
   /// The unknowns, as the text first names them.
-  [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
+  [[nodiscard]] const std::vector<Unknown>& unknowns() const { return names_.unknowns; }
   /// The definitions that are numbers, as the text names them.
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
   /// The derivative of each component of the state, in graph().
@@ -69,14 +64,13 @@ class Equations {
   [[nodiscard]] NodeId expression(const std::string& name, const std::string& text);
 
  private:
-  friend class Resolver;
+  friend class EquationReader;
   SourceText source_;
   SyntaxTree tree_;
   Graph graph_{0};
-  std::vector<Unknown> unknowns_;
+  Names names_;
   std::vector<std::string> state_names_;
   std::vector<std::pair<std::string, double>> parameters_;
-  std::map<std::string, NodeId> defined_;
   std::vector<NodeId> slopes_;
   std::vector<std::optional<double>> initial_;
   std::optional<double> initial_time_;

@@ -6,6 +6,8 @@
 namespace nlmech::expression {
 namespace {
 
+std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
+
 double apply(Function function, double a) {
   switch (function) {
     case Function::sqrt: return std::sqrt(a);
@@ -32,6 +34,19 @@ bool has_exact_reciprocal(double c) {
 
 }  // namespace
 
+std::vector<bool> parts_of(const Graph& graph, const std::vector<NodeId>& ids) {
+  std::vector<bool> part(index(graph.nodes()));
+  for (const NodeId id : ids) part[index(id)] = true;
+  for (NodeId i = graph.nodes() - 1; i > graph.size(); --i) {
+    const Node& n = graph[i];
+    if (!part[index(i)] || n.operation == Operation::number) continue;
+    part[index(n.a)] = true;
+    if (has_two_operands(n.operation)) part[index(n.b)] = true;
+    if (n.operation == Operation::choice) part[index(n.decides)] = true;
+  }
+  return part;
+}
+
 bool has_two_operands(Operation operation) {
   switch (operation) {
     case Operation::sum:
@@ -40,7 +55,8 @@ bool has_two_operands(Operation operation) {
     case Operation::quotient:
     case Operation::any_power:
     case Operation::atan2:
-    case Operation::choice: return true;
+    case Operation::choice:
+    case Operation::combined: return true;
     default: return false;
   }
 }
@@ -62,6 +78,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::function: return apply(node.function, a);
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
+    case Operation::combined: return a + node.c * b;
   }
   return 0;
 }
@@ -76,19 +93,14 @@ NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function fu
   const bool known_operands = !leaf && is_number(a) && (!has_two_operands(operation) || is_number(b)) &&
                               operation != Operation::choice;
   if (known_operands) return number(evaluate(node, (*this)[a].c, (*this)[b].c));
-  const auto [place, is_new] = known_.try_emplace(node.key(), nodes());
-  if (is_new) nodes_.push_back(node);
-  return place->second;
+  // NaN has no place among keys that are compared: it makes a node of its own each time.
+  const auto id = std::isnan(c) ? nodes() : known_.try_emplace(node.key(), nodes()).first->second;
+  if (id == nodes()) nodes_.push_back(node);
+  return id;
 }
 
-// NaN has no place among keys that are compared: it is a node of its own each time.
-NodeId Graph::number(double c) {
-  if (std::isnan(c)) {
-    nodes_.push_back({Operation::number, {}, 0, 0, 0, c});
-    return nodes() - 1;
-  }
-  return add(Operation::number, 0, 0, c + 0.0);
-}
+// There is one zero.
+NodeId Graph::number(double c) { return add(Operation::number, 0, 0, c + 0.0); }
 
 NodeId Graph::sum(NodeId a, NodeId b) {
   if (is_number(a)) std::swap(a, b);
@@ -160,17 +172,35 @@ NodeId Graph::whole_power(NodeId a, int p) {
 
 NodeId Graph::call(Function function, NodeId a, NodeId b) {
   switch (function) {
-    case Function::abs: return choice(a, a, negative(a));
-    case Function::sign: return is_number(a, 0) ? a : choice(a, number(1), number(-1));
-    case Function::max: return choice(difference(a, b), a, b);
-    case Function::min: return choice(difference(a, b), b, a);
+    case Function::abs: return by_sign(a, a, negative(a));
+    case Function::sign: return is_number(a, 0) ? a : by_sign(a, number(1), number(-1));
+    case Function::max: return by_sign(difference(a, b), a, b);
+    case Function::min: return by_sign(difference(a, b), b, a);
     case Function::atan2: return add(Operation::atan2, a, b);
     default: return add(Operation::function, a, a, 0, function);
   }
 }
 
+// A choice by the sign of @p a, for which it does not matter what is chosen at 0: one function for all
+// multiples of a, and for a - b and b - a.
+NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
+  while ((*this)[a].operation == Operation::scaled || (*this)[a].operation == Operation::divided) {
+    if ((*this)[a].c < 0) std::swap(positive, negative);
+    a = (*this)[a].a;
+  }
+  const Node n = (*this)[a];
+  const bool turned = n.operation == Operation::shifted && (*this)[n.a].operation == Operation::scaled &&
+                      (*this)[n.a].c == -1;  // c - x
+  if (turned || (n.operation == Operation::difference && n.b < n.a)) {
+    std::swap(positive, negative);
+    a = turned ? sum((*this)[n.a].a, number(-n.c)) : difference(n.b, n.a);
+  }
+  return choice(a, positive, negative);
+}
+
 NodeId Graph::choice(NodeId decides, NodeId yes, NodeId no) {
-  if (is_number(decides)) return (*this)[decides].c >= 0 ? yes : no;
+  if (is_number(decides))
+    return std::isnan((*this)[decides].c) ? decides : (*this)[decides].c >= 0 ? yes : no;
   if (yes == no) return yes;
   return add(Operation::choice, yes, no, 0, {}, decides);
 }
@@ -192,94 +222,9 @@ NodeId Graph::again(const Node& node, NodeId a, NodeId b) {
     case Operation::function: return call(node.function, a, a);
     case Operation::atan2: return call(Function::atan2, a, b);
     case Operation::choice: return choice(node.decides, a, b);
+    case Operation::combined: return sum(a, product(number(node.c), b));
   }
   return a;
 }
-
-namespace {
-
-/// Derivatives of one variable, each node's once.
-class Derivatives {
- public:
-  Derivatives(Graph& graph, int by) : graph_(graph), by_(by) {}
-
-  // Operands have smaller numbers: one pass upwards over the nodes that are needed, without recursion.
-  NodeId of(NodeId id) {
-    std::vector<bool> needed(static_cast<std::size_t>(id) + 1);
-    needed.back() = true;
-    for (NodeId i = id; i > graph_.size(); --i) {
-      if (!needed[index(i)] || graph_.is_number(i)) continue;
-      needed[index(graph_[i].a)] = true;
-      if (has_two_operands(graph_[i].operation)) needed[index(graph_[i].b)] = true;
-    }
-    known_.assign(needed.size(), 0);
-    for (NodeId i = 0; i <= id; ++i) {
-      if (needed[index(i)]) known_[index(i)] = rule(i);
-    }
-    return known_.back();
-  }
-
- private:
-  static std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
-
-  NodeId rule(NodeId id) {
-    const Node n = graph_[id];
-    Graph& g = graph_;
-    if (n.operation == Operation::number) return g.number(0);
-    if (n.operation == Operation::variable) return g.number(n.a == by_ ? 1 : 0);
-    const NodeId a = n.a, b = n.b, da = known_[index(a)], db = known_[index(b)];
-    switch (n.operation) {
-      case Operation::sum: return g.sum(da, db);
-      case Operation::difference: return g.difference(da, db);
-      case Operation::shifted: return da;
-      case Operation::scaled: return g.product(g.number(n.c), da);
-      case Operation::divided: return g.quotient(da, g.number(n.c));
-      case Operation::product: return g.sum(g.product(da, b), g.product(a, db));
-      case Operation::quotient: return g.quotient(g.difference(da, g.product(id, db)), b);
-      case Operation::reciprocal: return g.negative(g.quotient(g.product(id, da), a));
-      case Operation::power: return g.product(g.product(g.number(n.c), g.power(a, g.number(n.c - 1))), da);
-      case Operation::any_power:
-        return g.product(id,
-                         g.sum(g.product(db, g.call(Function::log, a, a)), g.quotient(g.product(b, da), a)));
-      case Operation::atan2: {
-        const NodeId square = g.sum(g.product(a, a), g.product(b, b));
-        return g.quotient(g.difference(g.product(b, da), g.product(a, db)), square);
-      }
-      case Operation::choice: return g.choice(n.decides, da, db);
-      default: return g.product(slope(n.function, id, a), da);
-    }
-  }
-
-  NodeId slope(Function function, NodeId value, NodeId a) {
-    Graph& g = graph_;
-    const NodeId one = g.number(1), square = g.product(a, a);
-    switch (function) {
-      case Function::sqrt: return g.quotient(g.number(0.5), value);
-      case Function::exp: return value;
-      case Function::log: return g.quotient(one, a);
-      case Function::sin: return g.call(Function::cos, a, a);
-      case Function::cos: return g.negative(g.call(Function::sin, a, a));
-      case Function::tan: return g.sum(one, g.product(value, value));
-      case Function::asin: return g.quotient(one, g.call(Function::sqrt, g.difference(one, square), one));
-      case Function::acos:
-        return g.quotient(g.number(-1), g.call(Function::sqrt, g.difference(one, square), one));
-      case Function::atan: return g.quotient(one, g.sum(one, square));
-      case Function::sinh: return g.call(Function::cosh, a, a);
-      case Function::cosh: return g.call(Function::sinh, a, a);
-      case Function::tanh: return g.difference(one, g.product(value, value));
-      default:  // erf: 2/sqrt(pi) exp(-a^2)
-        return g.product(g.number(2 / std::sqrt(std::acos(-1.0))),
-                         g.call(Function::exp, g.negative(square), one));
-    }
-  }
-
-  Graph& graph_;
-  int by_;
-  std::vector<NodeId> known_;
-};
-
-}  // namespace
-
-NodeId derivative(Graph& graph, NodeId id, int by) { return Derivatives(graph, by).of(id); }
 
 }  // namespace nlmech::expression

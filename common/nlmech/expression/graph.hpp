@@ -27,7 +27,8 @@ enum class Operation : std::uint8_t {
   any_power,   ///< a^b
   function,    ///< function of a
   atan2,       ///< atan2(a, b)
-  choice       ///< a where the function of the switch is not negative, else b
+  choice,      ///< a where the function of the switch is not negative, else b
+  combined     ///< a + c b; in programs alone
 };
 
 /// A node of the graph, by its number.
@@ -45,7 +46,9 @@ struct Node {
   [[nodiscard]] auto key() const { return std::tuple(operation, function, a, b, decides, c); }
 };
 
-/// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x, 0 x) left out.
+/// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x) left out. What
+/// is zero as a formula is the number 0, whatever the state: 0 x, 0/x, x - x; so a term with the factor 0 is
+/// not there. For the same reason x^0 is 1.
 class Graph {
  public:
   /// @param size components of the state
@@ -71,9 +74,11 @@ class Graph {
   [[nodiscard]] NodeId quotient(NodeId a, NodeId b);
   /// a^b
   [[nodiscard]] NodeId power(NodeId a, NodeId b);
-  /// A function; @p b is the second argument of those that have two. abs, sign, min and max become choices.
+  /// A function; @p b is the second argument of those that have two. abs, sign, min and max become choices,
+  /// by one function where they change on one surface: abs(x), sign(-2 x) and max(0, x) all look at x. On the
+  /// surface itself sign is that of a side; sign(0) of the number is 0.
   [[nodiscard]] NodeId call(Function function, NodeId a, NodeId b);
-  /// @p yes where @p decides is not negative, else @p no.
+  /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
 
   /// The operation of @p node on other operands.
@@ -92,6 +97,7 @@ class Graph {
   NodeId add(Operation operation, NodeId a, NodeId b = 0, double c = 0, Function function = {},
              NodeId decides = 0);
   NodeId whole_power(NodeId a, int p);
+  NodeId by_sign(NodeId a, NodeId positive, NodeId negative);
 
   int size_;
   std::vector<Node> nodes_;
@@ -104,8 +110,12 @@ class Graph {
 /// The value of an operation on numbers.
 [[nodiscard]] double evaluate(const Node& node, double a, double b);
 
-/// The derivative of @p id by the variable number @p by: 0 the time, from 1 the state. A choice has the
+/// The derivatives of @p ids by the time along a solution whose slopes are @p slopes. A choice has the
 /// derivative of what is chosen.
-[[nodiscard]] NodeId derivative(Graph& graph, NodeId id, int by);
+[[nodiscard]] std::vector<NodeId> rates(Graph& graph, const std::vector<NodeId>& ids,
+                                        const std::vector<NodeId>& slopes);
+
+/// Which nodes @p ids are made of, by their numbers.
+[[nodiscard]] std::vector<bool> parts_of(const Graph& graph, const std::vector<NodeId>& ids);
 
 }  // namespace nlmech::expression

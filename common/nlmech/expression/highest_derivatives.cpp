@@ -96,8 +96,10 @@ struct Block {
   std::vector<NodeId> b;
 };
 
-/// Solves a block. Up to three unknowns by determinants, which need no pivot; else by elimination, where a
-/// number is the pivot if the column has one, the largest, and else the diagonal.
+/// Solves a block: one of numbers by elimination with the largest pivot of each column. With other entries no
+/// pivot is known to stay away from zero; so up to three unknowns by determinants, and more by orthogonal
+/// columns, which need none and are as stable (Bjorck, Numerical Methods for Least Squares Problems, 1996,
+/// section 2.4: modified Gram-Schmidt, the right-hand side treated as a further column).
 class BlockSolver {
  public:
   BlockSolver(Graph& graph, Block block) : g_(graph), a_(std::move(block.a)), b_(std::move(block.b)) {}
@@ -107,7 +109,7 @@ class BlockSolver {
     const bool numbers = std::all_of(a_.begin(), a_.end(), [this](const std::vector<NodeId>& row) {
       return std::all_of(row.begin(), row.end(), [this](NodeId n) { return g_.is_number(n); });
     });
-    return size() <= 3 && !numbers ? by_determinants() : by_elimination();
+    return numbers ? by_elimination() : size() <= 3 ? by_determinants() : by_orthogonal_columns();
   }
 
  private:
@@ -169,19 +171,43 @@ class BlockSolver {
   }
   [[nodiscard]] std::size_t pivot_row(std::size_t k) const {
     std::size_t best = k;
-    double largest = 0;
-    for (std::size_t i = k; i < size(); ++i) {
-      const NodeId entry = a_[i][k];
-      if (g_.is_number(entry) && std::abs(g_[entry].c) > largest) {
-        largest = std::abs(g_[entry].c);
-        best = i;
+    for (std::size_t i = k + 1; i < size(); ++i) {
+      if (std::abs(g_[a_[i][k]].c) > std::abs(g_[a_[best][k]].c)) best = i;
+    }
+    return best;
+  }
+
+  std::optional<std::vector<NodeId>> by_orthogonal_columns() {
+    std::vector<std::vector<NodeId>> shares(size(), std::vector<NodeId>(size()));
+    std::vector<NodeId> h(size());
+    for (std::size_t k = 0; k < size(); ++k) {
+      const std::vector<NodeId> column = column_of(k);
+      const NodeId square = dot(column, column);
+      if (g_.is_number(square, 0)) return std::nullopt;
+      for (std::size_t j = k + 1; j < size(); ++j) {
+        shares[k][j] = g_.quotient(dot(column, column_of(j)), square);
+        for (std::size_t i = 0; i < size(); ++i) take_away(a_[i][j], shares[k][j], column[i]);
       }
+      h[k] = g_.quotient(dot(column, b_), square);
+      for (std::size_t i = 0; i < size(); ++i) take_away(b_[i], h[k], column[i]);
     }
-    if (largest > 0 || !g_.is_number(a_[k][k], 0)) return best;
-    for (std::size_t i = k; i < size(); ++i) {
-      if (!g_.is_number(a_[i][k], 0)) return i;
+    for (std::size_t k = size(); k-- > 0;) {
+      for (std::size_t j = k + 1; j < size(); ++j) take_away(h[k], shares[k][j], h[j]);
     }
-    return k;
+    return h;
+  }
+  [[nodiscard]] std::vector<NodeId> column_of(std::size_t j) const {
+    std::vector<NodeId> column;
+    for (const std::vector<NodeId>& row : a_) column.push_back(row[j]);
+    return column;
+  }
+  NodeId dot(const std::vector<NodeId>& a, const std::vector<NodeId>& b) {
+    NodeId sum = g_.number(0);
+    for (std::size_t i = 0; i < a.size(); ++i) sum = g_.sum(sum, g_.product(a[i], b[i]));
+    return sum;
+  }
+  void take_away(NodeId& from, NodeId factor, NodeId what) {
+    from = g_.difference(from, g_.product(factor, what));
   }
 
   Graph& g_;

@@ -129,8 +129,10 @@ class Parser {
   }
   // `1/2 x` is read as on paper; of `a/b x` a reader cannot tell what is divided by what.
   [[nodiscard]] bool is_fraction(const std::vector<Syntax::Operand>& factors) const {
-    return factors.size() == 2 && tree_.nodes[factors[0].node].kind == SyntaxKind::number &&
-           tree_.nodes[factors[1].node].kind == SyntaxKind::number;
+    if (factors.size() != 2 || tree_.nodes[factors[1].node].kind != SyntaxKind::number) return false;
+    const Syntax& first = tree_.nodes[factors[0].node];
+    const bool negative = first.kind == SyntaxKind::negative;
+    return (negative ? tree_.nodes[first.operands[0].node] : first).kind == SyntaxKind::number;
   }
   [[nodiscard]] InputError unclear_division(const std::vector<Syntax::Operand>& factors) const {
     const std::string_view a = source_.at(tree_.nodes[factors[factors.size() - 2].node].place),

@@ -47,14 +47,15 @@ class Problem {
     smooth.smooth_ = true;
     return smooth;
   }
-  /// Within a mode: the functions that decide, and their derivatives along a solution.
+  /// Within a mode: the functions that decide, or the shares of the upper sides on their surfaces, and the
+  /// derivatives of the functions along a solution.
   void surfaces(double t, const Vector<double, n>& x, std::span<double> values,
                 std::span<double> rates) const {
     const auto size = static_cast<std::size_t>(size_), count = values.size();
-    program_->run(t, x, size, size + count,
-                  [&](int i, double value) { values[static_cast<std::size_t>(i)] = value; });
-    program_->run(t, x, size + count, size + 2 * count,
-                  [&](int i, double value) { rates[static_cast<std::size_t>(i)] = value; });
+    program_->run(t, x, size, size + 2 * count, [&](int i, double value) {
+      const auto k = static_cast<std::size_t>(i);
+      (k < count ? values[k] : rates[k - count]) = value;
+    });
   }
 
   /// dx/dt.

@@ -80,7 +80,7 @@ class ProgramCompiler {
 
   void emit(NodeId i) {
     const Node& n = graph_[i];
-    Program::Instruction made{n.operation, n.function, false, 0, place_of(n.a), 0, 0, n.c};
+    Program::Instruction made{n.operation, n.function, 0, place_of(n.a), 0, 0, n.c};
     if (has_two_operands(n.operation)) made.b = place_of(n.b);
     if (n.operation == Operation::choice) made.decides = place_of(n.decides);
     if (n.operation == Operation::sum || n.operation == Operation::difference) take_multiple(n, made);
@@ -94,18 +94,16 @@ class ProgramCompiler {
     const bool second = absorbed_[index(n.b)];
     if (!second && !absorbed_[index(n.a)]) return;
     const Node& part = graph_[second ? n.b : n.a];
-    made.operation = Operation::sum;
-    made.scaled_second = true;
+    made.operation = Operation::combined;
     made.a = place_of(second ? n.a : n.b);
     made.b = place_of(part.a);
     made.c = n.operation == Operation::difference ? -part.c : part.c;
   }
-  // An operand that is a number has a place too, of which it is written once.
+  // An operand that is a number has a place too, to which it is written once. (Place 0 is that of the time.)
   std::uint32_t place_of(NodeId i) {
-    if (!graph_.is_number(i) || i <= graph_.size()) return place_[index(i)];
+    if (!graph_.is_number(i) || place_[index(i)] != 0) return place_[index(i)];
     const std::uint32_t place = new_place();
-    // A shifted zero would depend on what stands there; 0 t + c is c for every finite time.
-    made_.instructions_.push_back({Operation::number, {}, false, place, 0, 0, 0, graph_[i].c});
+    made_.instructions_.push_back({Operation::number, {}, place, 0, 0, 0, graph_[i].c});
     place_[index(i)] = place;
     return place;
   }
@@ -120,8 +118,8 @@ class ProgramCompiler {
   void release(NodeId i) {
     const auto free_place = [&](NodeId operand) {
       if (operand <= graph_.size() || last_use_[index(operand)] != i) return;
-      if (std::find(free_.begin(), free_.end(), place_[index(operand)]) == free_.end())
-        free_.push_back(place_[index(operand)]);
+      free_.push_back(place_[index(operand)]);
+      last_use_[index(operand)] = never;  // it may be both operands
     };
     for_operands(i, [&](NodeId operand) {
       if (absorbed_[index(operand)]) {

@@ -34,16 +34,13 @@ class Program {
   /// @param out becomes out(i - first, value) for each output i
   template <class T, class State, class Out>
   void run(const T& t, const State& x, std::size_t first, std::size_t last, Out&& out) const {
-    if (places_ <= 16) {
-      std::array<T, 16> place;
-      run_in(place.data(), t, x, first, last, out);
-    } else if (places_ <= 128) {
-      std::array<T, 128> place;
-      run_in(place.data(), t, x, first, last, out);
-    } else {
-      std::vector<T> place(places_);
-      run_in(place.data(), t, x, first, last, out);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      if (places_ <= few) return run_on_stack<few>(t, x, first, last, out);
+      if (places_ <= many_bytes / sizeof(T))
+        return run_on_stack<many_bytes / sizeof(T)>(t, x, first, last, out);
     }
+    std::vector<T> place(places_);
+    run_in(place.data(), t, x, first, last, out);
   }
 
  private:
@@ -52,7 +49,6 @@ class Program {
   struct Instruction {
     Operation operation;
     Function function;
-    bool scaled_second;  ///< of a sum: c b in place of b
     std::uint32_t r, a, b, decides;
     double c;
   };
@@ -63,39 +59,65 @@ class Program {
     double c;
   };
 
+  static constexpr std::size_t few = 32, many_bytes = 65'536;
+
+  // In places that are not set to anything before.
+  template <std::size_t most, class T, class State, class Out>
+  void run_on_stack(const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
+    alignas(T) std::array<std::byte, most * sizeof(T)> memory;
+    run_in(reinterpret_cast<T*>(memory.data()), t, x, first, last, out);
+  }
+
   template <class T, class State, class Out>
   void run_in(T* place, const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
     place[0] = t;
     for (std::size_t i = 0; i < size_; ++i) place[i + 1] = x[static_cast<int>(i)];
-    for (const Instruction& i : instructions_) place[i.r] = value(i, place);
+    for (const Instruction& i : instructions_) carry_out(i, place);
     for (std::size_t i = first; i < last; ++i) {
       const Output& o = outputs_[i];
       out(static_cast<int>(i - first), o.number ? T(o.c) : place[o.place]);
     }
   }
 
+  // The common operations here; the others cost more than a call.
   template <class T>
-  static T value(const Instruction& i, const T* place) {
+  [[gnu::always_inline]] static void carry_out(const Instruction& i, T* place) {
+    const T &a = place[i.a], &b = place[i.b];
+    T& r = place[i.r];
+    switch (i.operation) {
+      case Operation::sum: r = a + b; return;
+      case Operation::difference: r = a - b; return;
+      case Operation::shifted: r = a + i.c; return;
+      case Operation::scaled: r = i.c * a; return;
+      case Operation::product: r = a * b; return;
+      case Operation::quotient: r = a / b; return;
+      case Operation::combined: r = a + i.c * b; return;
+      default: r = value(i, place); return;
+    }
+  }
+  template <class T>
+  [[gnu::noinline]] static T value(const Instruction& i, const T* place) {
     using std::atan2;
     using std::pow;
     const T &a = place[i.a], &b = place[i.b];
     switch (i.operation) {
-      case Operation::sum: return i.scaled_second ? T(a + i.c * b) : T(a + b);
-      case Operation::difference: return a - b;
-      case Operation::shifted: return a + i.c;
-      case Operation::scaled: return i.c * a;
       case Operation::divided: return a / i.c;
-      case Operation::product: return a * b;
-      case Operation::quotient: return a / b;
       case Operation::reciprocal: return i.c / a;
       case Operation::power: return pow(a, i.c);
       case Operation::any_power: return any_power(a, b);
       case Operation::function: return apply(i.function, a);
       case Operation::atan2: return atan2(a, b);
-      case Operation::choice: return value_of(place[i.decides]) >= 0 ? a : b;
+      case Operation::choice: return chosen(place[i.decides], a, b);
       case Operation::number: return T(i.c);
       default: return a;
     }
+  }
+
+  // What is not a number decides nothing.
+  template <class T>
+  static const T& chosen(const T& decides, const T& a, const T& b) {
+    const auto value = value_of(decides);
+    return value >= 0 ? a : value < 0 ? b : decides;
   }
 
   // Numbers have a power of their own; for all else it is exp(b log a), for a > 0.

@@ -16,20 +16,22 @@ struct Place {
   std::size_t end = 0;    ///< one past the last
 };
 
-/// A text with the name that messages give it: "--equation", "pendulum.ode".
+/// A text with the name that messages give it: "--equation", "pendulum.ode". Lines may end as on Windows; a
+/// byte order mark is left out.
 class SourceText {
  public:
   /// @param name of an option or a file
   /// @param text what was typed, or what the file holds
-  SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+  SourceText(std::string name, std::string text);
 
-  /// All of it.
+  /// All of it, a line end being one byte.
   [[nodiscard]] std::string_view text() const { return text_; }
   /// What stands at a place.
   [[nodiscard]] std::string_view at(const Place& place) const {
     return std::string_view(text_).substr(place.begin, place.end - place.begin);
   }
-  /// To throw: "name:line:column: sentence", and below it the line with a caret under the place.
+  /// To throw: "name:line:column: sentence", and below it the line with a caret under the place. Columns are
+  /// counted in characters, from 1.
   [[nodiscard]] InputError mistake(const Place& place, std::string_view sentence) const;
 
  private:

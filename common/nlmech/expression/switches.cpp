@@ -1,25 +1,67 @@
 #include "nlmech/expression/switches.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "nlmech/expression/highest_derivatives.hpp"
 
 namespace nlmech::expression {
 namespace {
 
 std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
 
-// The nodes that @p id is made of.
-std::vector<bool> parts_of(const Graph& graph, const std::vector<NodeId>& ids) {
-  std::vector<bool> part(index(graph.nodes()));
-  for (const NodeId id : ids) part[index(id)] = true;
-  for (NodeId i = graph.nodes() - 1; i > graph.size(); --i) {
-    const Node& n = graph[i];
-    if (!part[index(i)] || n.operation == Operation::number) continue;
-    part[index(n.a)] = true;
-    if (has_two_operands(n.operation)) part[index(n.b)] = true;
-    if (n.operation == Operation::choice) part[index(n.decides)] = true;
+/// Equations that stay on surfaces: which share of each jump keeps all functions zero.
+class Sliding {
+ public:
+  /// @param slopes of the lower side of each surface @param deciding the functions
+  Sliding(Graph& graph, std::vector<NodeId> slopes, std::vector<NodeId> deciding)
+      : graph_(graph),
+        slopes_(std::move(slopes)),
+        deciding_(std::move(deciding)),
+        fall_(rates(graph_, deciding_, slopes_)) {}
+
+  /// One more surface, with the slopes of its upper side.
+  void add(std::size_t surface, const std::vector<NodeId>& upper) {
+    surfaces_.push_back(surface);
+    rises_.push_back(rates(graph_, deciding_, upper));
+    jumps_.emplace_back();
+    for (std::size_t i = 0; i < upper.size(); ++i)
+      jumps_.back().push_back(graph_.difference(upper[i], slopes_[i]));
   }
-  return part;
-}
+  /// The share of each surface.
+  std::vector<NodeId> shares() {
+    HighestDerivatives system(graph_, static_cast<int>(surfaces_.size()));
+    for (const std::size_t row : surfaces_) {
+      LinearEquation equation{fall_[row], {}};
+      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        const NodeId change = graph_.difference(rises_[k][row], fall_[row]);
+        if (!graph_.is_number(change, 0)) equation.highest.emplace(static_cast<int>(k), change);
+      }
+      system.add(std::move(equation));
+    }
+    try {
+      return system.solve([](int, std::string_view sentence) { return InputError(std::string(sentence)); });
+    } catch (const InputError&) {
+      return std::vector<NodeId>(surfaces_.size(), graph_.number(std::nan("")));
+    }
+  }
+  /// The slopes with these shares.
+  std::vector<NodeId> slopes(const std::vector<NodeId>& shares) {
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      for (std::size_t i = 0; i < slopes_.size(); ++i)
+        slopes_[i] = graph_.sum(slopes_[i], graph_.product(shares[k], jumps_[k][i]));
+    }
+    return slopes_;
+  }
+
+ private:
+  Graph& graph_;
+  std::vector<NodeId> slopes_, deciding_, fall_;
+  std::vector<std::size_t> surfaces_;
+  std::vector<std::vector<NodeId>> rises_, jumps_;
+};
 
 }  // namespace
 
@@ -33,70 +75,61 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
   }
 }
 
-// The same expression without choices, for a mode without zeros among the functions that it depends on.
-NodeId Switches::resolved(NodeId id, const Mode& mode) const {
-  const std::vector<bool> part = parts_of(graph_, {id});
-  std::vector<NodeId> made(index(id) + 1);
-  for (NodeId i = 0; i <= id; ++i) {
+// Slopes and then functions without choices, for a mode without zeros.
+std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
+  std::vector<NodeId> ids = slopes_;
+  ids.insert(ids.end(), deciding_.begin(), deciding_.end());
+  const std::vector<bool> part = parts_of(graph_, ids);
+  std::vector<NodeId> made(part.size());
+  for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)]) continue;
-    const Node n = graph_[i];
+    const Node& n = graph_[i];
     if (i <= graph_.size() || n.operation == Operation::number) {
       made[index(i)] = i;
     } else if (n.operation == Operation::choice) {
       const auto decides = std::find(deciding_.begin(), deciding_.end(), n.decides) - deciding_.begin();
       made[index(i)] = made[index(mode[static_cast<std::size_t>(decides)] < 0 ? n.b : n.a)];
     } else {
-      made[index(i)] = graph_.again(n, made[index(n.a)], made[index(n.b)]);
+      made[index(i)] = graph.again(n, made[index(n.a)], made[index(n.b)]);
     }
   }
-  return made.back();
-}
-
-// dg/dt along a solution.
-NodeId Switches::rate(NodeId g, const std::vector<NodeId>& slopes) const {
-  NodeId sum = derivative(graph_, g, 0);
-  for (std::size_t i = 0; i < slopes.size(); ++i)
-    sum = graph_.sum(sum, graph_.product(derivative(graph_, g, static_cast<int>(i) + 1), slopes[i]));
-  return sum;
-}
-
-std::vector<NodeId> Switches::slopes(const Mode& mode) const {
-  const auto zero = std::find(mode.begin(), mode.end(), 0);
-  if (zero != mode.end()) return sliding(mode, static_cast<std::size_t>(zero - mode.begin()));
-  std::vector<NodeId> all;
-  for (const NodeId slope : slopes_) all.push_back(resolved(slope, mode));
-  return all;
-}
-
-std::vector<NodeId> Switches::sliding(const Mode& mode, std::size_t on) const {
-  Mode above = mode, below = mode;
-  above[on] = 1;
-  below[on] = -1;
-  const std::vector<NodeId> up = slopes(above), down = slopes(below);
-  const NodeId g = resolved(deciding_[on], above), rise = rate(g, up), fall = rate(g, down);
-  const NodeId share = graph_.quotient(fall, graph_.difference(fall, rise));  // of the upper side
-  std::vector<NodeId> mixed;
-  for (std::size_t i = 0; i < up.size(); ++i)
-    mixed.push_back(graph_.sum(down[i], graph_.product(share, graph_.difference(up[i], down[i]))));
-  return mixed;
+  for (NodeId& id : ids) id = made[index(id)];
+  return ids;
 }
 
 std::shared_ptr<const Program> Switches::in_mode(const Mode& mode) const {
   const std::scoped_lock lock(mutex_);
+  if (known_.size() > most_known) known_.clear();
   std::shared_ptr<const Program>& program = known_[mode];
-  if (!program) {
-    std::vector<NodeId> outputs = slopes(mode);
-    const std::vector<NodeId> along = outputs;
-    std::vector<NodeId> watched, rates;
-    for (const NodeId id : deciding_) {
-      watched.push_back(resolved(id, mode));
-      rates.push_back(rate(watched.back(), along));
+  if (program) return program;
+
+  Graph graph = graph_;
+  Mode below = mode;
+  std::replace(below.begin(), below.end(), std::int8_t{0}, std::int8_t{-1});
+  const std::vector<NodeId> all = resolved(below, graph);
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(slopes_.size());
+  std::vector<NodeId> slopes(all.begin(), middle), deciding(middle, all.end()), watched = deciding;
+  if (below != mode) {
+    Sliding sliding(graph, slopes, deciding);
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      if (mode[i] != 0) continue;
+      Mode above = below;
+      above[i] = 1;
+      std::vector<NodeId> upper = resolved(above, graph);
+      upper.resize(slopes_.size());
+      sliding.add(i, upper);
     }
-    outputs.insert(outputs.end(), watched.begin(), watched.end());
-    outputs.insert(outputs.end(), rates.begin(), rates.end());
-    program = std::make_shared<const Program>(graph_, outputs);
+    const std::vector<NodeId> shares = sliding.shares();
+    slopes = sliding.slopes(shares);
+    for (std::size_t i = 0, k = 0; i < mode.size(); ++i) {
+      if (mode[i] == 0) watched[i] = shares[k++];
+    }
   }
-  return program;
+  const std::vector<NodeId> along = rates(graph, deciding, slopes);
+  std::vector<NodeId> outputs = slopes;
+  outputs.insert(outputs.end(), watched.begin(), watched.end());
+  outputs.insert(outputs.end(), along.begin(), along.end());
+  return program = std::make_shared<const Program>(graph, outputs);
 }
 
 }  // namespace nlmech::expression

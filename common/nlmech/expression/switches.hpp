@@ -21,7 +21,8 @@ using Mode = std::vector<std::int8_t>;
 ///
 /// A motion on a surface g = 0 follows Filippov: of all mixtures of the slopes of both sides that along which
 /// g stays zero (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, section 4). On
-/// several surfaces at once that is done for one after another.
+/// several surfaces at once the slopes change by a share of each surface's own jump, such that all their
+/// functions stay zero (Utkin's equivalent control): what dry friction at several places asks for.
 class Switches {
  public:
   /// What the slopes @p slopes of a state depend on by choices. @param graph is copied
@@ -29,17 +30,16 @@ class Switches {
 
   /// How many functions decide.
   [[nodiscard]] int count() const { return static_cast<int>(deciding_.size()); }
-  /// The equations of a mode. Outputs: the slopes, then the functions that decide, then the derivatives of
-  /// these along the slopes. Made when first asked for; may be called by several threads.
+  /// The equations of a mode. Outputs: the slopes; for each function its value, or where the motion stays on
+  /// its surface the share of the upper side; then the derivatives of all functions along the slopes. Shares
+  /// that no slopes give are not numbers. May be called by several threads.
   [[nodiscard]] std::shared_ptr<const Program> in_mode(const Mode& mode) const;
 
  private:
-  [[nodiscard]] NodeId resolved(NodeId id, const Mode& mode) const;
-  [[nodiscard]] NodeId rate(NodeId g, const std::vector<NodeId>& slopes) const;
-  [[nodiscard]] std::vector<NodeId> slopes(const Mode& mode) const;
-  [[nodiscard]] std::vector<NodeId> sliding(const Mode& mode, std::size_t on) const;
+  [[nodiscard]] std::vector<NodeId> resolved(const Mode& mode, Graph& graph) const;
 
-  mutable Graph graph_;
+  static constexpr std::size_t most_known = 256;  // modes that are kept
+  Graph graph_;
   std::vector<NodeId> slopes_, deciding_;
   mutable std::mutex mutex_;
   mutable std::map<Mode, std::shared_ptr<const Program>> known_;

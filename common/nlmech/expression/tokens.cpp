@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "nlmech/support/echo.hpp"
 
@@ -13,6 +17,27 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// Signs as they are printed, with what is typed for them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> printed = {{
+    {"\u2212", "a minus sign is typed -"},
+    {"\u2013", "a minus sign is typed -"},
+    {"\u00b7", "a product is typed *, or with a blank"},
+    {"\u22c5", "a product is typed *, or with a blank"},
+    {"\u00d7", "a product is typed *, or with a blank"},
+    {"\u00f7", "a quotient is typed /"},
+    {"\u00b2", "a square is typed ^2"},
+    {"\u00b3", "a cube is typed ^3"},
+    {"\u00b0", "angles are in radians: a degree is pi/180"},
+    {"\u03c0", "this number is typed pi"},
+    {"\u221a", "a root is typed sqrt(...)"},
+    {"\u2032", "a derivative is typed with a straight prime, x'"},
+    {"\u2019", "a derivative is typed with a straight prime, x'"},
+    {"\u2033", "a second derivative is typed with two straight primes, x''"},
+    {"\u201d", "a second derivative is typed with two straight primes, x''"},
+    {"\u00a0", "this is no common blank"},
+    {"\u2009", "this is no common blank"},
+}};
 
 /// Reads a text from its begin to its end.
 class Reader {
@@ -91,6 +116,9 @@ class Reader {
       return source_.mistake(place, "a prime stands directly behind the name of an unknown");
     if (peek() == '"') return source_.mistake(place, "a second derivative is written with two primes, x''");
     if (peek() == '[' || peek() == '{') return source_.mistake(place, "brackets are round");
+    for (const auto& [sign, advice] : printed) {
+      if (source_.at(place) == sign) return source_.mistake(place, advice);
+    }
     return source_.mistake(place, fmt::format("{} has no meaning here", echoed(source_.at(place))));
   }
 
