@@ -21,26 +21,28 @@ constexpr double pi = std::numbers::pi;
 struct Corners {
   static constexpr int dimension = 2;
   double stiffness = 0, force = 0, friction = 0;
-  Mode mode = {1, 1};
+  Mode mode = {};  // of smooth equations
 
-  void operator()(const auto& t, const auto& x, auto& dxdt) const {
+  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const {
     dxdt[0] = x[1];
-    dxdt[1] = slope(t, x);
+    dxdt[1] = slope(x);
   }
-  int switches() const { return 2; }
+  int switches() const { return mode.empty() ? 2 : 0; }
   Corners in_mode(const Mode& m) const { return {stiffness, force, friction, m}; }
-  void surfaces(double t, const State<2>& x, std::span<double> values, std::span<double> rates) const {
+  void surfaces(double /*t*/, const State<2>& x, std::span<double> values, std::span<double> rates) const {
     values[0] = x[0];
-    values[1] = x[1];
+    // At rest, the share of -friction that holds the mass.
+    values[1] = mode[1] == 0 ? 0.5 - (stiffness * x[0] + force * mode[0]) / (2 * friction) : x[1];
     rates[0] = x[1];
-    rates[1] = slope(t, x);
+    rates[1] = slope(x);
   }
 
  private:
-  template <class T, class X>
-  auto slope(const T& /*t*/, const X& x) const {
+  template <class X>
+  typename X::Scalar slope(const X& x) const {
     // On v = 0, the mixture of both slopes along which v stays 0.
-    return mode[1] == 0 ? 0 * x[0] : -stiffness * x[0] - force * mode[0] - friction * mode[1];
+    if (mode.empty() || mode[1] == 0) return 0 * x[0];  // without a mode no method asks
+    return -stiffness * x[0] - force * mode[0] - friction * mode[1];
   }
 };
 
@@ -53,8 +55,8 @@ ivp::Solution<2> run(const Corners& problem, const std::string& method, const St
                                                                     {});
 }
 
-// Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4, -0.1.
-// The bound: a thousand tolerances, for errors of three half swings and of the times of their turns.
+// Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4,
+// -0.1. The bound: a thousand tolerances, for errors of three half swings and of the times of their turns.
 TEST(Switching, DryFrictionComesToRest) {
   const Corners friction{.stiffness = 1, .friction = 0.15};
   for (const std::string& method : methods) {
@@ -98,8 +100,8 @@ TEST(Switching, StepsEndAtCorners) {
 TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
   ASSERT_TRUE(there.status.ok());
-  const auto back = ivp::named_integrator<2>("series", {.tolerance = 1e-13})(
-      ivp::System(Corners{.force = 1}), there.x, 5, 0, {}, {});
+  const auto back = ivp::named_integrator<2>("series", {.tolerance = 1e-13})(ivp::System(Corners{.force = 1}),
+                                                                             there.x, 5, 0, {}, {});
   ASSERT_TRUE(back.status.ok());
   EXPECT_NEAR(back.x[0], 1, 1e-11);
   EXPECT_NEAR(back.x[1], 0.3, 1e-11);
@@ -111,7 +113,8 @@ TEST(Switching, RunsBackwardsWhereItHasAPast) {
 }
 
 // Each return to q = 0 is slower by a fixed ratio: infinitely many switches before the time 3.5.
-// Steps become as short as the numbers allow; the motion then rests at the origin or says that it cannot go on.
+// Steps become as short as the numbers allow; the motion then rests at the origin or says that it cannot go
+// on.
 TEST(Switching, SwitchesWithoutEndEnd) {
   for (const std::string& method : methods) {
     const auto end = run({.force = 1, .friction = 0.5}, method, {1, 0}, 20, 1e-9);
@@ -123,6 +126,90 @@ TEST(Switching, SwitchesWithoutEndEnd) {
       EXPECT_LT(end.t, 12) << method;
     }
   }
+}
+
+/// x'' = 1, and 1001 where x < 0.
+struct Grazing {
+  static constexpr int dimension = 2;
+  Mode mode = {};
+  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const {
+    dxdt[0] = x[1];
+    dxdt[1] = 0 * x[0] + (mode.empty() || mode[0] > 0 ? 1.0 : 1001.0);
+  }
+  int switches() const { return mode.empty() ? 1 : 0; }
+  Grazing in_mode(const Mode& m) const { return {m}; }
+  void surfaces(double /*t*/, const State<2>& x, std::span<double> values, std::span<double> rates) const {
+    values[0] = x[0];
+    rates[0] = x[1];
+  }
+};
+
+// A stop of a thousand times the force, met with the speed v: there for 2 v/1001, and away as fast as it
+// came.
+TEST(Switching, MeetsWhatLastsLessThanAStep) {
+  for (const std::string& method : methods) {
+    SCOPED_TRACE(method);
+    for (const double speed : {1e-2, 1e-3, 1e-5}) {
+      // x = ((t - 1)^2 - speed^2)/2 down to the stop at 0.
+      const Grazing problem;
+      const State<2> x0(0.5 - speed * speed / 2, -1);
+      const double meets = 1 - speed, leaves = meets + 2 * speed / 1001, end = 2;
+      std::vector<double> ends;
+      const auto run =
+          ivp::named_integrator<2>(method, {.tolerance = 1e-11})(ivp::System(problem), x0, 0, end,
+                                                                 [&](const ivp::Step<2>& step) {
+                                                                   ends.push_back(step.t1);
+                                                                   return true;
+                                                                 },
+                                                                 {});
+      ASSERT_TRUE(run.status.ok()) << run.status.text();
+      const double rest = end - leaves;
+      // The speed behind the stop carries the error of the times, some 1e-11, a thousand times enlarged.
+      EXPECT_NEAR(run.x[0], speed * rest + rest * rest / 2, 1e-7) << speed;
+      const auto nearest = [&](double t) {
+        double best = 1;
+        for (const double e : ends) best = std::min(best, std::abs(e - t));
+        return best;
+      };
+      EXPECT_LE(nearest(meets), 1e-10 / speed) << speed;
+      EXPECT_LE(nearest(leaves), 1e-10 / speed) << speed;
+    }
+    // Half a unit above the stop there is no switch: the smooth motion.
+    const auto above =
+        ivp::named_integrator<2>(method, {.tolerance = 1e-11})(ivp::System(Grazing{}), {1, -1}, 0, 2, {}, {});
+    ASSERT_TRUE(above.status.ok());
+    EXPECT_NEAR(above.x[0], 1, 1e-9);
+  }
+}
+
+/// What decides is not a number where x > 3.
+struct Broken {
+  static constexpr int dimension = 1;
+  Mode mode = {};
+  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const { dxdt[0] = 0 * x[0] + 1.0; }
+  int switches() const { return mode.empty() ? 1 : 0; }
+  Broken in_mode(const Mode& m) const { return {m}; }
+  void surfaces(double /*t*/, const State<1>& x, std::span<double> values, std::span<double> rates) const {
+    values[0] = std::sqrt(3 - x[0]) + 1;
+    rates[0] = -1;
+  }
+};
+
+TEST(Switching, SaysWhereAFunctionIsNone) {
+  for (const std::string& method : {"ode45", "series"}) {
+    const auto run = ivp::named_integrator<1>(method, {.tolerance = 1e-9})(ivp::System(Broken{}),
+                                                                           State<1>(1.0), 0, 5, {}, {});
+    EXPECT_EQ(run.status.outcome(), Outcome::non_finite) << method;
+    EXPECT_NE(run.status.text().find("switching function 1 is not a number"), std::string::npos)
+        << run.status.text();
+  }
+}
+
+TEST(Switching, KeepsToItsLimits) {
+  const auto end = ivp::named_integrator<2>("ode45", {.tolerance = 1e-12})(
+      ivp::System(Corners{.force = 1}), {1, 0}, 0, 1000, {}, {.steps = 50});
+  EXPECT_EQ(end.status.outcome(), Outcome::step_limit) << end.status.text();
+  EXPECT_LE(end.statistics.steps + end.statistics.rejected, 60);
 }
 
 TEST(Switching, StopsWhenToldTo) {

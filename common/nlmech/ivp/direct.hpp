@@ -113,8 +113,8 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
 ///    travel. Methods step onto them. At such a time f is the limit from the right;
 ///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: functions of time and state whose
-///  signs
-///    decide what the equations are, and the smooth equations for each choice of signs (switching.hpp);
+///    whose signs decide what the equations are, and the smooth equations for each choice of signs
+///    (switching.hpp);
 ///  - `linear_part(a)` in double: the constant matrix of its linear terms;
 ///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone;
 ///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
@@ -291,7 +291,7 @@ class Direct {
       throw std::logic_error("this problem has no switches");
     }
   }
-  /// Of the equations of a mode: the functions whose signs decide, and their derivatives along a solution.
+  /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
   void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
     if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, State<m>(x), values, rates);
   }

@@ -35,11 +35,13 @@ class Walk {
         end_(t1),
         mode_(static_cast<std::size_t>(system.switches()), 1),
         values_(mode_.size()),
-        rates_(mode_.size()) {}
+        rates_(mode_.size()),
+        before_(mode_.size()),
+        after_(mode_.size()) {}
 
   Solution<n> from(double t, const State<n>& x0) {
     solution_ = {t, x0, {}, {}};
-    for (std::size_t i = 0; i < mode_.size() && solution_.status.ok(); ++i) choose(i, t, x0, true);
+    begin(t, x0);
     while (solution_.status.ok() && solution_.t != end_) segment();
     solution_.statistics.seconds = watch_.seconds();
     return solution_;
@@ -49,12 +51,20 @@ class Walk {
   static constexpr int places = 8;          // of a step at which surfaces are looked at
   static constexpr int most_repeated = 32;  // switches at one time
 
+  /// How far the equations of a mode are from the end of their validity by one function, and how fast that
+  /// changes in the direction of travel. Negative beyond the end.
+  struct Margin {
+    double value, slope;
+  };
+
   // Sets values_ and rates_.
   void look(const Mode& mode, double t, const State<n>& x) { in(mode).surfaces(t, x, values_, rates_); }
   const System<n>& in(const Mode& mode) {
     const auto known = systems_.find(mode);
-    return known != systems_.end() ? known->second
-                                   : systems_.emplace(mode, system_.in_mode(mode)).first->second;
+    if (known != systems_.end()) return known->second;
+    constexpr std::size_t most_known = 256;
+    if (systems_.size() > most_known) systems_.clear();
+    return systems_.emplace(mode, system_.in_mode(mode)).first->second;
   }
   // How fast function i changes in the direction of travel, if the motion were on that side of its zero.
   double rate(std::size_t i, int side, double t, const State<n>& x) {
@@ -64,42 +74,74 @@ class Walk {
     return direction_ * rates_[i];
   }
 
-  // [choose]
-  // The mode of a function: its sign away from zero, and at its zero the side to which the motion leads.
-  void choose(std::size_t i, double t, const State<n>& x, bool anywhere) {
-    if (anywhere) {
-      mode_[i] = 1;
+  // The signs away from zeros; at these, to which side the motion leads, which may depend on the others.
+  void begin(double t, const State<n>& x) {
+    std::vector<bool> zero(mode_.size());
+    for (std::size_t i = 0; i < mode_.size(); ++i) {
       look(mode_, t, x);
-      if (values_[i] != 0 && !std::isnan(values_[i])) {
-        mode_[i] = values_[i] > 0 ? 1 : -1;
-        return;
+      if (std::isnan(values_[i])) return undefined(i, t);
+      zero[i] = values_[i] == 0;
+      if (values_[i] < 0) mode_[i] = -1;
+    }
+    Mode last;
+    for (std::size_t k = 0; k <= mode_.size() && mode_ != last; ++k) {
+      last = mode_;
+      for (std::size_t i = 0; i < mode_.size(); ++i) {
+        if (zero[i]) choose(i, t, x);
       }
     }
+    hold(t, x);
+  }
+
+  // [choose]
+  // The mode of a function at its zero: the side to which the motion leads.
+  void choose(std::size_t i, double t, const State<n>& x) {
     const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
     if (above > 0 || below < 0) {
       mode_[i] = above > 0 ? 1 : -1;
     } else if (above < 0 || below > 0) {
-      stay(i, t);
+      mode_[i] = 0;
     }
   }
   // [choose]
-  void stay(std::size_t i, double t) {
-    mode_[i] = 0;
-    if (direction_ < 0)
-      fail(t, "a motion that stays on the surface of switching function {} has no past; integrate forwards",
-           i + 1);
+  // Is there a motion in this mode?
+  void hold(double t, const State<n>& x) {
+    look(mode_, t, x);
+    for (std::size_t i = 0; i < mode_.size(); ++i) {
+      if (mode_[i] != 0) continue;
+      if (direction_ < 0)
+        return fail(Outcome::outside_validity, t,
+                    "a motion that stays on the surface of switching function {} has no past; integrate "
+                    "forwards",
+                    i + 1);
+      if (std::isnan(values_[i]))
+        return fail(Outcome::outside_validity, t,
+                    "the equations do not say how the motion stays on the surface of switching function {}",
+                    i + 1);
+    }
+  }
+  void undefined(std::size_t i, double t) {
+    fail(Outcome::non_finite, t, "switching function {} is not a number; the equations end here", i + 1);
   }
   template <class... Args>
-  void fail(double t, fmt::format_string<Args...> sentence, Args&&... args) {
-    solution_.status = failed_with(Outcome::outside_validity, "switching at t = {:.17g}: {}", t,
+  void fail(Outcome outcome, double t, fmt::format_string<Args...> sentence, Args&&... args) {
+    solution_.status = failed_with(outcome, "switching at t = {:.17g}: {}", t,
                                    fmt::format(sentence, std::forward<Args>(args)...));
   }
 
-  // Not negative as long as the mode holds for function i.
-  double holds(std::size_t i, double t, const State<n>& x) {
-    if (mode_[i] == 0) return std::min(-rate(i, 1, t, x), rate(i, -1, t, x));
+  // Of values_ and rates_.
+  [[nodiscard]] Margin margin(std::size_t i) const {
+    const double value = values_[i], side = mode_[i];
+    if (mode_[i] == 0) return {std::min(value, 1 - value), 0};
+    return {side * value, side * direction_ * rates_[i]};
+  }
+  Margin margin(std::size_t i, double t, const State<n>& x) {
     look(mode_, t, x);
-    return mode_[i] * values_[i];
+    return margin(i);
+  }
+  void margins(double t, const State<n>& x, std::vector<Margin>& all) {
+    look(mode_, t, x);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = margin(i);
   }
 
   void segment() {
@@ -108,52 +150,78 @@ class Walk {
     armed_.assign(mode_.size(), false);
     told_ = false;
     const Observer<n> look_out = [this, &smooth](const Step<n>& step) { return seen(smooth, step); };
-    const Limits left{limits_.steps - solution_.statistics.steps - solution_.statistics.rejected,
-                      limits_.seconds - watch_.seconds()};
     const double begin = solution_.t;
-    Solution<n> part = run_(smooth, solution_.x, begin, end_, look_out, left);
+    Solution<n> part = run_(smooth, solution_.x, begin, end_, look_out, left());
     solution_.statistics += part.statistics;
     if (found_ && !told_) {
       solution_.t = found_->t;
       solution_.x = found_->x;
       repeated_ = found_->t == begin ? repeated_ + 1 : 0;
       if (repeated_ > most_repeated)
-        fail(begin, "switches follow each other without end; smooth the equation there");
+        fail(Outcome::outside_validity, begin,
+             "switches follow each other without end; smooth the equation there");
       else
         change(*found_);
       return;
     }
     solution_.t = part.t;
     solution_.x = part.x;
-    solution_.status = part.status;
+    if (solution_.status.ok()) solution_.status = part.status;
+  }
+  // What is left of the limits.
+  [[nodiscard]] Limits left() const {
+    const auto used = solution_.statistics.steps + solution_.statistics.rejected;
+    return {std::max<decltype(limits_.steps)>(limits_.steps - used, 1),
+            std::max(limits_.seconds - watch_.seconds(), 1e-6)};
   }
   void change(const Switch<n>& at) {
     const std::int8_t before = mode_[at.surface];
     if (before == 0) {
       mode_[at.surface] = rate(at.surface, 1, at.t, at.x) > 0 ? 1 : -1;
-      return;
+    } else {
+      // The rates alone decide; where they do not, the motion has come from one side and goes on to the
+      // other.
+      mode_[at.surface] = static_cast<std::int8_t>(-before);
+      choose(at.surface, at.t, at.x);
     }
-    // The rates alone decide; where they do not, the motion has come from one side and goes on to the other.
-    mode_[at.surface] = static_cast<std::int8_t>(-before);
-    choose(at.surface, at.t, at.x, false);
+    hold(at.t, at.x);
   }
 
   // A step of the method: the first switch in it ends the segment.
   bool seen(const System<n>& smooth, const Step<n>& step) {
     double from = step.t0;
+    margins(from, step.x0, before_);
     for (int k = 1; k <= places; ++k) {
       const double to = k == places ? step.t1 : step.t0 + (step.t1 - step.t0) * k / places;
-      const State<n> x = step.at(to);
+      margins(to, step.at(to), after_);
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        const double value = holds(i, to, x);
-        if (value > 0) armed_[i] = true;
-        if (value < 0 && (!found_ || earlier(first_zero(step, i, from, to), found_->t)))
-          found(smooth, step, i, from, to);
+        if (std::isnan(after_[i].value)) {
+          undefined(i, to);
+          return false;
+        }
+        if (after_[i].value > 0) armed_[i] = true;
+        const double beyond = after_[i].value < 0 ? to : dip(step, i, from, to);
+        if (beyond != from && (!found_ || earlier(first_zero(step, i, from, beyond), found_->t)))
+          found(smooth, step, i, from, beyond);
       }
       if (found_) return cut(step);
       from = to;
+      std::swap(before_, after_);
     }
     return !observer_ || observer_(step) || stop();
+  }
+  // Where a function is beyond its end between two places at which it is not; else the first place.
+  double dip(const Step<n>& step, std::size_t i, double from, double to) {
+    if (!(before_[i].slope < 0 && after_[i].slope > 0 && before_[i].value > 0)) return from;
+    constexpr int halvings = 26;  // the lowest value to the square of 2^-26
+    double low = from, high = to;
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = low + (high - low) / 2;
+      const Margin there = margin(i, middle, step.at(middle));
+      if (there.value < 0) return middle;
+      (there.slope < 0 ? low : high) = middle;
+    }
+    return from;
   }
   bool stop() {
     told_ = true;
@@ -166,13 +234,13 @@ class Walk {
   double first_zero(const Step<n>& step, std::size_t i, double from, double to) {
     if (!armed_[i]) {
       const double after = from + (to - from) * 0x1p-26;
-      if (!(holds(i, after, step.at(after)) > 0)) return step.t0;
+      if (!(margin(i, after, step.at(after)).value > 0)) return step.t0;
       from = after;
     }
     for (;;) {
       const double middle = from + (to - from) / 2;
       if (middle == from || middle == to) return to;
-      (holds(i, middle, step.at(middle)) < 0 ? to : from) = middle;
+      (margin(i, middle, step.at(middle)).value < 0 ? to : from) = middle;
     }
   }
 
@@ -185,12 +253,12 @@ class Walk {
   // By steps of the method from the begin of the step: Newton's iteration for the time, and the state there.
   void refine(const System<n>& smooth, const Step<n>& step, std::size_t i, double& t, State<n>& x) {
     constexpr int most = 4;
-    for (int k = 0; k < most; ++k) {
-      const Solution<n> there = run_(smooth, step.x0, step.t0, t, {}, limits_);
-      if (!there.status.ok()) return;
+    for (int k = 1;; ++k) {
+      const Solution<n> there = run_(smooth, step.x0, step.t0, t, {}, left());
       solution_.statistics += there.statistics;
+      if (!there.status.ok()) return;
       x = there.x;
-      if (mode_[i] == 0) return;
+      if (mode_[i] == 0 || k == most) return;
       smooth.surfaces(t, x, values_, rates_);
       const double change = -values_[i] / rates_[i], next = t + change;
       const bool inside = earlier(step.t0, next) && !earlier(step.t1, next);
@@ -218,6 +286,7 @@ class Walk {
   Mode mode_;
   std::map<Mode, System<n>> systems_;
   std::vector<double> values_, rates_;
+  std::vector<Margin> before_, after_;
   std::vector<bool> armed_;
   std::optional<Switch<n>> found_;
   bool told_ = false;

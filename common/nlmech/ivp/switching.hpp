@@ -26,8 +26,8 @@ inline constexpr bool can_switch = n == Eigen::Dynamic || (n >= 1 && n <= 4) || 
 /// Integrates a system that switches from (t0, x0) to t1.
 ///
 /// The observer sees steps that end at switches. Statuses as of the method; `outside_validity` where a motion
-/// backwards in time would have to stay on a surface, or where switches accumulate.
-/// @param system system.switches() > 0
+/// backwards would have to stay on a surface, or switches accumulate; `non_finite` where a function is none.
+/// @param system switches() > 0; on a surface, surfaces() gives the upper side's share of the slopes, 0 to 1
 /// @param run one integration of smooth equations
 template <int n>
 [[nodiscard]] Solution<n> integrate_switching(const System<n>& system, const State<n>& x0, double t0,

@@ -82,7 +82,7 @@ class System {
   [[nodiscard]] int switches() const { return face_->switches(); }
   /// The smooth equations of a mode. @throws std::logic_error if there are no switches
   [[nodiscard]] System in_mode(const Mode& mode) const { return System(face_->in_mode(mode)); }
-  /// Of the equations of a mode: the functions whose signs decide, and their derivatives along a solution.
+  /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
   void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
     face_->surfaces(t, x, values, rates);
   }
