@@ -51,7 +51,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   return {comparison::cost_scene(
       {.name = "",
-       .heading = "A typed Duffing equation to t = 50: digits against cost",
+       .problem = "A typed Duffing equation to t = 50",
        .reading = "typed equation, x = 1, x' = 0, to t = 50; default settings over one sweep of tolerances, "
                   "fixed steps over one of steps",
        .measure = measure,
