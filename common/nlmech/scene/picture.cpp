@@ -78,6 +78,7 @@ Picture::Picture(fs::path file) : file_(std::move(file)) {
   const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
   if (!fs::is_directory(folder, none)) throw input_error("--plot {}: there is no such folder", name);
   const fs::file_status there = fs::symlink_status(file_, none);
+  if (there.type() == fs::file_type::none) throw input_error("--plot {}: {}", name, none.message());
   if (!fs::exists(there)) return;
   if (!fs::is_regular_file(there) || !read_whole(file_).ends_with(drawn_here))
     throw input_error(
