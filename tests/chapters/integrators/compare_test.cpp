@@ -44,6 +44,10 @@ TEST(Compare, WithoutAListTakesWhatSuitsTheProblem) {
       compare({"--equation", "x'' + x^2 x' + x = 0", "--initial", "x=0, x'=1", "--until", "5"}).methods();
   EXPECT_FALSE(has(damped, "rkn1210"));
   EXPECT_TRUE(has(damped, "series"));
+  // With a step those that take one.
+  for (const Words& row :
+       compare({"--equation", "x'' + x = 0", "--initial", "x=0, x'=1", "--until", "5", "--step", "0.1"}).rows)
+    EXPECT_EQ(row[2], "success") << row[0] << row[7];
   const Compared stiff = compare({"--file", "chapters/integrators/examples/robertson.ode", "--until", "1e4"});
   EXPECT_TRUE(has(stiff.methods(), "adaptive-collocation"));
   EXPECT_FALSE(has(stiff.methods(), "series"));

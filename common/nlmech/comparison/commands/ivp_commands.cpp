@@ -156,8 +156,7 @@ void declare_common(scene::Options& options, Words& words) {
   options
       .add("--tolerance", s.tolerance,
            "relative and absolute; 1e-9 without it. Methods of fixed step shorten their step until two runs "
-           "agree "
-           "with each other and with another method")
+           "agree with each other and with another method")
       .positive();
   options
       .add("--absolute-tolerance", s.absolute_tolerance,

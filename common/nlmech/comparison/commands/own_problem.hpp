@@ -115,7 +115,7 @@ class OwnProblem {
   /// The method that is taken where none is named.
   [[nodiscard]] virtual std::string usual_method(const Request& request) const = 0;
   /// The methods that are compared where none is named: those of ours that suit the problem, and of each kind
-  /// of peers the best that this build has.
+  /// of peers the best that this build has. With Request::settings.step, those of ours that take one.
   [[nodiscard]] virtual std::vector<std::string> usual_methods(const Request& request) const = 0;
   /// Rows `t,...` as CSV: the first, those at Request::every and at events, and the last at t1 exactly, or at
   /// the event that ends the run. With events a last column, `event`, has the text of each.

@@ -125,6 +125,11 @@ std::string ProblemOfSize<m>::usual_method(const Request& r) const {
 template <int m>
 std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const {
   const ivp::System<m> system = this->system();
+  if (r.settings.step) {
+    std::vector<std::string> fixed = {"rk4", "rk6", "radau-coll", "series"};
+    if (system.second_order()) fixed.insert(fixed.end(), {"newmark", "laier"});
+    return fixed;
+  }
   std::vector<std::string> names = {"adaptive-collocation"};
   if (!is_stiff(r)) {
     names.insert(names.end(), {"series", "ode45"});
