@@ -1,0 +1,135 @@
+/// Ten typed equations in every method that chooses its steps, ours and peers: an end state to nine digits,
+/// or a status. References are Taylor series in 40 digits, of the typed equation and of the same problem
+/// written in C++.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "chapters/integrators/typed_problems.hpp"
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/expression/problem.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/support/extended_real.hpp"
+
+namespace nlmech::comparison::typed_equations_test {
+namespace {
+
+using Real = ExtendedReal<40>;
+using expression::Equations;
+using expression::SourceText;
+using Typed = expression::Problem<Eigen::Dynamic>;
+using State = ivp::State<Eigen::Dynamic>;
+
+template <class Problem>
+Vector<Real, Problem::dimension> reference(const Problem& problem, const State& x0, double t1) {
+  Vector<Real, Problem::dimension> begin = x0.cast<Real>();
+  std::vector<Vector<Real, Problem::dimension>> states;
+  const Real end(t1);
+  const Status status = problems::reference_states<Real>(problem, begin, Real(0), std::span(&end, 1), states);
+  EXPECT_TRUE(status.ok()) << status.text();
+  return states.at(0);
+}
+
+/// An equation with an end.
+struct Case {
+  std::string name, text;
+  State x0;
+  double end;
+  std::optional<State> known = std::nullopt;  ///< where Taylor series do not go: by hand
+};
+
+State state(std::initializer_list<double> values) {
+  State x(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), x.begin());
+  return x;
+}
+
+using namespace chapters::integrators;
+
+// Of all features of the language; to ends at which a change of the initial state has grown 300 times at
+// most.
+std::vector<Case> cases() {
+  const double pi = std::numbers::pi;
+  // Half a swing at the frequency 1, half of one at 2, and the begin of the next.
+  const double period = pi + pi / 2, late = 3 * period + 0.4;
+  // Friction takes 2 mu from each half swing: 1, -0.7, 0.4, then rest at -0.1.
+  return {{"duffing", std::string(Ueda::text), state({3, 4}), 6},
+          {"lorenz", std::string(Convection::text), state({1, 1, 1}), 3},
+          {"van der pol", std::string(Relaxation::text), state({2, 0}), 12},
+          {"double pendulum", std::string(DoublePendulum::text), state({1, 0.5, 0, 0}), 3},
+          {"satellite", std::string(Satellite::text), state({0.5, 0.3, -0.2, -1.2}), 2},
+          {"coefficient", "(1 + x^2) x'' + x x'^2 + x = 0", state({1, 0.5}), 10},
+          {"loudspeaker",
+           "L i' + R i + B x' = U cos(w t); m x'' + c x' + (k + k3 x^2) x = B i; L = 5e-4; R = 6; U = 8\n"
+           "w = 2 pi*40; m = 0.02; c = 1.2; k = 1500; k3 = 4e7; B = 7",
+           state({0, 0, 0}), 0.1},
+          {"beam", "w'''' + 0.5 w'' + w = 0.1 w^3 - erf(t/4) tanh(w')", state({0.1, 0.2, 0, 0}), 6},
+          {"functions",
+           "x' = atan(y) exp(-x^2) - asin(x/8)/2 + (1 + t)^0.5^2 log(2 + x^2)/9\n"
+           "y' = -atan2(x, 2 + sin(t)) - sinh(y)/cosh(x) + acos(y/9)/sqrt(4 + x^2) + 2^-t tan(x/9)",
+           state({0.4, -0.9}), 6},
+          {"spring of two stiffnesses", "x'' + x + 3 max(x, 0) = 0", state({-1, 0}), late,
+           state({-std::cos(0.4), std::sin(0.4)})},
+          {"dry friction", "x'' + x + mu sign(x') = 0; mu = 0.15", state({1, 0}), 12, state({-0.1, 0})}};
+}
+
+template <class Problem>
+void expect_same_reference(const State& x0, double end) {
+  const Equations equations(SourceText("test", std::string(Problem::text)));
+  const auto typed = reference(Typed(equations), x0, end);
+  const auto written = reference(Problem{}, x0, end);
+  const State moved = x0 * (1 + 1e-10);
+  const double condition = static_cast<double>((reference(Problem{}, moved, end) - written).norm()) / 1e-10;
+  EXPECT_LT(condition, 1e4);
+  // Parameters are rounded once more where numbers of the text are worked out (1 - mu).
+  for (Eigen::Index i = 0; i < typed.size(); ++i)
+    EXPECT_LE(static_cast<double>(abs(typed[i] - written[static_cast<int>(i)])), 8 * 1.2e-16 * condition)
+        << Problem::text;
+}
+
+TEST(TypedEquations, HaveTheReferencesOfTheSameProblemsInCpp) {
+  expect_same_reference<Ueda>(state({3, 4}), 6);
+  expect_same_reference<Convection>(state({1, 1, 1}), 3);
+  expect_same_reference<Relaxation>(state({2, 0}), 12);
+  expect_same_reference<DoublePendulum>(state({1, 0.5, 0, 0}), 3);
+  expect_same_reference<Satellite>(state({0.5, 0.3, -0.2, -1.2}), 2);
+}
+
+// Nine digits at a tolerance of 1e-12 leave a factor of a thousand for errors of steps that add up and grow.
+TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
+  constexpr double tolerance = 1e-12, digits = 1e-9;
+  std::set<std::string> refused;
+  for (const Case& c : cases()) {
+    const Equations equations(SourceText("test", c.text));
+    const ivp::System<Eigen::Dynamic> system{Typed(equations)};
+    State truth = c.known.value_or(State());
+    if (!c.known) {
+      const auto exact = reference(Typed(equations), c.x0, c.end);
+      truth = exact.template cast<double>();
+    }
+    for (const std::string& name : built_method_names()) {
+      const AnyMethod method = any_method(name);
+      if (!method.peer && method.info.steps == ivp::Steps::given) continue;
+      if (method.info.second_order_only && !equations.second_order()) continue;
+      const auto run = any_integrator<Eigen::Dynamic>(method, {.tolerance = tolerance});
+      const auto end = run(system, c.x0, 0, c.end, {}, {.steps = 3'000'000});
+      if (!end.status.ok()) {
+        EXPECT_FALSE(end.status.text().empty());
+        refused.insert(c.name + ", " + name);
+        std::printf("%s, %s: %s\n", c.name.c_str(), name.c_str(), std::string(end.status.text()).c_str());
+        continue;
+      }
+      EXPECT_LE((end.x - truth).cwiseAbs().maxCoeff(), digits * (1 + truth.cwiseAbs().maxCoeff()))
+          << c.name << ", " << name;
+    }
+  }
+  EXPECT_EQ(refused, std::set<std::string>{});
+}
+
+}  // namespace
+}  // namespace nlmech::comparison::typed_equations_test
