@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -145,7 +146,11 @@ class Walk {
   }
 
   void segment() {
-    const System<n>& smooth = in(mode_);
+    if (used() >= limits_.steps)
+      return fail(Outcome::step_limit, solution_.t, "{} steps are used up", limits_.steps);
+    if (watch_.seconds() > limits_.seconds)
+      return fail(Outcome::time_limit, solution_.t, "{} s are used up", limits_.seconds);
+    const System<n> smooth = in(mode_);  // a copy: others are looked at in between
     found_.reset();
     armed_.assign(mode_.size(), false);
     told_ = false;
@@ -170,9 +175,11 @@ class Walk {
   }
   // What is left of the limits.
   [[nodiscard]] Limits left() const {
-    const auto used = solution_.statistics.steps + solution_.statistics.rejected;
-    return {std::max<decltype(limits_.steps)>(limits_.steps - used, 1),
+    return {std::max<std::int64_t>(limits_.steps - used(), 1),
             std::max(limits_.seconds - watch_.seconds(), 1e-6)};
+  }
+  [[nodiscard]] std::int64_t used() const {
+    return solution_.statistics.steps + solution_.statistics.rejected;
   }
   void change(const Switch<n>& at) {
     const std::int8_t before = mode_[at.surface];
@@ -195,16 +202,16 @@ class Walk {
       const double to = k == places ? step.t1 : step.t0 + (step.t1 - step.t0) * k / places;
       margins(to, step.at(to), after_);
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (std::isnan(after_[i].value)) {
-          undefined(i, to);
-          return false;
-        }
         if (after_[i].value > 0) armed_[i] = true;
         const double beyond = after_[i].value < 0 ? to : dip(step, i, from, to);
         if (beyond != from && (!found_ || earlier(first_zero(step, i, from, beyond), found_->t)))
           found(smooth, step, i, from, beyond);
       }
       if (found_) return cut(step);
+      for (std::size_t i = 0; i < mode_.size(); ++i) {
+        if (std::isnan(after_[i].value)) undefined(i, to);
+      }
+      if (!solution_.status.ok()) return false;
       from = to;
       std::swap(before_, after_);
     }
