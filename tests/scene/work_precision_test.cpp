@@ -116,7 +116,7 @@ TEST(WorkPrecision, SeveralProblemsHaveAPanelEach) {
 TEST(WorkPrecision, RoundingIsALevelThatSaysWhatItIs) {
   const std::string script = shown({.rounding = 1e-12}, one_problem()).figure->script;
   EXPECT_TRUE(holds(script, "one rounding of the data"));
-  EXPECT_TRUE(holds(script, "rounding was kinder than at its worst"));
+  EXPECT_TRUE(holds(script, "rounding was kinder than at its worst")) << "two has no error at all";
   EXPECT_TRUE(holds(script, "first 12 to graph 1, first 12")) << script;
   EXPECT_FALSE(holds(shown({}, one_problem()).figure->script, "rounding"));
 }

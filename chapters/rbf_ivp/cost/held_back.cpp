@@ -22,7 +22,7 @@ Costs measure_held_back(bool quick) {
 std::vector<scene::Scene> scenes() {
   return {comparison::cost_scene(
       {.name = "held-back",
-       .problem = "Parameters held back while tuning (eta = 10, x = 2)",
+       .problem = "Held-back parameters (eta = 10)",
        .reading = "free Duffing oscillator with eta = 10 from x = 2 to t = 100; one sweep of tolerances for "
                   "all",
        .measure = measure_held_back,

@@ -50,7 +50,7 @@ TEST(Leads, AreSaidInWords) {
   const ProblemLines two = {"", {line("a", 1, 2, 7), line("b", 3, 2, 7)}};
   EXPECT_EQ(leads_of(two)[1].margin(two), "3.0 times before b");
   EXPECT_EQ(leads_of(two)[2].margin(two), "nobody");
-  EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits; none has 9");
+  EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits");
 }
 
 TEST(Leads, OfEqualsGoToTheFirst) {

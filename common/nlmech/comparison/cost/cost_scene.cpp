@@ -6,6 +6,16 @@
 
 namespace nlmech::comparison {
 
+namespace {
+
+/// With the problem's name, if the picture is wide enough for it.
+std::string heading_of(const std::string& problem, const scene::ProblemLines& lines) {
+  const std::string who = scene::who_leads(lines), whole = problem + ": " + who;
+  return whole.size() > 105 ? who : whole;
+}
+
+}  // namespace
+
 void check_condition(const Costs& costs, scene::Show& show) {
   show.near("condition", costs.condition, costs.again, 0.05,
             "a hundred times the change of the begin: the answer is linear");
@@ -22,7 +32,7 @@ scene::Scene cost_scene(CostScene what) {
   const auto put = [what](const Costs& all, scene::Show& show) {
     const bool known = all.condition >= 10;  // less lies beyond the 15 digits of the picture
     const scene::ProblemLines lines{"", method_lines(all.curves)};
-    scene::show_work_precision({.heading = what.problem + ": " + who_leads(lines),
+    scene::show_work_precision({.heading = heading_of(what.problem, lines),
                                 .work = {"right-hand sides", "steps", "rejected"},
                                 .work_label = "right-hand sides evaluated",
                                 .groups = method_groups(),

@@ -164,12 +164,18 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
   }
 }
 
-/// Digits that one rounding of the data may cost.
-void put_rounding(double digits, Panel& panel) {
-  panel.level(digits).set(
-      fmt::format("label 'one rounding of the data' at graph 0.01, first {:.6g} left offset 0,0.5 {} "
-                  "textcolor rgb soft_ink",
-                  digits, small_font));
+/// How many digits one rounding of the data leaves, in words above the level's left end or, if a point is
+/// there, its right one.
+void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
+  const double level = -std::log10(d.what.rounding), end = low * std::pow(high / low, 0.4);
+  const auto in_the_way = [&](const std::vector<Cell>& row) {
+    const auto *digits = std::get_if<double>(&row[4]), *x = std::get_if<double>(&row[axes.column]);
+    return digits != nullptr && x != nullptr && *x < end && std::abs(*digits - level - 0.4) < 0.6;
+  };
+  const bool right = std::ranges::any_of(d.data.rows(), in_the_way);
+  panel.level(level).set(fmt::format(
+      "label 'one rounding of the data' at graph {}, first {:.6g} {} offset 0,0.5 {} textcolor rgb soft_ink",
+      right ? 0.99 : 0.01, level, right ? "right" : "left", small_font));
 }
 
 /// Curves of no colour.
@@ -193,7 +199,9 @@ std::string explanation(const Diagram& d) {
   if (has(Side::peer)) say("Solid: this suite.  Dashed: peers.");
   if (const std::size_t grey = grey_of(d); grey > 0)
     say(fmt::format("Grey: {} other method{}.", grey, grey == 1 ? "" : "s"));
-  if (d.what.rounding > 0) say("Points above the level: rounding was kinder than at its worst.");
+  const auto above = [&](const MethodLine& line) { return line.least_error() < d.what.rounding; };
+  if (std::ranges::any_of(d.problems, [&](const auto& p) { return std::ranges::any_of(p.lines, above); }))
+    say("Points above the level: rounding was kinder than at its worst.");
   return text;
 }
 
@@ -218,7 +226,7 @@ Figure drawn(Diagram d) {
     panel.place(axes.left / layout.width, axes.right / layout.width, 1 - axes.bottom / layout.height,
                 1 - axes.top / layout.height);
     panel.caption(d.problems[axes.problem].problem);
-    if (what.rounding > 0) put_rounding(-std::log10(what.rounding), panel);
+    if (what.rounding > 0) put_rounding(d, axes, low, high, panel);
     if (what.least_time && over_time) panel.mark(what.least_time->first, what.least_time->second);
     if (axes.named) {
       put_names(d, axes, panel);

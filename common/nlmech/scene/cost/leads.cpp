@@ -162,12 +162,8 @@ std::vector<Lead> leads_of(const ProblemLines& problem) {
 
 std::string who_leads(const ProblemLines& problem) {
   std::vector<std::pair<std::string, std::vector<double>>> leaders;
-  std::vector<double> out_of_reach;
   for (const Lead& lead : leads_of(problem)) {
-    if (!lead.first) {
-      out_of_reach.push_back(lead.digits);
-      continue;
-    }
+    if (!lead.first) continue;
     const std::string& name = problem.lines[*lead.first].method;
     const auto known = std::ranges::find(leaders, name, &decltype(leaders)::value_type::first);
     (known == leaders.end() ? leaders.emplace_back(name, std::vector<double>{}) : *known)
@@ -178,8 +174,7 @@ std::string who_leads(const ProblemLines& problem) {
   for (const auto& [name, digits] : leaders)
     text +=
         fmt::format(fmt::runtime(text.empty() ? "{} is fastest at {}" : ", {} at {}"), name, listed(digits));
-  text += " digits";
-  return out_of_reach.empty() ? text : text + "; none has " + fmt::format("{:g}", out_of_reach.front());
+  return text + " digits";
 }
 
 std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,

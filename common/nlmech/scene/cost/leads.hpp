@@ -31,7 +31,7 @@ struct Lead {
 [[nodiscard]] std::vector<Lead> leads_of(const ProblemLines& problem);
 
 /// "series is fastest at 3, 6 and 9 digits"; "ode45 is fastest at 3, series at 6 and 9 digits"; "no method
-/// has three digits". Ends with what nobody reaches: "; none has 12".
+/// has three digits".
 [[nodiscard]] std::string who_leads(const ProblemLines& problem);
 
 /// How a method in colour is drawn.
