@@ -66,13 +66,18 @@ Layout layout_of(const Diagram& d) {
   return l;
 }
 
+/// A number of the data, whole or real; 0 if it is none.
+double number_in(const Cell& cell) {
+  const auto* real = std::get_if<double>(&cell);
+  const auto* whole = std::get_if<std::int64_t>(&cell);
+  return real != nullptr ? *real : whole != nullptr ? static_cast<double>(*whole) : 0;
+}
+
 /// Least and greatest of what is drawn for a problem, with some room.
 std::pair<double, double> range_of(const Table& table, std::size_t problem, std::size_t column) {
   double low = HUGE_VAL, high = 0;
   for (const auto& row : table.rows()) {
-    const auto* real = std::get_if<double>(&row[column]);
-    const auto* whole = std::get_if<std::int64_t>(&row[column]);
-    const double x = real != nullptr ? *real : whole != nullptr ? static_cast<double>(*whole) : 0;
+    const double x = number_in(row[column]);
     const bool here = std::get<std::int64_t>(row[1]) == static_cast<std::int64_t>(problem) + 1;
     if (!here || !(x > 0) || std::holds_alternative<std::monostate>(row[4])) continue;
     low = std::min(low, x);
@@ -169,8 +174,8 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
 void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
   const double level = -std::log10(d.what.rounding), end = low * std::pow(high / low, 0.4);
   const auto in_the_way = [&](const std::vector<Cell>& row) {
-    const auto *digits = std::get_if<double>(&row[4]), *x = std::get_if<double>(&row[axes.column]);
-    return digits != nullptr && x != nullptr && *x < end && std::abs(*digits - level - 0.4) < 0.6;
+    const double x = number_in(row[axes.column]);
+    return x > 0 && x < end && std::abs(number_in(row[4]) - level - 0.4) < 0.6;
   };
   const bool right = std::ranges::any_of(d.data.rows(), in_the_way);
   panel.level(level).set(fmt::format(
