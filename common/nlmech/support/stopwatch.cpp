@@ -14,10 +14,9 @@ double median(std::vector<double> values) {
   return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-Timing time_repeats(const std::function<void()>& work, int repeats) {
-  if (repeats < 1)
-    throw std::invalid_argument("time_repeats: repeats must be positive, is " + std::to_string(repeats));
-  work();
+namespace {
+
+Timing timed(const std::function<void()>& work, int repeats) {
   std::vector<double> seconds(static_cast<std::size_t>(repeats));
   for (double& s : seconds) {
     const Stopwatch watch;
@@ -28,10 +27,19 @@ Timing time_repeats(const std::function<void()>& work, int repeats) {
   return {median(seconds), *low, *high, repeats};
 }
 
+}  // namespace
+
+Timing time_repeats(const std::function<void()>& work, int repeats) {
+  if (repeats < 1)
+    throw std::invalid_argument("time_repeats: repeats must be positive, is " + std::to_string(repeats));
+  work();
+  return timed(work, repeats);
+}
+
 Timing repeated_timing(const std::function<void()>& work, double first, bool quick) {
-  constexpr double enough = 0.01;  // s, of all repeats: some hundred settings, a second or two in all
+  constexpr double enough = 0.005;  // s, of all repeats: some hundred settings, a second in all
   if (quick || first > enough) return {first, first, first, 1};
-  return time_repeats(work, std::clamp(static_cast<int>(enough / first), 1, 9));
+  return timed(work, std::clamp(static_cast<int>(enough / first), 1, 5));
 }
 
 }  // namespace nlmech

@@ -36,8 +36,8 @@ struct Timing {
 /// @throws std::invalid_argument if @p repeats is below 1
 [[nodiscard]] Timing time_repeats(const std::function<void()>& work, int repeats);
 
-/// Up to nine repeats in a hundredth of a second; work that takes @p first > 0.01 s counts by itself, and so
-/// does any if @p quick.
+/// Up to five repeats in 5 ms, warmed up by the call that took @p first; where that took longer it counts by
+/// itself, as any does if @p quick.
 [[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
 
 }  // namespace nlmech
