@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
@@ -10,15 +12,54 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
+/// Finds when an iteration whose next iterate depends on the latest alone goes round for ever: when one of a
+/// single unknown returns to the bit (R. P. Brent 1980, *An improved Monte Carlo factorization algorithm*).
+class Round {
+ public:
+  /// To be shown each iterate. @returns how many iterates a round has, 0 while none is seen
+  int see(double x) {
+    if (steps_ > 0 && x == mark_) return steps_;
+    if (steps_ == next_mark_) {
+      mark_ = x;
+      next_mark_ *= 2;
+      steps_ = 0;
+    }
+    ++steps_;
+    return 0;
+  }
+
+ private:
+  double mark_ = std::numeric_limits<double>::quiet_NaN();
+  int steps_ = 1, next_mark_ = 1;
+};
+
+/// Ends an iteration that goes round at the iterate that it would have come to in the end.
+class Ending {
+ public:
+  explicit Ending(int limit) : limit_(limit) {}
+  /// Is the iterate number @p index the last, or as the last?
+  bool is_last(std::int64_t index, double x) {
+    if (const int round = last_ < 0 ? round_.see(x) : 0; round > 0) last_ = index + (limit_ - index) % round;
+    return index >= limit_ || index == last_;
+  }
+
+ private:
+  int limit_;
+  Round round_;
+  std::int64_t last_ = -1;
+};
+
 Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* trace) {
   // The iteration ends by the residual, as in the text: never by its own rule.
   const algebraic::Newton method{.tolerance = 0, .iterations = i.limit + 1};
   Eigen::VectorXd x = toggle.unknowns(i.start);
   Count count{false, 0, 0};
+  Ending ending(i.limit);
   const auto look = [&](const algebraic::Iterate& at) {
     if (trace != nullptr) trace->push_back({toggle.deflection(at.x), at.norm});
-    count = {at.norm <= i.tolerance, static_cast<int>(at.index), at.norm};
-    return !count.converged && at.index < i.limit;
+    const bool is_last = trace != nullptr ? at.index >= i.limit : ending.is_last(at.index, at.x[0]);
+    count = {at.norm <= i.tolerance, is_last ? i.limit : static_cast<int>(at.index), at.norm};
+    return !count.converged && !is_last;
   };
   static_cast<void>(find_root(method, toggle.equations(), x, look));
   return count;
@@ -32,15 +73,20 @@ Count by_homotopy(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* 
       .tolerance = i.tolerance,
       .steps = i.limit};
   Eigen::VectorXd x = toggle.unknowns(i.start);
-  algebraic::Observer look;
-  if (trace != nullptr) {
-    look = [&](const algebraic::Iterate& at) {
+  // From then on exp(-t) is lost in the rounding of whatever it is added to: time has no influence.
+  constexpr double timeless = 100;
+  Ending ending(i.limit);
+  bool is_last = false;
+  const auto look = [&](const algebraic::Iterate& at) {
+    if (trace != nullptr) {
       trace->push_back({toggle.deflection(at.x), at.norm});
-      return true;
-    };
-  }
+    } else if (at.time > timeless) {
+      is_last = ending.is_last(at.index, at.x[0]);
+    }
+    return !is_last || at.norm <= i.tolerance;
+  };
   const algebraic::Report report = find_root(method, toggle.equations(), x, look);
-  return {report.status.ok(), static_cast<int>(report.statistics.steps), report.last};
+  return {report.status.ok(), is_last ? i.limit : static_cast<int>(report.statistics.steps), report.last};
 }
 
 }  // namespace
