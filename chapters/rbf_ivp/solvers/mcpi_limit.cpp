@@ -81,10 +81,16 @@ Changes sweep(const Tables& tables, double t0, double step, Start start) {
     if (start == Start::solution && k > 0) x.col(k) = c.reference(times.back()).cast<double>().array() + 1e-6;
   }
   next.col(0) = x0;
+  Eigen::VectorXd slope(count), increment(count - 1);
   Changes changes;
   while (changes.size() < 1000) {
     c.system.rhs(times, x, g);
-    next.rightCols(count - 1).noalias() = (step * g) * tables.integral.transpose();
+    // By components: a product with two rows would pack the matrix anew in each sweep.
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      slope = step * g.row(i).transpose();
+      increment.noalias() = tables.integral * slope;
+      next.row(i).tail(count - 1) = increment.transpose();
+    }
     next.rightCols(count - 1).colwise() += x0;
     changes.push_back((next - x).cwiseAbs().maxCoeff());
     x.swap(next);
