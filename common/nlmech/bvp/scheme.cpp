@@ -99,14 +99,22 @@ void set_probes(Scheme& scheme) {
   scheme.probes = (scheme.nodes.head(n - 1) + scheme.nodes.tail(n - 1)) / 2;
   scheme.probe_value.resize(n - 1, n);
   scheme.probe_slope = scheme.probe_value_dot = scheme.probe_slope_dot = scheme.probe_value;
+  // Where values are interpolated, rows of row_dot() with the one matrix that all of them need.
+  MatrixXd derivative;
+  if (!by_slopes(scheme.family)) derivative = collocation::polynomial_differentiation_matrix(scheme.nodes);
   RowVectorXd value, slope;
   for (Index i = 0; i + 1 < n; ++i) {
     scheme.row(scheme.probes[i], value, slope);
     scheme.probe_value.row(i) = value;
     scheme.probe_slope.row(i) = slope;
-    scheme.row_dot(scheme.probes[i], value, slope);
-    scheme.probe_value_dot.row(i) = value;
-    scheme.probe_slope_dot.row(i) = slope;
+    if (by_slopes(scheme.family)) {
+      scheme.row_dot(scheme.probes[i], value, slope);
+      scheme.probe_value_dot.row(i) = value;
+      scheme.probe_slope_dot.row(i) = slope;
+    } else {
+      scheme.probe_value_dot.row(i) = value * derivative;
+      scheme.probe_slope_dot.row(i) = slope;
+    }
   }
 }
 
