@@ -4,17 +4,24 @@
 #include <cctype>
 #include <string>
 
+#include "nlmech/problems/arenstorf.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/bodies.hpp"
+#include "nlmech/problems/dead_end.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/duffing_chain.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/kepler.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/pleiades.hpp"
+#include "nlmech/problems/pollution.hpp"
 #include "nlmech/problems/projectile.hpp"
 #include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/spring_pendulum.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/two_body.hpp"
@@ -30,7 +37,8 @@ template <class Problem>
 class StatementsOf : public ::testing::Test {};
 using All = ::testing::Types<BlowUp, FourBodies, DrivenDuffing, Duffing, ForcedDuffing, Hires, ImpactDuffing,
                              LinearOscillator, Lorenz, Projectile, Robertson, StrongOscillator,
-                             ThreeMassChain, TwoBody, TwoDof, VanDerPol>;
+                             ThreeMassChain, TwoBody, TwoDof, VanDerPol, Kepler, Arenstorf, Pleiades,
+                             DuffingChain, SpringPendulum, Pollution, DeadEnd, LostDomain>;
 TYPED_TEST_SUITE(StatementsOf, All);
 
 // A chain's k1 to k4 stand as kj.
@@ -76,6 +84,88 @@ RC_GTEST_PROP(Statements, SumsOfConcentrationsAreConserved, ()) {
   RC_ASSERT(drift(hires, y) <= 8 * 1e4 * epsilon);
 }
 
+/// A place of the plane at a distance from the origin of 0.5 to 2.
+Vector<double, 2> place() {
+  const double angle = *between(0, 6.28), distance = *between(0.5, 2);
+  return {distance * std::cos(angle), distance * std::sin(angle)};
+}
+
+// Terms are products of velocities up to 2, accelerations up to 8 and their factors: below 64, some ten of
+// them.
+RC_GTEST_PROP(Statements, MotionsOfBodiesConserveWhatTheySay, ()) {
+  Vector<double, 4> x;
+  x << place(), place();
+  RC_ASSERT(drift(Kepler{.mu = *between(0.5, 2)}, x) <= 1000 * epsilon);
+  // Half a unit from the earth and a tenth from the moon at least: D1 and D2 above 1e-3.
+  x[1] = *between(0.5, 2);
+  RC_ASSERT(drift(Arenstorf{.moon = *between(0, 0.5)}, x) <= 1000 * epsilon);
+}
+
+RC_GTEST_PROP(Statements, StarsConserveMomentaAndEnergy, ()) {
+  Vector<double, 28> x = Pleiades::initial_state();
+  for (int i = 0; i < 28; ++i) x[i] += *between(-0.4, 0.4);
+  // Stars are 0.2 apart at least: masses of 7 at 1/0.04, times velocities and distances of 5, 42 pairs.
+  RC_ASSERT(drift(Pleiades{}, x) <= 1e6 * epsilon);
+}
+
+// The energy's rate by dual numbers, for a chain of three.
+RC_GTEST_PROP(Statements, ChainConservesItsEnergy, ()) {
+  const DuffingChain chain{.masses = 3,
+                           .natural_frequency = *between(0, 2),
+                           .hardening = *between(-1, 2),
+                           .coupling = *between(0, 2)};
+  Vector<double, Eigen::Dynamic> x(6), f(6);
+  Vector<Dual<double, 6>, Eigen::Dynamic> v(6);
+  for (int i = 0; i < 6; ++i) {
+    x[i] = *between(-1, 1);
+    v[i] = Dual<double, 6>::variable(x[i], i);
+  }
+  chain(0.0, x, f);
+  const auto energy = chain.invariants(Dual<double, 6>(0.0), v)[0];
+  double rate = 0;
+  for (int i = 0; i < 6; ++i) rate += energy.partial[static_cast<std::size_t>(i)] * f[i];
+  RC_ASSERT(std::abs(rate) <= 200 * epsilon);
+}
+
+// A chain of one is a Duffing oscillator between two springs.
+RC_GTEST_PROP(Statements, ChainOfOneIsADuffingOscillator, ()) {
+  const double w = *between(0, 2), eta = *between(-1, 2), k = *between(0, 2);
+  const DuffingChain chain{.masses = 1, .natural_frequency = w, .hardening = eta, .coupling = k};
+  const Duffing one{.natural_frequency = std::sqrt(w * w + 2 * k), .hardening = eta};
+  Vector<double, Eigen::Dynamic> x(2), f(2);
+  x << *between(-1, 1), *between(-1, 1);
+  Vector<double, 2> g;
+  chain(0.0, x, f);
+  one(0.0, Vector<double, 2>(x), g);
+  RC_ASSERT(f[0] == g[0]);
+  RC_ASSERT(std::abs(f[1] - g[1]) <= 32 * epsilon);
+}
+
+// The damper alone lessens the energy, at the rate c r'^2.
+RC_GTEST_PROP(Statements, DamperTakesEnergyFromThePendulum, ()) {
+  const SpringPendulum pendulum{.stiffness = 100, .damping = *between(0, 10)};
+  Vector<double, 4> x, f;
+  x << place(), *between(-1, 1), *between(-1, 1);
+  pendulum(0.0, x, f);
+  const auto energy = pendulum.energy(variables(x));
+  double rate = 0;
+  for (int i = 0; i < 4; ++i) rate += energy.partial[static_cast<std::size_t>(i)] * f[i];
+  const double stretching = (x[0] * x[2] + x[1] * x[3]) / std::hypot(x[0], x[1]);
+  RC_ASSERT(std::abs(rate + pendulum.damping * stretching * stretching) <= 1e4 * epsilon);
+}
+
+TEST(Statements, DeadEndsEndWhereTheySay) {
+  EXPECT_EQ(DeadEnd{}.exact(0.75, 1.0), 0.5);
+  EXPECT_TRUE(std::isnan(DeadEnd{}.exact(1.5, 1.0)));
+  Vector<double, 1> f;
+  DeadEnd{}(0.75, Vector<double, 1>(0.5), f);
+  EXPECT_EQ(f[0], -1);  // d sqrt(1 - t)/dt there
+  LostDomain{}(0.75, Vector<double, 1>(2.0), f);
+  EXPECT_EQ(f[0], -1.5);
+  LostDomain{}(1.25, Vector<double, 1>(2.0), f);
+  EXPECT_TRUE(std::isnan(f[0]));
+}
+
 /// Does the vector field point inwards wherever a component is at its lower bound?
 template <class Problem>
 bool points_inwards(const Problem& problem) {
@@ -96,6 +186,7 @@ RC_GTEST_PROP(Statements, ConcentrationsStayPositive, ()) {
   const Robertson robertson{.k1 = *between(0, 1), .k2 = *between(0, 1e5), .k3 = *between(0, 1e8)};
   RC_ASSERT(points_inwards(robertson));
   RC_ASSERT(points_inwards(Hires{.k_plus = *between(0, 1e4)}));
+  RC_ASSERT(points_inwards(Pollution{.light = *between(0, 2)}));
 }
 
 TEST(Statements, NegativeRatesHaveNoBounds) {

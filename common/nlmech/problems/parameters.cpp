@@ -25,6 +25,10 @@ void check_range(std::string_view problem, std::string_view name, Range range, d
     throw invalid_argument("{}: {} must be positive, not {}", problem, name, value);
   if (range == Range::not_negative && !(value >= 0))
     throw invalid_argument("{}: {} must not be negative, is {}", problem, name, value);
+  if (range == Range::share && !(value >= 0 && value < 1))
+    throw invalid_argument("{}: {} must be at least 0 and below 1, not {}", problem, name, value);
+  if (range == Range::count && !(value >= 1 && value <= 1000 && value == std::floor(value)))
+    throw invalid_argument("{}: {} must be a whole number from 1 to 1000, not {}", problem, name, value);
 }
 
 }  // namespace nlmech::problems

@@ -15,7 +15,9 @@ namespace nlmech::problems {
 enum class Range {
   any,           ///< all finite ones
   not_negative,  ///< a duration, a rate of a reaction
-  positive       ///< a mass, a length that divides
+  positive,      ///< a mass, a length that divides
+  share,         ///< at least 0 and below 1: an eccentricity, a part of a whole
+  count          ///< a whole number from 1 to 1000: how many of a kind
 };
 
 /// A parameter of a problem: its name in lower case with hyphens, and where it stands in the problem.

@@ -24,6 +24,9 @@
 ///   differ.
 /// - `state_names()`: names of the components of its state, for the heads of columns.
 /// - `initial_state()`, `initial_time`, `final_time`: the data of the publication.
+///
+/// A problem whose parameters decide how many components it has is of dimension Eigen::Dynamic, and says
+/// `size()`.
 #pragma once
 
 #include <string>
@@ -65,16 +68,16 @@ void first_order_form(const Problem& problem, const T& t, const Vector<T, n>& x,
 
 /// Does the problem have names of its own for the components of its state?
 template <class Problem>
-concept NamesItsState = requires {
-  Problem::state_names();
+concept NamesItsState = requires(const Problem& problem) {
+  problem.state_names();
 };
 
 /// Column names of a state: the problem's own; else x1, x2, ..., v1, v2, ... for a second-order problem, and
 /// x1, x2, ... for others.
 template <class Problem>
-[[nodiscard]] std::vector<std::string> state_names() {
+[[nodiscard]] std::vector<std::string> state_names(const Problem& problem = {}) {
   if constexpr (NamesItsState<Problem>) {
-    return Problem::state_names();
+    return problem.state_names();
   } else {
     std::vector<std::string> names;
     const int positions = SecondOrder<Problem> ? Problem::dimension / 2 : Problem::dimension;

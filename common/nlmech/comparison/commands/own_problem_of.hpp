@@ -23,7 +23,7 @@ class OwnProblemOf final : public ProblemOfSize<ivp::compiled_dimension<Problem>
   [[nodiscard]] const Problem& problem() const { return problem_; }
   [[nodiscard]] ivp::System<m> system() const override { return ivp::System<m>(problem_); }
   [[nodiscard]] std::vector<Candidate> extended(const Effort& effort) const override {
-    return taylor_candidates(problem_, Problem::dimension, effort);
+    return taylor_candidates(problem_, static_cast<int>(problem_.initial_state().size()), effort);
   }
   [[nodiscard]] std::string_view name() const override { return Problem::name; }
   [[nodiscard]] std::vector<std::pair<std::string, double>> parameters() const override {
@@ -36,7 +36,7 @@ class OwnProblemOf final : public ProblemOfSize<ivp::compiled_dimension<Problem>
     problems::set_parameter(problem_, parameter, value);
   }
   [[nodiscard]] std::vector<std::string> state_names() const override {
-    return problems::state_names<Problem>();
+    return problems::state_names(problem_);
   }
   using OwnProblem::initial_state;
   [[nodiscard]] std::vector<double> initial_state() const override {
