@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/integrators/heat_map.hpp"
+#include "chapters/integrators/sweep.hpp"
+
+namespace nlmech::chapters::integrators::calibration {
+namespace {
+
+constexpr double promised = 1.5;  // digits that a success may miss
+
+/// What a method delivers on a problem against what it is asked for.
+struct Row {
+  std::string problem, method;
+  bool peer;
+  int successes = 0, silent = 0;
+  double worst = -16;    ///< digits missing, at most
+  double at = 0;         ///< the tolerance of the worst
+  double delivered = 0;  ///< digits there
+  double expected = 0;   ///< digits that the tolerance can give there
+};
+
+std::vector<Row> rows_of(const std::vector<ProblemTrials>& all) {
+  std::vector<Row> rows;
+  for (const ProblemTrials& p : all) {
+    for (const MethodTrials& m : p.methods) {
+      Row row{p.problem, m.method, m.peer};
+      for (const Trial& t : m.trials) {
+        if (!t.success()) continue;
+        ++row.successes;
+        row.silent += p.silent_failure(t) ? 1 : 0;
+        const double expected = p.has_solution ? p.digits_to_expect(t.tolerance) : -std::log10(t.tolerance);
+        if (expected - t.digits() <= row.worst) continue;
+        row.worst = expected - t.digits();
+        row.at = t.tolerance;
+        row.delivered = t.digits();
+        row.expected = expected;
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
+  const std::vector<Row> rows = rows_of(all);
+  const std::size_t methods = all.front().methods.size();
+  HeatMap map{"Digits missing against what was asked: whom to believe",
+              "miss",
+              "!  success with fewer than half of the digits      blank: no success",
+              {"conditioning taken out, the worst of all tolerances"},
+              {},
+              {},
+              {}};
+  for (const ProblemTrials& p : all) map.problems.push_back(p.problem);
+  for (const MethodTrials& m : all.front().methods) map.methods.push_back(m.method);
+  map.cell = [&](std::size_t, std::size_t problem, std::size_t method) -> HeatCell {
+    const Row& row = rows[problem * methods + method];
+    if (row.successes == 0) return {};
+    return {std::clamp(row.worst, -3., 6.), row.silent > 0 ? "!" : ""};
+  };
+  show_heat_map(map, show);
+
+  std::vector<Row> misses;
+  for (const Row& row : rows) {
+    if (row.successes > 0 && (row.silent > 0 || row.worst > promised)) misses.push_back(row);
+  }
+  std::ranges::stable_sort(misses, std::greater{}, &Row::worst);
+  show.table(misses, {{"problem", &Row::problem},
+                      {"method", &Row::method},
+                      {"tolerance", &Row::at, 1},
+                      {"digits to expect", &Row::expected},
+                      {"digits delivered", &Row::delivered},
+                      {"missing", &Row::worst, 2},
+                      {"successes", &Row::successes},
+                      {"of these silent failures", &Row::silent}});
+  const auto count = [&](bool peer, auto of) {
+    return std::ranges::count_if(rows, [&](const Row& r) { return r.peer == peer && of(r); });
+  };
+  const auto bad = [](const Row& r) { return r.silent > 0; };
+  const auto any = [](const Row& r) { return r.successes > 0; };
+  for (const bool peer : {false, true})
+    show.between(
+        fmt::format("pairs of {} and problems with a silent failure", peer ? "peers" : "our methods"),
+        count(peer, bad), 0, static_cast<double>(count(peer, any)), "a count of what the table lists");
+  for (const char* method : {"series", "adaptive-collocation", "rkn1210", "ode45"}) {
+    double worst = -16;
+    for (const Row& row : rows) {
+      if (row.method == method && row.successes > 0 && row.problem != "dead-end")
+        worst = std::max(worst, row.worst);
+    }
+    show.between(fmt::format("digits that {} misses at most", method), worst, -16, promised,
+                 "errors of the tolerance add up over the steps: a digit and a half for them");
+  }
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  return {{.name = "calibration",
+           .title = "Digits delivered against digits asked, every method on every problem",
+           .content = scene::Content(put, sweep())}};
+}
+
+}  // namespace nlmech::chapters::integrators::calibration

@@ -1,0 +1,120 @@
+#include "chapters/integrators/problem_set.hpp"
+
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include "nlmech/expression/problem.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::integrators {
+namespace {
+
+/// What the tables say of a problem.
+struct Known {
+  std::map<double, std::vector<long double>> states;  // by time
+  double condition = 1, tolerance_condition = 1;
+  std::vector<double> scales;
+};
+
+class References {
+ public:
+  References() {
+    for (const auto& row : rows("problem_set.csv", 4)) {
+      auto& state = known_[row[0]].states[number(row[1])];
+      state.push_back(std::strtold(row[3].c_str(), nullptr));
+    }
+    for (const auto& row : rows("problem_set_conditions.csv", 7)) {
+      Known& k = known_[row[0]];
+      k.condition = number(row[2]);
+      k.tolerance_condition = number(row[3]);
+      std::istringstream scales(row[6]);
+      for (double scale = 0; scales >> scale;) k.scales.push_back(scale);
+    }
+  }
+
+  /// Completes a problem that has a solution.
+  template <int n>
+  void complete(SetProblem<n>& p) const {
+    const auto found = known_.find(p.name);
+    if (found == known_.end()) misfit(p.name);
+    const Known& k = found->second;
+    const Eigen::Index size = p.x0.size();
+    if (k.states.size() != p.times.size() || std::ssize(k.scales) != size) misfit(p.name);
+    for (std::size_t i = 0; const auto& [t, x] : k.states) {
+      if (t != p.times[i++] || std::ssize(x) != size) misfit(p.name);
+      p.truth.emplace_back(Eigen::Map<const Vector<long double, n>>(x.data(), size));
+    }
+    p.flagged = Eigen::Map<const ivp::State<n>>(k.scales.data(), size);
+    p.condition = k.condition;
+    p.tolerance_condition = k.tolerance_condition;
+  }
+
+ private:
+  static std::vector<std::vector<std::string>> rows(const std::string& file, std::size_t cells) {
+    const auto path = scene::data_folder() / "tables" / "reference" / file;
+    std::vector<std::vector<std::string>> all;
+    for (scene::CsvRecord& record : scene::parse_csv(scene::read_whole(path), file)) {
+      if (record.cells.size() != cells) misfit(file);
+      all.push_back(std::move(record.cells));
+    }
+    all.erase(all.begin());  // headings
+    return all;
+  }
+  static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+  [[noreturn]] static void misfit(const std::string& what) {
+    throw Failure(Status::failure(
+        Outcome::outside_validity,
+        "problem set: " + what + " does not fit tables/reference; run problem_set_references again"));
+  }
+
+  std::map<std::string, Known> known_;
+};
+
+template <int n>
+SetProblem<n> made(std::string_view name, Kind kind, double absolute, ivp::System<n> system,
+                   const ivp::State<n>& x0, double t0, double t1) {
+  SetProblem<n> p{std::string(name), kind, absolute, std::move(system), x0, t0, t1, {}};
+  for (int k = 0; k < judged_times; ++k) p.times.push_back(judged_time(t0, t1, k));
+  return p;
+}
+
+}  // namespace
+
+std::string_view to_string(Kind kind) {
+  switch (kind) {
+    case Kind::smooth: return "smooth";
+    case Kind::stiff: return "stiff";
+    case Kind::extreme: break;
+  }
+  return "extreme";
+}
+
+std::vector<AnyProblem> problem_set() {
+  const References references;
+  std::vector<AnyProblem> all;
+  for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
+    constexpr int n = ivp::compiled_dimension<Problem>;
+    auto p = made<n>(c.name, c.kind, c.absolute, ivp::System<n>(c.problem), c.problem.initial_state(),
+                     Problem::initial_time, c.end);
+    if (by != By::nothing) references.complete(p);
+    all.emplace_back(std::move(p));
+  });
+  const expression::Equations equations(
+      expression::SourceText(std::string(Friction::name), Friction::equation));
+  auto p = made<2>(Friction::name, Kind::extreme, 1, ivp::System<2>(expression::Problem<2>(equations)),
+                   {Friction::position, 0}, 0, Friction::end);
+  references.complete(p);
+  all.emplace_back(std::move(p));
+  return all;
+}
+
+const std::string& name_of(const AnyProblem& problem) {
+  return std::visit([](const auto& p) -> const std::string& { return p.name; }, problem);
+}
+
+}  // namespace nlmech::chapters::integrators

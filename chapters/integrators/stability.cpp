@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/integrators/heat_map.hpp"
+#include "chapters/integrators/sweep.hpp"
+
+namespace nlmech::chapters::integrators::stability {
+namespace {
+
+/// What became of a method on a problem.
+struct Ending {
+  const Trial* best = nullptr;  ///< the run that says success with the most digits; none
+  const Trial* loosest =
+      nullptr;                  ///< the run of the loosest tolerance that delivers half of its digits; none
+  const Trial* last = nullptr;  ///< how the sweep ended
+  double silent = 0;  ///< tightest tolerance of a success with fewer than half of its digits; 0: none
+};
+
+Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
+  Ending e;
+  for (const Trial& t : m.trials) {
+    e.last = &t;
+    if (!t.success()) continue;
+    if (p.silent_failure(t)) {
+      e.silent = t.tolerance;
+      continue;
+    }
+    if (e.best == nullptr || t.digits() > e.best->digits()) e.best = &t;
+    if (e.loosest == nullptr) e.loosest = &t;
+  }
+  return e;
+}
+
+std::string mark(const ProblemTrials& p, const Ending& e) {
+  if (e.silent > 0) return "!";
+  if (e.best != nullptr) return "";
+  const std::string& status = e.last->status;
+  if (!p.has_solution) return status == "refused" ? "—" : "✓";
+  const std::pair<const char*, const char*> marks[] = {
+      {"refused", "—"},        {"time_limit", "…"},    {"step_limit", "…"},     {"non_finite", "∞"},
+      {"step_underflow", "↓"}, {"not_converged", "×"}, {"newton_diverged", "×"}};
+  for (const auto& [name, sign] : marks) {
+    if (status == name) return sign;
+  }
+  return "×";
+}
+
+std::string words(const ProblemTrials& p, const Ending& e) {
+  if (!p.has_solution)
+    return e.silent > 0 ? fmt::format("success at {:.0e}, which is wrong", e.silent) : e.last->status;
+  if (e.best == nullptr) return e.silent > 0 ? "silent failure" : e.last->status;
+  return fmt::format("{:.1f} digits, from {:.0e} on", e.best->digits(), e.loosest->tolerance);
+}
+
+void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
+  HeatMap map{"What becomes of every method on every problem",
+              "digits",
+              "!  a success with fewer than half of the digits    ✓  fails, as it must    —  refused    …  "
+              "too slow    ×  not "
+              "converged    ∞  blows up    ↓  step underflow",
+              {"most digits of a success"},
+              {},
+              {},
+              {}};
+  for (const ProblemTrials& p : all) map.problems.push_back(p.problem);
+  for (const MethodTrials& m : all.front().methods) map.methods.push_back(m.method);
+  map.cell = [&](std::size_t, std::size_t problem, std::size_t method) -> HeatCell {
+    const Ending e = ending_of(all[problem], all[problem].methods[method]);
+    HeatCell cell{{}, mark(all[problem], e)};
+    if (e.best != nullptr) cell.colour = std::min(15., e.best->digits());
+    return cell;
+  };
+  show_heat_map(map, show);
+
+  std::vector<scene::Column> columns = {{"problem"}};
+  for (const std::string& method : map.methods) columns.push_back({method});
+  scene::Table table(std::move(columns));
+  int ends = 0, noticed = 0;
+  for (const ProblemTrials& p : all) {
+    std::vector<scene::Cell> row = {p.problem};
+    for (const MethodTrials& m : p.methods) {
+      const Ending e = ending_of(p, m);
+      row.emplace_back(words(p, e));
+      if (p.has_solution || m.peer || e.last->status == "refused") continue;
+      ++ends;
+      noticed += e.silent < 0.5e-4 ? 1 : 0;
+    }
+    table.add(std::move(row));
+  }
+  show.table(std::move(table));
+  show.equals("our methods that notice where a solution ends", noticed, ends,
+              "a success there would be wrong");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  return {{.name = "stability",
+           .title = "What becomes of every method on every problem: status, digits, loosest tolerance",
+           .content = scene::Content(put, sweep())}};
+}
+
+}  // namespace nlmech::chapters::integrators::stability

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "chapters/integrators/heat_map.hpp"
+#include "chapters/integrators/sweep.hpp"
+
+namespace nlmech::chapters::integrators::summary {
+namespace {
+
+constexpr std::array asked = {3, 6, 9, 12};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The fastest of some methods.
+struct Winner {
+  std::string method = "none";
+  double seconds = infinity;
+};
+
+template <class Of>
+Winner fastest(const ProblemTrials& p, double digits, Of of) {
+  Winner best;
+  for (const MethodTrials& m : p.methods) {
+    if (!of(m)) continue;
+    const double seconds = m.seconds_for(digits).value_or(infinity);
+    if (seconds < best.seconds) best = {m.method, seconds};
+  }
+  return best;
+}
+
+/// A row of the table: who wins on a problem.
+struct Row {
+  std::string problem;
+  int digits;
+  Winner ours, peer;
+  [[nodiscard]] std::string first() const { return ours.seconds <= peer.seconds ? ours.method : peer.method; }
+  [[nodiscard]] std::optional<double> lead() const {
+    if (!std::isfinite(ours.seconds) || !std::isfinite(peer.seconds)) return {};
+    return peer.seconds / ours.seconds;
+  }
+};
+
+std::optional<double> milliseconds(double seconds) {
+  if (!std::isfinite(seconds)) return {};
+  return 1e3 * seconds;
+}
+
+std::vector<Row> rows_of(const std::vector<const ProblemTrials*>& problems) {
+  std::vector<Row> rows;
+  for (const ProblemTrials* p : problems) {
+    for (const int digits : asked)
+      rows.push_back({p->problem, digits, fastest(*p, digits, [](const MethodTrials& m) { return !m.peer; }),
+                      fastest(*p, digits, [](const MethodTrials& m) { return m.peer; })});
+  }
+  return rows;
+}
+
+/// Seconds of a method over those of the fastest; infinite if it does not deliver.
+double behind(const ProblemTrials& p, std::size_t method, double digits) {
+  const double best = fastest(p, digits, [](const MethodTrials&) { return true; }).seconds;
+  return p.methods[method].seconds_for(digits).value_or(infinity) / best;
+}
+
+/// Those that somewhere are at most three times as slow as the fastest.
+std::vector<std::size_t> contenders(const std::vector<const ProblemTrials*>& problems) {
+  std::vector<std::size_t> all;
+  for (std::size_t m = 0; m < problems.front()->methods.size(); ++m) {
+    const bool counts = std::ranges::any_of(problems, [&](const ProblemTrials* p) {
+      return std::ranges::any_of(asked, [&](int digits) { return behind(*p, m, digits) <= 3; });
+    });
+    if (counts) all.push_back(m);
+  }
+  return all;
+}
+
+void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
+  const auto problems = with_solution(all);
+  const auto shown = contenders(problems);
+  HeatMap map{"Which method is fastest on which problem",
+              "behind",
+              "●  fastest      blank: does not deliver",
+              {},
+              {},
+              {},
+              {}};
+  for (const int digits : asked) map.captions.push_back(fmt::format("{} digits", digits));
+  for (const ProblemTrials* p : problems) map.problems.push_back(p->problem);
+  for (const std::size_t m : shown) map.methods.push_back(problems.front()->methods[m].method);
+  map.cell = [&](std::size_t panel, std::size_t problem, std::size_t method) -> HeatCell {
+    const double factor = behind(*problems[problem], shown[method], asked[panel]);
+    if (!std::isfinite(factor)) return {};
+    return {std::min(2., std::log10(factor)), factor == 1 ? "●" : ""};
+  };
+  show_heat_map(map, show);
+
+  const std::vector<Row> rows = rows_of(problems);
+  show.table(rows, {{"problem", &Row::problem},
+                    {"digits", &Row::digits},
+                    {"fastest", &Row::first},
+                    {"best of ours", [](const Row& r) { return r.ours.method; }},
+                    {"its time, ms", [](const Row& r) { return milliseconds(r.ours.seconds); }},
+                    {"best peer", [](const Row& r) { return r.peer.method; }},
+                    {"its time, ms ", [](const Row& r) { return milliseconds(r.peer.seconds); }},
+                    {"peer over ours", &Row::lead}});
+  show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
+  double least = infinity;
+  for (const ProblemTrials* p : problems) {
+    double most = 0;
+    for (const MethodTrials& m : p->methods) {
+      for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);
+    }
+    least = std::min(least, most + std::log10(p->condition));
+  }
+  show.between("least digits of the best run on a problem, conditioning taken out", least,
+               show.quick() ? 6 : 12, 17,
+               "each problem is solved to within a hundred roundings of what its condition allows");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  return {{.name = "summary",
+           .title = "Which method is fastest on which problem, at 3, 6, 9 and 12 digits",
+           .content = scene::Content(put, sweep())}};
+}
+
+}  // namespace nlmech::chapters::integrators::summary

@@ -1,0 +1,152 @@
+#include "chapters/integrators/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "nlmech/comparison/any_method.hpp"
+
+namespace nlmech::chapters::integrators {
+namespace {
+
+constexpr double least_digits = 2;  // to expect, before half of them say anything
+
+/// How much of it: of each run, and after which run a method's sweep ends.
+struct Effort {
+  int loosest, tightest, by;  // powers of ten of the tolerances
+  double run, enough;         // s
+};
+constexpr Effort full = {3, 13, 2, 0.15, 0.02}, look = {4, 8, 4, 0.05, 0.01};
+
+/// The median of up to five runs in 4 ms; a longer run counts by itself.
+/// @param first of the processor, of the run that was
+Timing timing_of(const std::function<void()>& run, double first) {
+  constexpr double all = 0.004;
+  if (first > all / 2) return {first, first, first, 1};
+  return time_repeats(run, std::clamp(static_cast<int>(all / std::max(first, 1e-6)) - 1, 1, 5));
+}
+
+/// The errors at the judged times: along a chain of runs from one to the next, and of @p end.
+template <int n>
+std::optional<double> error_of(const SetProblem<n>& p, const ivp::NamedIntegrator<n>& run,
+                               const ivp::Limits& limits, const ivp::State<n>& end) {
+  std::vector<double> errors = {p.error(end, p.times.size() - 1)};
+  ivp::State<n> x = p.x0;
+  double t = p.t0;
+  for (std::size_t k = 0; k + 1 < p.times.size(); ++k) {
+    const ivp::Solution<n> s = run(p.system, x, t, p.times[k], {}, limits);
+    if (!s.status.ok()) break;  // the run to the end went well: it counts by what there is
+    errors.push_back(p.error(s.x, k));
+    x = s.x;
+    t = p.times[k];
+  }
+  if (std::ranges::any_of(errors, [](double e) { return !std::isfinite(e); })) return HUGE_VAL;
+  return median(errors);
+}
+
+template <int n>
+Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double tolerance,
+            const Effort& effort) {
+  Trial t{tolerance, "refused"};
+  ivp::Settings settings{.tolerance = tolerance};
+  if (!method.info.fixed_step()) settings.absolute_tolerance = tolerance * p.absolute;
+  const ivp::Limits limits{.steps = 20'000'000, .seconds = effort.run};
+  try {
+    const auto run = comparison::any_integrator<n>(method, settings);
+    const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
+    const std::clock_t begin = std::clock();
+    const ivp::Solution<n> s = once();
+    t.processor = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    t.status = to_string(s.status.outcome());
+    t.work = s.statistics;
+    t.time = {t.processor, t.processor, t.processor, 1};
+    if (!s.status.ok()) return t;
+    t.error = p.has_solution() ? error_of(p, run, limits, s.x) : HUGE_VAL;
+    t.time = timing_of([&] { static_cast<void>(once()); }, t.processor);
+  } catch (const std::invalid_argument&) {
+    // A method for accelerations on a problem that has none, and the like.
+  }
+  return t;
+}
+
+MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const Effort& effort) {
+  const comparison::AnyMethod method = comparison::any_method(name);
+  MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
+  for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
+    all.trials.push_back(
+        std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
+    const Trial& last = all.trials.back();
+    if (last.processor > effort.enough || last.status == "refused") break;
+  }
+  return all;
+}
+
+std::vector<ProblemTrials> measure(bool quick) {
+  std::vector<ProblemTrials> all;
+  for (const AnyProblem& problem : problem_set()) {
+    ProblemTrials& p = all.emplace_back(std::visit(
+        [](const auto& q) {
+          return ProblemTrials{q.name, q.kind, q.has_solution(), q.condition, q.tolerance_condition, {}};
+        },
+        problem));
+    for (const std::string& name : comparison::built_method_names())
+      p.methods.push_back(trials_of(problem, name, quick ? look : full));
+  }
+  return all;
+}
+
+}  // namespace
+
+double Trial::digits() const { return error ? std::clamp(-std::log10(std::max(*error, 1e-16)), 0., 16.) : 0; }
+
+std::optional<double> MethodTrials::seconds_for(double digits) const {
+  std::optional<double> best;
+  const auto take = [&best](double seconds) { best = best ? std::min(*best, seconds) : seconds; };
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Trial& now = trials[i];
+    if (!now.success() || now.digits() < digits) continue;
+    take(now.time.median);
+    if (i == 0 || !trials[i - 1].success() || trials[i - 1].digits() >= digits) continue;
+    const Trial& before = trials[i - 1];
+    const double share = (digits - before.digits()) / (now.digits() - before.digits());
+    take(before.time.median * std::pow(now.time.median / before.time.median, share));
+  }
+  return best;
+}
+
+double ProblemTrials::digits_to_expect(double tolerance) const {
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
+  return std::max(0., -std::log10(tolerance * tolerance_condition + rounding * condition));
+}
+
+bool ProblemTrials::silent_failure(const Trial& trial) const {
+  if (!trial.success()) return false;
+  const double expected = digits_to_expect(trial.tolerance);
+  return !has_solution || (expected >= least_digits && trial.digits() < expected / 2);
+}
+
+scene::Result<std::vector<ProblemTrials>> sweep() {
+  return {
+      "sweep",
+      "every method and peer on every problem of the set, tolerances 1e-3 to 1e-13, absolute tolerances by "
+      "the "
+      "problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; one "
+      "thread, "
+      "median of repeats in 4 ms; a run has 0.15 s, and a sweep ends with its first run of more than 0.02 s "
+      "of the processor",
+      measure};
+}
+
+std::vector<const ProblemTrials*> with_solution(const std::vector<ProblemTrials>& all) {
+  std::vector<const ProblemTrials*> some;
+  for (const ProblemTrials& p : all) {
+    if (p.has_solution) some.push_back(&p);
+  }
+  return some;
+}
+
+}  // namespace nlmech::chapters::integrators

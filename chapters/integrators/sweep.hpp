@@ -1,0 +1,67 @@
+/// @file
+/// Every method on every problem of the set over a sweep of tolerances: the one result behind the scenes that
+/// tell which method suits which problem.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "chapters/integrators/problem_set.hpp"
+#include "nlmech/scene/scene.hpp"
+#include "nlmech/support/statistics.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::chapters::integrators {
+
+/// A run at one tolerance.
+struct Trial {
+  double tolerance;                  ///< relative
+  std::string status;                ///< "success"; "refused" by the method before it began
+  std::optional<double> error = {};  ///< median over the judged times; nothing if a run failed
+  Statistics work = {};              ///< of the run from begin to end
+  Timing time = {};                  ///< of the same
+  double processor = 0;              ///< s of the processor, of the first run
+
+  /// Did it say so?
+  [[nodiscard]] bool success() const { return status == "success"; }
+  /// -log10 of the error, from 0 to 16; 0 without one.
+  [[nodiscard]] double digits() const;
+};
+
+/// A method on one problem.
+struct MethodTrials {
+  std::string method;         ///< "series"
+  bool peer;                  ///< another author's
+  bool chooses;               ///< its steps itself; else they are searched by runs that agree
+  std::vector<Trial> trials;  ///< loose first; ends where a run took too long
+
+  /// Seconds that @p digits take: of the runs that deliver them the fastest, interpolated between tolerances
+  /// where the runs on both sides delivered less and more; nothing if none does.
+  [[nodiscard]] std::optional<double> seconds_for(double digits) const;
+};
+
+/// All methods on one problem.
+struct ProblemTrials {
+  std::string problem;                ///< "kepler-0.99"
+  Kind kind;                          ///< what makes it hard
+  bool has_solution;                  ///< else success is wrong
+  double condition;                   ///< for relative errors
+  double tolerance_condition;         ///< for tolerances
+  std::vector<MethodTrials> methods;  ///< in the order of names
+
+  /// Digits that @p tolerance can give: an error of one tolerance, and 16 roundings, made once and multiplied
+  /// by the condition.
+  [[nodiscard]] double digits_to_expect(double tolerance) const;
+  /// Did a run say success and give fewer than half of the digits to expect, where these are two or more?
+  [[nodiscard]] bool silent_failure(const Trial& trial) const;
+};
+
+/// The result, shared by name.
+[[nodiscard]] scene::Result<std::vector<ProblemTrials>> sweep();
+
+/// Of all problems that have a solution.
+[[nodiscard]] std::vector<const ProblemTrials*> with_solution(const std::vector<ProblemTrials>& all);
+
+}  // namespace nlmech::chapters::integrators

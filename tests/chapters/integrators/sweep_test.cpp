@@ -1,0 +1,102 @@
+// What the scenes of the problem set are made of: the set itself, digits, times for digits, silent failures.
+#include "chapters/integrators/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/ivp/series/series.hpp"
+
+namespace nlmech::chapters::integrators::sweep_test {
+namespace {
+
+TEST(ProblemSet, HasNamesOfItsOwnAndSolutionsAtSixteenTimes) {
+  std::set<std::string> names;
+  int solved = 0;
+  for (const AnyProblem& problem : problem_set()) {
+    EXPECT_TRUE(names.insert(name_of(problem)).second) << name_of(problem);
+    std::visit(
+        [&](const auto& p) {
+          EXPECT_EQ(p.times.size(), 16U) << p.name;
+          EXPECT_EQ(p.times.back(), p.t1) << p.name;
+          EXPECT_TRUE(p.truth.size() == 16 || p.truth.empty()) << p.name;
+          solved += p.has_solution() ? 1 : 0;
+        },
+        problem);
+  }
+  EXPECT_EQ(names.size(), 25U);
+  EXPECT_EQ(solved, 22);
+}
+
+/// By a method that shares nothing with the reference's: collocation where that is a series, and the other
+/// way round.
+template <int n>
+double miss(const SetProblem<n>& p) {
+  const double tolerance = 1e-11, absolute = tolerance * p.absolute;
+  ivp::Solution<n> s;
+  if (p.kind == Kind::stiff)
+    s = ivp::integrate(
+        p.system, p.x0, p.t0, p.t1,
+        ivp::AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = absolute});
+  else
+    s = ivp::integrate(p.system, p.x0, p.t0, p.t1,
+                       ivp::Series{.relative_tolerance = tolerance, .absolute_tolerance = absolute});
+  if (!s.status.ok()) return HUGE_VAL;
+  return p.error(s.x, p.times.size() - 1) / (tolerance * p.tolerance_condition);
+}
+
+// A hundred tolerances for those that add up over some hundred steps, each multiplied by the condition.
+TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
+  for (const AnyProblem& problem : problem_set()) {
+    std::visit(
+        [](const auto& p) {
+          if (p.has_solution() && p.kind != Kind::extreme) {
+            EXPECT_LT(miss(p), 100) << p.name;
+          }
+        },
+        problem);
+  }
+}
+
+TEST(ProblemSet, ErrorsAreRelativeOrBySize) {
+  SetProblem<2> p{"none", Kind::smooth, 1, ivp::System<2>(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
+  p.truth.emplace_back(2, 0.5);
+  p.flagged = {0, 4};
+  EXPECT_EQ(p.error({2.5, 0.5}, 0), 0.25);
+  EXPECT_EQ(p.error({2, 3.5}, 0), 0.75);
+  EXPECT_TRUE(std::isnan(p.error({NAN, 0.5}, 0)));
+}
+
+Trial trial(double tolerance, double error, double seconds) {
+  return {tolerance, "success", error, {}, {seconds, seconds, seconds, 1}};
+}
+
+TEST(Trials, TimeForDigitsLiesBetweenRunsThatDeliverLessAndMore) {
+  MethodTrials m{"none", false, true, {trial(1e-3, 1e-2, 1), trial(1e-5, 1e-4, 4), trial(1e-7, 1e-8, 16)}};
+  EXPECT_DOUBLE_EQ(*m.seconds_for(2), 1);
+  EXPECT_DOUBLE_EQ(*m.seconds_for(3), 2);  // half way between 2 and 4 digits: the geometric mean of 1 and 4
+  EXPECT_DOUBLE_EQ(*m.seconds_for(6), 8);
+  EXPECT_FALSE(m.seconds_for(8.5));
+  m.trials[1].status = "time_limit";
+  EXPECT_DOUBLE_EQ(*m.seconds_for(6), 16);
+}
+
+TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
+  ProblemTrials p{"none", Kind::smooth, true, 1, 100, {}};
+  EXPECT_NEAR(p.digits_to_expect(1e-8), 6, 1e-6);
+  EXPECT_NEAR(p.digits_to_expect(1e-30), -std::log10(0x1p-48), 1e-6);  // 16 roundings
+  EXPECT_TRUE(p.silent_failure(trial(1e-8, 2e-3, 1)));
+  EXPECT_FALSE(p.silent_failure(trial(1e-8, 0.5e-3, 1)));
+  EXPECT_FALSE(p.silent_failure(trial(1e-3, 1, 1)));  // a single digit to expect
+  Trial failed = trial(1e-8, 1, 1);
+  failed.status = "step_limit";
+  EXPECT_FALSE(p.silent_failure(failed));
+  p.has_solution = false;
+  EXPECT_TRUE(p.silent_failure(trial(1e-8, 1e-9, 1)));
+}
+
+}  // namespace
+}  // namespace nlmech::chapters::integrators::sweep_test
