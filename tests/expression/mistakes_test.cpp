@@ -144,6 +144,8 @@ TEST(Mistake, DepthIsBounded) {
   std::string chain = "x' = a0; a5000 = 1";
   for (int i = 0; i < 5000; ++i) chain += ";a" + std::to_string(i) + "=a" + std::to_string(i + 1);
   EXPECT_NE(refusal(chain).find("definitions are nested too deeply here"), std::string::npos);
+  EXPECT_NE(refusal(std::string(61, 'x') + "' = 1").find("a name has at most 60 characters"),
+            std::string::npos);
   EXPECT_NE(refusal(std::string(1'000'001, ' ')).find("longer than 1000000 bytes"), std::string::npos);
 }
 

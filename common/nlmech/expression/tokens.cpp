@@ -138,6 +138,9 @@ class Reader {
   void read_name(bool blank) {
     std::size_t letters = 0;
     while (is_letter(peek(letters)) || is_digit(peek(letters))) ++letters;
+    if (letters > longest_name)  // messages repeat names as they are
+      throw source_.mistake({at_, at_ + letters},
+                            fmt::format("a name has at most {} characters", longest_name));
     std::size_t primes = 0;
     while (peek(letters + primes) == '\'') ++primes;
     const std::size_t begin = at_;
@@ -146,6 +149,7 @@ class Reader {
     tokens_.back().primes = static_cast<int>(std::min<std::size_t>(primes, 1000));
   }
 
+  static constexpr std::size_t longest_name = 60;
   const SourceText& source_;
   std::string_view text_;
   char separator_;
