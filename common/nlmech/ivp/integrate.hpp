@@ -2,6 +2,7 @@
 /// The one function that integrates: any system, any method, one kind of answer.
 #pragma once
 
+#include <string_view>
 #include <type_traits>
 
 #include "nlmech/ivp/solution.hpp"
@@ -71,11 +72,38 @@ void check_arguments(double t0, double t1, Eigen::Index given_size, int size);
 /// Failure `non_finite` for an initial state with NaN or infinity, naming the component; else success.
 [[nodiscard]] Status check_initial_state(const double* x0, int size, double t0);
 
-/// Runs a method with tolerances, and holds it to what the problem says of its solutions.
+/// A method with its options, as all that stands around its run sees it. What is written for this is compiled
+/// once for a system, and not for each method anew.
+template <SystemLike S>
+struct AnyMethod {
+  const void* method;                                                      ///< the aggregate
+  Solution<S::dimension> (*run)(const Task<S>& task, const void* method);  ///< by it
+  std::string_view name;                                                   ///< in sentences
+  bool by_tolerances = false;                                              ///< does it choose its steps?
+  double relative_tolerance = 0, absolute_tolerance = 0;                   ///< if it does
+};
+/// The same of @p method, which must live as long.
 template <SystemLike S, class Method>
-[[nodiscard]] Solution<S::dimension> run_within(StatedLimits<S>& stated, const Task<S>& task,
-                                                const Method& method) {
+[[nodiscard]] AnyMethod<S> any_method(const Method& method) {
+  AnyMethod<S> any{&method,
+                   [](const Task<S>& task, const void* options) {
+                     return detail::run(task, *static_cast<const Method*>(options));
+                   },
+                   method_name(method)};
+  if constexpr (HasTolerances<Method>) {
+    any.by_tolerances = goes_by_tolerances(method);
+    any.relative_tolerance = method.relative_tolerance;
+    any.absolute_tolerance = method.absolute_tolerance;
+  }
+  return any;
+}
+
+/// Runs a method with tolerances, and holds it to what the problem says of its solutions.
+template <SystemLike S>
+[[nodiscard]] Solution<S::dimension> run_within(const Task<S>& task, const AnyMethod<S>& method) {
   constexpr int n = S::dimension;
+  StatedLimits<S> stated(task.system, method.name, task.t0, task.x0, task.t1, method.relative_tolerance,
+                         method.absolute_tolerance);
   Observer<n> guard;
   if (stated.has_bounds()) {
     guard = [&](const Step<n>& step) {
@@ -84,7 +112,7 @@ template <SystemLike S, class Method>
   }
   const Observer<n>* const seen = guard ? &guard : &task.observer;
   Solution<n> solution =
-      detail::run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method);
+      method.run(Task<S>{task.system, task.x0, task.t0, task.t1, *seen, task.limits}, method.method);
   if (solution.status.ok()) stated.respects_end(solution.statistics.steps, solution.t, solution.x);
   if (!stated.status().ok()) solution.status = stated.status();
   return solution;
@@ -95,6 +123,41 @@ template <class S>
 inline constexpr bool has_switching = false;
 template <int n>
 inline constexpr bool has_switching<System<n>> = can_switch<n>;
+
+/// integrate() by any method.
+template <SystemLike S>
+[[nodiscard]] Solution<S::dimension> integrate_by(const AnyMethod<S>& method, const S& system,
+                                                  const State<S::dimension>& x0, double t0, double t1,
+                                                  const Observer<S::dimension>& observer,
+                                                  const Limits& limits) {
+  check_arguments(t0, t1, x0.size(), system.size());
+  if constexpr (has_switching<S>) {
+    if (system.switches() > 0) {
+      const SmoothRun<S::dimension> smooth =
+          [&method](const S& part, const auto& x, double from, double to, const Observer<S::dimension>& seen,
+                    const Limits& most) { return integrate_by(method, part, x, from, to, seen, most); };
+      return integrate_switching<S::dimension>(system, x0, t0, t1, smooth, observer, limits);
+    }
+  }
+  const Stopwatch watch;
+  Solution<S::dimension> solution{t0, x0, check_initial_state(x0.data(), system.size(), t0), {}};
+  if (solution.status.ok() && t0 != t1) {
+    const Task<S> task{system, x0, t0, t1, observer, limits};
+    solution = method.by_tolerances ? run_within(task, method) : method.run(task, method.method);
+  }
+  solution.statistics.seconds = watch.seconds();
+  return solution;
+}
+/// The library's, of one size.
+template <int n>
+using IntegrateBy = Solution<n>(const AnyMethod<System<n>>&, const System<n>&, const State<n>&, double,
+                                double, const Observer<n>&, const Limits&);
+extern template IntegrateBy<1> integrate_by<System<1>>;
+extern template IntegrateBy<2> integrate_by<System<2>>;
+extern template IntegrateBy<3> integrate_by<System<3>>;
+extern template IntegrateBy<4> integrate_by<System<4>>;
+extern template IntegrateBy<6> integrate_by<System<6>>;
+extern template IntegrateBy<Eigen::Dynamic> integrate_by<System<Eigen::Dynamic>>;
 }  // namespace detail
 
 /// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method.
@@ -116,30 +179,7 @@ template <SystemLike S, class Method>
                                                double t1, const Method& method,
                                                const Observer<S::dimension>& observer = {},
                                                const Limits& limits = {}) {
-  detail::check_arguments(t0, t1, x0.size(), system.size());
-  if constexpr (detail::has_switching<S>) {
-    if (system.switches() > 0) {
-      const SmoothRun<S::dimension> smooth =
-          [&method](const S& part, const auto& x, double from, double to, const Observer<S::dimension>& seen,
-                    const Limits& most) { return integrate(part, x, from, to, method, seen, most); };
-      return integrate_switching<S::dimension>(system, x0, t0, t1, smooth, observer, limits);
-    }
-  }
-  const Stopwatch watch;
-  Solution<S::dimension> solution{t0, x0, detail::check_initial_state(x0.data(), system.size(), t0), {}};
-  if (solution.status.ok() && t0 != t1) {
-    const Task<S> task{system, x0, t0, t1, observer, limits};
-    if constexpr (HasTolerances<Method>) {
-      StatedLimits<S> stated(system, method_name(method), t0, x0, t1, method.relative_tolerance,
-                             method.absolute_tolerance);
-      solution =
-          goes_by_tolerances(method) ? detail::run_within(stated, task, method) : detail::run(task, method);
-    } else {
-      solution = detail::run(task, method);
-    }
-  }
-  solution.statistics.seconds = watch.seconds();
-  return solution;
+  return detail::integrate_by(detail::any_method<S>(method), system, x0, t0, t1, observer, limits);
 }
 
 }  // namespace nlmech::ivp

@@ -24,11 +24,10 @@ class AnyRun {
   /// Runs that something needs.
   using List = std::vector<std::shared_ptr<const AnyRun>>;
   /// See the accessors of the same names.
-  AnyRun(std::string name, std::string reading, List needs)
-      : name_(std::move(name)), reading_(std::move(reading)), needs_(std::move(needs)) {}
+  AnyRun(std::string name, std::string reading, List needs);
   AnyRun(const AnyRun&) = delete;
   AnyRun& operator=(const AnyRun&) = delete;
-  virtual ~AnyRun() = default;
+  virtual ~AnyRun();
 
   [[nodiscard]] const std::string& name() const { return name_; }        ///< "series-order-4"
   [[nodiscard]] const std::string& reading() const { return reading_; }  ///< how the text was understood

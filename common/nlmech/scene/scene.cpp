@@ -23,6 +23,14 @@ void collect(const AnyRun::List& needs, std::map<std::string, const AnyRun*>& al
 
 }  // namespace
 
+std::function<Showing(Results&)> Content::shown(std::function<void(Results&, Show&)> put) {
+  return [put = std::move(put)](Results& all) {
+    Show to_show(all.quick());
+    put(all, to_show);
+    return to_show.take();
+  };
+}
+
 Chapter::Chapter(std::string name, std::string title, const std::vector<std::vector<Scene>>& scenes)
     : name_(std::move(name)), title_(std::move(title)) {
   std::set<std::string> names;

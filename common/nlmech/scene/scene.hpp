@@ -97,13 +97,14 @@ struct Content {
   /// @param put called with the results, each as in Result, and the Show
   template <class Put, class... Needs>
   explicit Content(Put put, const Needs&... results)
-      : needs(needed::all(results...)), show([put, results...](Results& all) {
-          Show to_show(all.quick());
+      : needs(needed::all(results...)), show(shown([put, results...](Results& all, Show& to_show) {
           put(needed::get(all, results)..., to_show);
-          return to_show.take();
-        }) {}
+        })) {}
   needed::Runs needs = {};                     ///< computed before
   std::function<Showing(Results&)> show = {};  ///< called with them
+
+ private:
+  static std::function<Showing(Results&)> shown(std::function<void(Results&, Show&)> put);
 };
 
 /// One figure or one table: the smallest thing that a user asks for.
