@@ -178,7 +178,9 @@ void put_rounding(const Diagram& d, const Axes& axes, double low, double high, P
     return x > 0 && x < end && std::abs(number_in(row[4]) - level - 0.4) < 0.6;
   };
   const bool right = std::ranges::any_of(d.data.rows(), in_the_way);
-  panel.level(level).set(fmt::format(
+  panel.level(level);
+  if (!axes.named) return;
+  panel.set(fmt::format(
       "label 'one rounding of the data' at graph {}, first {:.6g} {} offset 0,0.5 {} textcolor rgb soft_ink",
       right ? 0.99 : 0.01, level, right ? "right" : "left", small_font));
 }
