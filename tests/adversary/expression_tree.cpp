@@ -30,12 +30,13 @@ Real disturbance(std::size_t node, int run) {
   return 1 + Real((part < 0.5 ? -1 : 1) * (0.5 + part / 2)) * 0x1p-53;
 }
 
-// Of the true value and disturbed ones.
-std::optional<Estimate> estimate(const std::vector<Real>& values) {
+// Of the true value and disturbed ones. @param scale of parts that may cancel whatever the disturbances:
+// y^4/y^4 has the derivative 0 with each of them, and not with roundings.
+std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& scale = 0) {
   Real spread = 0;
   for (const Real& v : values) spread = std::max(spread, Real(abs(v - values[0])));
   // What no rounding changes may still have one in the last place, or be a sum of subnormal products.
-  spread = margin * spread + 4 * abs(values[0]) * 0x1p-53 + Real(1e-250);
+  spread = margin * spread + 4 * abs(values[0]) * 0x1p-53 + margin * scale * 0x1p-53 + Real(1e-250);
   if (!isfinite(spread) || spread > 1e-6 * (1 + abs(values[0]))) return std::nullopt;  // nothing to judge
   return Estimate{values[0], spread};
 }
@@ -201,7 +202,9 @@ std::optional<Estimate> Tree::derivative(const std::array<double, 3>& point, int
     before[static_cast<std::size_t>(by)] -= h;
     values.push_back((evaluate(at, run, edge) - evaluate(before, run, edge)) / (2 * h));
   }
-  return edge ? std::nullopt : estimate(values);
+  if (edge) return std::nullopt;
+  const auto whole = value(point);
+  return whole ? estimate(values, 1 + abs(whole->value)) : std::nullopt;
 }
 
 std::optional<std::array<std::vector<Estimate>, 2>> solution(const std::array<Tree, 2>& trees,
@@ -231,8 +234,10 @@ std::optional<std::array<std::vector<Estimate>, 2>> solution(const std::array<Tr
   }
   std::array<std::vector<Estimate>, 2> all;
   for (std::size_t i = 0; i < 2; ++i) {
+    Real scale = 1;
     for (const std::vector<Real>& v : values[i]) {
-      const auto e = estimate(v);
+      scale = std::max(scale, Real(abs(v[0])));
+      const auto e = estimate(v, scale);
       if (!e) return std::nullopt;
       all[i].push_back(*e);
     }

@@ -196,7 +196,7 @@ struct Broken {
 };
 
 TEST(Switching, SaysWhereAFunctionIsNone) {
-  for (const std::string& method : {"ode45", "series"}) {
+  for (const std::string method : {"ode45", "series"}) {
     const auto run = ivp::named_integrator<1>(method, {.tolerance = 1e-9})(ivp::System(Broken{}),
                                                                            State<1>(1.0), 0, 5, {}, {});
     EXPECT_EQ(run.status.outcome(), Outcome::non_finite) << method;
