@@ -41,7 +41,8 @@ struct SetProblem {
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const long double scale = flagged[i] > 0 ? static_cast<long double>(flagged[i]) : std::abs(truth[k][i]);
       const auto error = static_cast<double>(std::abs(x[i] - truth[k][i]) / scale);
-      if (!(error <= worst)) worst = error;  // keeps a NaN
+      if (std::isnan(error)) return error;
+      worst = std::max(worst, error);
     }
     return worst;
   }
