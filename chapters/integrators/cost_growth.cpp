@@ -88,8 +88,9 @@ void put(const std::vector<Growth>& all, scene::Show& show) {
   scene::Plot& plot = show.plots("What a longer way and more masses cost, at a tolerance of 10^{-9}");
   scene::Panel& time = plot.panel("end of the interval, free Duffing oscillator", "median run time (s)");
   scene::Panel& masses = plot.panel("masses of a Duffing chain, to {/:Italic t} = 10", "");
-  time.log_x().log_y().key("top left");
+  time.log_x().log_y().key("bottom right");
   masses.log_x().log_y().key("off");
+  plot.size(980, 520);
   for (const Growth& g : all) {
     time.curve(g.method, g.over_time, &Point::size, &Point::seconds, scene::linespoints());
     masses.curve("", g.over_masses, &Point::size, &Point::seconds, scene::linespoints());
