@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 
 #include "nlmech/collocation/radau/radau_defect.hpp"
 #include "nlmech/collocation/radau/radau_transform.hpp"
+#include "nlmech/ivp/collocation/collocation_factors.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
@@ -45,7 +45,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   explicit NewtonSteps(const Setup<S>& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
-        z_(Increments::Zero(system_.size(), s)),
+        z_(Increments::Zero(s, system_.size())),
         w_(z_),
         f_(z_),
         last_(z_),
@@ -63,7 +63,9 @@ class NewtonSteps : public DenseOutput<S::dimension> {
         carried_(x0_),
         jacobian_(Jacobian<n>::Zero(system_.size(), system_.size())),
         real_(x0_),
-        complex_(x0_.template cast<std::complex<double>>()) {}
+        complex_(x0_.template cast<std::complex<double>>()),
+        real_factors_(system_.size()),
+        complex_factors_(of_each_pair(std::make_index_sequence<pairs>())) {}
 
   /// Starts a segment at (t, x).
   void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
@@ -148,7 +150,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     typename NewtonSteps<S, other>::Row row;
     for (int i = 0; i < s; ++i) {
       from.lagrange(table_.nodes[i], row);
-      for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(d, i) = from.sum(row, from.last_, d);
+      for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(i, d) = dot<other>(row, from.nodes(from.last_, d));
     }
   }
   /// After a trial: 1 where Newton's iteration converges at once and more nodes would let the steps become
@@ -166,16 +168,16 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     }
     Row row;
     lagrange((t - t0_) / h_, row);
-    for (Eigen::Index d = 0; d < x0_.size(); ++d) x[d] = x0_[d] + sum(row, z_, d);
+    for (Eigen::Index d = 0; d < x0_.size(); ++d) x[d] = x0_[d] + dot<s>(row, nodes(z_, d));
   }
 
  private:
   template <SystemLike, int>
   friend class NewtonSteps;
-  using Increments = Eigen::Matrix<double, n, s>;  // a node a column
+  using Increments = Eigen::Matrix<double, s, n>;  // at all nodes, a component a column
   using Row = Column<s>;                           // a number for each node
-  using RealLu = Eigen::PartialPivLU<Jacobian<n>>;
-  using ComplexLu = Eigen::PartialPivLU<Matrix<std::complex<double>, n, n>>;
+  using ComplexFactors = Factors<std::complex<double>, n>;
+  static constexpr std::size_t pairs = (s - 1) / 2;  // of complex eigenvalues
   static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
   static constexpr double keep_jacobian = 1e-3;  // contraction
   static constexpr double share = 0.05;          // of the tolerance that the iteration may leave
@@ -184,15 +186,14 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   static constexpr double seen_in_tests = 0.1;   // of what nodes may miss: see the class
   static constexpr double least_trusted = 1e-3;  // contraction, before a step has shown its own
 
+  template <std::size_t... p>
+  [[nodiscard]] std::array<ComplexFactors, pairs> of_each_pair(std::index_sequence<p...> /*pairs*/) const {
+    return {{(static_cast<void>(p), ComplexFactors(system_.size()))...}};
+  }
   [[gnu::noinline]] void factor(Statistics& statistics) {
-    Jacobian<n> a = -jacobian_;
-    a.diagonal().array() += transform_.real / h_;
-    real_lu_.compute(a);
-    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
-      Matrix<std::complex<double>, n, n> b = -jacobian_.template cast<std::complex<double>>();
-      b.diagonal().array() += transform_.complex[p] / h_;
-      complex_lu_[p].compute(b);
-    }
+    real_factors_.compute(transform_.real / h_, jacobian_);
+    for (std::size_t p = 0; p < pairs; ++p)
+      complex_factors_[p].compute(transform_.complex[p] / h_, jacobian_);
     factored_ = h_;
     ++statistics.factorisations;
   }
@@ -200,12 +201,24 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   // z_j at the time t of the step: l_j(t) with the begin as a further node, where z is 0.
   void lagrange(double t, Row& row) const {
     for (int j = 0; j < s; ++j) {
-      double value = t / table_.nodes[j];
+      double value = t * lagrange_scale_[j];
       for (int m = 0; m < s; ++m) {
-        if (m != j) value *= (t - table_.nodes[m]) / (table_.nodes[j] - table_.nodes[m]);
+        if (m != j) value *= t - table_.nodes[m];
       }
       row[j] = value;
     }
+  }
+  // What l_j is to be multiplied by, once and for all.
+  [[nodiscard]] static Row lagrange_scale(const Row& at) {
+    Row scale;
+    for (int j = 0; j < s; ++j) {
+      double differences = at[j];
+      for (int m = 0; m < s; ++m) {
+        if (m != j) differences *= at[j] - at[m];
+      }
+      scale[j] = 1 / differences;
+    }
+    return scale;
   }
   [[gnu::noinline]] void predict() {
     const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
@@ -216,45 +229,35 @@ class NewtonSteps : public DenseOutput<S::dimension> {
       for (int i = 0; i < s; ++i) {
         lagrange(1 + ratio * table_.nodes[i], row);
         row[s - 1] -= 1;
-        for (Eigen::Index d = 0; d < x0_.size(); ++d) z_(d, i) = sum(row, last_, d);
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) z_(i, d) = dot<s>(row, nodes(last_, d));
       }
       if (!all_finite(z_.data(), z_.size())) z_.setZero();
     }
     combine(transform_.to, z_, w_);
   }
-  // Component d of the nodes' sum with these weights.
-  [[nodiscard]] double sum(const Row& weights, const Increments& of, Eigen::Index d) const {
-    double total = 0;
-    for (int j = 0; j < s; ++j) total += weights[j] * of(d, j);
-    return total;
-  }
-  // to_i = sum_j a_ij from_j over nodes.
+  // Component d at all nodes.
+  [[nodiscard]] static const double* nodes(const Increments& of, Eigen::Index d) { return of.data() + d * s; }
+  // Each component of `to` is A times that of `from`.
   static void combine(const Square<s>& a, const Increments& from, Increments& to) {
-    for (int i = 0; i < s; ++i) {
-      for (Eigen::Index d = 0; d < from.rows(); ++d) {
-        double total = 0;
-        for (int j = 0; j < s; ++j) total += a(i, j) * from(d, j);
-        to(d, i) = total;
-      }
-    }
+    for (Eigen::Index d = 0; d < from.cols(); ++d) multiply<s>(a, nodes(from, d), to.data() + d * s);
   }
 
   [[gnu::noinline]] Trial iterate(Statistics& statistics) {
     const double enough = std::max(share, 20 * std::numeric_limits<double>::epsilon() / least_relative());
+    // What the step before says of the contraction is forgotten little by little.
+    double eta = std::pow(std::max(eta_, least_trusted), 0.8);
     double before = HUGE_VAL, contraction_before = 0;
     contraction_ = 0;
     for (int count = 1;; ++count) {
       iterations_ = count;
       for (int i = 0; i < s; ++i) {
-        for (Eigen::Index d = 0; d < x0_.size(); ++d) node_[d] = x0_[d] + z_(d, i);
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) node_[d] = x0_[d] + z_(i, d);
         system_.rhs(segment_(i == s - 1 ? t1_ : t0_ + h_ * table_.nodes[i]), node_, slope_);
-        std::copy_n(slope_.data(), slope_.size(), f_.data() + i * slope_.size());
+        for (Eigen::Index d = 0; d < x0_.size(); ++d) f_(i, d) = slope_[d];
       }
       statistics.right_hand_sides += s;
       const double size = solve(statistics);
       if (!std::isfinite(size)) return {false, 0, count, 0.5};
-      // What the step before says of the contraction is forgotten little by little.
-      double eta = std::pow(std::max(eta_, least_trusted), 0.8);
       if (count > 1) {
         const double now = size / before;
         contraction_ = count == 2 ? now : std::sqrt(now * contraction_before);
@@ -286,28 +289,28 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     ++statistics.newton_iterations;
     const Eigen::Index size = x0_.size();
     combine(transform_.to, f_, change_of_w_);
-    for (Eigen::Index d = 0; d < size; ++d) real_[d] = change_of_w_(d, 0) - transform_.real / h_ * w_(d, 0);
-    real_ = real_lu_.solve(real_);
-    for (Eigen::Index d = 0; d < size; ++d) change_of_w_(d, 0) = real_[d];
-    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
+    for (Eigen::Index d = 0; d < size; ++d) real_[d] = change_of_w_(0, d) - transform_.real / h_ * w_(0, d);
+    real_factors_.solve(real_);
+    for (Eigen::Index d = 0; d < size; ++d) change_of_w_(0, d) = real_[d];
+    for (std::size_t p = 0; p < pairs; ++p) {
       const auto a = static_cast<Eigen::Index>(2 * p + 1), b = a + 1;
       const std::complex<double> eigenvalue = transform_.complex[p] / h_;
       for (Eigen::Index d = 0; d < size; ++d)
-        complex_[d] = std::complex<double>(change_of_w_(d, a), change_of_w_(d, b)) -
-                      eigenvalue * std::complex<double>(w_(d, a), w_(d, b));
-      complex_ = complex_lu_[p].solve(complex_);
+        complex_[d] = std::complex<double>(change_of_w_(a, d), change_of_w_(b, d)) -
+                      product(eigenvalue, std::complex<double>(w_(a, d), w_(b, d)));
+      complex_factors_[p].solve(complex_);
       for (Eigen::Index d = 0; d < size; ++d) {
-        change_of_w_(d, a) = complex_[d].real();
-        change_of_w_(d, b) = complex_[d].imag();
+        change_of_w_(a, d) = complex_[d].real();
+        change_of_w_(b, d) = complex_[d].imag();
       }
     }
     for (Eigen::Index k = 0; k < w_.size(); ++k) w_.data()[k] += change_of_w_.data()[k];
     combine(transform_.from, w_, z_);
     combine(transform_.from, change_of_w_, f_);
     double most = 0;
-    for (int i = 0; i < s; ++i) {
-      for (Eigen::Index d = 0; d < size; ++d) {
-        const double part = std::abs(f_(d, i)) / weight_[d];
+    for (Eigen::Index d = 0; d < size; ++d) {
+      for (int i = 0; i < s; ++i) {
+        const double part = std::abs(f_(i, d)) / weight_[d];
         if (!(part <= most)) most = part;  // a NaN stays
       }
     }
@@ -316,7 +319,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
 
   void finish() {
     for (Eigen::Index i = 0; i < x0_.size(); ++i) {
-      const double whole = z_(i, s - 1) + carry_[i];
+      const double whole = z_(s - 1, i) + carry_[i];
       x1_[i] = x0_[i] + whole;
       change_[i] = whole - (x1_[i] - x0_[i]);
     }
@@ -326,20 +329,21 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     const Eigen::Index size = x0_.size();
     // The defect at the begin and at an inner time.
     for (Eigen::Index d = 0; d < size; ++d) {
-      begin_defect_[d] = f0_[d] - sum(defect_.begin_slope, z_, d) / h_;
-      node_[d] = x0_[d] + sum(defect_.inner_value, z_, d);
+      begin_defect_[d] = f0_[d] - dot<s>(defect_.begin_slope, nodes(z_, d)) / h_;
+      node_[d] = x0_[d] + dot<s>(defect_.inner_value, nodes(z_, d));
     }
     system_.rhs(segment_(t0_ + h_ * defect_.inner_time), node_, slope_);
     ++statistics.right_hand_sides;
-    for (Eigen::Index d = 0; d < size; ++d) slope_[d] -= sum(defect_.inner_slope, z_, d) / h_;
-    filtered_ = real_lu_.solve(begin_defect_);
+    for (Eigen::Index d = 0; d < size; ++d) slope_[d] -= dot<s>(defect_.inner_slope, nodes(z_, d)) / h_;
+    filtered_ = begin_defect_;
+    real_factors_.solve(filtered_);
     for (Eigen::Index d = 0; d < size; ++d)
-      real_[d] = defect_.begin[0].real() * begin_defect_[d] + defect_.inner[0].real() * slope_[d];
-    carried_ = real_lu_.solve(real_);
-    for (std::size_t p = 0; p < complex_lu_.size(); ++p) {
+      carried_[d] = defect_.begin[0].real() * begin_defect_[d] + defect_.inner[0].real() * slope_[d];
+    real_factors_.solve(carried_);
+    for (std::size_t p = 0; p < pairs; ++p) {
       for (Eigen::Index d = 0; d < size; ++d)
         complex_[d] = defect_.begin[p + 1] * begin_defect_[d] + defect_.inner[p + 1] * slope_[d];
-      complex_ = complex_lu_[p].solve(complex_);
+      complex_factors_[p].solve(complex_);
       for (Eigen::Index d = 0; d < size; ++d) carried_[d] += complex_[d].real();
     }
     double most = 0;
@@ -352,8 +356,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   // Of component d: the defect carried to the end, less what may be due to the iteration's rest, and what
   // the nodes miss.
   [[nodiscard]] double error_of(Eigen::Index d) const {
-    double change = 0;
-    for (int i = 0; i < s; ++i) change = std::max(change, std::abs(z_(d, i)));
+    const double change = largest<s>(nodes(z_, d));
     const double bend = std::abs(transform_.real * filtered_[d]);
     const double missed = bend > 0 ? bend * (bend / std::max(change, bend)) : 0;
     const double carried = std::abs(carried_[d]), rest = enlarged * (left_ + left_before_) * weight_[d];
@@ -363,6 +366,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   const S& system_;
   Tolerance tolerance_;
   const collocation::Radau<s>& table_ = collocation::radau<s>();
+  const Row lagrange_scale_ = lagrange_scale(table_.nodes);
   const collocation::RadauTransform<s>& transform_ = collocation::radau_transform<s>();
   const collocation::RadauDefect<s>& defect_ = collocation::radau_defect<s>();
   SmoothSegment segment_;
@@ -371,8 +375,8 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   Jacobian<n> jacobian_;
   State<n> real_;
   Vector<std::complex<double>, n> complex_;
-  RealLu real_lu_;
-  std::array<ComplexLu, static_cast<std::size_t>((s - 1) / 2)> complex_lu_;
+  Factors<double, n> real_factors_;
+  std::array<ComplexFactors, pairs> complex_factors_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, factored_ = 0, contraction_ = 0, eta_ = 1, left_ = 0,
          left_before_ = 0;
   int iterations_ = 0;

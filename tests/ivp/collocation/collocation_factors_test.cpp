@@ -1,0 +1,111 @@
+// Factors of shift I - J: the residual of a solution is that of elimination with partial pivoting.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <random>
+
+#include "nlmech/ivp/collocation/collocation_factors.hpp"
+
+namespace nlmech::ivp::collocation_factors_test {
+namespace {
+
+using adaptive::Factors;
+using Complex = std::complex<double>;
+constexpr double eps = 2.220446049250313e-16;
+
+// |A x - b| of a solution with partial pivoting is at most some n^2 eps |A| |x| unless pivots grow, which
+// random matrices do not make them do (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3);
+// complex products round up to three times as much.
+template <class Number, int n>
+bool solves(Eigen::Index size, const Number& shift, const Jacobian<n>& j, const Vector<Number, n>& b) {
+  Factors<Number, n> factors(size);
+  factors.compute(shift, j);
+  Vector<Number, n> x = b;
+  factors.solve(x);
+  Matrix<Number, n, n> a = -j.template cast<Number>();
+  a.diagonal().array() += shift;
+  const double bound = 3 * static_cast<double>(size * size) * eps * a.cwiseAbs().rowwise().sum().maxCoeff() *
+                       x.cwiseAbs().maxCoeff();
+  return (a * x - b).cwiseAbs().maxCoeff() <= bound;
+}
+
+// Entries over some decades, a fifth of them 0.
+template <class Number>
+Number entry(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> part(-1, 1);
+  const auto draw = [&] { return part(random) * std::pow(10, 3 * part(random)); };
+  if (part(random) > 0.6) return 0;
+  if constexpr (std::is_same_v<Number, Complex>)
+    return {draw(), draw()};
+  else
+    return draw();
+}
+
+template <class Number, int n>
+bool solves_at_random(std::uint64_t seed, Eigen::Index size) {
+  std::mt19937_64 random(seed);
+  const Jacobian<n> j = Jacobian<n>::NullaryExpr(size, size, [&] { return entry<double>(random); });
+  const Vector<Number, n> b = Vector<Number, n>::NullaryExpr(size, [&] { return entry<Number>(random); });
+  // On the diagonal more than the 0 that an entry may be: regular with probability 1.
+  return solves<Number, n>(size, entry<Number>(random) + Number(0.37), j, b);
+}
+
+RC_GTEST_PROP(CollocationFactors, SolveWhatTheyFactor, (std::uint64_t seed)) {
+  RC_ASSERT((solves_at_random<double, 1>(seed, 1)));
+  RC_ASSERT((solves_at_random<double, 2>(seed, 2)));
+  RC_ASSERT((solves_at_random<double, 6>(seed, 6)));
+  RC_ASSERT((solves_at_random<Complex, 1>(seed, 1)));
+  RC_ASSERT((solves_at_random<Complex, 3>(seed, 3)));
+  RC_ASSERT((solves_at_random<Complex, 6>(seed, 6)));
+  // Both sides of where Eigen takes over.
+  const auto size = static_cast<Eigen::Index>(1 + seed % 64);
+  RC_ASSERT((solves_at_random<double, Eigen::Dynamic>(seed, size)));
+  RC_ASSERT((solves_at_random<Complex, Eigen::Dynamic>(seed, size)));
+}
+
+TEST(CollocationFactors, BringPivotsToTheDiagonal) {
+  Jacobian<3> j;
+  j << 0, -1, 0, 0, 0, -2, -4, 0, 0;  // -j takes x to (x2, 2 x3, 4 x1)
+  Factors<double, 3> factors(3);
+  factors.compute(0, j);
+  Vector<double, 3> x(5, 6, 8);
+  factors.solve(x);
+  EXPECT_EQ(x, (Vector<double, 3>(2, 5, 3)));
+}
+
+// Squares of these entries are no doubles.
+TEST(CollocationFactors, NeitherOverflowNorUnderflow) {
+  for (const double scale : {1e-300, 1e-200, 1e200, 1e300}) {
+    Factors<Complex, 1> factors(1);
+    for (const Complex part : {Complex(3, 4), Complex(4, -3), Complex(0, 1), Complex(-1, 0)}) {
+      factors.compute(part * scale, Jacobian<1>::Zero());
+      Vector<Complex, 1> x;
+      x << part * scale;
+      factors.solve(x);
+      EXPECT_LT(std::abs(x[0] - 1.0), 8 * eps) << part << ' ' << scale;
+    }
+  }
+}
+
+TEST(CollocationFactors, ASingularMatrixIsNoSolution) {
+  Jacobian<2> j;
+  j << 1, 2, 2, 4;
+  for (const Eigen::Index size : {2, 60}) {
+    Factors<double, Eigen::Dynamic> many(size);
+    many.compute(0, Jacobian<Eigen::Dynamic>::Zero(size, size));
+    Vector<double, Eigen::Dynamic> x = Vector<double, Eigen::Dynamic>::Ones(size);
+    many.solve(x);
+    EXPECT_FALSE(x.allFinite()) << size;
+  }
+  Factors<double, 2> factors(2);
+  factors.compute(0, j);
+  Vector<double, 2> x(1, 1);
+  factors.solve(x);
+  EXPECT_FALSE(x.allFinite());
+}
+
+}  // namespace
+}  // namespace nlmech::ivp::collocation_factors_test
