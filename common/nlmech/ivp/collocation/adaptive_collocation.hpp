@@ -84,7 +84,7 @@ class Run : public ChosenSteps<S, Run<S, Sweeps, Newton>> {
   static constexpr double first_growth = 8;         // of the first ones, whose length was a guess
   static constexpr double telling = 1e-8;           // error of a step after which the length is no guess
   static constexpr double least_remembered = 0.01;  // of errors, which pass through zero
-  static constexpr int patience = 12;               // half as many slow trials, before Newton's iteration
+  static constexpr int patience = 4;                // half as many slow trials, before Newton's iteration
   static constexpr double much = 1.5;  // longer that the error would allow a step that sweeps bound
   static constexpr int calm = 20;      // steps short against the time constants, before sweeps
   static constexpr double gentle = 1;  // h |J| of such steps

@@ -159,6 +159,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   static constexpr double better_than_here = 1.03;  ///< gain for which it is worth to change the order
   static constexpr double first_share = 0.1;        ///< of a state's size, in the first step
   static constexpr int most_sweeps = 40;
+  static constexpr double most_foreseen = 16;  ///< sweeps at this contraction; more are dearer than two steps
   static constexpr double slowest = 0.9;  ///< contraction of a sweep with which there is no point in going on
   static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
   static constexpr double share = 0.05;    ///< of the tolerance that the iteration may leave
@@ -294,6 +295,9 @@ class Sweeper : public DenseOutput<S::dimension> {
                 count, 0};
       }
       if (count == most_sweeps || (count > 3 && contraction > slowest)) return {false, 0, count, 0.5};
+      const double excess = update / std::max(share, rounding);
+      if (may_give_up && count > 3 && count - std::log(excess) / std::log(contraction) > most_foreseen)
+        return {false, 0, count, 0.5};
       if (may_give_up && count == 3) {
         if (const double e = error(0); e > hopeless) return {false, e, count, 0};
       }
