@@ -121,7 +121,7 @@ TEST(SeriesEdges, OptionsOutOfRangeAreNamed) {
 }
 
 TEST(SeriesEdges, OrderFollowsTheTolerance) {
-  EXPECT_EQ(series_order(0.1), 4);
+  EXPECT_EQ(series_order(0.1), 10);   // 9 + 0.36 x 2.3, rounded up
   EXPECT_EQ(series_order(1e-9), 17);  // 1 + 0.75 x 20.7, rounded up
   EXPECT_EQ(series_order(1e-18), 33);
 }
