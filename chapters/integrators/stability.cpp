@@ -59,8 +59,8 @@ std::string words(const ProblemTrials& p, const Ending& e) {
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   HeatMap map{"What becomes of every method on every problem",
               "digits",
-              "!  wrong success  ✓  fails, as it must  —  refused  …  too slow  ×  not converged  ∞  blows "
-              "up  ↓  underflow",
+              "! wrong success  ✓ fails as it must  — refused  … too slow  × not converged  ∞ blows up  "
+              "↓ underflow",
               {"most digits of a success"},
               {},
               {},

@@ -45,8 +45,8 @@ if (kind eq "digits") {
   set cbrange [0:15]
   set cbtics 3 font small
 }
-set colorbox horizontal user origin screen 0.13,screen 0.035 size screen 0.35,screen 0.012
-if (legend ne "") { set label 100 legend at screen 0.52, screen 0.034 left font small textcolor rgb ink }
+set colorbox horizontal user origin screen 0.13,screen 36.0 / height size screen 0.35,screen 0.012
+if (legend ne "") { set label 100 legend at screen 0.505, screen 36.0 / height left font small textcolor rgb ink }
 mark_ink = kind eq "behind" ? "#ffffff" : ink
 left_margin = 0.13
 gap = 0.02

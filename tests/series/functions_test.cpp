@@ -101,18 +101,9 @@ RC_GTEST_PROP(GrowingFunctions, EqualThoseOfPowerSeries, ()) {
   for (int k = 1; k <= 12; ++k) c.push_back(*between(-1, 1));
   const PowerSeries<double> whole(c);
   const auto all = [](const auto& x) {
-    return std::array{log(x),
-                      pow(x, -1.5),
-                      sinh(x),
-                      cosh(x),
-                      tan(x),
-                      tanh(x),
-                      asin(0.5 * x),
-                      acos(0.5 * x),
-                      atan(x),
-                      atan2(x, 1 - x * x),
-                      erf(x),
-                      pow(x, x)};
+    return std::array{log(x),  pow(x, -1.5),  sinh(x),       cosh(x), tan(x),
+                      tanh(x), asin(0.5 * x), acos(0.5 * x), atan(x), atan2(x, 1 - x * x),
+                      erf(x),  pow(x, x)};
   };
   const auto expected = all(whole);
   SeriesMemory<double> memory;

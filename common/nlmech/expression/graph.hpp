@@ -38,7 +38,8 @@ using NodeId = int;
 struct Node {
   Operation operation;  ///< what
   Function function;    ///< of Operation::function
-  NodeId a, b;          ///< operands
+  NodeId a;             ///< first operand
+  NodeId b;             ///< second operand
   NodeId decides;       ///< of a choice: the function whose sign decides
   double c;             ///< a number
 

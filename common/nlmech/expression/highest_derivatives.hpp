@@ -22,8 +22,10 @@ struct LinearEquation {
 /// hangs together (accelerations under a mass matrix) by elimination.
 class HighestDerivatives {
  public:
-  /// How many may hang together by coefficients that depend on time or state, and by numbers.
-  static constexpr int most_coupled = 12, most_coupled_by_numbers = 64;
+  /// How many may hang together by coefficients that depend on time or state.
+  static constexpr int most_coupled = 12;
+  /// How many may hang together by numbers alone.
+  static constexpr int most_coupled_by_numbers = 64;
   /// To throw: a sentence about the highest derivative of an unknown.
   using Mistake = std::function<InputError(int unknown, std::string_view sentence)>;
 

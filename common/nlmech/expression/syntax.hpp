@@ -42,8 +42,9 @@ struct Syntax {
 
 /// `left = right`
 struct Statement {
-  std::size_t left, right;  ///< roots of expressions
-  Place place;              ///< of all of it
+  std::size_t left;   ///< root of an expression
+  std::size_t right;  ///< root of an expression
+  Place place;        ///< of all of it
 };
 
 /// `x'(0) = 1`: a value that a solution has where it begins.

@@ -19,9 +19,13 @@ class ProblemOfSize : public OwnProblem {
   /// Computations in extended precision, for references; may be none.
   [[nodiscard]] virtual std::vector<Candidate> extended(const Effort& effort) const = 0;
 
+  /// See OwnProblem.
   [[nodiscard]] std::string usual_method(const Request& request) const override;
+  /// See OwnProblem.
   [[nodiscard]] std::vector<std::string> usual_methods(const Request& request) const override;
+  /// See OwnProblem.
   [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;
+  /// See OwnProblem.
   [[nodiscard]] Comparison comparison(const Request& request, const std::vector<Choice>& methods,
                                       std::string_view program) const override;
 
