@@ -33,6 +33,7 @@ class Walk {
         observer_(observer),
         limits_(limits),
         direction_(t1 > t0 ? 1 : -1),
+        first_(t0),
         end_(t1),
         mode_(static_cast<std::size_t>(system.switches()), 1),
         values_(mode_.size()),
@@ -50,7 +51,8 @@ class Walk {
 
  private:
   static constexpr int places = 8;          // of a step at which surfaces are looked at
-  static constexpr int most_repeated = 32;  // switches at one time
+  static constexpr int most_repeated = 32;  // switches one after another at once,
+  static constexpr double at_once = 1e-12;  // that is within this share of the whole time
 
   /// How far the equations of a mode are from the end of their validity by one function, and how fast that
   /// changes in the direction of travel. Negative beyond the end.
@@ -91,14 +93,16 @@ class Walk {
         if (zero[i]) choose(i, t, x);
       }
     }
-    hold(t, x);
+    if (solution_.status.ok()) hold(t, x);
   }
 
   // [choose]
   // The mode of a function at its zero: the side to which the motion leads.
   void choose(std::size_t i, double t, const State<n>& x) {
     const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
-    if (above > 0 || below < 0) {
+    if (above > 0 && below < 0 && direction_ < 0) {
+      no_past(i, t);
+    } else if (above > 0 || below < 0) {
       mode_[i] = above > 0 ? 1 : -1;
     } else if (above < 0 || below > 0) {
       mode_[i] = 0;
@@ -110,16 +114,17 @@ class Walk {
     look(mode_, t, x);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       if (mode_[i] != 0) continue;
-      if (direction_ < 0)
-        return fail(Outcome::outside_validity, t,
-                    "a motion that stays on the surface of switching function {} has no past; integrate "
-                    "forwards",
-                    i + 1);
+      if (direction_ < 0) return no_past(i, t);
       if (std::isnan(values_[i]))
         return fail(Outcome::outside_validity, t,
                     "the equations do not say how the motion stays on the surface of switching function {}",
                     i + 1);
     }
+  }
+  void no_past(std::size_t i, double t) {
+    fail(Outcome::outside_validity, t,
+         "a motion that stays on the surface of switching function {} has no past; integrate forwards",
+         i + 1);
   }
   void undefined(std::size_t i, double t) {
     fail(Outcome::non_finite, t, "switching function {} is not a number; the equations end here", i + 1);
@@ -161,7 +166,7 @@ class Walk {
     if (found_ && !told_) {
       solution_.t = found_->t;
       solution_.x = found_->x;
-      repeated_ = found_->t == begin ? repeated_ + 1 : 0;
+      repeated_ = std::abs(found_->t - begin) <= at_once * std::abs(end_ - first_) ? repeated_ + 1 : 0;
       if (repeated_ > most_repeated)
         fail(Outcome::outside_validity, begin,
              "switches follow each other without end; smooth the equation there");
@@ -191,7 +196,7 @@ class Walk {
       mode_[at.surface] = static_cast<std::int8_t>(-before);
       choose(at.surface, at.t, at.x);
     }
-    hold(at.t, at.x);
+    if (solution_.status.ok()) hold(at.t, at.x);
   }
 
   // A step of the method: the first switch in it ends the segment.
@@ -289,7 +294,7 @@ class Walk {
   const Observer<n>& observer_;
   const Limits& limits_;
   int direction_;
-  double end_;
+  double first_, end_;
   Mode mode_;
   std::map<Mode, System<n>> systems_;
   std::vector<double> values_, rates_;
