@@ -242,12 +242,14 @@ class Walk {
   [[nodiscard]] bool earlier(double a, double b) const { return direction_ * (a - b) < 0; }
 
   // The first double at which the mode does not hold, by the dense output. A function that has not been
-  // positive since the segment began is looked at shortly after its begin.
+  // positive since the segment began is looked for nearer and nearer to the begin.
   double first_zero(const Step<n>& step, std::size_t i, double from, double to) {
-    if (!armed_[i]) {
-      const double after = from + (to - from) * 0x1p-26;
-      if (!(margin(i, after, step.at(after)).value > 0)) return step.t0;
-      from = after;
+    while (!armed_[i]) {
+      const double after = from + (to - from) / 2;
+      if (after == from || after == to) return step.t0;
+      const bool positive = margin(i, after, step.at(after)).value > 0;
+      (positive ? from : to) = after;
+      if (positive) break;
     }
     for (;;) {
       const double middle = from + (to - from) / 2;
