@@ -180,7 +180,7 @@ TEST(AdversaryEquations, ValuesAndDerivatives) {
 
 TEST(AdversaryEquations, TaylorCoefficients) {
   constexpr int order = 6;
-  hunt({.quick = 60, .full = 20'000, .least_right = 0.15}, [](Draw& draw) {
+  hunt({.quick = 60, .full = 20'000, .least_right = 0.1}, [](Draw& draw) {
     return judged(draw, [](const Trial& trial) -> std::optional<double> {
       const auto truth = solution(trial.trees, trial.point, order);
       if (!truth) return std::nullopt;

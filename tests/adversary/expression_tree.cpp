@@ -30,6 +30,15 @@ Real disturbance(std::size_t node, int run) {
   return 1 + Real((part < 0.5 ? -1 : 1) * (0.5 + part / 2)) * 0x1p-53;
 }
 
+Real disturbed(const Real& x, std::size_t node, int run) { return x * disturbance(64 * node, run); }
+// Each coefficient has a rounding of its own.
+Series disturbed(const Series& x, std::size_t node, int run) {
+  if (x.is_constant()) return Series(disturbed(x[0], node, run));
+  std::vector<Real> all;
+  for (std::size_t k = 0; k < x.size(); ++k) all.push_back(x[k] * disturbance(64 * node + k, run));
+  return Series(std::move(all));
+}
+
 // Of the true value and disturbed ones. @param scale of parts that may cancel whatever the disturbances:
 // y^4/y^4 has the derivative 0 with each of them, and not with roundings.
 std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& scale = 0) {
@@ -173,11 +182,11 @@ T Tree::evaluate(const std::array<T, 3>& at, int run, bool& edge) const {
       known.push_back(n.what == "t"    ? at[0]
                       : n.what == "x"  ? at[1]
                       : n.what == "y"  ? at[2]
-                      : n.what == "pi" ? T(boost::math::constants::pi<Real>() * disturbance(i, run))
+                      : n.what == "pi" ? T(disturbed(boost::math::constants::pi<Real>(), i, run))
                                        : T(Real(n.number)));
       continue;
     }
-    known.push_back(apply(n, known, edge) * disturbance(i, run));
+    known.push_back(disturbed(apply(n, known, edge), i, run));
     const Real size = abs(lead(known.back()));
     edge = edge || !isfinite(size) || size > 1e60 || (size != 0 && size < 1e-60);
   }
