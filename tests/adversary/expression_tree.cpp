@@ -213,7 +213,9 @@ std::optional<Estimate> Tree::derivative(const std::array<double, 3>& point, int
   }
   if (edge) return std::nullopt;
   const auto whole = value(point);
-  return whole ? estimate(values, 1 + abs(whole->value)) : std::nullopt;
+  if (!whole) return std::nullopt;
+  const double variable = std::abs(point[static_cast<std::size_t>(by)]);  // parts as large as f/x may cancel
+  return estimate(values, (1 + abs(whole->value)) * (variable > 0 ? 1 + 1 / variable : 1));
 }
 
 std::optional<std::array<std::vector<Estimate>, 2>> solution(const std::array<Tree, 2>& trees,
