@@ -113,8 +113,7 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
 ///    travel. Methods step onto them. At such a time f is the limit from the right;
 ///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: functions of time and state whose
-///    whose signs decide what the equations are, and the smooth equations for each choice of signs
-///    (switching.hpp);
+///    signs decide what the equations are, and the smooth equations for each choice (switching.hpp);
 ///  - `linear_part(a)` in double: the constant matrix of its linear terms;
 ///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone;
 ///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
@@ -277,19 +276,13 @@ class Direct {
 
   /// How many functions decide by their signs what the equations are. Methods run on smooth ones alone.
   [[nodiscard]] int switches() const {
-    if constexpr (detail::GivesSwitches<Problem>) {
-      return problem_.switches();
-    } else {
-      return 0;
-    }
+    if constexpr (detail::GivesSwitches<Problem>) return problem_.switches();
+    return 0;
   }
   /// The smooth equations of a mode. @throws std::logic_error if the problem has no switches
   [[nodiscard]] Direct in_mode(const Mode& mode) const {
-    if constexpr (detail::GivesSwitches<Problem>) {
-      return Direct(problem_.in_mode(mode));
-    } else {
-      throw std::logic_error("this problem has no switches");
-    }
+    if constexpr (detail::GivesSwitches<Problem>) return Direct(problem_.in_mode(mode));
+    throw std::logic_error("this problem has no switches");
   }
   /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
   void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
