@@ -91,7 +91,7 @@ void put(const std::vector<Growth>& all, scene::Show& show) {
   // Two decades below the curves for the key.
   time.log_x().log_y(1e-8, 1).key("bottom right samplen 2 spacing 0.75 font ',11'");
   masses.log_x().log_y().key("off");
-  plot.size(980, 520);
+  plot.size(980, 520).columns({"panel", "curve", "size", "time_s"});
   for (const Growth& g : all) {
     time.curve(g.method, g.over_time, &Point::size, &Point::seconds, scene::linespoints());
     masses.curve("", g.over_masses, &Point::size, &Point::seconds, scene::linespoints());

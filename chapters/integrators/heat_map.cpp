@@ -8,7 +8,9 @@
 namespace nlmech::chapters::integrators {
 
 void show_heat_map(const HeatMap& map, scene::Show& show) {
-  scene::Table data({{"panel"}, {"row"}, {"column"}, {"colour"}, {"mark"}, {"problem"}, {"method"}});
+  // Where colours are of times, two runs differ, and the column says so.
+  const std::string colour = map.kind == "behind" ? "time_behind" : map.kind;
+  scene::Table data({{"panel"}, {"row"}, {"column"}, {colour}, {"mark"}, {"problem"}, {"method"}});
   for (std::size_t panel = 0; panel < map.captions.size(); ++panel) {
     for (std::size_t row = 0; row < map.problems.size(); ++row) {
       for (std::size_t column = 0; column < map.methods.size(); ++column) {

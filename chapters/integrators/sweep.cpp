@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 #include <functional>
 #include <limits>
@@ -15,12 +16,20 @@ namespace {
 
 constexpr double least_digits = 2;  // to expect, before half of them say anything
 
-/// How much of it: of each run, and after which run a method's sweep ends.
+/// How much of it: of each run, and after which run a method's sweep ends. In counts, so that two sweeps are
+/// the same.
 struct Effort {
   int loosest, tightest, by;  // powers of ten of the tolerances
-  double run, enough;         // s
+  std::int64_t steps;         // of a run
+  std::int64_t enough;        // right-hand sides of the last one
 };
-constexpr Effort full = {3, 13, 2, 0.15, 0.02}, look = {4, 8, 4, 0.05, 0.01};
+constexpr Effort full = {3, 13, 2, 30'000, 12'000}, look = {4, 8, 4, 4'000, 2'000};
+
+/// Steps of a run: those that solve for all their nodes at once take the time of many.
+std::int64_t most_steps(const comparison::AnyMethod& method, int size, const Effort& effort) {
+  const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
+  return many_nodes ? std::max<std::int64_t>(100, effort.steps / (10 * size * size)) : effort.steps;
+}
 
 /// The median of up to five runs in 4 ms; a longer run counts by itself.
 /// @param first of the processor, of the run that was
@@ -54,7 +63,7 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   Trial t{tolerance, "refused"};
   ivp::Settings settings{.tolerance = tolerance};
   if (!method.info.fixed_step()) settings.absolute_tolerance = tolerance * p.absolute;
-  const ivp::Limits limits{.steps = 20'000'000, .seconds = effort.run};
+  const ivp::Limits limits{.steps = most_steps(method, p.system.size(), effort)};
   try {
     const auto run = comparison::any_integrator<n>(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
@@ -80,7 +89,7 @@ MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const
     all.trials.push_back(
         std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
     const Trial& last = all.trials.back();
-    if (last.processor > effort.enough || last.status == "refused") break;
+    if (last.work.right_hand_sides > effort.enough || last.status == "refused") break;
   }
   return all;
 }
@@ -136,8 +145,9 @@ scene::Result<std::vector<ProblemTrials>> sweep() {
       "the "
       "problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; one "
       "thread, "
-      "median of repeats in 4 ms; a run has 0.15 s, and a sweep ends with its first run of more than 0.02 s "
-      "of the processor",
+      "median of repeats in 4 ms; a run has 30 000 steps, fewer where a step has many nodes, and a sweep "
+      "ends "
+      "with its first run of more than 12 000 right-hand sides",
       measure};
 }
 

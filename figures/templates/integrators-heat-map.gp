@@ -6,7 +6,7 @@
 # Variables: data, rows, columns, captions (of the panels, with | between them), kind (behind, miss or digits), all required;
 # heading, legend.
 #
-# Data: CSV with the header `panel,row,column,colour,mark,problem,method`; colour is empty where there is nothing to show.
+# Data: CSV with the header `panel,row,column,<colour>,mark,problem,method`; the colour is empty where there is nothing to show.
 
 if (!exists("heading")) heading = ""
 if (!exists("legend")) legend = ""
@@ -61,7 +61,7 @@ do for [p = 1:panels] {
   here(v) = column("panel") == p ? v : NaN
   names = (p - 1) % wide == 0
   below = (p - 1) / wide == high - 1
-  plot data using (here(column("column"))):"row":(0.5):(0.5):"colour" with boxxyerror fillcolor palette fillstyle solid noborder, \
+  plot data using (here(column("column"))):"row":(0.5):(0.5):4 with boxxyerror fillcolor palette fillstyle solid noborder, \
        data using (here(column("column"))):"row":5 with labels font small textcolor rgb mark_ink, \
        data using (names && column("column") == 1 ? here(0.5) : NaN):"row":6 with labels right offset -0.6,0 font small, \
        data using (below && column("row") == 1 ? here(column("column")) : NaN):(rows + 0.5):7 with labels right rotate by 50 offset 0.3,-0.6 font small
