@@ -30,7 +30,7 @@ void show_heat_map(const HeatMap& map, scene::Show& show) {
              {"rows", std::to_string(rows)},
              {"columns", std::to_string(columns)},
              {"width", std::to_string(170 + (is_double ? 2 : 1) * columns * 30)},
-             {"height", std::to_string(200 + (is_double ? 2 : 1) * rows * 18)}});
+             {"height", std::to_string(220 + (is_double ? 2 : 1) * rows * 18)}});
 }
 
 }  // namespace nlmech::chapters::integrators

@@ -118,8 +118,8 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
     least = std::min(least, most + std::log10(p->condition));
   }
   show.between("least digits of the best run on a problem, conditioning taken out", least,
-               show.quick() ? 6 : 12, 17,
-               "each problem is solved to within a hundred roundings of what its condition allows");
+               show.quick() ? 6 : 11, 17,
+               "the tightest tolerance, 1e-13 (1e-8), added up over a hundred steps");
 }
 
 }  // namespace

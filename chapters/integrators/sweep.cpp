@@ -23,12 +23,13 @@ struct Effort {
   std::int64_t steps;         // of a run
   std::int64_t enough;        // right-hand sides of the last one
 };
-constexpr Effort full = {3, 13, 2, 30'000, 12'000}, look = {4, 8, 4, 4'000, 2'000};
+constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
-/// Steps of a run: those that solve for all their nodes at once take the time of many.
+/// Steps of a run: fewer where runs are repeated in search of a step, and where a step has many nodes.
 std::int64_t most_steps(const comparison::AnyMethod& method, int size, const Effort& effort) {
   const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
-  return many_nodes ? std::max<std::int64_t>(100, effort.steps / (10 * size * size)) : effort.steps;
+  if (many_nodes) return std::max<std::int64_t>(100, effort.steps / (10 * size * size));
+  return method.info.fixed_step() ? effort.steps / 8 : effort.steps;
 }
 
 /// The median of up to five runs in 4 ms; a longer run counts by itself.
@@ -85,11 +86,12 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
 MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const Effort& effort) {
   const comparison::AnyMethod method = comparison::any_method(name);
   MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
+  const std::int64_t enough = all.chooses ? effort.enough : effort.enough / 6;
   for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
     all.trials.push_back(
         std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
     const Trial& last = all.trials.back();
-    if (last.work.right_hand_sides > effort.enough || last.status == "refused") break;
+    if (last.work.right_hand_sides > enough || last.status == "refused") break;
   }
   return all;
 }
@@ -145,9 +147,9 @@ scene::Result<std::vector<ProblemTrials>> sweep() {
       "the "
       "problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; one "
       "thread, "
-      "median of repeats in 4 ms; a run has 30 000 steps, fewer where a step has many nodes, and a sweep "
-      "ends "
-      "with its first run of more than 12 000 right-hand sides",
+      "median of repeats in 4 ms; a run has 60 000 steps, fewer in search of a step and with many nodes; a "
+      "sweep "
+      "ends with its first run of more than 60 000 right-hand sides, or 10 000 in search of a step",
       measure};
 }
 

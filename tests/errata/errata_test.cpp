@@ -133,11 +133,15 @@ TEST(Errata, OfPrintedNumbersAreThoseThatTheFilesName) {
   EXPECT_GT(named, 0);
 }
 
+// A chapter that reproduces no source has none.
 TEST(Errata, EveryChapterHasAList) {
+  std::set<std::string> owners;
+  for (const scene::Place& place : scene::read_places(NLMECH_SOURCE_DIR)) owners.insert(place.chapter);
   std::set<std::string> listed;
   for (const reproduction::Erratum& e : reproduction::read_errata(NLMECH_SOURCE_DIR))
     listed.insert(e.chapter);
-  for (const std::string& chapter : built_chapters()) EXPECT_TRUE(listed.contains(chapter)) << chapter;
+  for (const std::string& chapter : built_chapters())
+    EXPECT_EQ(listed.contains(chapter), owners.contains(chapter)) << chapter;
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST(WorkPrecision, AnAttemptIsJudgedAndTimed) {
   EXPECT_EQ(quick.error, 0.5);
   EXPECT_EQ(quick.time.repeats, 1);
   EXPECT_EQ(calls, 1);
-  EXPECT_EQ(attempt("step 1", compute, judge, false).time.repeats, 9);
+  EXPECT_EQ(attempt("step 1", compute, judge, false).time.repeats, 5);
   const Ending stalled{Status::failure(Outcome::not_converged, "stalled"), {}};
   EXPECT_EQ(attempt(
                 "step 1", compute, [&](int) { return stalled; }, true)

@@ -25,7 +25,7 @@ TEST(Mistakes, EndWithTwoAndAreNamed) {
       {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--event", "z=0"},
        {"--event:1:1: z is not defined"}},
       {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--event", "x'=0"},
-       {"--event:1:1: highest derivatives may not stand here"}},
+       {"--event:1:1: x' may not stand here"}},
       {{"integrate", "--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--section", "x=1",
         "--every", "1"},
        {"--section shows its own rows alone"}},

@@ -160,7 +160,7 @@ TEST(Plot, OfAComparisonNamesItsMethods) {
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_EQ(count(f.output, "\n"), 1U + 3 * 5);
   const std::string picture = bytes_of(folder / "a.svg");
-  for (const char* method : {"series", "ode45", "adaptive collocation"})
+  for (const char* method : {"series", "ode45", "adaptive-collocation"})
     EXPECT_NE(picture.find(method), std::string::npos) << method;
 }
 
