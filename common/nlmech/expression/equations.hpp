@@ -19,8 +19,10 @@ namespace nlmech::expression {
 /// A value given from outside: `--set a=4`.
 using Settings = std::map<std::string, double>;
 
-/// How high derivatives may be, and how many unknowns there may be.
-inline constexpr int highest_order = 4, most_unknowns = 2000;
+/// How high derivatives may be.
+inline constexpr int highest_order = 4;
+/// How many unknowns there may be.
+inline constexpr int most_unknowns = 2000;
 
 /// A system of equations. Every method of initial value problems runs on it, through Problem (problem.hpp).
 ///

@@ -46,8 +46,10 @@ struct Names {
 /// Works out the expressions of a text.
 class Meaning {
  public:
-  /// How deep definitions and brackets may be nested together, and how many operations they may make.
-  static constexpr int most_depth = 1000, most_operations = 1'000'000;
+  /// How deep definitions and brackets may be nested together.
+  static constexpr int most_depth = 1000;
+  /// How many operations they may make.
+  static constexpr int most_operations = 1'000'000;
 
   /// @param names learns definitions
   Meaning(Graph& graph, Names& names, const SourceText& source, const SyntaxTree& tree)
