@@ -144,12 +144,11 @@ scene::Result<std::vector<ProblemTrials>> sweep() {
   return {
       "sweep",
       "every method and peer on every problem of the set, tolerances 1e-3 to 1e-13, absolute tolerances by "
-      "the "
-      "problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; one "
-      "thread, "
-      "median of repeats in 4 ms; a run has 60 000 steps, fewer in search of a step and with many nodes; a "
-      "sweep "
-      "ends with its first run of more than 60 000 right-hand sides, or 10 000 in search of a step",
+      "the problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; "
+      "one "
+      "thread, median of repeats in 4 ms; a run has 60 000 steps, fewer in search of a step and with many "
+      "nodes; a sweep ends with its first run of more than 60 000 right-hand sides, or 10 000 in search of a "
+      "step",
       measure};
 }
 

@@ -24,6 +24,18 @@ Candidate giving(const std::string& name, double value, bool arrives = true) {
 
 const Way one_step = {ExtendedState::Constant(1, 1.0L), 0, {1}};
 
+// In whichever component it stands: those after it must not hide it.
+TEST(RelativeError, KeepsWhatIsNoNumber) {
+  const Vector<double, 3> size(1, 1, 1);
+  const Vector<long double, 3> truth(1, 2, 4);
+  EXPECT_EQ(relative_error<3>({1, 2, 5}, truth, size), 0.25);
+  for (int i = 0; i < 3; ++i) {
+    Vector<double, 3> found(1, 2, 5);
+    found[i] = NAN;
+    EXPECT_TRUE(std::isnan(relative_error<3>(found, truth, size))) << i;
+  }
+}
+
 TEST(Agree, KnowsNoMoreThanTheTwoHaveInCommon) {
   const Reference r = agree({giving("a", 1), giving("b", 1 + 1e-5)}, one_step, {}, 1);
   ASSERT_TRUE(r.status.ok());

@@ -86,7 +86,8 @@ template <int n>
     double scale = value >= 1e-3 * size[i] ? value : size[i];
     if (!(scale > 0)) scale = 1;
     const auto error = static_cast<double>(std::abs(found[i] - truth[i])) / scale;
-    if (!(error <= worst)) worst = error;  // keeps a NaN
+    if (std::isnan(error)) return error;
+    worst = std::max(worst, error);
   }
   return worst;
 }
