@@ -217,7 +217,7 @@ class Page:
             return references.cite(self.book, *match.groups())
         if mark.startswith("]("):
             return f"]({self.target(mark[2:-1].partition('#')[0])})"
-        return mark  # code
+        return f"`{mark}`" if "'" in mark else mark  # code, which Doxygen would end at an apostrophe
 
     def target(self, path):
         """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a header's

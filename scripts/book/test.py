@@ -148,7 +148,8 @@ class Pages(InAHouse):
         for body, wanted in (
                 ("```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```", "```cpp\nint a[2][2]{{1, 2}, {3, 4}};\n```"),
                 (f"{code}\n\n{code}\n\n{{{{geodesy/fig-2.27: acceleration | 2 | no unit}}}}", f"{code}\n\n{code}\n\n9.8"),
-                ("`{{1, 2}, {3}}` and `[@x]`", "`{{1, 2}, {3}}` and `[@x]`")):
+                ("`{{1, 2}, {3}}` and `[@x]`", "`{{1, 2}, {3}}` and `[@x]`"),
+                ("| `x'`, `x''` | `x` |", "| ``x'``, ``x''`` | `x` |")):
             self.expect_page(body, wanted)
 
     def test_links(self):
