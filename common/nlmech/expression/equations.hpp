@@ -30,7 +30,7 @@ inline constexpr int most_unknowns = 2000;
 /// so on, without the highest ones. So a system of second order has positions and then velocities.
 class Equations {
  public:
-  /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`) and initial values (`x'(0) = 1`).
+  /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`) and initial values (``x'(0) = 1``).
   /// @param settings replace definitions by numbers, and give those that the text leaves out
   /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
   /// finite, or that the text does not name

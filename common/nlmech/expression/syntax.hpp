@@ -47,7 +47,7 @@ struct Statement {
   Place place;        ///< of all of it
 };
 
-/// `x'(0) = 1`: a value that a solution has where it begins.
+/// ``x'(0) = 1``: a value that a solution has where it begins.
 struct InitialValue {
   std::string name;   ///< of the unknown
   int primes;         ///< which derivative

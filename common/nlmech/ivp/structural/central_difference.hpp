@@ -33,7 +33,7 @@ enum class VelocityTime : std::uint8_t {
 /// run with the step h ends with v(t1 - h/2) and the next one, with another step h', takes that number for
 /// v(t1 - h'/2): an error of first order, (h' - h)/2 a in the velocity. That is
 /// `CentralDifference{.step = h, .reported = VelocityTime::half_step_before}` followed by
-/// `CentralDifference{.step = h', .initial = VelocityTime::half_step_before}`.
+/// ``CentralDifference{.step = h', .initial = VelocityTime::half_step_before}``.
 ///
 /// Tests hold it to the rotation by 2 arcsin(h/2) on the linear oscillator (16 eps a step, h omega up to
 /// 1.9), to order 2 (observed within 0.1), to growth beyond h omega = 2, and to the errors that
