@@ -28,7 +28,7 @@ constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'00
 /// Steps of a run: fewer where runs are repeated in search of a step, and where a step has many nodes.
 std::int64_t most_steps(const comparison::AnyMethod& method, int size, const Effort& effort) {
   const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
-  if (many_nodes) return std::max<std::int64_t>(100, effort.steps / (10 * size * size));
+  if (many_nodes) return std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size));
   return method.info.fixed_step() ? effort.steps / 8 : effort.steps;
 }
 

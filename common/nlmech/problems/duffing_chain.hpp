@@ -49,7 +49,7 @@ struct DuffingChain {
   /// At rest in half a wave, of amplitude 1 in the middle.
   [[nodiscard]] Components initial_state() const {
     const int n = count();
-    Components x = Components::Zero(2 * n);
+    Components x = Components::Zero(size());
     for (int i = 0; i < n; ++i) x[i] = std::sin(std::numbers::pi * (i + 1) / (n + 1));
     return x;
   }

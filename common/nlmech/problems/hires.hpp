@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string_view>
 
+#include "nlmech/problems/concentrations.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 
@@ -32,9 +32,7 @@ struct Hires {
   static constexpr std::array parameters = {Parameter<Hires>{"k-plus", &Hires::k_plus, Range::not_negative}};
 
   /// Concentrations are not negative, if the rate is not.
-  [[nodiscard]] Vector<double, 8> lower_bounds() const {
-    return Vector<double, 8>::Constant(k_plus >= 0 ? 0. : -std::numeric_limits<double>::infinity());
-  }
+  [[nodiscard]] Vector<double, 8> lower_bounds() const { return concentrations_lower_bounds<8>(k_plus >= 0); }
 
   /// The sum of the last two, which only turn into each other.
   template <class T>

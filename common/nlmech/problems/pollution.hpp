@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string_view>
 
+#include "nlmech/problems/concentrations.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 
@@ -31,7 +31,7 @@ struct Pollution {
 
   /// Concentrations are not negative.
   [[nodiscard]] Vector<double, 20> lower_bounds() const {
-    return Vector<double, 20>::Constant(light >= 0 ? 0. : -std::numeric_limits<double>::infinity());
+    return concentrations_lower_bounds<20>(light >= 0);
   }
 
   /// Sulphur: what the dioxide loses the sulphate gains.

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string_view>
 
+#include "nlmech/problems/concentrations.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 
@@ -36,8 +36,7 @@ struct Robertson {
 
   /// Concentrations are not negative, if the rates are not.
   [[nodiscard]] Vector<double, 3> lower_bounds() const {
-    const bool is_bounded = k1 >= 0 && k2 >= 0 && k3 >= 0;
-    return Vector<double, 3>::Constant(is_bounded ? 0. : -std::numeric_limits<double>::infinity());
+    return concentrations_lower_bounds<3>(k1 >= 0 && k2 >= 0 && k3 >= 0);
   }
 
   /// The sum of the species.
