@@ -7,6 +7,7 @@
 
 #include "nlmech/comparison/judgement.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
+#include "nlmech/problems/dead_end.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "tests/ivp/oracle.hpp"
@@ -116,6 +117,15 @@ TEST(Verify, SaysThatItDoesNotKnow) {
   EXPECT_NE(v.reason.find("step_limit"), std::string::npos) << v.reason;
 }
 
+// y' = -1/(2 y) ends at t = 1 with an infinite slope; before it, all is as ever.
+TEST(Verify, SaysThatTheSolutionEnds) {
+  const Verification v = verdict(problems::DeadEnd{}, Vector<double, 1>(1.0), 2, 0, {1e-3, 1e-3});
+  EXPECT_EQ(v.verdict, Verdict::ended) << v.reason;
+  EXPECT_NE(v.reason.find("step_underflow"), std::string::npos) << v.reason;
+  EXPECT_EQ(verdict(problems::DeadEnd{}, Vector<double, 1>(1.0), 0.9, 0, {1e-3, 1e-3}).verdict,
+            Verdict::right);
+}
+
 // A reference that knows eight digits does not find a run wrong that is off by as much.
 TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
   const std::vector<double> times = {1};
@@ -156,6 +166,9 @@ TEST(Remark, NamesWhatToChange) {
   v.verdict = Verdict::unknown;
   v.reason = "no reference";
   EXPECT_EQ(text_of(), "not verified: no reference");
+  v.verdict = Verdict::ended;
+  EXPECT_NE(text_of().find("FAILED"), std::string::npos) << text_of();
+  EXPECT_NE(text_of().find("seems to end on the way"), std::string::npos) << text_of();
   v.verdict = Verdict::right;
   v.tolerances = 99;
   EXPECT_EQ(text_of(), "");

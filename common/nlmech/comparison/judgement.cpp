@@ -49,6 +49,13 @@ std::string remark(const Verification& found, const Reference& reference, const 
   using Verdict = Verification::Verdict;
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
   const double tolerance = tolerance_of(settings).relative;
+  if (found.verdict == Verdict::ended)
+    throw Failure(
+        failed_with(Outcome::step_underflow,
+                    "{}: the solution seems to end on the way, and this run at the tolerance {:.6g} to have "
+                    "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
+                    "the run as it is)",
+                    method.name, tolerance, found.reason));
   const std::string place =
       fmt::format("{} at t = {:.9g}", names.at(static_cast<std::size_t>(found.component)), found.t);
   if (found.verdict == Verdict::undetermined)

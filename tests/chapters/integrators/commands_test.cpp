@@ -31,6 +31,16 @@ TEST(TypedEquation, SettingsAndInitialValues) {
               2 * std::exp(-3), 2e-9);
 }
 
+// sqrt(1 - t) is over at t = 1, and the first trial step at this tolerance leaps across.
+TEST(TypedEquation, ThatHasNoSolutionAtTheEndIsNoSuccess) {
+  for (const std::string method : {"series", "ode45", "cvode-bdf"}) {
+    const Finished f = integrators({"integrate", "--equation", "y' = -1/(2 y)", "--initial", "1", "--until",
+                                    "2", "--tolerance", "1e-3", "--method", method});
+    EXPECT_EQ(f.exit_code, 1) << method << "\n" << f.output;
+    EXPECT_EQ(f.output, "") << method;
+  }
+}
+
 // Four digits are asked of a step; multistep peers end with two.
 TEST(TypedEquation, RunsInEveryMethod) {
   const Finished f = integrators({"compare", "--equation", "x'' + x + 0.1 x^3 = 0.2 cos(t)", "--initial",

@@ -59,18 +59,38 @@ Reference made_of(const Arrived& a, const Arrived& b) {
   return r;
 }
 
+/// A computation that did not arrive.
+struct Failed {
+  std::string name;
+  bool extended;
+  Outcome outcome;
+};
+
+/// Steps shrink to nothing at a singularity, and in extended precision not for rounding.
+bool meets_an_end(const std::vector<Failed>& failed) {
+  const auto shrinks = [](const Failed& f) { return f.outcome == Outcome::step_underflow; };
+  return std::any_of(failed.begin(), failed.end(),
+                     [&](const Failed& f) { return f.extended && shrinks(f); }) &&
+         std::count_if(failed.begin(), failed.end(), shrinks) >= 2;
+}
+
 /// No two agree.
 Reference none_of(const std::vector<Arrived>& arrived, const Arrived* a, const Arrived* b, double apart,
-                  const std::vector<std::string>& reasons) {
+                  const std::vector<Failed>& failed) {
   std::string why = "no two methods arrived within the work allowed";
   if (a != nullptr)
     why = fmt::format("the two methods nearest to each other, {} and {}, differ by {:.2g} of the solution",
                       a->by.name, b->by.name, apart);
-  if (!reasons.empty()) why += fmt::format("; not there: {}", fmt::join(reasons, ", "));
+  std::string separator = "; not there: ";
+  for (const Failed& f : failed) {
+    why += fmt::format("{}{} ({})", separator, f.name, to_string(f.outcome));
+    separator = ", ";
+  }
   Reference none;
   none.status = Status::failure(Outcome::not_converged, why);
   none.undetermined =
       std::count_if(arrived.begin(), arrived.end(), [](const Arrived& x) { return x.by.extended; }) >= 2;
+  none.ends = meets_an_end(failed);
   return none;
 }
 
@@ -115,7 +135,8 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
                 double seconds) {
   const Stopwatch watch;
   std::vector<Arrived> arrived;
-  std::vector<std::string> reasons, failed_families;
+  std::vector<Failed> failed;
+  std::vector<std::string> failed_families;
   Best best;
   for (const Candidate& c : candidates) {
     const bool hopeless = !c.family.empty() && std::find(failed_families.begin(), failed_families.end(),
@@ -126,7 +147,7 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
     const Status status = c.compute(way, seconds - watch.seconds(), states);
     if (!status.ok()) {
       failed_families.push_back(c.family);
-      reasons.push_back(fmt::format("{} ({})", c.name, to_string(status.outcome())));
+      failed.push_back({c.name, c.extended, status.outcome()});
       continue;
     }
     arrived.push_back({c, std::move(states)});
@@ -139,7 +160,7 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
   if (some && best.apart().relative <= worthless)
     return made_of(arrived[best.first()], arrived[best.second()]);
   return none_of(arrived, some ? &arrived[best.first()] : nullptr, some ? &arrived[best.second()] : nullptr,
-                 best.apart().relative, reasons);
+                 best.apart().relative, failed);
 }
 
 std::vector<double> look_at(double t0, double t1, int count) {

@@ -62,6 +62,8 @@ struct Reference {
   Status status;              ///< success, or why there is none
   bool undetermined = false;  ///< none, because two computations in extended precision part: their rounding
                               ///< is multiplied to the size of the solution
+  bool ends = false;          ///< none, because the solution seems to end on the way: the steps of two
+                              ///< computations, one of them in extended precision, shrink to nothing
   Candidate first;            ///< of the two computations that agree best the one whose states are given
   Candidate second;           ///< the other one
   StatesAt states;            ///< of the first of them

@@ -97,7 +97,11 @@ Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, doubl
     v.growth = 1 / run.tolerance.relative;
     return v;
   }
-  if (!reference.status.ok()) return unknown(reference.text());
+  if (!reference.status.ok()) {
+    Verification v = unknown(reference.text());
+    if (reference.ends) v.verdict = Verdict::ended;
+    return v;
+  }
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
   Beside all = beside(run, reference, weights<n>(system, run.times, reference.states, size, run.tolerance));
   if (all.within(most_tolerances * all.weight)) {

@@ -27,6 +27,7 @@ struct Verification {
     wrong,         ///< beyond it
     undetermined,  ///< the problem multiplies one tolerance to the size of the solution: no digit is
                    ///< determined
+    ended,         ///< the solution seems to end on the way, and the run to have leapt across: see reason
     unknown        ///< there is no reference that could tell: see reason
   };
   Verdict verdict = Verdict::unknown;  ///< how it ended
@@ -37,7 +38,7 @@ struct Verification {
   double tolerances = 0;               ///< the same in tolerances
   double allowed = most_tolerances;    ///< how many of them are let pass there
   double growth = 1;                   ///< how much one tolerance grows up to there
-  std::string reason;                  ///< of unknown, in words
+  std::string reason;                  ///< of unknown and ended, in words
 };
 
 /// What is verified.
