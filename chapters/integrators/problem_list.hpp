@@ -3,6 +3,7 @@
 /// of.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "nlmech/problems/arenstorf.hpp"
@@ -50,6 +51,7 @@ struct Case {
   double end = Problem::final_time;    ///< time
   Kind kind = Kind::smooth;            ///< what makes it hard
   double absolute = 1;                 ///< absolute over relative tolerance: below the components that count
+  std::int64_t length = 1;             ///< how many times as many steps it takes as the others
 };
 
 /// Friction between a mass on a spring and its support, as typed: x' changes its sign nine times.
@@ -89,7 +91,7 @@ void for_each_case(Visit&& visit) {
   visit(Case<VanDerPol, By::radau>{"van-der-pol-1000", {.mu = 1000}, 2000, stiff, 1e-3});
   visit(Case<Robertson, By::radau>{"robertson", {}, Robertson::final_time, stiff, 1e-12});
   visit(Case<Pollution, By::radau>{"pollution", {}, Pollution::final_time, stiff, 1e-8});
-  visit(Case<Duffing>{"duffing-10000", {}, 47680.5, extreme});
+  visit(Case<Duffing>{"duffing-10000", {}, 47680.5, extreme, 1, 100});
   visit(Case<BlowUp, By::nothing>{"blow-up", {}, BlowUp::final_time, extreme});
   visit(Case<DeadEnd, By::nothing>{"dead-end", {}, DeadEnd::final_time, extreme});
   visit(Case<LostDomain, By::nothing>{"lost-domain", {}, LostDomain::final_time, extreme});

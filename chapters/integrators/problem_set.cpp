@@ -76,9 +76,9 @@ class References {
 };
 
 template <int n>
-SetProblem<n> made(std::string_view name, Kind kind, double absolute, ivp::System<n> system,
-                   const ivp::State<n>& x0, double t0, double t1) {
-  SetProblem<n> p{std::string(name), kind, absolute, std::move(system), x0, t0, t1, {}};
+SetProblem<n> made(std::string_view name, Kind kind, double absolute, std::int64_t length,
+                   ivp::System<n> system, const ivp::State<n>& x0, double t0, double t1) {
+  SetProblem<n> p{std::string(name), kind, absolute, length, std::move(system), x0, t0, t1, {}};
   for (int k = 0; k < judged_times; ++k) p.times.push_back(judged_time(t0, t1, k));
   return p;
 }
@@ -99,18 +99,27 @@ std::vector<AnyProblem> problem_set() {
   std::vector<AnyProblem> all;
   for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
     constexpr int n = ivp::compiled_dimension<Problem>;
-    auto p = made<n>(c.name, c.kind, c.absolute, ivp::System<n>(c.problem), c.problem.initial_state(),
-                     Problem::initial_time, c.end);
+    auto p = made<n>(c.name, c.kind, c.absolute, c.length, ivp::System<n>(c.problem),
+                     c.problem.initial_state(), Problem::initial_time, c.end);
     if (by != By::nothing) references.complete(p);
     all.emplace_back(std::move(p));
   });
   const expression::Equations equations(
       expression::SourceText(std::string(Friction::name), Friction::equation));
-  auto p = made<2>(Friction::name, Kind::extreme, 1, ivp::System<2>(expression::Problem<2>(equations)),
+  auto p = made<2>(Friction::name, Kind::extreme, 1, 1, ivp::System<2>(expression::Problem<2>(equations)),
                    {Friction::position, 0}, 0, Friction::end);
   references.complete(p);
   all.emplace_back(std::move(p));
   return all;
+}
+
+std::vector<std::string> solved_problems() {
+  std::vector<std::string> names;
+  for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
+    if (by != By::nothing) names.emplace_back(c.name);
+  });
+  names.emplace_back(Friction::name);
+  return names;
 }
 
 const std::string& name_of(const AnyProblem& problem) {

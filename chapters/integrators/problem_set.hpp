@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,6 +23,7 @@ struct SetProblem {
   std::string name;                                ///< in tables: "kepler-0.99"
   Kind kind;                                       ///< what makes it hard
   double absolute;                                 ///< absolute over relative tolerance
+  std::int64_t length;                             ///< how many times as many steps it takes as the others
   ivp::System<n> system;                           ///< the equations
   ivp::State<n> x0;                                ///< state at t0
   double t0;                                       ///< begin
@@ -55,6 +57,9 @@ using AnyProblem = std::variant<SetProblem<1>, SetProblem<2>, SetProblem<3>, Set
 /// All of them with what tables/reference/problem_set.csv and problem_set_conditions.csv say.
 /// @throws Failure naming the file, if one is not there or does not fit the problems
 [[nodiscard]] std::vector<AnyProblem> problem_set();
+
+/// The names of those whose solution reaches the end, in the order of problem_set(). Reads no file.
+[[nodiscard]] std::vector<std::string> solved_problems();
 
 /// The name of a problem.
 [[nodiscard]] const std::string& name_of(const AnyProblem& problem);

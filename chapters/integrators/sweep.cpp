@@ -21,15 +21,19 @@ constexpr double least_digits = 2;  // to expect, before half of them say anythi
 struct Effort {
   int loosest, tightest, by;  // powers of ten of the tolerances
   std::int64_t steps;         // of a run
-  std::int64_t enough;        // right-hand sides of the last one
+  std::int64_t enough;  // right-hand sides of the last one; nor does a tighter tolerance follow a step limit
 };
 constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
-/// Steps of a run: fewer where runs are repeated in search of a step, and where a step has many nodes.
-std::int64_t most_steps(const comparison::AnyMethod& method, int size, const Effort& effort) {
+/// Steps of a run: fewer where runs are repeated in search of a step, and where its steps have many nodes.
+/// A long problem has ten times as many, which formulas of low order are through with at once; not in
+/// searches.
+std::int64_t most_steps(const comparison::AnyMethod& method, int size, std::int64_t length,
+                        const Effort& effort) {
+  if (!method.info.fixed_step()) return effort.steps * (length > 1 ? 10 : 1);
   const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
-  if (many_nodes) return std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size));
-  return method.info.fixed_step() ? effort.steps / 8 : effort.steps;
+  return many_nodes ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
+                    : effort.steps / 8;
 }
 
 /// The median of up to five runs in 4 ms; a longer run counts by itself.
@@ -64,7 +68,7 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   Trial t{tolerance, "refused"};
   ivp::Settings settings{.tolerance = tolerance};
   if (!method.info.fixed_step()) settings.absolute_tolerance = tolerance * p.absolute;
-  const ivp::Limits limits{.steps = most_steps(method, p.system.size(), effort)};
+  const ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
   try {
     const auto run = comparison::any_integrator<n>(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
@@ -83,15 +87,21 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   return t;
 }
 
+/// Of so long a way a tolerance looser than this leaves no digit.
+constexpr int loosest_of_long = 7;
+
 MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const Effort& effort) {
   const comparison::AnyMethod method = comparison::any_method(name);
   MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
-  const std::int64_t enough = all.chooses ? effort.enough : effort.enough / 6;
+  const std::int64_t length = std::visit([](const auto& p) { return p.length; }, problem);
+  const std::int64_t enough = all.chooses ? effort.enough * length : effort.enough / 6;
   for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
+    if (length > 1 && power < loosest_of_long) continue;
     all.trials.push_back(
         std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
     const Trial& last = all.trials.back();
-    if (last.work.right_hand_sides > enough || last.status == "refused") break;
+    const bool is_last = last.status == "refused" || last.status == "step_limit";
+    if (is_last || last.work.right_hand_sides > enough) break;
   }
   return all;
 }
@@ -101,7 +111,13 @@ std::vector<ProblemTrials> measure(bool quick) {
   for (const AnyProblem& problem : problem_set()) {
     ProblemTrials& p = all.emplace_back(std::visit(
         [](const auto& q) {
-          return ProblemTrials{q.name, q.kind, q.has_solution(), q.condition, q.tolerance_condition, {}};
+          return ProblemTrials{q.name,
+                               q.kind,
+                               q.has_solution(),
+                               q.condition,
+                               q.tolerance_condition,
+                               {},
+                               static_cast<double>(q.length)};
         },
         problem));
     for (const std::string& name : comparison::built_method_names())
@@ -131,7 +147,7 @@ std::optional<double> MethodTrials::seconds_for(double digits) const {
 
 double ProblemTrials::digits_to_expect(double tolerance) const {
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
-  return std::max(0., -std::log10(tolerance * tolerance_condition + rounding * condition));
+  return std::max(0., -std::log10(length * (tolerance * tolerance_condition + rounding * condition)));
 }
 
 bool ProblemTrials::silent_failure(const Trial& trial) const {
@@ -146,9 +162,10 @@ scene::Result<std::vector<ProblemTrials>> sweep() {
       "every method and peer on every problem of the set, tolerances 1e-3 to 1e-13, absolute tolerances by "
       "the problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; "
       "one "
-      "thread, median of repeats in 4 ms; a run has 60 000 steps, fewer in search of a step and with many "
-      "nodes; a sweep ends with its first run of more than 60 000 right-hand sides, or 10 000 in search of a "
-      "step",
+      "thread, median of repeats in 4 ms; a run has 60 000 steps (duffing-10000: 600 000), fewer in "
+      "search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000), "
+      "or 10 000 in "
+      "search of a step",
       measure};
 }
 

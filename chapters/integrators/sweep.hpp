@@ -50,9 +50,10 @@ struct ProblemTrials {
   double condition;                   ///< for relative errors
   double tolerance_condition;         ///< for tolerances
   std::vector<MethodTrials> methods;  ///< in the order of names
+  double length = 1;                  ///< how many times as many errors add up as on the way of the others
 
   /// Digits that @p tolerance can give: an error of one tolerance, and 16 roundings, made once and multiplied
-  /// by the condition.
+  /// by the condition and the length.
   [[nodiscard]] double digits_to_expect(double tolerance) const;
   /// Did a run say success and give fewer than half of the digits to expect, where these are two or more?
   [[nodiscard]] bool silent_failure(const Trial& trial) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
@@ -55,13 +56,15 @@ Places places(const std::string& svg) {
   return found;
 }
 
-/// What the axes of a script measure.
-std::vector<std::string> abscissae(const std::string& script) {
-  static const std::regex label("set xlabel '([^']+)'");
+/// What a script says whatever was measured: abscissae, captions of panels.
+std::vector<std::string> what_stays(const std::string& script) {
+  static const std::regex label("(?:set xlabel|captions =) '([^']+)'");
   std::vector<std::string> found;
   for (auto at = std::sregex_iterator(script.begin(), script.end(), label); at != std::sregex_iterator();
-       ++at)
-    found.push_back((*at)[1]);
+       ++at) {
+    std::istringstream all((*at)[1]);
+    for (std::string one; std::getline(all, one, '|');) found.push_back(one);
+  }
   return found;
 }
 
@@ -86,20 +89,25 @@ class Gallery : public ::testing::TestWithParam<std::string> {
 
 /// The same words and, to 3 of some 700 units of length, lines through the same places, in whatever pieces:
 /// where gnuplot cuts a contour differs from machine to machine. Of a picture with measured times, which
-/// decide even whom it names, the axes alone.
+/// decide even whom it names, axes and panels alone.
 TEST_P(Gallery, ShowsWhatTheSceneDraws) {
   const fs::path program = fs::path(NLMECH_BINARY_DIR "/bin") / chapter_;
   if (!fs::exists(program)) GTEST_SKIP() << chapter_ << " is not built";
-  const scene::Finished run =
-      scene::run_program({program.string(), "run", scene_, "--out", folder_.string()}, {});
-  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto run = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {program.string(), "run", scene_, "--out", folder_.string()};
+    words.insert(words.end(), options.begin(), options.end());
+    const scene::Finished finished = scene::run_program(words, {});
+    ASSERT_EQ(finished.exit_code, 0) << finished.errors;
+  };
+  run({"--quick"});
   const std::string data = text_of(folder_ / "results" / chapter_ / (scene_ + ".csv"));
   const bool timed = ("," + data.substr(0, data.find('\n'))).find(",time_") != std::string::npos;
+  if (!timed) run({});
   const std::string drawn = picture(folder_ / "figures" / chapter_ / (scene_ + ".svg"));
   const fs::path file = fs::path(NLMECH_SOURCE_DIR "/docs/gallery") / (GetParam() + ".svg");
   const std::string shown = picture(file);
   if (timed) {
-    const auto axes = abscissae(text_of(folder_ / "results" / chapter_ / (scene_ + ".gp")));
+    const auto axes = what_stays(text_of(folder_ / "results" / chapter_ / (scene_ + ".gp")));
     EXPECT_FALSE(axes.empty());
     for (const std::string& label : axes)
       EXPECT_EQ(std::ranges::count(words(shown), label), 1) << file << " is out of date: make gallery";
@@ -112,9 +120,9 @@ TEST_P(Gallery, ShowsWhatTheSceneDraws) {
   EXPECT_EQ(strays(there, here, 3) + strays(here, there, 3), 0) << file << " is out of date: make gallery";
 }
 
-TEST(GalleryOfReadme, HasSevenPicturesThatReadmeShows) {
+TEST(GalleryOfReadme, HasEightPicturesThatReadmeShows) {
   const std::string readme = text_of(NLMECH_SOURCE_DIR "/README.md");
-  EXPECT_EQ(pictures().size(), 7U);
+  EXPECT_EQ(pictures().size(), 8U);
   for (const std::string& name : pictures()) {
     EXPECT_NE(readme.find("(docs/gallery/" + name + ".svg)"), std::string::npos) << name;
     EXPECT_LT(fs::file_size(fs::path(NLMECH_SOURCE_DIR "/docs/gallery") / (name + ".svg")), 500'000U) << name;

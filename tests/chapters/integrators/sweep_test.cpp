@@ -62,7 +62,7 @@ TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
 }
 
 TEST(ProblemSet, ErrorsAreRelativeOrBySize) {
-  SetProblem<2> p{"none", Kind::smooth, 1, ivp::System<2>(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
+  SetProblem<2> p{"none", Kind::smooth, 1, 1, ivp::System<2>(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
   p.truth.emplace_back(2, 0.5);
   p.flagged = {0, 4};
   EXPECT_EQ(p.error({2.5, 0.5}, 0), 0.25);
@@ -88,6 +88,9 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
   ProblemTrials p{"none", Kind::smooth, true, 1, 100, {}};
   EXPECT_NEAR(p.digits_to_expect(1e-8), 6, 1e-6);
   EXPECT_NEAR(p.digits_to_expect(1e-30), -std::log10(0x1p-48), 1e-6);  // 16 roundings
+  p.length = 100;
+  EXPECT_NEAR(p.digits_to_expect(1e-8), 4, 1e-6);
+  p.length = 1;
   EXPECT_TRUE(p.silent_failure(trial(1e-8, 2e-3, 1)));
   EXPECT_FALSE(p.silent_failure(trial(1e-8, 0.5e-3, 1)));
   EXPECT_FALSE(p.silent_failure(trial(1e-3, 1, 1)));  // a single digit to expect

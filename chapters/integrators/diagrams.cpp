@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "chapters/integrators/sweep.hpp"
+#include "nlmech/comparison/cost/cost_curves.hpp"
+#include "nlmech/scene/work_precision.hpp"
+
+namespace nlmech::chapters::integrators::diagrams {
+namespace {
+
+using comparison::Cost;
+using comparison::Curve;
+
+/// What a method came to, as diagrams show it. A method that a problem is not for has no runs.
+Curve curve_of(const MethodTrials& m) {
+  Curve curve{m.method, comparison::kind_of(comparison::any_method(m.method)), {}};
+  for (const Trial& t : m.trials) {
+    if (t.status != "refused")
+      curve.costs.push_back(
+          {fmt::format("tolerance {:.0e}", t.tolerance), t.status, t.error, t.work, t.time});
+  }
+  return curve;
+}
+
+/// The diagram of a problem.
+void put(const std::string& problem, const std::vector<ProblemTrials>& all, scene::Show& show) {
+  const ProblemTrials& p = *std::ranges::find(all, problem, &ProblemTrials::problem);
+  std::vector<Curve> curves;
+  double most = 0;
+  for (const MethodTrials& m : p.methods) {
+    curves.push_back(curve_of(m));
+    for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);
+  }
+  const scene::ProblemLines lines{"", comparison::method_lines(curves)};
+  const bool known = p.condition >= 10;  // less lies beyond the 15 digits of the picture
+  scene::show_work_precision({.heading = problem + ": " + scene::who_leads(lines),
+                              .work = {"right-hand sides", "steps", "rejected"},
+                              .work_label = "right-hand sides evaluated",
+                              .groups = comparison::method_groups(),
+                              .rounding = known ? p.condition * 0x1p-53 : 0},
+                             {lines}, show);
+  const double hardness = std::log10(p.condition), tightest = show.quick() ? 8 : 13;
+  show.between(
+      "digits of the best run", most, p.kind == Kind::extreme ? 3 : tightest - 2 - hardness, 16,
+      "the tightest tolerance, added up over a hundred steps and multiplied by the condition; of the extreme "
+      "as far as the bounded work allows");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  std::vector<scene::Scene> all;
+  for (const std::string& problem : solved_problems())
+    all.push_back(
+        {.name = "error-vs-time-" + problem,
+         .title = fmt::format("Problem set, {}: digits against cost", problem),
+         .content = scene::Content(
+             [problem](const auto& trials, scene::Show& show) { put(problem, trials, show); }, sweep())});
+  return all;
+}
+
+}  // namespace nlmech::chapters::integrators::diagrams
