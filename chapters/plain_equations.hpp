@@ -59,7 +59,7 @@ struct PlainChain {
     const double e2 = spring(p.k2, p.c2, p.l2, x[0] - x[1], x[3] - x[4]);
     const double e3 = spring(p.k3, p.c3, p.l3, x[1] - x[2], x[4] - x[5]);
     const double e4 = spring(p.k4, p.c4, p.l4, x[2], x[5]);
-    for (int i = 0; i < 3; ++i) dxdt[i] = x[i + 3];
+    dxdt[0] = x[3], dxdt[1] = x[4], dxdt[2] = x[5];
     dxdt[3] = (-e1 - e2) / p.m1;
     dxdt[4] = (p.force * std::cos(p.frequency * t) + e2 - e3) / p.m2;
     dxdt[5] = (e3 - e4) / p.m3;

@@ -12,7 +12,6 @@
 namespace nlmech::chapters::integrators::diagrams {
 namespace {
 
-using comparison::Cost;
 using comparison::Curve;
 
 /// What a method came to, as diagrams show it. A method that a problem is not for has no runs.

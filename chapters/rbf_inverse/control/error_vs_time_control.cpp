@@ -141,8 +141,9 @@ void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
     show.at_most("least error, polynomial, refined" + name, problem.of(refined).least_error(), 1e-10,
                  "a tolerance of 1e-12 against tools/oracles/rbf_inverse_extremals.py");
     double worst = 0;
-    for (const scene::Attempt& a : problem.of(gaussian).attempts | std::views::drop(show.quick() ? 0 : 2))
-      worst = std::max(worst, a.error.value_or(HUGE_VAL));
+    const std::vector<scene::Attempt>& attempts = problem.of(gaussian).attempts;
+    for (std::size_t i = show.quick() ? 0 : 2; i < attempts.size(); ++i)
+      worst = std::max(worst, attempts[i].error.value_or(HUGE_VAL));
     show.between("largest error of 20 and more nodes, Gaussian, printed shape" + name, worst, 1e-7, 1e-1,
                  "recorded: no convergence with the nodes");
     if (multiple_shooting_available())

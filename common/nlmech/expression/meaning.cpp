@@ -163,7 +163,8 @@ LinearForm Meaning::product(const Syntax& node) {
   return all;
 }
 LinearForm Meaning::power(const Syntax& node) {
-  const LinearForm base = form_of(node.operands[0].node), exponent = form_of(node.operands[1].node);
+  LinearForm base = form_of(node.operands[0].node);
+  const LinearForm exponent = form_of(node.operands[1].node);
   if (!exponent.highest.empty()) throw nonlinear(node.operands[1].node, exponent, "in an exponent");
   if (base.highest.empty()) return {graph_.power(base.rest, exponent.rest), {}};
   if (graph_.is_number(exponent.rest, 1)) return base;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 #include <utility>
 
 #include "nlmech/scene/cost/spread.hpp"
@@ -107,7 +106,8 @@ void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
     put(i, fmt::format("linecolor rgb '#bdbdbd' linewidth 0.8 dashtype solid pointtype 7 pointsize {}",
                        alone ? 0.45 : 0.2));
   }
-  for (const InColour& c : d.chosen | std::views::reverse) {
+  for (std::size_t i = d.chosen.size(); i-- > 0;) {
+    const InColour& c = d.chosen[i];
     const Side side = lines[c.line].side;
     put(c.line, fmt::format("linecolor rgb '{}' linewidth {} dashtype {} pointtype {} pointsize 0.65",
                             method_looks[c.colour].colour, side == Side::peer ? 1.6 : 2.4,

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <ranges>
 #include <utility>
 
 namespace nlmech::scene {
@@ -188,7 +187,9 @@ std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,
     chosen.push_back({line, colour});
   };
   // The colours of groups first: what has another one must not take them away.
-  for (const std::size_t line : ranked(groups, problems, least) | std::views::take(method_looks.size())) {
+  Lines best = ranked(groups, problems, least);
+  best.resize(std::min(best.size(), method_looks.size()));
+  for (const std::size_t line : best) {
     const std::size_t wanted = groups.at(problems.front().lines[line].group).colour;
     if (taken.at(wanted))
       waiting.push_back(line);
