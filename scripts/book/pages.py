@@ -7,6 +7,8 @@
   [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table
   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
                                                   tables, pages, headers; any other file is copied
+  [Fig. 2.27](../geodesy/geodesy.md#fig-2.27)     a link to what the chapter's page shows of that scene
+  <a id="x"></a>, <details>, $`x`$                as forges show them: a mark to link to, what is folded away, a formula
   {{chapters}}, {{map}}, {{references}}  on a line of its own: the chapters; the map of chapters and components; the
                                                   works cited on this page
 
@@ -27,7 +29,9 @@ OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, c
 FIGURE = re.compile(r"!\[(.*)\]\(([^() ]+)\)[ \t]*")
 TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
 SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)")
-MARK = re.compile(r"`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
+FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
+SECTION = re.compile(r'<a id="(\w+)"></a>')
+MARK = re.compile(r"\$`[^`]*`\$|`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
 QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?\}\}", re.ASCII)
 CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
 WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
@@ -146,6 +150,10 @@ class Page:
             return WORKS_CITED
         if match := FIGURE.fullmatch(line) or TABLE.fullmatch(line):
             return self.picture(self.inline(match[1], number), match[2], is_table=line.startswith("["))
+        if FOLD.fullmatch(mark):
+            return f"\\htmlonly[block]{mark}\\endhtmlonly"
+        if match := SECTION.fullmatch(mark):
+            return f"\\anchor {match[1]}"
         if match := SNIPPET.match(line):
             self.book.reads(self.book.source / match[1])
         return None
@@ -216,14 +224,20 @@ class Page:
             self.cited.add(match[1])
             return references.cite(self.book, *match.groups())
         if mark.startswith("]("):
-            return f"]({self.target(mark[2:-1].partition('#')[0])})"
+            path, _, part = mark[2:-1].partition("#")
+            return f"]({self.target(path, part)})"
+        if mark.startswith("$"):
+            return f"\\f${mark[2:-2]}\\f$"
         return f"`{mark}`" if "'" in mark else mark  # code, which Doxygen would end at an apostrophe
 
-    def target(self, path):
-        """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a header's
-        reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
+    def target(self, path, part=""):
+        """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to what a
+        chapter's page shows of the scene that the part of a link names, to a header's reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
         the chapters links to it."""
         path, file = self.resolved(path)
+        chapter = re.fullmatch(r"chapters/(\w+)/\1\.md", path)
+        if chapter and part:
+            return f"#{self.scene_anchor(chapter[1], part)}"
         if path in self.book.labels:
             return f"@ref {self.book.labels[path]}"
         may_be_shown = path in self.book.shown or self.source.startswith("chapters/")
@@ -235,3 +249,10 @@ class Page:
             return f"@ref {path.removeprefix('common/')}"
         self.book.copy(file, f"sources/{path}")
         return f"sources/{path}"
+
+    def scene_anchor(self, chapter, scene):
+        """Where a chapter's page, made before, shows a scene: its figure, else its table."""
+        for shown in (f"figures/{chapter}/{scene}.svg", f"tables/{chapter}/{scene}.md"):
+            if shown in self.book.shown:
+                return anchor(shown)
+        raise Complaint(f"the page of {chapter} does not show {scene}")

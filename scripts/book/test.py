@@ -192,6 +192,22 @@ class Pages(InAHouse):
         self.assertIn("[a](#figures_geodesy_fig_2_27) | [b](sources/figures/geodesy/fig-9.svg)", page)
         self.assertTrue((self.book.folder / "html/sources/figures/geodesy/fig-9.svg").exists())
 
+    def test_a_link_to_a_scene_leads_to_what_its_chapter_shows(self):
+        self.made("![a](../../figures/geodesy/fig-2.27.svg)\n\n[b](../../tables/geodesy/table-2.6.md)")
+        page = self.made("[a](../chapters/geodesy/geodesy.md#fig-2.27) [b](../chapters/geodesy/geodesy.md#table-2.6)",
+                         "tables/ERRATA.md", "errata")
+        self.assertIn("[a](#figures_geodesy_fig_2_27) [b](#tables_geodesy_table_2_6)", page)
+        self.expect_complaint("[a](geodesy.md#fig-7)", "3: error: the page of geodesy does not show fig-7")
+
+    def test_what_forges_write_in_another_way(self):
+        for body, wanted in (
+                ("| $`a + b`$, `c'` |", r"| \f$a + b\f$, ``c'`` |"),
+                ('<a id="errata_geodesy"></a>', r"\anchor errata_geodesy"),
+                ("<details>\n<summary>More</summary>\n\na\n\n</details>",
+                 "\\htmlonly[block]<details>\\endhtmlonly\n\\htmlonly[block]<summary>More</summary>\\endhtmlonly\n\na\n\n"
+                 "\\htmlonly[block]</details>\\endhtmlonly")):
+            self.expect_page(body, wanted)
+
     def test_what_is_refused_with_page_and_line(self):
         known = "'max error', 'acceleration', 'twice', 'twice', 'nothing'"
         for body, wanted in (
