@@ -28,7 +28,7 @@ FENCE = re.compile(r"[ \t]*(```|~~~)")
 OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
 FIGURE = re.compile(r"!\[(.*)\]\(([^() ]+)\)[ \t]*")
 TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
-SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)")
+SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)(.*)")
 FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
 SECTION = re.compile(r'<a id="(\w+)"></a>')
 MARK = re.compile(r"\$`[^`]*`\$|`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
@@ -44,6 +44,12 @@ def advice(path):
         return "; `make check` writes it"
     scene = re.fullmatch(r"(?:figures|tables)/([^/]+)/([^/]+)\.[a-z]+", path)
     return f"; `{scene[1]} run {scene[2]}` writes it" if scene else ""
+
+
+def chapter_of(path):
+    """The chapter of a page, its source or what forges show of it; None if it is no chapter's."""
+    match = re.fullmatch(r"(?:chapters/(\w+)/\1|docs/chapters/(\w+))\.md", path)
+    return match and (match[1] or match[2])
 
 
 def anchor(path):
@@ -155,8 +161,13 @@ class Page:
         if match := SECTION.fullmatch(mark):
             return f"\\anchor {match[1]}"
         if match := SNIPPET.match(line):
-            self.book.reads(self.book.source / match[1])
+            return self.snippet(match[1], match[2].strip(), line)
         return None
+
+    def snippet(self, path, _marker, line):
+        """Code of a source, which Doxygen cuts out."""
+        self.book.reads(self.book.source / path)
+        return line
 
     def list_of_chapters(self):
         items = ""
@@ -216,28 +227,43 @@ class Page:
             match = QUANTITY.fullmatch(mark)
             if not match:
                 raise Complaint(f"{mark} is not of the form {{{{chapter/scene: quantity | digits}}}}")
-            return quantity_text(self.book, *match.groups(), in_formula(before))
+            return self.quantity(*match.groups(), in_formula(before))
         if mark.startswith("[@"):
             match = CITATION.fullmatch(mark)
             if not match:
                 raise Complaint(f"{mark} is not of the form [@work] or [@work, place]")
             self.cited.add(match[1])
-            return references.cite(self.book, *match.groups())
+            return self.citation(*match.groups())
         if mark.startswith("]("):
             path, _, part = mark[2:-1].partition("#")
             return f"]({self.target(path, part)})"
-        if mark.startswith("$"):
-            return f"\\f${mark[2:-2]}\\f$"
-        return f"`{mark}`" if "'" in mark else mark  # code, which Doxygen would end at an apostrophe
+        return self.formula(mark) if mark.startswith("$") else self.code(mark)
+
+    def quantity(self, scene, name, options, in_tex):
+        return quantity_text(self.book, scene, name, options, in_tex)
+
+    def citation(self, key, place):
+        return references.cite(self.book, key, place)
+
+    @staticmethod
+    def formula(mark):
+        """$`x`$, as forges write it."""
+        return f"\\f${mark[2:-2]}\\f$"
+
+    @staticmethod
+    def code(mark):
+        """Doxygen would end it at an apostrophe."""
+        return f"`{mark}`" if "'" in mark else mark
 
     def target(self, path, part=""):
         """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to what a
         chapter's page shows of the scene that the part of a link names, to a header's reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
         the chapters links to it."""
         path, file = self.resolved(path)
-        chapter = re.fullmatch(r"chapters/(\w+)/\1\.md", path)
-        if chapter and part:
-            return f"#{self.scene_anchor(chapter[1], part)}"
+        if (chapter := chapter_of(path)) and part:
+            return f"#{self.scene_anchor(chapter, part)}"
+        if chapter:
+            path = f"chapters/{chapter}/{chapter}.md"
         if path in self.book.labels:
             return f"@ref {self.book.labels[path]}"
         may_be_shown = path in self.book.shown or self.source.startswith("chapters/")

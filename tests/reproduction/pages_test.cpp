@@ -60,10 +60,10 @@ TEST_F(Pages, OfValuesHaveASectionAChapterWithContentsThatLeadToIt) {
       << "the order of places.csv\n"
       << page;
   EXPECT_TRUE(has(page,
-                  "| [table-1](../chapters/sun/sun.md#table-1) | t\\|u | x | 1.5 lb | digits | 1.51 |  | "
+                  "| [table-1](../docs/chapters/sun.md#table-1) | t\\|u | x | 1.5 lb | digits | 1.51 |  | "
                   "differs | as printed; tolerance: noise |"))
       << page;
-  EXPECT_TRUE(has(page, "| [claim-3](../chapters/moon/moon.md) | a | x | 1.5 | digits |"))
+  EXPECT_TRUE(has(page, "| [claim-3](../docs/chapters/moon.md) | a | x | 1.5 | digits |"))
       << "a claim has no scene\n"
       << page;
   EXPECT_TRUE(has(page, "-R '^elgohary/table-1/'"));
@@ -102,7 +102,7 @@ TEST_F(Pages, OfErrataHaveASectionAChapterWithLinksToScenesAndTests) {
   EXPECT_LT(page.find("<a id=\"errata_sun\"></a>\n## The Sun"),
             page.find("<a id=\"errata_moon\"></a>\n## moon"));
   EXPECT_TRUE(has(
-      page, R"(| [Table 1](../chapters/sun/sun.md#table-1), C3 | $`+\|a\|`$ | $`-a`$, $`b`$ | 2 | 1e-9 |  | )"
+      page, R"(| [Table 1](../docs/chapters/sun.md#table-1), C3 | $`+\|a\|`$ | $`-a`$, $`b`$ | 2 | 1e-9 |  | )"
             "[Sign](../tests/chapters/sun/errata_test.cpp) `unit_sun:A.B` |"))
       << page;
   EXPECT_TRUE(has(page, "| before (2) | left | right |")) << page;
@@ -127,8 +127,8 @@ TEST_F(Pages, OfAnInstalledFolderHaveNoTitlesAndTests) {
   const Guide guide(folder_.path());
   EXPECT_EQ(guide.chapter_title("sun"), "sun");
   EXPECT_EQ(guide.test_link("chapter_sun:Errata.Sign"), "`chapter_sun:Errata.Sign`");
-  EXPECT_EQ(guide.link("moon", "roy", "fig-2", "there"), "[there](../chapters/moon/moon.md#fig-2a)");
-  EXPECT_EQ(guide.link_words("moon", "roy", "Figure 2"), "[Figure 2](../chapters/moon/moon.md#fig-2a)");
+  EXPECT_EQ(guide.link("moon", "roy", "fig-2", "there"), "[there](../docs/chapters/moon.md#fig-2a)");
+  EXPECT_EQ(guide.link_words("moon", "roy", "Figure 2"), "[Figure 2](../docs/chapters/moon.md#fig-2a)");
   EXPECT_EQ(guide.link_words("moon", "roy", "Figure 7"), "Figure 7");
 }
 

@@ -82,7 +82,7 @@ std::ptrdiff_t Guide::rank(const std::string& chapter) const {
          places_.begin();
 }
 
-std::string Guide::page(const std::string& chapter) { return fmt::format("../chapters/{0}/{0}.md", chapter); }
+std::string Guide::page(const std::string& chapter) { return fmt::format("../docs/chapters/{}.md", chapter); }
 
 std::string Guide::link(const std::string& chapter, const std::string& source, const std::string& place,
                         const std::string& text) const {

@@ -26,7 +26,7 @@ class Guide {
   [[nodiscard]] std::string chapter_title(const std::string& chapter) const;
   /// The place of a chapter in the order in which the sources come to them.
   [[nodiscard]] std::ptrdiff_t rank(const std::string& chapter) const;
-  /// The chapter's page, as a page in `tables/` names it.
+  /// The chapter's page as forges show it, which a page in `tables/` links to. The book leads to its own.
   [[nodiscard]] static std::string page(const std::string& chapter);
   /// A link to the chapter's page, to what it shows for a place of the source if the place is a figure or a
   /// table.
