@@ -12,7 +12,7 @@ DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test adversary oracles check bench book book-test gallery clean
+.PHONY: help deps configure build programs figures tables test adversary oracles check bench book book-test package gallery pages clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
@@ -21,7 +21,9 @@ help:
 	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
-	@echo "make gallery         the pictures of README drawn anew"
+	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
+	@echo "make gallery         the pictures of README and docs/chapters drawn anew"
+	@echo "make pages           docs/chapters: the chapters' pages as forges show them"
 	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md"
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
@@ -115,13 +117,21 @@ book-test: book
 	@cmake --build $(BUILD) --target book_check
 	@ctest --test-dir $(BUILD) -L '^book$$' --output-on-failure
 
-# README's pictures, each named <chapter>-<scene>.svg, as their scenes draw them now.
+# Programs, library and book as a Debian package; `scripts/package try` installs and uses it in a bare root.
+package: book
+	@scripts/package make $(BUILD)
+
+# The pictures of README and docs/chapters, each named <chapter>-<scene>.svg, as their scenes draw them now.
 gallery: programs
 	@for picture in docs/gallery/*.svg; do \
 	  name=$$(basename $$picture .svg); \
 	  for c in $(CHAPTERS); do case $$name in $$c-*) \
 	    $(BUILD)/bin/$$c run $${name#$$c-} --quiet --out $(BUILD)/gallery && cp $(BUILD)/gallery/figures/$$c/$${name#$$c-}.svg $$picture || exit 1;; \
 	  esac; done; done
+
+# The chapters' pages as forges show them: docs/chapters/*.md.
+pages: figures
+	@python3 -B scripts/book/forge.py write . $(OUT) $(CHAPTERS)
 
 clean:
 	@rm -rf $(BUILD) results book

@@ -52,7 +52,7 @@ function(nlmech_add_book)
   get_filename_component(scripts "${_nlmech_book_scripts}" ABSOLUTE)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/common/nlmech/*.hpp" "${scripts}/*.py" "${scripts}/*.sed")
   file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/*")
-  list(FILTER texts EXCLUDE REGEX "/gallery$")
+  list(FILTER texts EXCLUDE REGEX "/(gallery|chapters)$")
   add_custom_command(
     OUTPUT "${folder}/book.stamp"
     COMMAND "${Python3_EXECUTABLE}" -B "${scripts}"
@@ -68,5 +68,11 @@ function(nlmech_add_book)
   if(NLMECH_TESTS OR BUILD_TESTING)
     add_test(NAME book.scripts COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/test.py")
     set_tests_properties(book.scripts PROPERTIES LABELS unit)
+    # Pages that forges show are what their maker makes of what the chapters' checks left on disk.
+    foreach(chapter IN LISTS book_CHAPTERS)
+      add_test(NAME pages/${chapter} COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/forge.py" check "${PROJECT_SOURCE_DIR}"
+                                             "${PROJECT_BINARY_DIR}/check" ${chapter})
+      set_tests_properties(pages/${chapter} PROPERTIES LABELS reproduction FIXTURES_REQUIRED check_${chapter})
+    endforeach()
   endif()
 endfunction()

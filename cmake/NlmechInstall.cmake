@@ -43,6 +43,34 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/nlmechConfig.cmake ${PROJECT_BINARY_DIR}/nlmechConfigVersion.cmake
         DESTINATION ${package_dir})
 
+# For builds without CMake, a file a component: c++ -std=c++20 mine.cpp $(pkg-config --cflags --libs nlmech-geodesy). The library
+# is static, so that what a component links is required of everyone.
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH up /${pkgconfig_dir} /)
+string(REGEX REPLACE "/$" "" up "${up}")
+set(pkgconfig_fmt fmt)
+set(pkgconfig_Eigen3 eigen3)
+set(pkgconfig_Boost "")  # headers where every compiler looks
+foreach(component IN LISTS installed)
+  get_target_property(links nlmech_${component} INTERFACE_LINK_LIBRARIES)
+  set(requires "")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^.<LINK_ONLY:(.*)>$" "\\1" link "${link}")
+    if(link MATCHES "^nlmech::(.*)$")
+      list(APPEND requires nlmech-${CMAKE_MATCH_1})
+    elseif(link MATCHES "^([A-Za-z0-9_]+)::")
+      if(NOT DEFINED pkgconfig_${CMAKE_MATCH_1})
+        message(FATAL_ERROR "nlmech::${component}: what does pkg-config call ${CMAKE_MATCH_1}? Please add it to NlmechInstall.cmake")
+      endif()
+      list(APPEND requires ${pkgconfig_${CMAKE_MATCH_1}})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES requires)
+  list(JOIN requires ", " requires)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/nlmech.pc.in ${PROJECT_BINARY_DIR}/generated/pkgconfig/nlmech-${component}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/generated/pkgconfig/nlmech-${component}.pc DESTINATION ${pkgconfig_dir})
+endforeach()
+
 if(NLMECH_CHAPTERS_SELECTED)
   set(data_dir ${CMAKE_INSTALL_DATADIR}/nlmech)
   install(FILES ${PROJECT_SOURCE_DIR}/figures/style.gp ${PROJECT_SOURCE_DIR}/figures/curves.xml

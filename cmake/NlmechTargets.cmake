@@ -44,6 +44,21 @@ function(nlmech_component name)
   endif()
 endfunction()
 
+# A program that is installed, with its manual page and its completions for bash, which it writes itself.
+function(nlmech_install_program name)
+  install(TARGETS ${name})
+  if(CMAKE_CROSSCOMPILING)
+    return()
+  endif()
+  set(manual ${PROJECT_BINARY_DIR}/generated/man1/${name}.1)
+  set(completions ${PROJECT_BINARY_DIR}/generated/completions/${name})
+  add_custom_command(TARGET ${name} POST_BUILD VERBATIM
+                     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D MANUAL=${manual} -D COMPLETIONS=${completions}
+                             -P ${PROJECT_SOURCE_DIR}/cmake/WriteManual.cmake)
+  install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${completions} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endfunction()
+
 # A chapter: library nlmech_chapter_<name> with its scenes, and the program build/bin/<name>.
 #   nlmech_chapter(geodesy SOURCES scenes.cpp USES geodesy)
 function(nlmech_chapter name)
@@ -76,7 +91,7 @@ function(nlmech_chapter name)
   nlmech_read_precompiled(nlmech_chapter_${name} chapter_headers)
   add_executable(${name} ${main})
   target_link_libraries(${name} PRIVATE nlmech_chapter_${name} nlmech_options)
-  install(TARGETS ${name})
+  nlmech_install_program(${name})
 endfunction()
 
 # Written at the end of the configuration, when all is known: one fact a line, for Makefile, tests and book.

@@ -7,6 +7,8 @@
   [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table
   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
                                                   tables, pages, headers; any other file is copied
+  [Fig. 2.27](../geodesy/geodesy.md#fig-2.27)     a link to what the chapter's page shows of that scene
+  <a id="x"></a>, <details>, $`x`$                as forges show them: a mark to link to, what is folded away, a formula
   {{chapters}}, {{map}}, {{references}}  on a line of its own: the chapters; the map of chapters and components; the
                                                   works cited on this page
 
@@ -26,8 +28,10 @@ FENCE = re.compile(r"[ \t]*(```|~~~)")
 OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
 FIGURE = re.compile(r"!\[(.*)\]\(([^() ]+)\)[ \t]*")
 TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
-SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)")
-MARK = re.compile(r"`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
+SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)(.*)")
+FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
+SECTION = re.compile(r'<a id="(\w+)"></a>')
+MARK = re.compile(r"\$`[^`]*`\$|`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
 QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?\}\}", re.ASCII)
 CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
 WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
@@ -40,6 +44,12 @@ def advice(path):
         return "; `make check` writes it"
     scene = re.fullmatch(r"(?:figures|tables)/([^/]+)/([^/]+)\.[a-z]+", path)
     return f"; `{scene[1]} run {scene[2]}` writes it" if scene else ""
+
+
+def chapter_of(path):
+    """The chapter of a page, its source or what forges show of it; None if it is no chapter's."""
+    match = re.fullmatch(r"(?:chapters/(\w+)/\1|docs/chapters/(\w+))\.md", path)
+    return match and (match[1] or match[2])
 
 
 def anchor(path):
@@ -146,9 +156,18 @@ class Page:
             return WORKS_CITED
         if match := FIGURE.fullmatch(line) or TABLE.fullmatch(line):
             return self.picture(self.inline(match[1], number), match[2], is_table=line.startswith("["))
+        if FOLD.fullmatch(mark):
+            return f"\\htmlonly[block]{mark}\\endhtmlonly"
+        if match := SECTION.fullmatch(mark):
+            return f"\\anchor {match[1]}"
         if match := SNIPPET.match(line):
-            self.book.reads(self.book.source / match[1])
+            return self.snippet(match[1], match[2].strip(), line)
         return None
+
+    def snippet(self, path, _marker, line):
+        """Code of a source, which Doxygen cuts out."""
+        self.book.reads(self.book.source / path)
+        return line
 
     def list_of_chapters(self):
         items = ""
@@ -208,22 +227,43 @@ class Page:
             match = QUANTITY.fullmatch(mark)
             if not match:
                 raise Complaint(f"{mark} is not of the form {{{{chapter/scene: quantity | digits}}}}")
-            return quantity_text(self.book, *match.groups(), in_formula(before))
+            return self.quantity(*match.groups(), in_formula(before))
         if mark.startswith("[@"):
             match = CITATION.fullmatch(mark)
             if not match:
                 raise Complaint(f"{mark} is not of the form [@work] or [@work, place]")
             self.cited.add(match[1])
-            return references.cite(self.book, *match.groups())
+            return self.citation(*match.groups())
         if mark.startswith("]("):
-            return f"]({self.target(mark[2:-1].partition('#')[0])})"
-        return f"`{mark}`" if "'" in mark else mark  # code, which Doxygen would end at an apostrophe
+            path, _, part = mark[2:-1].partition("#")
+            return f"]({self.target(path, part)})"
+        return self.formula(mark) if mark.startswith("$") else self.code(mark)
 
-    def target(self, path):
-        """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to a header's
-        reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
+    def quantity(self, scene, name, options, in_tex):
+        return quantity_text(self.book, scene, name, options, in_tex)
+
+    def citation(self, key, place):
+        return references.cite(self.book, key, place)
+
+    @staticmethod
+    def formula(mark):
+        """$`x`$, as forges write it."""
+        return f"\\f${mark[2:-2]}\\f$"
+
+    @staticmethod
+    def code(mark):
+        """Doxygen would end it at an apostrophe."""
+        return f"`{mark}`" if "'" in mark else mark
+
+    def target(self, path, part=""):
+        """Where a link to a file of the project leads in the book: to a page, to a figure or table on its page, to what a
+        chapter's page shows of the scene that the part of a link names, to a header's reference; any other file travels with the book. So does a figure that no chapter shows, if a page that comes after
         the chapters links to it."""
         path, file = self.resolved(path)
+        if (chapter := chapter_of(path)) and part:
+            return f"#{self.scene_anchor(chapter, part)}"
+        if chapter:
+            path = f"chapters/{chapter}/{chapter}.md"
         if path in self.book.labels:
             return f"@ref {self.book.labels[path]}"
         may_be_shown = path in self.book.shown or self.source.startswith("chapters/")
@@ -235,3 +275,10 @@ class Page:
             return f"@ref {path.removeprefix('common/')}"
         self.book.copy(file, f"sources/{path}")
         return f"sources/{path}"
+
+    def scene_anchor(self, chapter, scene):
+        """Where a chapter's page, made before, shows a scene: its figure, else its table."""
+        for shown in (f"figures/{chapter}/{scene}.svg", f"tables/{chapter}/{scene}.md"):
+            if shown in self.book.shown:
+                return anchor(shown)
+        raise Complaint(f"the page of {chapter} does not show {scene}")

@@ -82,17 +82,25 @@ def load(book, file):
         line += entry.count("\n")
 
 
-def cite(book, key, place):
-    """"Elgohary (2015, Eq. 2.45)", linked to the bibliography."""
+def cited(book, key, place):
+    """"Elgohary (2015, Eq. 2.45)\""""
     if key not in book.works:
         raise Complaint(f"docs/references.bib has no work '{key}'")
     work = book.works[key]
-    when = f"{work.year}, {place}" if place else work.year
-    return f'\\ref work_{key} "{work.short} ({when})"'
+    return f"{work.short} ({work.year}, {place})" if place else f"{work.short} ({work.year})"
+
+
+def cite(book, key, place):
+    """The same, linked to the bibliography."""
+    return f'\\ref work_{key} "{cited(book, key, place)}"'
+
+
+def sorted_keys(book, keys):
+    """By authors, then years."""
+    return [key for key, _ in sorted(book.works.items(), key=lambda item: item[1].order) if key in keys]
 
 
 def list_works(book, keys, anchors=False):
     """Works as HTML on one line, so that Doxygen's line numbers stay those of the page."""
-    works = [(f"\\anchor work_{key} " if anchors else "") + work.text
-             for key, work in sorted(book.works.items(), key=lambda item: item[1].order) if key in keys]
+    works = [(f"\\anchor work_{key} " if anchors else "") + book.works[key].text for key in sorted_keys(book, keys)]
     return f"<ul>{''.join(f'<li>{work}</li>' for work in works)}</ul>"

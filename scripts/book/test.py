@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 import components
+import forge
 import references
 from book import Book, Complaint
 from pages import Page
@@ -192,6 +193,22 @@ class Pages(InAHouse):
         self.assertIn("[a](#figures_geodesy_fig_2_27) | [b](sources/figures/geodesy/fig-9.svg)", page)
         self.assertTrue((self.book.folder / "html/sources/figures/geodesy/fig-9.svg").exists())
 
+    def test_a_link_to_a_scene_leads_to_what_its_chapter_shows(self):
+        self.made("![a](../../figures/geodesy/fig-2.27.svg)\n\n[b](../../tables/geodesy/table-2.6.md)")
+        page = self.made("[a](../chapters/geodesy/geodesy.md#fig-2.27) [b](../chapters/geodesy/geodesy.md#table-2.6)",
+                         "tables/ERRATA.md", "errata")
+        self.assertIn("[a](#figures_geodesy_fig_2_27) [b](#tables_geodesy_table_2_6)", page)
+        self.expect_complaint("[a](geodesy.md#fig-7)", "3: error: the page of geodesy does not show fig-7")
+
+    def test_what_forges_write_in_another_way(self):
+        for body, wanted in (
+                ("| $`a + b`$, `c'` |", r"| \f$a + b\f$, ``c'`` |"),
+                ('<a id="errata_geodesy"></a>', r"\anchor errata_geodesy"),
+                ("<details>\n<summary>More</summary>\n\na\n\n</details>",
+                 "\\htmlonly[block]<details>\\endhtmlonly\n\\htmlonly[block]<summary>More</summary>\\endhtmlonly\n\na\n\n"
+                 "\\htmlonly[block]</details>\\endhtmlonly")):
+            self.expect_page(body, wanted)
+
     def test_what_is_refused_with_page_and_line(self):
         known = "'max error', 'acceleration', 'twice', 'twice', 'nothing'"
         for body, wanted in (
@@ -217,6 +234,65 @@ class Pages(InAHouse):
     def test_all_complaints_of_a_line_are_shown(self):
         self.made("[@two2002] and {{geodesy/fig-2.27: twice}}")
         self.assertEqual(len(self.book.complaints), 2)
+
+
+class ForForges(InAHouse):
+    """The same pages as Markdown that forges show."""
+
+    def setUp(self):
+        super().setUp()
+        self.write(self.book.out / "results/geodesy/error-vs-time.csv", "method,time_s\n")
+        self.write(self.book.out / "results/geodesy/error-vs-time.json", '{"quantities":[{"name":"factor","value":3}]}')
+        self.write(self.book.out / "tables/geodesy/error-vs-time.md", "| a |\n| --- |\n| 1 |\n")
+        self.write(self.book.source / "docs/gallery/geodesy-fig-2.27.svg", "<svg/>")
+        self.write(self.book.source / "chapters/geodesy/a.cpp", "  // [ex]\n  int a;\n\n    a = 1;\n  // [ex]\n")
+
+    def page(self, body):
+        """With results between their marks, without title and note."""
+        self.write(self.book.source / PAGE, f"# Title\n\n{body}\n")
+        self.book.complaints.clear()
+        with contextlib.redirect_stderr(io.StringIO()):
+            text = forge.ForgePage(self.book, PAGE, "geodesy").text()
+        return text.split("`make book`.*\n", 1)[1].strip()
+
+    def test_what_a_page_becomes(self):
+        for body, wanted in (
+                ("is {{geodesy/fig-2.27: max error | 2}}.", "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg."),
+                (r"\f$e < {{geodesy/fig-2.27: max error}}\f$", r"$`e < 2.42 \times 10^{-11}\,\mathrm{deg}`$"),
+                ("\\f[\n  a\n\\f]\n\n   \\f[ b \\f]", "```math\na\n```\n\n   ```math\n   b\n   ```"),
+                ("is\n{{geodesy/fig-2.27: acceleration | 1 | no unit}}. So", "is\n10\\. So"),
+                ("a nlmech::geodesy::A, `nlmech::b`", "a `nlmech::geodesy::A`, `nlmech::b`"),
+                ("by [@one2001, Eq. 3]\n\n{{references}}", "by [One &amp; Two (2001, Eq. 3)](#work_one2001)\n\n"
+                 '- <a id="work_one2001"></a>One, A., Two, B. (2001). *T*. ISBN 1-23.'),
+                (r"\snippet chapters/geodesy/a.cpp ex", "```cpp\nint a;\n\n  a = 1;\n```"),
+                ("[*Cap*](../../tables/geodesy/table-2.6.md)", '<a id="table-2.6"></a>*Cap*\n\n| a |\n| --- |'),
+                ("[C.](../../tables/geodesy/error-vs-time.md)",
+                 '> <a id="error-vs-time"></a>C. `geodesy run error-vs-time` writes it.'),
+                ("![C.](../../figures/geodesy/fig-9.svg)", '> <a id="fig-9"></a>C. `geodesy run fig-9` draws it.'),
+                ("![A [b]](../../figures/geodesy/fig-2.27.svg)\n\n[C.](../../tables/geodesy/table-2.6.md)",
+                 '<a id="fig-2.27"></a>![A (b)](../gallery/geodesy-fig-2.27.svg)\n\nA [b]\n\n'
+                 '<a id="table-2.6"></a>C.\n\n| a |\n| --- |'),
+                ("[a](../../figures/geodesy/fig-9.svg) [b](../../figures/moon/fig-1.svg) [c](../../tables/a.csv) "
+                 "[d](../moon/moon.md#fig-1)", "[a](#fig-9) [b](moon.md#fig-1) [c](../../tables/a.csv) [d](moon.md#fig-1)"),
+                ("<details>\n<summary>More</summary>\n\n</details>", "<details>\n<summary>More</summary>\n\n</details>")):
+            with self.subTest(page=body):
+                self.assertEqual(forge.SPAN.sub(r"\2", self.page(body)), wanted)
+                self.assertEqual(self.book.complaints, [])
+
+    def test_run_times_may_differ_and_results_by_rounding(self):
+        made = self.page("{{geodesy/error-vs-time: factor}} times, {{geodesy/fig-2.27: acceleration}}, "
+                         "{{geodesy/fig-2.27: max error}}")
+        kept = "{} times, {}&nbsp;m/s<sup>2</sup>, {}&nbsp;deg"
+        noise = "2.42&nbsp;&times;&nbsp;10<sup>&minus;11</sup>"
+        for values, wanted in ((("3", "9.81", noise), True), (("4000", "9.81", noise), True),
+                               (("3", "9.82", noise), True), (("3", "20", noise), False), (("3", "&minus;9.81", noise), False),
+                               (("3", "9.81", "3&nbsp;&times;&nbsp;10<sup>&minus;15</sup>"), True),
+                               (("3", "9.81", "2.42&nbsp;&times;&nbsp;10<sup>&minus;9</sup>"), False)):
+            with self.subTest(values=values):
+                self.assertEqual(forge.differences(made, kept.format(*values)), [] if wanted else [1])
+        self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise).replace("times", "time")), [1])
+        self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise) + "\nmore"), [2])
+        self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise).replace("m/s", "ft/s")), [1])
 
 
 class House(InAHouse):

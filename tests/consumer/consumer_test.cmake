@@ -1,5 +1,5 @@
 # Installs into an empty folder, builds a project that finds the package there, with a program for each of its components, runs
-# them, and runs an installed program.
+# them, compiles some by pkg-config, and runs an installed program.
 # Then the lines of README that install the library and build on it, as a reader would type them.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
@@ -16,6 +16,7 @@ endfunction()
 set(flags "")
 if(SANITIZE)
   set(flags -DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE})
+  set(flags_typed -fsanitize=${SANITIZE})
   set(ENV{CXXFLAGS} -fsanitize=${SANITIZE})
 endif()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
@@ -36,6 +37,19 @@ run(${CMAKE_COMMAND} -S ${COMPONENTS} -B ${WORK}/build-components -DCMAKE_PREFIX
 run(${CMAKE_COMMAND} --build ${WORK}/build-components --parallel 2)
 foreach(component IN LISTS components)
   run(${WORK}/build-components/${component}/use_${component})
+endforeach()
+
+# The same without CMake: every component is known to pkg-config with all that it requires, and the programs of a few, of which
+# one needs nothing, one libraries and one headers alone, are compiled by what it says.
+file(GLOB pkgconfig ${WORK}/prefix/lib*/pkgconfig ${WORK}/prefix/lib/*/pkgconfig)
+set(ENV{PKG_CONFIG_PATH} ${pkgconfig})
+foreach(component IN LISTS components)
+  run(pkg-config --print-errors --exists nlmech-${component})
+  if(component MATCHES "^(geodesy|ivp|frames)$")
+    run(sh -c "$0 ${flags_typed} -std=c++20 $1 $(pkg-config --cflags --libs nlmech-$2) -o typed_$2"
+        ${COMPILER} ${COMPONENTS}/${component}.cpp ${component})
+    run(${WORK}/typed_${component})
+  endif()
 endforeach()
 
 if(EXISTS ${WORK}/build-consumer/pendulum)  # the floors for integration are part of this build

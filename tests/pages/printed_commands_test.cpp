@@ -108,6 +108,9 @@ constexpr std::array elsewhere = {
     // Installing and building on it: README alone, whose lines that test runs.
     Elsewhere{R"((cmake --install|cmake -S|cmake --build build-mine|build-mine/).*)",
               "tests/consumer/consumer_test.cmake", "cmake |build-mine/"},
+    // Installing the package, in a bare root: what Dockerfile does with it.
+    Elsewhere{R"(sudo (apt-get install) \./build/nlmech_\*\.deb)", "scripts/package", "$1"},
+    Elsewhere{R"(docker build -t nlmech \.)", "Dockerfile", "RUN /tmp/package install"},
     // Parts of what runs before a change lands.
     Elsewhere{R"((cmake --preset (dev|asan)))", ".ci/run", "$1"},
     Elsewhere{R"(cmake --build build(-asan)? --target (unit_tests_)[a-z]+)", "tests/CMakeLists.txt", "$2"},

@@ -51,10 +51,10 @@ TEST_F(Completeness, CountsWhatIsThere) {
   for (const Shown& s : all) EXPECT_TRUE(s.complete()) << s.place.name;
   const std::string page = completeness_page(all);
   EXPECT_NE(page.find("| roy | 1 | 1 | 2 | 0 |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| [fig-1](../figures/moon/fig-1.svg) | moon | craters | 2 | 1 | 0 | complete |"),
+  EXPECT_NE(page.find("| [fig-1](../docs/chapters/moon.md#fig-1) | moon | craters | 2 | 1 | 0 | complete |"),
             std::string::npos)
       << page;
-  EXPECT_NE(page.find("| [table-1](moon/table-1.md) |"), std::string::npos) << page;
+  EXPECT_NE(page.find("| [table-1](../docs/chapters/moon.md#table-1) |"), std::string::npos) << page;
   EXPECT_NE(page.find("| fig-9 | sun | spots | 0 | 0 | 0 | not built |"), std::string::npos) << page;
 }
 
@@ -74,7 +74,7 @@ TEST_F(Completeness, OfAFigureThatSeveralScenesShow) {
   EXPECT_EQ(shown()[2].checked, 2U);
   const std::string page = completeness_page(shown());
   EXPECT_NE(
-      page.find("| fig-7: [fig-1](../figures/moon/fig-1.svg), [fig-2](../figures/moon/fig-2.svg) | moon |"),
+      page.find("| fig-7: [fig-1](../docs/chapters/moon.md#fig-1), [fig-2](../docs/chapters/moon.md#fig-2) | moon |"),
       std::string::npos)
       << page;
 }

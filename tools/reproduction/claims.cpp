@@ -17,6 +17,7 @@
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "tools/reproduction/guide.hpp"
 
 namespace nlmech::reproduction {
 namespace fs = std::filesystem;
@@ -115,8 +116,8 @@ Verdict verdict_of(const Claim& claim, double value) {
 std::string evidence(const JudgedClaim& c) {
   if (c.claim.scene.empty()) return "";
   const bool page = c.claim.scene == printed_numbers || c.claim.scene == run_time_ratios;
-  const std::string scene =
-      page ? fmt::format("[{0}]({0}.md)", c.claim.scene) : fmt::format("`{}`", c.claim.scene);
+  const std::string scene = page ? fmt::format("[{0}]({0}.md)", c.claim.scene)
+                                 : fmt::format("[{0}]({1}#{0})", c.claim.scene, Guide::page(c.claim.chapter));
   return c.claim.quantity.empty() ? scene : fmt::format("{}: {}", scene, c.claim.quantity);
 }
 
@@ -188,7 +189,7 @@ std::vector<JudgedClaim> judge_claims(const std::vector<std::string>& built, con
 
 std::string claims_page(const std::vector<JudgedClaim>& claims) {
   std::string page =
-      "# Claims in prose {#claims}\n\n"
+      "# Claims in prose\n\n"
       "What the sources say in words and a computation can decide, a row each, in our words. The claim "
       "*holds* "
       "if the quantity of the scene beside it lies where the claim puts it; a text that leaves out what "

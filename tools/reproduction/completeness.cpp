@@ -11,6 +11,7 @@
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "tools/reproduction/guide.hpp"
 
 namespace nlmech::reproduction {
 namespace fs = std::filesystem;
@@ -60,11 +61,9 @@ void count_scene(const fs::path& out, const std::string& scene, Shown& s) {
 std::string links(const Shown& s) {
   if (!s.built || !s.drawn) return s.place.name;
   std::string text;
-  for (const std::string& scene : s.place.scenes) {
-    const bool figure = s.place.kind == "figure";
-    text += fmt::format("{}[{}]({}{}/{}.{})", text.empty() ? "" : ", ", scene, figure ? "../figures/" : "",
-                        s.place.chapter, scene, figure ? "svg" : "md");
-  }
+  for (const std::string& scene : s.place.scenes)
+    text +=
+        fmt::format("{}[{}]({}#{})", text.empty() ? "" : ", ", scene, Guide::page(s.place.chapter), scene);
   return s.place.scenes.front() == s.place.name ? text : s.place.name + ": " + text;
 }
 
@@ -115,7 +114,7 @@ std::vector<Shown> collect_shown(const std::vector<std::string>& built, const fs
 
 std::string completeness_page(const std::vector<Shown>& shown) {
   std::string page =
-      "# What is shown {#completeness}\n\n"
+      "# What is shown\n\n"
       "Every figure and table of the sources is a scene: drawn anew, with quantities that are checked "
       "against "
       "independent values each time. *Complete* means that there are curves or rows, at least one such "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -58,43 +59,68 @@ Erratum to_erratum(const CsvRecord& record, const std::string& chapter, const st
   return e;
 }
 
-/// A test's place as a reader looks for it: program and name.
-std::string test_names(const Erratum& e) {
-  std::string text;
-  for (const std::string& test : e.tests) text += (text.empty() ? "`" : " `") + test + "`";
-  return text;
-}
-
 /// "no" is not worth a word.
 std::string effect(const Erratum& e) {
   const std::string scan = e.scan == "perhaps" ? "perhaps an error of the scan" : "";
   return e.effect + (e.effect.empty() || scan.empty() ? "" : "; ") + scan;
 }
 
-/// A source as its title page has it; others by their name in the lists.
-std::string title_of(const std::string& source) {
-  static const std::map<std::string, std::string> titles = {
-      {"elgohary", "T. A. Elgohary, dissertation, Texas A&M University (2015)"},
-      {"filipich-rosales",
-       "C. P. Filipich and M. B. Rosales, A straightforward approach to solve ordinary nonlinear "
-       "differential systems"},
-      {"laier", "J. E. Laier, High-order algorithm for non-linear dynamics"},
-      {"roy", "D. Roy, A multi-step transversal linearization method in nonlinear dynamics"}};
-  const auto title = titles.find(source);
-  return title == titles.end() ? source : title->second;
-}
+constexpr std::string_view page_name = "errata";
 
-Table table_of(const std::vector<const Erratum*>& entries, bool with_tests) {
+using Entries = std::vector<const Erratum*>;
+
+/// @param guide with links and names of tests, for the page of all; none: for a chapter's own page
+Table table_of(const Entries& entries, const Guide* guide) {
   std::vector<Column> columns = {
       {"place"}, {"printed"}, {"correct"}, {"printed misses by"}, {"corrected within"}, {"effect"}};
-  if (with_tests) columns.push_back({"test"});
+  if (guide) columns.push_back({"test"});
   Table table(columns);
   for (const Erratum* e : entries) {
-    std::vector<Cell> row = {e->place, e->printed, e->correct, e->misses, e->within, effect(*e)};
-    if (with_tests) row.emplace_back(test_names(*e));
+    std::vector<Cell> row = {guide ? guide->link_words(e->chapter, e->source, e->place) : e->place,
+                             e->printed,
+                             e->correct,
+                             e->misses,
+                             e->within,
+                             effect(*e)};
+    if (guide) {
+      std::string tests;
+      for (const std::string& test : e->tests) tests += (tests.empty() ? "" : " ") + guide->test_link(test);
+      row.emplace_back(std::move(tests));
+    }
     table.add(std::move(row));
   }
   return table;
+}
+
+/// Entries by kind, a row a chapter: the contents of the page.
+Table contents(const std::vector<std::pair<std::string, Entries>>& chapters, const Guide& guide) {
+  Table table({{"chapter"}, {"formulas"}, {"numbers"}, {"claims"}, {"wording"}});
+  for (const auto& [chapter, entries] : chapters) {
+    std::vector<Cell> row = {section_link(page_name, chapter, guide.chapter_title(chapter))};
+    for (const char* kind : {"formula", "number", "claim", "wording"}) {
+      row.emplace_back(
+          std::count_if(entries.begin(), entries.end(), [&](const Erratum* e) { return e->kind == kind; }));
+    }
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+/// Chapters in the order in which the sources come to them.
+std::vector<std::pair<std::string, Entries>> by_chapter(const std::vector<Erratum>& errata,
+                                                        const Guide& guide) {
+  std::map<std::string, Entries> entries;
+  for (const Erratum& e : errata) entries[e.chapter].push_back(&e);
+  std::vector<std::pair<std::string, Entries>> chapters(entries.begin(), entries.end());
+  std::stable_sort(chapters.begin(), chapters.end(),
+                   [&](const auto& a, const auto& b) { return guide.rank(a.first) < guide.rank(b.first); });
+  return chapters;
+}
+
+/// Formulas of a page, \f$x\f$, as a forge writes them: $`x`$. The book turns them back.
+std::string with_forge_formulas(const std::string& text) {
+  static const std::regex formula(R"(\\f\$(.*?)\\f\$)");
+  return std::regex_replace(text, formula, "$$`$1`$$");
 }
 
 }  // namespace
@@ -123,13 +149,12 @@ std::vector<Erratum> read_errata(const fs::path& data_folder) {
   return errata;
 }
 
-std::string errata_page(const std::vector<Erratum>& errata) {
-  std::map<std::string, std::vector<const Erratum*>> by_source;
-  for (const Erratum& e : errata) by_source[e.source].push_back(&e);
+std::string errata_page(const std::vector<Erratum>& errata, const Guide& guide) {
+  const auto chapters = by_chapter(errata, guide);
   const auto wording =
       std::count_if(errata.begin(), errata.end(), [](const Erratum& e) { return e.tests.empty(); });
   std::string page = fmt::format(
-      "# Errata of the sources {{#errata}}\n\n"
+      "# Errata of the sources\n\n"
       "{} entries. A test evaluates each printed form and its correction beside an oracle that uses neither: "
       "a closed form, another program in more digits, another set of equations, or, where the question is "
       "which setting a table belongs to, the other numbers that it prints. It fails if the printed form "
@@ -137,19 +162,23 @@ std::string errata_page(const std::vector<Erratum>& errata) {
       "stand here, relative to the oracle or to the scale that the test names; a form without a value misses "
       "by nan. The {} entries without numbers are slips of wording with nothing to compute. The sources at "
       "hand are scanned text: where scanning may have made the misprint, the entry says so. Written by "
-      "`make check` from `tables/errata`.\n",
-      errata.size(), wording);
-  for (const auto& [source, entries] : by_source)
-    page += fmt::format("\n## {}\n\n{}", title_of(source), table_of(entries, true).markdown());
-  return page;
+      "`make check` from `tables/errata`.\n\n{}",
+      errata.size(), wording, contents(chapters, guide).markdown());
+  for (const auto& [chapter, entries] : chapters) {
+    page += fmt::format("\n{}\n## {}\n\n{}. What they change, [the chapter]({}) shows.\n\n{}",
+                        section_mark(page_name, chapter), guide.chapter_title(chapter),
+                        source_title(entries.front()->source), Guide::page(chapter),
+                        table_of(entries, &guide).markdown());
+  }
+  return with_forge_formulas(page);
 }
 
 std::string errata_table(const std::vector<Erratum>& errata, const std::string& chapter) {
-  std::vector<const Erratum*> entries;
+  Entries entries;
   for (const Erratum& e : errata) {
     if (e.chapter == chapter) entries.push_back(&e);
   }
-  return table_of(entries, false).markdown();
+  return table_of(entries, nullptr).markdown();
 }
 
 }  // namespace nlmech::reproduction

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/reproduction/guide.hpp"
+
 namespace nlmech::reproduction {
 
 /// A misprint. The columns of `tables/errata/<chapter>.csv`, which its README explains.
@@ -34,8 +36,9 @@ struct Erratum {
 /// @throws InputError naming file, line and cell: an unknown kind, an id twice, an entry without its test
 [[nodiscard]] std::vector<Erratum> read_errata(const std::filesystem::path& data_folder);
 
-/// The page `ERRATA.md`: a section a source, chapters in the order of the list.
-[[nodiscard]] std::string errata_page(const std::vector<Erratum>& errata);
+/// The page `ERRATA.md`: counts by chapter and kind, which are its contents, then a section a chapter.
+/// Formulas are written as forges show them, $`x`$.
+[[nodiscard]] std::string errata_page(const std::vector<Erratum>& errata, const Guide& guide);
 
 /// The entries of one chapter as a table in Markdown, for its page.
 [[nodiscard]] std::string errata_table(const std::vector<Erratum>& errata, const std::string& chapter);

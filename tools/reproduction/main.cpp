@@ -32,6 +32,8 @@
 #include "tools/reproduction/claims.hpp"
 #include "tools/reproduction/completeness.hpp"
 #include "tools/reproduction/errata.hpp"
+#include "tools/reproduction/guide.hpp"
+#include "tools/reproduction/values.hpp"
 
 namespace {
 
@@ -70,7 +72,7 @@ bool fails(const Checked& c) { return c.judgement.verdict != Verdict::not_built 
 
 int report(const Words& options) {
   const std::vector<Checked> values = collect_checks(read_built(options), data_folder(), options.out);
-  if (!options.page.empty()) write_whole(options.page, reproduction_page(values));
+  if (!options.page.empty()) write_whole(options.page, reproduction_page(values, Guide(data_folder())));
   const auto misses = std::count_if(values.begin(), values.end(), fails);
   print_result(reproduction_text(values) +
                fmt::format("{} published values, {} fail\n", values.size(), misses));
@@ -121,23 +123,14 @@ int claims(const Words& options) {
 
 /// A table for each chapter's page, and all of them on one.
 void errata(const Words& options) {
-  std::vector<Erratum> all = read_errata(data_folder());
-  const std::vector<Place> places = read_places(data_folder());
-  // Chapters in the order in which the sources come to them.
-  const auto rank = [&](const Erratum& e) {
-    return std::find_if(places.begin(), places.end(),
-                        [&](const Place& p) { return p.chapter == e.chapter; }) -
-           places.begin();
-  };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const Erratum& a, const Erratum& b) { return rank(a) < rank(b); });
+  const std::vector<Erratum> all = read_errata(data_folder());
   std::set<std::string> chapters;
   for (const Erratum& e : all) chapters.insert(e.chapter);
   for (const std::string& chapter : chapters) {
     write_whole(std::filesystem::path(options.out) / "tables" / chapter / "errata.md",
                 errata_table(all, chapter));
   }
-  if (!options.page.empty()) write_whole(options.page, errata_page(all));
+  if (!options.page.empty()) write_whole(options.page, errata_page(all, Guide(data_folder())));
   print_result(fmt::format("{} errata\n", all.size()));
 }
 

@@ -223,7 +223,7 @@ TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
   measure("book/table-1/bad/x", {3, {}});
   write_check(check_ours(), "ours", folder_.path());
   const auto values = collect_checks({"ours"}, folder_.path(), folder_.path());
-  const std::string text = reproduction_text(values), page = reproduction_page(values);
+  const std::string text = reproduction_text(values);
   EXPECT_NE(text.find("       book/table-1/good/x: published 1, nominal 1.01: reproduced [as printed]\n"),
             std::string::npos);
   EXPECT_NE(
@@ -231,10 +231,6 @@ TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
       std::string::npos);
   EXPECT_NE(text.find("       book/table-2/b/x: published 1: not built\n"), std::string::npos)
       << "what is not built does not fail";
-  EXPECT_NE(page.find("| table-1 | t\\|u | x | 1 | s |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| ours | 1 | 0 | 0 | 0 | 1 | 0 | 0 | 0 | 1 | 0 | 0 |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| theirs | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 1 |"), std::string::npos) << page;
-  EXPECT_EQ(page, reproduction_page(values));
 }
 
 }  // namespace

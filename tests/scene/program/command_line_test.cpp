@@ -35,6 +35,8 @@ TEST_F(CommandLine, HelpsAndTellsItsVersion) {
     EXPECT_EQ(help.errors, "");
   }
   EXPECT_TRUE(fixture({"--version"}).output.starts_with("nlmech "));
+  EXPECT_TRUE(fixture({"--manual"}).output.starts_with(".TH FIXTURE 1 "));
+  EXPECT_TRUE(fixture({"--completion"}).output.ends_with(" fixture\n"));
 }
 
 TEST_F(CommandLine, EndsWithTwoAtWrongUse) {

@@ -90,7 +90,7 @@ void write_bench(const std::string& name, const std::vector<BenchSeries>& series
   write_whole(folder / (name + ".json"), to_json(series, results).dump(2) + "\n");
 
   std::string page =
-      "# Speed {#bench}\n\nRatios of medians to a peer in the same process: how many times less time ours "
+      "# Speed\n\nRatios of medians to a peer in the same process: how many times less time ours "
       "takes. *From* and "
       "*to* are the smallest and the largest ratio of single repetitions. Integrators of other libraries run "
       "as "

@@ -75,45 +75,6 @@ std::map<std::string, std::vector<std::string>> read_check(const std::string& ch
   return rows;
 }
 
-std::string verdict_text(const Checked& c) {
-  std::string text(to_string(c.judgement.verdict));
-  if (c.judgement.verdict != Verdict::not_built && !c.judgement.passes) {
-    text += fmt::format(" (FAILS: expected {})", to_string(c.value.expected));
-  }
-  return text;
-}
-
-/// "0.1: two steps of the scan": a tolerance and why.
-std::string tolerance_of(const PublishedValue& value) {
-  return value.tolerance + (value.because.empty() ? "" : ": " + value.because);
-}
-
-/// With the evidence for it.
-std::string reading(const PublishedValue& value) {
-  if (value.tried == 0) return value.reading;
-  return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);
-}
-
-Table counts(const std::vector<Checked>& values) {
-  std::map<std::string, std::map<Verdict, std::int64_t>> count;
-  for (const Checked& c : values) ++count[c.chapter][c.judgement.verdict];
-  std::vector<Column> columns = {{"chapter"}};
-  const std::vector<Verdict> order = {Verdict::reproduced,    Verdict::reproduced_inferred,
-                                      Verdict::same_rounding, Verdict::better,
-                                      Verdict::differs,       Verdict::not_stated,
-                                      Verdict::holds,         Verdict::does_not_hold,
-                                      Verdict::context,       Verdict::input,
-                                      Verdict::not_built};
-  for (const Verdict v : order) columns.push_back({std::string(to_string(v))});
-  Table table(columns);
-  for (auto& [chapter, by_verdict] : count) {
-    std::vector<Cell> row = {chapter};
-    for (const Verdict v : order) row.emplace_back(by_verdict[v]);
-    table.add(std::move(row));
-  }
-  return table;
-}
-
 }  // namespace
 
 bool ChapterCheck::passes() const {
@@ -199,39 +160,17 @@ std::vector<Checked> collect_checks(const std::vector<std::string>& built, const
   return values;
 }
 
-std::string reproduction_page(const std::vector<Checked>& values) {
-  std::string page =
-      "# What was reproduced {#reproduction}\n\n"
-      "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, "
-      "*inferred* "
-      "what we get under a reading that evidence points to; the words of the verdicts are explained in the "
-      "glossary. "
-      "Written by `make check`.\n\n" +
-      counts(values).markdown();
-  std::string source;
-  Table table({{"place"},
-               {"row"},
-               {"quantity"},
-               {"published"},
-               {"unit"},
-               {"nominal"},
-               {"inferred"},
-               {"verdict"},
-               {"within"},
-               {"reading"}});
-  const auto flush = [&] {
-    if (!source.empty()) page += "\n## " + source + "\n\n" + table.markdown();
-    table = Table(table.columns());
-  };
-  for (const Checked& c : values) {
-    if (c.value.source != source) flush();
-    source = c.value.source;
-    table.add({c.value.place, c.value.row, c.value.quantity, c.value.printed, c.value.unit,
-               shown(c.measured.nominal), shown(c.measured.inferred), verdict_text(c), tolerance_of(c.value),
-               reading(c.value)});
+std::string verdict_text(const Checked& checked) {
+  std::string text(to_string(checked.judgement.verdict));
+  if (checked.judgement.verdict != Verdict::not_built && !checked.judgement.passes) {
+    text += fmt::format(" (FAILS: expected {})", to_string(checked.value.expected));
   }
-  flush();
-  return page;
+  return text;
+}
+
+std::string reading_text(const PublishedValue& value) {
+  if (value.tried == 0) return value.reading;
+  return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);
 }
 
 std::string reproduction_text(const std::vector<Checked>& values) {
@@ -243,7 +182,7 @@ std::string reproduction_text(const std::vector<Checked>& values) {
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);
     if (!c.failure.empty()) text += " because " + c.failure;
-    if (!c.value.reading.empty()) text += " [" + reading(c.value) + "]";
+    if (!c.value.reading.empty()) text += " [" + reading_text(c.value) + "]";
     text += '\n';
   }
   return text;

@@ -54,10 +54,13 @@ void write_check(const ChapterCheck& check, const std::string& chapter, const st
                                                   const std::filesystem::path& data_folder,
                                                   const std::filesystem::path& out);
 
-/// The page `REPRODUCTION.md`: counts by chapter and verdict, then one table a source. Holds no time.
-[[nodiscard]] std::string reproduction_page(const std::vector<Checked>& values);
+/// The verdict in words, with the expected one where it is another.
+[[nodiscard]] std::string verdict_text(const Checked& checked);
 
-/// The same values as lines of plain text, for a terminal; misses are marked.
+/// How the text was understood, with the evidence for it: "the other norm (2 tried; explains 2 of 2 rows)".
+[[nodiscard]] std::string reading_text(const PublishedValue& value);
+
+/// Values as lines of plain text, for a terminal; misses are marked.
 [[nodiscard]] std::string reproduction_text(const std::vector<Checked>& values);
 
 }  // namespace nlmech::scene

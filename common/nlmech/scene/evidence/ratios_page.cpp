@@ -97,7 +97,7 @@ std::ptrdiff_t held(const std::vector<Json>& rows, double factor) {
 std::string introduction(const Evidence& all) {
   const std::vector<Json> rows = compared(all);
   return fmt::format(
-      "# Ratios of run times {{#ratios}}\n\n"
+      "# Ratios of run times\n\n"
       "The dissertation prints seconds of MATLAB on an unknown machine. Seconds cannot be compared; that one "
       "method took so many times longer than another can. A ratio is the time of a row's method over that of "
       "the *reference* of its table: the series (Analytic-Cont) over as many orbits in Tables 3.2 and 3.3, "

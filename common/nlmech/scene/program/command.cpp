@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <list>
 #include <optional>
 #include <sstream>
 #include <vector>
 
 #include "nlmech/scene/build_info.hpp"
+#include "nlmech/scene/program/manual.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/time_limit.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -143,6 +145,21 @@ int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const
 int run_command(const Commands& commands, const std::string& title, int argc, const char* const* argv) {
   CLI::App app(title, commands.program());
   app.set_version_flag("--version", "nlmech " + build_info().version);
+  // Both end as the version does: printed where results go with a line break behind, exit code 0.
+  const auto prints = [&app](const char* name, const char* help, const std::function<std::string()>& text) {
+    app.add_flag_callback(
+        name,
+        [text] {
+          std::string lines = text();
+          lines.pop_back();
+          throw CLI::CallForVersion(lines, 0);
+        },
+        help);
+  };
+  prints("--completion", "Print the completions for bash and exit",
+         [&] { return bash_completion(commands); });
+  prints("--manual", "Print the manual page and exit",
+         [&] { return manual_page(commands, title, build_info().version); });
   app.require_subcommand(1);
   std::list<Parsed> all;
   for (const Commands::Command& command : commands.all()) all.emplace_back(app, command);

@@ -46,6 +46,7 @@ class Option {
   [[nodiscard]] std::string_view kind() const;     ///< of its value: "TEXT", "NUMBER"; for the help
   [[nodiscard]] std::string help() const;          ///< with the range
   [[nodiscard]] std::string default_text() const;  ///< empty if there is none
+  [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }  ///< one_of(); else none
 
  private:
   void check(double value, const std::string& text) const;

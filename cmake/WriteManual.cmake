@@ -1,0 +1,12 @@
+# Run after a program is linked (cmake -P): its manual page and its completions, as it says them.
+foreach(kind MANUAL COMPLETIONS)
+  string(TOLOWER ${kind} option)
+  string(REGEX REPLACE "s$" "" option ${option})
+  get_filename_component(folder ${${kind}} DIRECTORY)
+  file(MAKE_DIRECTORY ${folder})
+  execute_process(COMMAND ${PROGRAM} --${option} OUTPUT_FILE ${${kind}}.new RESULT_VARIABLE code ERROR_VARIABLE words)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${PROGRAM} --${option} ended with ${code}: ${words}")
+  endif()
+  file(RENAME ${${kind}}.new ${${kind}})
+endforeach()
