@@ -1,0 +1,121 @@
+#include "nlmech/comparison/choice/choice.hpp"
+#include "nlmech/comparison/choice/expectation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "chapters/integrators/problem_set.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters::integrators::choose {
+namespace {
+
+using comparison::Evidence;
+using comparison::SolvedProblem;
+
+constexpr std::array asked = {3, 6, 9, 12};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double close = 2;  // times the fastest, for a good choice
+
+/// What a method costs; infinite if it does not deliver.
+double cost_of(const SolvedProblem& p, const std::string& method, double digits) {
+  const auto m = p.measured(method, digits);
+  return m ? m->cost : infinity;
+}
+
+/// A choice, judged by what was measured.
+struct Judged {
+  std::string problem;
+  int digits;
+  std::string chosen, fastest;
+  double behind;  ///< factor of the chosen one
+  double look;    ///< factor of the one that problems alike speak for, before any runs
+  double series;  ///< factor of the best of ours that needs no choice: series
+  std::string second;
+};
+
+/// What the command says of a problem when nobody has solved it.
+template <int n>
+void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& judged) {
+  const auto solved = std::ranges::find(all.problems, p.name, &SolvedProblem::name);
+  if (solved == all.problems.end()) return;
+  const Evidence others = all.without(p.name);
+  for (const int digits : asked) {
+    double best = infinity;
+    std::string fastest;
+    for (const auto& [method, runs] : solved->runs) {
+      const double cost = cost_of(*solved, method, digits);
+      if (cost < best) fastest = method;
+      best = std::min(best, cost);
+    }
+    if (fastest.empty()) continue;
+    const comparison::Question<n> question{p.system, p.x0, p.t0, p.t1, 0, p.absolute};
+    const comparison::Chosen c = comparison::choose<n>(question, digits, others);
+    const std::string first = c.ranked.empty() ? "none" : c.ranked.front().method;
+    const std::string second = c.ranked.size() < 2 ? "none" : c.ranked[1].method;
+    const auto expected = comparison::expectations(others, c.look.features, digits + std::log10(c.condition));
+    judged.push_back({p.name, digits, first, fastest, cost_of(*solved, first, digits) / best,
+                      cost_of(*solved, expected.front().method, digits) / best,
+                      cost_of(*solved, "series", digits) / best, second});
+  }
+}
+
+std::vector<Judged> measure(bool /*quick*/) {
+  const Evidence all = comparison::read_evidence();
+  std::vector<Judged> judged;
+  for (const AnyProblem& problem : problem_set())
+    std::visit([&](const auto& p) { judge(p, all, judged); }, problem);
+  return judged;
+}
+
+double share_within(const std::vector<Judged>& all, double Judged::*factor, double bound) {
+  const auto good = std::ranges::count_if(all, [&](const Judged& j) { return j.*factor <= bound; });
+  return static_cast<double>(good) / static_cast<double>(all.size());
+}
+
+void put(const std::vector<Judged>& all, scene::Show& show) {
+  scene::Panel& panel = show.plot("How far the chosen method is behind the fastest",
+                                  "factor behind the fastest", "share of problems and digits, %");
+  panel.log_x(1, 20).y_range(0, 100).key("bottom right");
+  for (const auto& [name, factor] :
+       {std::pair("chosen", &Judged::behind), std::pair("by problems alike, without runs", &Judged::look),
+        std::pair("always series", &Judged::series)}) {
+    std::vector<double> x, y;
+    for (int k = 0; k <= 130; ++k) {
+      x.push_back(std::pow(10, 0.01 * k));
+      y.push_back(100 * share_within(all, factor, x.back() * (1 + 1e-9)));
+    }
+    panel.curve(name, x, y);
+  }
+  show.table(all, {{"problem", &Judged::problem},
+                   {"digits", &Judged::digits},
+                   {"chosen", &Judged::chosen},
+                   {"second", &Judged::second},
+                   {"fastest", &Judged::fastest},
+                   {"chosen over fastest", &Judged::behind},
+                   {"without runs", &Judged::look}});
+  show.equals("problems and digits", all.size(), 84, "those that some method delivers");
+  show.between("share within a factor of two of the fastest, %",
+               100 * share_within(all, &Judged::behind, close), 80, 100,
+               "what the chapter asks for, each problem judged without itself in the evidence");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  const scene::Result judged(
+      "judged",
+      "every problem of the set at 3, 6, 9 and 12 digits as if nobody had solved it; times "
+      "from tables/reference/method_costs.csv",
+      measure);
+  return {{.name = "choose",
+           .title = "Whether the choice of a method is a good one",
+           .content = scene::Content(put, judged)}};
+}
+
+}  // namespace nlmech::chapters::integrators::choose
