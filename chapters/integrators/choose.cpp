@@ -1,3 +1,4 @@
+#include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/choice/expectation.hpp"
 
@@ -37,7 +38,20 @@ struct Judged {
   double look;    ///< factor of the one that problems alike speak for, before any runs
   double series;  ///< factor of the best of ours that needs no choice: series
   std::string second;
+  double condition, known;
+  double delivered;  ///< digits at the end, with the tolerance that is named
 };
+
+/// Digits at the end of a run as the command names it.
+template <int n>
+double delivered(const SetProblem<n>& p, const comparison::Ranked& first) {
+  const ivp::Settings settings{.tolerance = first.tolerance,
+                               .absolute_tolerance = first.tolerance * p.absolute};
+  const auto run = comparison::any_integrator<n>(comparison::any_method(first.method), settings);
+  const ivp::Solution<n> end = run(p.system, p.x0, p.t0, p.t1, {}, {});
+  if (!end.status.ok()) return 0;
+  return std::clamp(-std::log10(p.error(end.x, p.times.size() - 1)), 0.0, 16.0);
+}
 
 /// What the command says of a problem when nobody has solved it.
 template <int n>
@@ -45,6 +59,8 @@ void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& jud
   const auto solved = std::ranges::find(all.problems, p.name, &SolvedProblem::name);
   if (solved == all.problems.end()) return;
   const Evidence others = all.without(p.name);
+  const comparison::Question<n> question{p.system, p.x0, p.t0, p.t1, 9, p.absolute};
+  const comparison::Chosen looked = comparison::looked_at<n>(question, others);
   for (const int digits : asked) {
     double best = infinity;
     std::string fastest;
@@ -54,14 +70,14 @@ void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& jud
       best = std::min(best, cost);
     }
     if (fastest.empty()) continue;
-    const comparison::Question<n> question{p.system, p.x0, p.t0, p.t1, 0, p.absolute};
-    const comparison::Chosen c = comparison::choose<n>(question, digits, others);
+    const comparison::Chosen c = comparison::choose<n>(question, digits, others, looked);
     const std::string first = c.ranked.empty() ? "none" : c.ranked.front().method;
     const std::string second = c.ranked.size() < 2 ? "none" : c.ranked[1].method;
     const auto expected = comparison::expectations(others, c.look.features, digits + std::log10(c.condition));
     judged.push_back({p.name, digits, first, fastest, cost_of(*solved, first, digits) / best,
                       cost_of(*solved, expected.front().method, digits) / best,
-                      cost_of(*solved, "series", digits) / best, second});
+                      cost_of(*solved, "series", digits) / best, second, c.condition, p.tolerance_condition,
+                      c.ranked.empty() ? 0 : delivered(p, c.ranked.front())});
   }
 }
 
@@ -98,7 +114,10 @@ void put(const std::vector<Judged>& all, scene::Show& show) {
                    {"second", &Judged::second},
                    {"fastest", &Judged::fastest},
                    {"chosen over fastest", &Judged::behind},
-                   {"without runs", &Judged::look}});
+                   {"without runs", &Judged::look},
+                   {"condition", &Judged::condition, 2},
+                   {"of the reference", &Judged::known, 2},
+                   {"digits delivered", &Judged::delivered, 3}});
   show.equals("problems and digits", all.size(), 84, "those that some method delivers");
   show.between("share within a factor of two of the fastest, %",
                100 * share_within(all, &Judged::behind, close), 80, 100,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nlmech/comparison/choice/chosen.hpp"
-#include "nlmech/comparison/choice/evidence.hpp"
+#include "nlmech/comparison/choice/expectation.hpp"
 
 namespace nlmech::comparison {
 
@@ -26,7 +26,7 @@ struct Question {
   double level = 9;       ///< digits to hold on the way
   double absolute = 1;    ///< absolute over relative tolerance
   Among among = {};       ///< which methods may be chosen
-  double effort = 1;      ///< how long methods run against each other: 1 for some milliseconds
+  bool timed = false;     ///< repeat short runs for their times
 };
 
 /// Ranks methods. What decides are counts of steps and right-hand sides, each with what it cost where times
@@ -40,11 +40,17 @@ template <int m>
 /// How the problem multiplies errors of one tolerance, by runs from begins that are moved by a little.
 /// @param seen gets the share of the way for which that is known
 template <int m>
-[[nodiscard]] double condition_along(const Question<m>& question, const std::string& method, double& seen);
+[[nodiscard]] double condition_along(const Question<m>& question, const Expectation& method, double& seen);
 
-/// Looks, finds the condition, and ranks for @p digits at the end. Question::level does not count.
+/// Looks at the problem and finds its condition.
+/// @returns all of Chosen but the ranks; its status is a failure if the solution ends on the way
 template <int m>
-[[nodiscard]] Chosen choose(Question<m> question, double digits, const Evidence& evidence);
+[[nodiscard]] Chosen looked_at(const Question<m>& question, const Evidence& evidence);
+
+/// Ranks for @p digits at the end. Question::level does not count.
+/// @param looked of looked_at(), at the same question
+template <int m>
+[[nodiscard]] Chosen choose(Question<m> question, double digits, const Evidence& evidence, Chosen looked);
 
 /// Seconds of the unit of Measured on this machine: one right-hand side of the free Duffing oscillator.
 [[nodiscard]] double unit_seconds();

@@ -27,7 +27,7 @@ struct Chosen {
   Look look;                            ///< at the problem
   double digits = 9;                    ///< asked for
   double condition = 1;                 ///< condition_along()
-  double condition_seen = 0;            ///< the share of the way for which it is known; 0: not at all
+  double condition_seen = 0;            ///< the share of the way that it was found on; 0: it is not known
   double possible = 15;                 ///< digits that rounding leaves
   double right_hand_side = 0;           ///< s of one
   std::vector<Ranked> ranked = {};      ///< the fastest first

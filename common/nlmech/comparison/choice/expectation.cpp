@@ -27,12 +27,18 @@ class Mean {
  public:
   void add(double value, double weight) {
     sum_ += weight * value;
+    squares_ += weight * value * value;
     weights_ += weight;
   }
   [[nodiscard]] double value(double otherwise) const { return weights_ > 0 ? sum_ / weights_ : otherwise; }
+  /// The square root of the mean square of what differs from the mean.
+  [[nodiscard]] double spread() const {
+    if (!(weights_ > 0)) return 0;
+    return std::sqrt(std::max(0.0, squares_ / weights_ - value(0) * value(0)));
+  }
 
  private:
-  double sum_ = 0, weights_ = 0;
+  double sum_ = 0, squares_ = 0, weights_ = 0;
 };
 
 /// The digits that stand for a level on a solved problem, within what was measured there.
@@ -57,7 +63,7 @@ std::optional<double> behind_on(const SolvedProblem& p, const std::string& metho
 }
 
 /// log10 of the tolerance over that of an error of one tolerance on the way: by how much a method may be
-/// asked for less than the level, or must be asked for more.
+/// asked for less than the level, or must be asked for more, for the level to be delivered in all likelihood.
 double offset_of(const Evidence& evidence, const Features& features, const std::string& method,
                  double level) {
   Mean mean;
@@ -69,7 +75,9 @@ double offset_of(const Evidence& evidence, const Features& features, const std::
     if (m->tolerance > 0.5 * loosest_measured && m->digits > digits + 0.5) continue;
     mean.add(std::log10(m->tolerance) + digits + std::log10(p.condition), weight_of(features, p.features));
   }
-  return mean.value(0);
+  // Rather too tight than too loose: a decade less of tolerance costs a method of order ten a quarter more.
+  constexpr double cautious = 1.5, most = 0.5;
+  return std::min(mean.value(0) - cautious * mean.spread(), most);
 }
 
 /// The cost of a right-hand side in a method, by components and operations: straight in all three logarithms.
@@ -110,13 +118,13 @@ double unit_cost(const Evidence& evidence, const Features& features, const std::
   return std::pow(10, cost);
 }
 
-double right_hand_sides_a_step(const Evidence& evidence, const std::string& method) {
+/// Right-hand sides a step, in the runs that the level asks for.
+double right_hand_sides_a_step(const Evidence& evidence, const Features& features, const std::string& method,
+                               double level) {
   Mean mean;
   for (const SolvedProblem& p : evidence.problems) {
-    const auto runs = p.runs.find(method);
-    if (runs == p.runs.end()) continue;
-    for (const Measured& m : runs->second)
-      mean.add(std::log10(std::max(m.right_hand_sides, 1.0) / std::max(m.steps, 1.0)), 1);
+    const auto m = p.measured(method, digits_on(p, level));
+    if (m) mean.add(std::log10(m->right_hand_sides / m->steps), weight_of(features, p.features));
   }
   return std::pow(10, mean.value(1));
 }
@@ -164,7 +172,7 @@ std::vector<Expectation> expectations(const Evidence& evidence, const Features& 
     e.tolerance = std::clamp(tolerance, tightest_measured, loosest_measured);
     e.short_of = std::max(0.0, std::log10(tightest_measured / tolerance));
     e.cost = unit_cost(evidence, features, name);
-    e.right_hand_sides = right_hand_sides_a_step(evidence, name);
+    e.step = e.cost * right_hand_sides_a_step(evidence, features, name, level);
   }
   const auto place = [](const Expectation& e) {
     return std::pair(e.behind + e.short_of, any_method(e.method).peer);

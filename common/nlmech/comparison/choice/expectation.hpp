@@ -15,12 +15,12 @@ namespace nlmech::comparison {
 
 /// What to expect of a method.
 struct Expectation {
-  std::string method;           ///< its name
-  double behind = 0;            ///< log10 of its time over that of the fastest, on problems that are like it
-  double tolerance = 1e-9;      ///< that gives the accuracy that is asked for
-  double short_of = 0;          ///< digits by which its tightest tolerance falls short of that; 0: none
-  double cost = 1;              ///< of one right-hand side with all that comes with it, in units of Measured
-  double right_hand_sides = 1;  ///< a step
+  std::string method;       ///< its name
+  double behind = 0;        ///< log10 of its time over that of the fastest, on problems that are like it
+  double tolerance = 1e-9;  ///< that gives the accuracy that is asked for
+  double short_of = 0;      ///< digits by which its tightest tolerance falls short of that; 0: none
+  double cost = 1;          ///< of one right-hand side with all that comes with it, in units of Measured
+  double step = 1;          ///< cost of a step, in the same units
 };
 
 /// Is the method made for such equations?

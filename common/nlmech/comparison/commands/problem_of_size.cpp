@@ -142,8 +142,8 @@ template <int m>
 Chosen ProblemOfSize<m>::chosen(const Request& r, double digits) const {
   Question<m> q = question<m>(system(), r);
   if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
-  q.effort = 5;
-  return choose(q, digits, read_evidence());
+  const Evidence evidence = read_evidence();
+  return choose(q, digits, evidence, looked_at(q, evidence));
 }
 
 template <int m>
