@@ -44,9 +44,10 @@ std::string form(const Features& f) {
 }
 
 std::string runs(const Ranked& r) {
-  std::string text =
-      r.seen > 0.9999 ? "ran the whole way" : fmt::format("ran {:.2g} % of the way", 100 * r.seen);
-  if (r.short_of > 0.05) text += fmt::format("; its tightest tolerance lacks {:.2g} digits", r.short_of);
+  const double percent = 100 * r.seen;
+  std::string text = percent > 99.9 ? "ran the whole way"
+                                    : fmt::format("ran {:.{}g} % of the way", percent, percent < 10 ? 1 : 2);
+  if (r.short_of > 0.05) text += fmt::format("; its tightest tolerance lacks {:.1g} digits", r.short_of);
   return text;
 }
 
@@ -68,7 +69,7 @@ std::string choice_rows(const Chosen& c) {
                            stiffness(f), smoothness(f), form(f), c.right_hand_side, fmt::join(c.alike, ", "),
                            runs(r));
     else
-      reason = fmt::format("{:.2g} times the work of {}, {:.2g} times the fastest on problems alike; {}",
+      reason = fmt::format("{:.2g} times as long as {}; on problems alike {:.2g} times the fastest; {}",
                            r.cost / first.cost, first.method, r.behind, runs(r));
     text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.cost * second_a_unit,
                         quoted_cell(reason));
