@@ -7,6 +7,7 @@ void commands(scene::Commands& all) {
   const auto problems = comparison::library_problems();
   comparison::add_integrate_command(all, problems);
   comparison::add_compare_command(all, problems);
+  comparison::add_choose_command(all, problems);
 }
 
 }  // namespace nlmech::chapters::integrators

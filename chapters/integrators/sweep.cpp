@@ -16,13 +16,7 @@ namespace {
 
 constexpr double least_digits = 2;  // to expect, before half of them say anything
 
-/// How much of it: of each run, and after which run a method's sweep ends. In counts, so that two sweeps are
-/// the same.
-struct Effort {
-  int loosest, tightest, by;  // powers of ten of the tolerances
-  std::int64_t steps;         // of a run
-  std::int64_t enough;  // right-hand sides of the last one; nor does a tighter tolerance follow a step limit
-};
+// In counts, so that two sweeps are the same; nor does a tighter tolerance follow a step limit.
 constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
 /// Steps of a run: fewer where runs are repeated in search of a step, and where its steps have many nodes.
@@ -30,16 +24,16 @@ constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'00
 /// searches.
 std::int64_t most_steps(const comparison::AnyMethod& method, int size, std::int64_t length,
                         const Effort& effort) {
+  if (effort.seconds > 0) return std::numeric_limits<std::int64_t>::max();
   if (!method.info.fixed_step()) return effort.steps * (length > 1 ? 10 : 1);
   const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
   return many_nodes ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
                     : effort.steps / 8;
 }
 
-/// The median of up to five runs in 4 ms; a longer run counts by itself.
+/// The median of up to five runs in so many seconds, 4 ms as a rule; a longer run counts by itself.
 /// @param first of the processor, of the run that was
-Timing timing_of(const std::function<void()>& run, double first) {
-  constexpr double all = 0.004;
+Timing timing_of(const std::function<void()>& run, double first, double all) {
   if (first > all / 2) return {first, first, first, 1};
   return time_repeats(run, std::clamp(static_cast<int>(all / std::max(first, 1e-6)) - 1, 1, 5));
 }
@@ -68,7 +62,8 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   Trial t{tolerance, "refused"};
   ivp::Settings settings{.tolerance = tolerance};
   if (!method.info.fixed_step()) settings.absolute_tolerance = tolerance * p.absolute;
-  const ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
+  ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
+  if (effort.seconds > 0) limits.seconds = effort.seconds;
   try {
     const auto run = comparison::any_integrator<n>(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
@@ -80,7 +75,7 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
     t.time = {t.processor, t.processor, t.processor, 1};
     if (!s.status.ok()) return t;
     t.error = p.has_solution() ? error_of(p, run, limits, s.x) : HUGE_VAL;
-    t.time = timing_of([&] { static_cast<void>(once()); }, t.processor);
+    t.time = timing_of([&] { static_cast<void>(once()); }, t.processor, effort.timing);
   } catch (const std::invalid_argument&) {
     // A method for accelerations on a problem that has none, and the like.
   }
@@ -102,11 +97,18 @@ MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
     if (is_last || last.work.right_hand_sides > enough) break;
+    if (effort.seconds > 0 && last.processor > effort.seconds / 2) break;
   }
   return all;
 }
 
 std::vector<ProblemTrials> measure(bool quick) {
+  return trials_of_all(comparison::built_method_names(), quick ? look : full);
+}
+
+}  // namespace
+
+std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods, const Effort& effort) {
   std::vector<ProblemTrials> all;
   for (const AnyProblem& problem : problem_set()) {
     ProblemTrials& p = all.emplace_back(std::visit(
@@ -120,13 +122,10 @@ std::vector<ProblemTrials> measure(bool quick) {
                                static_cast<double>(q.length)};
         },
         problem));
-    for (const std::string& name : comparison::built_method_names())
-      p.methods.push_back(trials_of(problem, name, quick ? look : full));
+    for (const std::string& name : methods) p.methods.push_back(trials_of(problem, name, effort));
   }
   return all;
 }
-
-}  // namespace
 
 double Trial::digits() const { return error ? std::clamp(-std::log10(std::max(*error, 1e-16)), 0., 16.) : 0; }
 

@@ -3,6 +3,7 @@
 /// tell which method suits which problem.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +59,21 @@ struct ProblemTrials {
   /// Did a run say success and give fewer than half of the digits to expect, where these are two or more?
   [[nodiscard]] bool silent_failure(const Trial& trial) const;
 };
+
+/// How much of it: of each run, and after which run a method's sweep ends.
+struct Effort {
+  int loosest;            ///< power of ten of the first tolerance
+  int tightest;           ///< of the last
+  int by;                 ///< from one to the next
+  std::int64_t steps;     ///< of a run, fewer in search of a step and with many nodes
+  std::int64_t enough;    ///< right-hand sides of the last run
+  double seconds = 0;     ///< instead of steps: of a run; a sweep ends with its first run of half of them
+  double timing = 0.004;  ///< s, in which short runs are repeated
+};
+
+/// These methods on every problem of the set.
+[[nodiscard]] std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods,
+                                                       const Effort& effort);
 
 /// The result, shared by name.
 [[nodiscard]] scene::Result<std::vector<ProblemTrials>> sweep();

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
 #include <cmath>
 
 #include "nlmech/expression/problem.hpp"
@@ -171,7 +174,7 @@ TEST(Equations, Expressions) {
   std::vector<double> values;
   // The graph has grown since: the program is made of it as it is now.
   const Program q(e.graph(), {e.expression("--event", "x = 1"), e.expression("--event", "k x' t")});
-  q.run(2.0, std::vector<double>{3, 5}, 0, 2, [&](int, double v) { values.push_back(v); });
+  q.run(2.0, Vector<double, 2>(3, 5), 0, 2, [&](int, double v) { values.push_back(v); });
   EXPECT_EQ(values, (std::vector<double>{2, 40}));
 }
 
@@ -185,7 +188,7 @@ TEST(Equations, LargeSystems) {
   }
   const Equations e = read(text);
   EXPECT_EQ(e.size(), 2 * n);
-  std::vector<double> x(2 * n, 0.0);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * n);
   x[7] = 1;
   const std::vector<double> f = slopes(e, x);
   EXPECT_EQ(f[n + 6], 1);

@@ -143,7 +143,7 @@ TEST(WorkPrecision, AnAttemptIsJudgedAndTimed) {
   EXPECT_EQ(quick.time.repeats, 1);
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(attempt("step 1", compute, judge, false).time.repeats, 5);
-  const Ending stalled{Status::failure(Outcome::not_converged, "stalled"), {}};
+  Ending stalled{Status::failure(Outcome::not_converged, "stalled"), {}};
   EXPECT_EQ(attempt(
                 "step 1", compute, [&](int) { return stalled; }, true)
                 .status,

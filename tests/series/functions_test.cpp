@@ -48,7 +48,7 @@ TEST(PowerSeriesFunctions, ErrorFunction) {
   Real term = 2 / sqrt(boost::math::constants::pi<Real>());
   for (int k = 0; k < static_cast<int>(order) / 2; ++k) {
     if (k > 0) term /= -k;
-    const auto i = static_cast<std::size_t>(2 * k);
+    const std::size_t i = 2 * static_cast<std::size_t>(k);
     EXPECT_EQ(bell[i], 0) << 2 * k;
     EXPECT_LE(abs(bell[i + 1] - term / (2 * k + 1)), 90 * real_epsilon * abs(term)) << 2 * k + 1;
   }
@@ -68,7 +68,7 @@ TEST(PowerSeriesFunctions, Identities) {
 
 TEST(PowerSeriesFunctions, Inverses) {
   const S t = S::variable(Real(0.25), order), x = (1 + t / 2 - t * t / 8) / 4;
-  const Real pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   expect_equal(sin(asin(x)), x);
   expect_equal(asin(x) + acos(x), S(pi / 2) + 0 * t);
   expect_equal(tan(atan(x)), x);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(GrowingFunctions, EqualThoseOfPowerSeries, ()) {
 
 // F = (1 + 2 x)(3 - y^2) z has finitely many coefficients; products are another way to it.
 TEST(Composition, PolynomialOfThreeSeries) {
-  std::vector<Real> alpha(2 * 3 * 2, Real(0));
+  std::vector<Real> alpha(std::size_t{2} * 3 * 2, Real(0));
   const auto at = [&](std::size_t p, std::size_t q, std::size_t r) -> Real& {
     return alpha[(p * 3 + q) * 2 + r];
   };

@@ -17,7 +17,8 @@ struct Tangle {
   static constexpr int dimension = 3;
   template <class T>
   void operator()(const T& t, const Vector<T, 3>& x, Vector<T, 3>& f) const {
-    const T a = x[0], b = x[1], c = x[2], line = 2 * t - 1, one = 1;
+    const T &a = x[0], &b = x[1], &c = x[2];
+    const T line = 2 * t - 1, one = 1;
     T sum = a * b - 0.3 * a + b / 3.0 - (one + one) * (c - a);
     sum += 0.1 * (0.7 * c) - (b - (c - t));
     sum -= 1 - a * a;
@@ -114,7 +115,8 @@ struct Inverses {
   static constexpr int dimension = 3;
   template <class T>
   void operator()(const T& t, const Vector<T, 3>& x, Vector<T, 3>& f) const {
-    const T a = x[0], b = x[1], c = x[2], constant = 0.5;
+    const T &a = x[0], &b = x[1], &c = x[2];
+    const T constant = 0.5;
     f[0] = asin(a * c / 2.0) - acos(t) * b + asin(constant);
     f[1] = atan(a - b) + erf(c * c - t) - atan2(b, a * c) + acos(constant) + erf(constant);
     f[2] = atan2(T(2), -b) - atan2(-c, T(-1)) + atan(t * t) * a + atan2(constant, T(-3)) + atan(constant);
@@ -181,7 +183,6 @@ TEST(Tape, HoldsElsewhere) {
 }
 
 struct Repetitive {
-  static constexpr int dimension = 2;
   template <class T>
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
     const T unused = exp(x[0] * t);
@@ -199,7 +200,6 @@ TEST(Tape, RecordsCommonExpressionsOnceAndFoldsConstants) {
 }
 
 struct Constant {
-  static constexpr int dimension = 2;
   template <class T>
   void operator()(const T&, const Vector<T, 2>&, Vector<T, 2>& f) const {
     f[0] = T(3);
@@ -221,7 +221,6 @@ TEST(Tape, OfConstantsIsEmpty) {
 
 // A - (B - C) must not become A - B + C: with B and C large nothing would be left of A.
 struct Cancelling {
-  static constexpr int dimension = 3;
   template <class T>
   void operator()(const T&, const Vector<T, 3>& x, Vector<T, 3>& f) const {
     f[0] = x[0] - (x[1] - x[2]);

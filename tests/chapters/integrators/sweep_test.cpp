@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 
+#include "nlmech/comparison/choice/evidence.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/series/series.hpp"
 
@@ -99,6 +101,36 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
   EXPECT_FALSE(p.silent_failure(failed));
   p.has_solution = false;
   EXPECT_TRUE(p.silent_failure(trial(1e-8, 1e-9, 1)));
+}
+
+// The evidence is of the problems as they are: what a look shows of them is what the table says, in its
+// digits.
+TEST(Evidence, IsOfTheProblemSet) {
+  const comparison::Evidence evidence = comparison::read_evidence();
+  std::size_t solved = 0;
+  for (const AnyProblem& problem : problem_set()) {
+    const std::string& name = name_of(problem);
+    const auto found = std::ranges::find(evidence.problems, name, &comparison::SolvedProblem::name);
+    std::visit(
+        [&](const auto& p) {
+          ASSERT_EQ(found != evidence.problems.end(), p.has_solution()) << name;
+          if (!p.has_solution()) return;
+          ++solved;
+          const comparison::Features &known = found->features,
+                                     seen = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
+          EXPECT_EQ(known.components, seen.components) << name;
+          EXPECT_EQ(known.form, seen.form) << name;
+          EXPECT_EQ(known.switches, seen.switches) << name;
+          EXPECT_EQ(known.operations, seen.operations) << name;
+          EXPECT_NEAR(known.stiffness, seen.stiffness, 0.02) << name;
+          EXPECT_NEAR(known.decay, seen.decay, 0.02) << name;
+          EXPECT_NEAR(known.variation, seen.variation, 0.02) << name;
+          EXPECT_NEAR(std::log10(found->condition), std::log10(p.tolerance_condition), 0.005) << name;
+          EXPECT_GE(found->runs.size(), 5U) << name;
+        },
+        problem);
+  }
+  EXPECT_EQ(solved, evidence.problems.size());
 }
 
 }  // namespace

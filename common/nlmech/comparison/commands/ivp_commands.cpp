@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/choice/choice_rows.hpp"
 #include "nlmech/comparison/commands/choices.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
@@ -33,6 +34,7 @@ struct Words {
   std::vector<std::string> set, events;
   std::string section;
   bool no_verify = false;
+  int digits = 9;
 };
 
 /// "x = 0 falling end"
@@ -140,7 +142,39 @@ void compare(const Words& words, const OwnProblems& problems, const std::string&
   if (picture.wanted()) picture.draw([&] { return comparison_figure(found, heading_of(words)); });
 }
 
-void declare_common(scene::Options& options, Words& words) {
+/// The words of a command that runs the first of a choice.
+std::vector<std::string> run_of(const Words& words, const Ranked& first, const std::string& program) {
+  std::vector<std::string> all = {program, "integrate"};
+  const auto add = [&all](const char* option, const std::string& text) {
+    if (!text.empty()) all.insert(all.end(), {option, text});
+  };
+  add("--problem", words.problem);
+  add("--equation", words.equation);
+  add("--file", words.file);
+  if (!words.set.empty()) all.emplace_back("--set");
+  all.insert(all.end(), words.set.begin(), words.set.end());
+  add("--initial", words.initial);
+  if (words.from) add("--from", fmt::format("{}", *words.from));
+  add("--until", fmt::format("{}", words.until));
+  add("--method", first.method);
+  add("--tolerance", fmt::format("{:.1e}", first.tolerance));
+  if (words.settings.absolute_tolerance)
+    add("--absolute-tolerance", fmt::format("{}", *words.settings.absolute_tolerance));
+  return all;
+}
+
+void choose(const Words& words, const OwnProblems& problems, const std::string& program) {
+  const auto problem = problem_of(words, problems);
+  const Request r = understand(words, *problem);
+  if (r.t0 == r.t1) throw input_error("--until {}: is where it begins; there is nothing to choose for", r.t1);
+  const Chosen found = problem->chosen(r, words.digits);
+  const std::string rows = choice_rows(found), remark = choice_remark(found);
+  if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
+  scene::print_result(rows);
+  scene::tell(shell_line(run_of(words, found.ranked.front(), program)));
+}
+
+void declare_problem(scene::Options& options, Words& words) {
   options.add("--problem", words.problem, "one of the problems below");
   options.add("--equation", words.equation,
               "an equation, or several with ; between: \"x'' + 0.1 x' + x + a x^3 = cos(t); a = 3\"");
@@ -151,6 +185,10 @@ void declare_common(scene::Options& options, Words& words) {
       "initial state: \"x=1, x'=0\", or numbers in the order of the columns; the problem's own without it");
   options.add("--from", words.from, "time at which it begins; the problem's own without it");
   options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
+}
+
+void declare_common(scene::Options& options, Words& words) {
+  declare_problem(options, words);
   ivp::Settings& s = words.settings;
   options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
   options
@@ -193,11 +231,12 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
   const auto declare = [&](scene::Options& options, Words& words) {
     declare_common(options, words);
     words.method = method;
-    options.add("--method", words.method,
-                method.empty()
-                    ? "one of the methods below; without it adaptive-collocation for what decays fast, and "
-                      "series for all else"
-                    : "one of the methods below");
+    options.add(
+        "--method", words.method,
+        method.empty()
+            ? "one of the methods below; without it the one that was fastest on problems alike and in "
+              "short runs on this one, as choose says"
+            : "one of the methods below");
     declare_settings(options, words.settings, any_method_names());
     options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
         .positive();
@@ -216,6 +255,25 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
                       [problems, program = commands.program()](const Words& words) {
                         return integrate(words, problems, program);
                       });
+}
+
+void add_choose_command(scene::Commands& commands, const OwnProblems& problems) {
+  const auto declare = [&](scene::Options& options, Words& words) {
+    declare_problem(options, words);
+    options.add("--digits", words.digits, "correct digits at the end").range(1, 14);
+    options
+        .add("--absolute-tolerance", words.settings.absolute_tolerance,
+             "error that does not count in components that become small; as for 1 without it")
+        .positive();
+    options.footer(describe_all(problems));
+  };
+  commands.add<Words>(
+      "choose",
+      "Which method for an equation: rank,method,tolerance,seconds,reason as CSV; on standard "
+      "error the command that runs the first",
+      declare, [problems, program = commands.program()](const Words& words) {
+        return choose(words, problems, program);
+      });
 }
 
 void add_compare_command(scene::Commands& commands, const OwnProblems& problems) {

@@ -1,6 +1,6 @@
 /// @file
 /// The commands by which every chapter on initial value problems takes a user's equations and numbers:
-/// `integrate` and `compare`.
+/// `integrate`, `compare` and `choose`.
 #pragma once
 
 #include <string>
@@ -16,6 +16,9 @@ namespace nlmech::comparison {
 /// @param method that is taken where `--method` is not given; empty: as the problem asks for
 void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
                            const std::string& method = "");
+
+/// `choose`: which method for a problem, with the command that runs it.
+void add_choose_command(scene::Commands& commands, const OwnProblems& problems);
 
 /// `compare`: methods side by side.
 void add_compare_command(scene::Commands& commands, const OwnProblems& problems);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/choice/chosen.hpp"
 #include "nlmech/comparison/commands/seen.hpp"
 #include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/expression/equations.hpp"
@@ -112,8 +113,12 @@ class OwnProblem {
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// An expression of time and components, "x = 0" being x - 0. @throws InputError that points at the mistake
   [[nodiscard]] virtual StateFunction expression(const std::string& option, const std::string& text) const;
-  /// The method that is taken where none is named.
+  /// The method that is taken where none is named: what rank_methods() says for the digits of the tolerance,
+  /// among those that have the settings, and, for rows and events on the way, values there as exact as at the
+  /// end. `series` where the problem ends before its end, and for a step.
   [[nodiscard]] virtual std::string usual_method(const Request& request) const = 0;
+  /// Which method for @p digits at the end; Request::settings may have an absolute tolerance. See choose().
+  [[nodiscard]] virtual Chosen chosen(const Request& request, double digits) const = 0;
   /// The methods that are compared where none is named: those of ours that suit the problem, and of each kind
   /// of peers the best that this build has. With Request::settings.step, those of ours that take one.
   [[nodiscard]] virtual std::vector<std::string> usual_methods(const Request& request) const = 0;

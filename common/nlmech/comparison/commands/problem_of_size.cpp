@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/look_out.hpp"
 #include "nlmech/comparison/comparison_table.hpp"
 #include "nlmech/comparison/judgement.hpp"
@@ -51,18 +52,6 @@ std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_o
   return all;
 }
 
-/// Does an acceleration depend on velocities?
-template <int m>
-bool is_damped(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
-  const Eigen::Index half = system.size() / 2;
-  ivp::Jacobian<m> j(system.size(), system.size());
-  for (const double shift : {0.0, 0.1}) {  // at rest or in a point of symmetry a product may vanish
-    system.jacobian(t, (x.array() + shift).matrix(), j);
-    if (!j.bottomRightCorner(half, half).isZero(0)) return true;
-  }
-  return false;
-}
-
 /// The first of them that this build has.
 void add_first(const std::vector<std::string>& names, std::vector<std::string>& to) {
   const std::vector<std::string> built = built_method_names();
@@ -76,6 +65,16 @@ void add_first(const std::vector<std::string>& names, std::vector<std::string>& 
 template <int m>
 ivp::State<m> begin(const Request& r) {
   return Eigen::Map<const ivp::State<m>>(r.x0.data(), static_cast<Eigen::Index>(r.x0.size()));
+}
+
+template <int m>
+Question<m> question(const ivp::System<m>& system, const Request& r) {
+  const Tolerance tolerance = tolerance_of(r.settings);
+  return {.system = system,
+          .x0 = begin<m>(r),
+          .t0 = r.t0,
+          .t1 = r.t1,
+          .absolute = tolerance.absolute / tolerance.relative};
 }
 
 }  // namespace
@@ -119,7 +118,32 @@ bool ProblemOfSize<m>::is_stiff(const Request& r) const {
 
 template <int m>
 std::string ProblemOfSize<m>::usual_method(const Request& r) const {
-  return is_stiff(r) ? "adaptive-collocation" : "series";
+  const std::string usual = "series";
+  Question<m> q = question<m>(system(), r);
+  for (const std::string& name : built_method_names()) {
+    const ivp::MethodInfo info = any_method(name).info;
+    const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
+    const bool exact_within = name == "series" || name == "adaptive-collocation";
+    const bool within = r.every || r.draw || !r.events.empty();
+    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within))
+      q.among.methods.push_back(name);
+  }
+  if (r.settings.step || r.t0 == r.t1 || q.among.methods.empty()) return usual;
+  const double tolerance = tolerance_of(r.settings).relative;
+  q.level = -std::log10(tolerance);
+  const Look look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1);
+  if (!look.status.ok()) return usual;
+  Status status;
+  const std::vector<Ranked> ranked = rank_methods(q, look.features, read_evidence(), status);
+  return ranked.empty() ? usual : ranked.front().method;
+}
+
+template <int m>
+Chosen ProblemOfSize<m>::chosen(const Request& r, double digits) const {
+  Question<m> q = question<m>(system(), r);
+  if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
+  const Evidence evidence = read_evidence();
+  return choose(q, digits, evidence, looked_at(q, evidence));
 }
 
 template <int m>
@@ -133,7 +157,7 @@ std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const
   std::vector<std::string> names = {"adaptive-collocation"};
   if (!is_stiff(r)) {
     names.insert(names.end(), {"series", "ode45"});
-    if (system.second_order() && !is_damped<m>(system, r.t0, begin<m>(r))) names.emplace_back("rkn1210");
+    if (form_of<m>(system, r.t0, begin<m>(r)) == Form::conservative) names.emplace_back("rkn1210");
     add_first({"odeint-fehlberg78", "gsl-rk8pd", "arkode-erk"}, names);
     add_first({"odeint-bulirsch-stoer"}, names);
     add_first({"cvode-adams", "gsl-msadams"}, names);

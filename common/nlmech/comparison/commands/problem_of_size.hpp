@@ -22,6 +22,8 @@ class ProblemOfSize : public OwnProblem {
   /// See OwnProblem.
   [[nodiscard]] std::string usual_method(const Request& request) const override;
   /// See OwnProblem.
+  [[nodiscard]] Chosen chosen(const Request& request, double digits) const override;
+  /// See OwnProblem.
   [[nodiscard]] std::vector<std::string> usual_methods(const Request& request) const override;
   /// See OwnProblem.
   [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;

@@ -1,0 +1,252 @@
+#include "nlmech/comparison/choice/choice.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/choice/expectation.hpp"
+#include "nlmech/problems/duffing.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+constexpr std::size_t most_rivals = 5;
+constexpr double hopeless = 0.9;     // log10 of the factor behind the first, from which a method does not run
+constexpr double tie = 1.1;          // a peer that leads by less is no faster
+constexpr double budget = 2e5;       // of a run, in units of Measured: two milliseconds or so
+constexpr double long_budget = 2e6;  // of a run from a moved begin
+constexpr double enough = 0.005;     // s, after which a run is not repeated for its time
+constexpr double seconds = 0.25;     // of a run, where right-hand sides are expensive
+
+/// A run of a method on a part of the way.
+struct Part {
+  bool refused = false;
+  Status status;
+  double seen = 0, cost = 0, seconds = 0;
+};
+
+/// Limits that come to a cost.
+ivp::Limits limits_of(const Expectation& e, double most_cost) {
+  constexpr double fewest = 16;
+  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / e.step, fewest, 1e8)),
+          .seconds = seconds};
+}
+
+template <int m>
+Part run_part(const Question<m>& q, const Expectation& e, double end, double most_cost) {
+  Part part;
+  try {
+    const auto run = any_integrator<m>(
+        any_method(e.method), {.tolerance = e.tolerance, .absolute_tolerance = e.tolerance * q.absolute});
+    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, limits_of(e, most_cost));
+    part.seen = (s.t - q.t0) / (q.t1 - q.t0);
+    part.cost = e.cost * static_cast<double>(std::max<std::int64_t>(s.statistics.right_hand_sides, 1));
+    part.seconds = s.statistics.seconds;
+    const Outcome outcome = s.status.outcome();
+    if (outcome != Outcome::step_limit && outcome != Outcome::time_limit) part.status = s.status;
+  } catch (const std::invalid_argument&) {
+    part.refused = true;
+  }
+  return part;
+}
+
+/// What is expected of both: the runs, and what problems alike say, which knows whether digits are delivered,
+/// two to one. Where a fast motion has died out, or not begun, a part of the way says little of the rest, and
+/// problems alike count the more, the shorter the part.
+void weigh(const Features& features, std::vector<Ranked>& ranked) {
+  constexpr double of_runs = 2. / 3, stiff = 1;
+  const Ranked first = ranked.front();
+  const double weight =
+      of_runs * (features.stiffness < stiff ? 1 : std::pow(std::min(first.seen, 1.0), 0.25));
+  for (Ranked& r : ranked)
+    r.cost =
+        first.cost * std::pow(r.cost / first.cost, weight) * std::pow(r.behind / first.behind, 1 - weight);
+}
+
+constexpr Eigen::Index most_directions = 8;  // in which begins are moved
+
+/// A state that is moved by so many times a tolerance: each component by itself, or, where these are many,
+/// all of them with some signs or other.
+template <int m>
+ivp::State<m> moved_state(ivp::State<m> x, Eigen::Index direction, double by, double absolute) {
+  const bool alone = x.size() <= most_directions;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    // Rows of a Hadamard matrix: no two patterns of signs are alike.
+    const bool negative = std::popcount(static_cast<unsigned>(i & (direction + i / 8))) % 2 == 1;
+    if (!alone || i == direction) x[i] += (negative && !alone ? -by : by) * (absolute + std::abs(x[i]));
+  }
+  return x;
+}
+
+/// Seconds of a right-hand side.
+template <int m>
+double right_hand_side_seconds(const Question<m>& q) {
+  ivp::State<m> x = q.x0, f(q.x0.size());
+  const auto calls = [&](int count) {
+    const Stopwatch watch;
+    for (int i = 0; i < count; ++i) q.system.rhs(q.t0, x, f);
+    return watch.seconds() / count;
+  };
+  const double one = calls(1);
+  return one > 1e-4 ? one : std::min(calls(200), calls(200));
+}
+
+}  // namespace
+
+template <int m>
+std::vector<Ranked> rank_methods(const Question<m>& q, const Features& features, const Evidence& evidence,
+                                 Status& status) {
+  std::vector<Ranked> ranked;
+  double end = q.t1, best = budget, first = 0;
+  std::size_t rivals = 0;
+  for (const Expectation& e : expectations(evidence, features, q.level)) {
+    if (!q.among.has(e.method)) continue;
+    const double place = e.behind + e.short_of;
+    if (rivals == most_rivals || (rivals > 0 && place > first + hopeless)) break;
+    const double most = rivals == 0 ? best : 2 * best;
+    Part part = run_part(q, e, end, most);
+    if (part.refused) continue;
+    for (int again = 0; q.timed && again < 2 && part.seconds < enough; ++again)
+      part.seconds = std::min(part.seconds, run_part(q, e, end, most).seconds);
+    if (!part.status.ok() || !(part.seen > 0)) {
+      if (status.ok()) status = part.status;
+      continue;
+    }
+    if (rivals++ == 0) {
+      // The others run as far as the first came.
+      first = place;
+      end = part.seen < 1 ? q.t0 + part.seen * (q.t1 - q.t0) : q.t1;
+      best = part.cost;
+    }
+    best = std::min(best, part.cost * std::abs((end - q.t0) / (q.t1 - q.t0)) / part.seen);
+    const double cost = part.cost / part.seen * std::pow(10, e.short_of);
+    ranked.push_back(
+        {e.method, e.tolerance, cost, part.seen, part.seconds, std::pow(10, e.behind), e.short_of});
+  }
+  if (ranked.empty()) return ranked;
+  status = {};
+  weigh(features, ranked);
+  std::ranges::stable_sort(ranked, {},
+                           [](const Ranked& r) { return r.cost * (any_method(r.method).peer ? tie : 1); });
+  return ranked;
+}
+
+template <int m>
+double condition_along(const Question<m>& q, const Expectation& e, double& seen) {
+  // Far above the errors of the runs, and small against the solution.
+  constexpr double tolerance = 1e-9, moved = 1e-5;
+  const auto run = any_integrator<m>(
+      any_method(e.method),
+      {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
+  const ivp::Limits limits = limits_of(e, long_budget);
+  const Eigen::Index directions = std::min<Eigen::Index>(q.x0.size(), most_directions);
+  const double share = std::sqrt(static_cast<double>(q.x0.size()) / static_cast<double>(directions));
+  const int begins = q.x0.size() > most_directions ? 3 : 6;
+  std::vector<std::pair<double, ivp::State<m>>> from = {{q.t0, q.x0}};
+  ivp::State<m> size = q.x0.cwiseAbs();
+  const double way = q.t1 - q.t0;
+  const ivp::Observer<m> see = [&](const ivp::Step<m>& step) {
+    size = size.cwiseMax(step.x1.cwiseAbs());
+    const double next = way * static_cast<double>(from.size()) / begins;
+    if (step.t1 != q.t1 && std::abs(step.t1 - q.t0) >= std::abs(next)) from.emplace_back(step.t1, step.x1);
+    return true;
+  };
+  const ivp::Solution<m> straight = run(q.system, q.x0, q.t0, q.t1, see, limits);
+  seen = std::abs((straight.t - q.t0) / way);
+  if (!(seen > 0)) return 1;
+  const double absolute = q.absolute * std::min(1.0, size.maxCoeff());
+  double worst = 1;
+  for (const auto& [t, x] : from) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size());
+    for (Eigen::Index direction = 0; direction < directions; ++direction) {
+      const ivp::State<m> begin = moved_state<m>(x, direction, moved, absolute);
+      const ivp::Solution<m> other = run(q.system, begin, t, straight.t, {}, limits);
+      if (other.status.ok()) sum += (other.x - straight.x).cwiseAbs() * share / moved;
+    }
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      worst = std::max(worst, sum[i] / std::max(size[i], absolute / 10));
+  }
+  return worst;
+}
+
+template <int m>
+Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
+  Chosen c;
+  c.look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1);
+  c.status = c.look.status;
+  if (!c.status.ok()) return c;
+  c.alike = most_alike(evidence, c.look.features, 3);
+  c.right_hand_side = right_hand_side_seconds(q);
+  for (const Expectation& e : expectations(evidence, c.look.features, q.level)) {
+    if (!q.among.has(e.method)) continue;
+    c.condition = condition_along(q, e, c.condition_seen);
+    if (c.condition_seen > 0) break;
+  }
+  // Of a part of the way: errors grow at least as the way does.
+  if (c.condition_seen > 0) c.condition /= c.condition_seen;
+  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
+  c.possible = -std::log10(roundings * c.condition);
+  return c;
+}
+
+template <int m>
+Chosen choose(Question<m> q, double digits, const Evidence& evidence, Chosen c) {
+  c.digits = digits;
+  if (!c.status.ok()) return c;
+  q.level = std::min(digits, c.possible) + std::log10(c.condition);
+  q.timed = true;
+  c.ranked = rank_methods(q, c.look.features, evidence, c.status);
+  return c;
+}
+
+bool Among::has(const std::string& method) const {
+  return methods.empty() || std::ranges::find(methods, method) != methods.end();
+}
+
+double unit_seconds() {
+  constexpr int calls = 2000;
+  const ivp::System<2> system{problems::Duffing{}};
+  ivp::State<2> x = problems::Duffing::initial_state(), f;
+  const Timing time = time_repeats(
+      [&] {
+        for (int i = 0; i < calls; ++i) {
+          system.rhs(0, x, f);
+          x += 1e-12 * f;
+        }
+      },
+      9);
+  return time.smallest / calls;
+}
+
+template std::vector<Ranked> rank_methods<1>(const Question<1>&, const Features&, const Evidence&, Status&);
+template Chosen looked_at<1>(const Question<1>&, const Evidence&);
+template Chosen choose<1>(Question<1>, double, const Evidence&, Chosen);
+template double condition_along<1>(const Question<1>&, const Expectation&, double&);
+template std::vector<Ranked> rank_methods<2>(const Question<2>&, const Features&, const Evidence&, Status&);
+template Chosen looked_at<2>(const Question<2>&, const Evidence&);
+template Chosen choose<2>(Question<2>, double, const Evidence&, Chosen);
+template double condition_along<2>(const Question<2>&, const Expectation&, double&);
+template std::vector<Ranked> rank_methods<3>(const Question<3>&, const Features&, const Evidence&, Status&);
+template Chosen looked_at<3>(const Question<3>&, const Evidence&);
+template Chosen choose<3>(Question<3>, double, const Evidence&, Chosen);
+template double condition_along<3>(const Question<3>&, const Expectation&, double&);
+template std::vector<Ranked> rank_methods<4>(const Question<4>&, const Features&, const Evidence&, Status&);
+template Chosen looked_at<4>(const Question<4>&, const Evidence&);
+template Chosen choose<4>(Question<4>, double, const Evidence&, Chosen);
+template double condition_along<4>(const Question<4>&, const Expectation&, double&);
+template std::vector<Ranked> rank_methods<6>(const Question<6>&, const Features&, const Evidence&, Status&);
+template Chosen looked_at<6>(const Question<6>&, const Evidence&);
+template Chosen choose<6>(Question<6>, double, const Evidence&, Chosen);
+template double condition_along<6>(const Question<6>&, const Expectation&, double&);
+template std::vector<Ranked> rank_methods<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Features&,
+                                                          const Evidence&, Status&);
+template Chosen looked_at<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Evidence&);
+template Chosen choose<Eigen::Dynamic>(Question<Eigen::Dynamic>, double, const Evidence&, Chosen);
+template double condition_along<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Expectation&, double&);
+}  // namespace nlmech::comparison
