@@ -2,7 +2,7 @@
 
 SOURCE is the source tree, OUT the folder with the generated figures/, tables/, results/; the chapters are in reading order.
 Steps: look for the tools; turn the pages into what Doxygen reads; run Doxygen, where any warning is a failure; copy what the
-pages need from MathJax. All complaints are shown, each with its file and line, before it stops with exit code 1."""
+pages need from MathJax; write the index of the search. All complaints are shown, each with its file and line, before it stops with exit code 1."""
 import pathlib
 import re
 import shutil
@@ -11,6 +11,7 @@ import sys
 
 import components
 import references
+import search
 from book import Book
 from pages import Page, advice
 
@@ -105,6 +106,8 @@ def main(source, build, out, version, *chapters):
     make_pages(book)
     run_doxygen(book, doxygen, awesome, version)
     copy_mathjax(mathjax, book.folder / "html/mathjax")
+    search.write_index(book.folder / "html", [f"{'index' if label == 'mainpage' else label}.html" for label in book.labels.values()]
+                       + ["references.html"])
     for page in (book.folder / "html").glob("*.html"):
         text = page.read_bytes()
         if b"\\(" not in text and b"\\[" not in text:  # without formulas, as most of the API reference: need not wait for it

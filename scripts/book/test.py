@@ -9,6 +9,7 @@ import unittest
 import components
 import forge
 import references
+import search
 from book import Book, Complaint
 from pages import Page
 from quantities import formatted
@@ -293,6 +294,24 @@ class ForForges(InAHouse):
         self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise).replace("times", "time")), [1])
         self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise) + "\nmore"), [2])
         self.assertEqual(forge.differences(made, kept.format("3", "9.81", noise).replace("m/s", "ft/s")), [1])
+
+
+class Search(unittest.TestCase):
+
+    PAGE = ('<div class="title">A &amp; <b>B</b> </div><div class="contents">\n<div class="toc"><h3>Contents</h3></div>\n'
+            '<p>First \\(x\\) word.</p><script>no</script><h1><a class="anchor" id="auto_1"></a>\nOne</h1><p>of<br/>it</p>'
+            '<table><tr><td>1</td><td>2</td></tr></table><h2>Two</h2><p>end</p></div><!-- contents --><p>foot</p>')
+
+    def test_sections(self):
+        page = search.with_places(self.PAGE)
+        self.assertEqual(search.title_of(page), "A & B")
+        self.assertEqual(search.sections_of(page), [("", "", "First word."), ("auto_1", "One", "of it 1 2"),
+                                                    ("section_2", "Two", "end")])
+
+    def test_names(self):
+        script = ("var searchData=\n[\n  ['b_0',['b&lt;',['../a.html#x',1,'n::A::b()'],['../page.html#y',1,'']]],\n"
+                  "  ['c_1',['c',['../c.html',1,'']]]\n];\n")
+        self.assertEqual(search.names_in(script, ["page.html"]), [("b<", "a.html#x", "n::A"), ("c", "c.html", "")])
 
 
 class House(InAHouse):

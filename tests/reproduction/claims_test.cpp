@@ -130,7 +130,8 @@ TEST_F(ClaimsOnDisk, ThePageCountsAndLinksThem) {
       claims_page(judge("roy,1,moon,round,fig-1,radius,at least 2,holds,of the disc\n"
                         "roy,2,moon,fast,RATIOS,faster,at least 30,does not hold,"));
   EXPECT_NE(page.find("| roy | 1 | 1 | 0 |"), std::string::npos) << page;
-  EXPECT_NE(page.find("| 1 | moon | round | [fig-1](../docs/chapters/moon.md#fig-1): radius | 2.5 | at least 2 | holds | of the disc |"),
+  EXPECT_NE(page.find("| 1 | moon | round | [fig-1](../docs/chapters/moon.md#fig-1): radius | 2.5 | at least "
+                      "2 | holds | of the disc |"),
             std::string::npos)
       << page;
   EXPECT_NE(page.find("[RATIOS](RATIOS.md): faster | 10 | at least 30 | does not hold |"), std::string::npos)

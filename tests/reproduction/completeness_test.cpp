@@ -73,9 +73,9 @@ TEST_F(Completeness, OfAFigureThatSeveralScenesShow) {
   EXPECT_EQ(shown()[2].numbers, 3U);
   EXPECT_EQ(shown()[2].checked, 2U);
   const std::string page = completeness_page(shown());
-  EXPECT_NE(
-      page.find("| fig-7: [fig-1](../docs/chapters/moon.md#fig-1), [fig-2](../docs/chapters/moon.md#fig-2) | moon |"),
-      std::string::npos)
+  EXPECT_NE(page.find("| fig-7: [fig-1](../docs/chapters/moon.md#fig-1), "
+                      "[fig-2](../docs/chapters/moon.md#fig-2) | moon |"),
+            std::string::npos)
       << page;
 }
 

@@ -140,7 +140,7 @@ TEST_F(Machinery, ReportsOverAllChapters) {
   EXPECT_EQ(report().exit_code, 0);
   EXPECT_NE(report().output.find("8 published values, 0 fail\n"), std::string::npos);
   const std::string page = bytes_of(folder_ / "build/page.md");
-  EXPECT_NE(page.find("## made-up\n"), std::string::npos) << page;
+  EXPECT_NE(page.find("## fixture\n\nmade-up. "), std::string::npos) << page;
   fs::copy_file(fixture_files + "missed.csv", folder_ / "data/tables/published/made-up.csv",
                 fs::copy_options::overwrite_existing);
   EXPECT_EQ(report().exit_code, 1);

@@ -101,9 +101,10 @@ TEST_F(Pages, OfErrataHaveASectionAChapterWithLinksToScenesAndTests) {
   EXPECT_TRUE(has(page, "| [moon](#errata_moon) | 0 | 0 | 0 | 1 |")) << page;
   EXPECT_LT(page.find("<a id=\"errata_sun\"></a>\n## The Sun"),
             page.find("<a id=\"errata_moon\"></a>\n## moon"));
-  EXPECT_TRUE(has(
-      page, R"(| [Table 1](../docs/chapters/sun.md#table-1), C3 | $`+\|a\|`$ | $`-a`$, $`b`$ | 2 | 1e-9 |  | )"
-            "[Sign](../tests/chapters/sun/errata_test.cpp) `unit_sun:A.B` |"))
+  EXPECT_TRUE(
+      has(page,
+          R"(| [Table 1](../docs/chapters/sun.md#table-1), C3 | $`+\|a\|`$ | $`-a`$, $`b`$ | 2 | 1e-9 |  | )"
+          "[Sign](../tests/chapters/sun/errata_test.cpp) `unit_sun:A.B` |"))
       << page;
   EXPECT_TRUE(has(page, "| before (2) | left | right |")) << page;
   EXPECT_TRUE(has(errata_table({sign}, "sun"), R"(| Table 1, C3 | \f$+\|a\|\f$ | \f$-a\f$, \f$b\f$ |)"));

@@ -27,7 +27,7 @@ std::string printed(const PublishedValue& value) {
 
 /// How the text was understood, and why the tolerance is what it is.
 std::string reading_and_reason(const PublishedValue& value) {
-  const std::string reading = reading_text(value);
+  std::string reading = reading_text(value);
   if (value.because.empty()) return reading;
   return reading + (reading.empty() ? "" : "; ") + "tolerance: " + value.because;
 }
