@@ -4,6 +4,7 @@
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/ivp/implicit/backward_euler.hpp"
+#include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
@@ -51,6 +52,7 @@ TEST(Jump, IsNeverLookedAcross) {
   expect_exact(Rk4{.step = h});
   expect_exact(Rk6{.step = h});
   expect_exact(Ode45{});
+  expect_exact(Dop853{});
   expect_exact(Newmark{.step = h});
   expect_exact(Hht{.step = h});
   expect_exact(GeneralizedAlpha{.step = h});

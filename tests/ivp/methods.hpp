@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nlmech/ivp/implicit/backward_euler.hpp"
+#include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/ivp/structural/generalized_alpha.hpp"
@@ -168,6 +169,7 @@ void for_each_method(Do&& action) {
   action(Hht{});
   action(GeneralizedAlpha{});
   action(Ode45{});
+  action(Dop853{});
 }
 
 // The text of the std::invalid_argument that an integration of the oscillator with these options throws.

@@ -55,6 +55,7 @@ TEST(NamedMethods, AreThoseOfTheCommandLine) {
                                           "rk4",
                                           "rk6",
                                           "ode45",
+                                          "dop853",
                                           "rkn1210",
                                           "series",
                                           "newmark",
@@ -144,6 +145,7 @@ TEST(NamedMethods, ToleranceIsMet) {
 TEST(NamedMethods, DefaultToleranceIsOneInAMilliard) {
   EXPECT_EQ(duffing("rk6", {}, 5).x, duffing("rk6", {.tolerance = 1e-9}, 5).x);
   EXPECT_EQ(duffing("ode45", {}, 5).x, duffing("ode45", {.tolerance = 1e-9}, 5).x);
+  EXPECT_EQ(duffing("dop853", {}, 5).x, duffing("dop853", {.tolerance = 1e-9}, 5).x);
   EXPECT_EQ(duffing("rkn1210", {}, 5).x, duffing("rkn1210", {.tolerance = 1e-9}, 5).x);
 }
 

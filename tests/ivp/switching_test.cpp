@@ -47,7 +47,7 @@ struct Corners {
 };
 
 /// Methods that choose their steps, of every kind.
-const std::vector<std::string> methods = {"ode45", "series", "adaptive-collocation"};
+const std::vector<std::string> methods = {"ode45", "dop853", "series", "adaptive-collocation"};
 
 ivp::Solution<2> run(const Corners& problem, const std::string& method, const State<2>& x0, double t1,
                      double tolerance, const ivp::Observer<2>& observer = {}) {

@@ -18,6 +18,7 @@
 #include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/ivp/implicit/backward_euler.hpp"
 #include "nlmech/ivp/named/named_integrators.hpp"
+#include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
@@ -158,6 +159,9 @@ constexpr std::array rows = {
     row({Rk6::name, "Butcher's Runge-Kutta method of 7 stages", given, 6}, with_step<Rk6>),
     row({Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", chosen, 5},
         with_tolerances<Ode45>),
+    row({Dop853::name, "Dormand and Prince's method of order 8, controlled by estimates of orders 5 and 3",
+         chosen, 8},
+        with_tolerances<Dop853>),
     row_for_accelerations(
         {Rkn1210::name, "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", chosen,
          12},

@@ -12,6 +12,7 @@
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210_coefficients.hpp"
+#include "nlmech/ivp/runge_kutta/weighted.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/support/doubles.hpp"
@@ -53,19 +54,6 @@ void check_options(const Rkn1210& method);
 [[nodiscard]] Status depends_on_velocities(std::string_view method, double t);
 
 namespace rkn1210 {
-
-/// sum_j weights[j] k[j][d] over the first `count` stages, left to right, with no operation for a weight 0.
-/// Written out component by component on plain numbers and inlined, so that short vectors stay in registers
-/// from stage to stage.
-template <const auto& weights, std::size_t count, class V>
-[[nodiscard, gnu::always_inline]] inline double weighted(const std::array<V, stages>& k, Eigen::Index d) {
-  double sum = weights[0] * k[0].data()[d];
-  const auto add = [&]<std::size_t... j>(std::index_sequence<j...>) __attribute__((always_inline)) {
-    ((weights[j + 1] != 0 ? void(sum += weights[j + 1] * k[j + 1].data()[d]) : void()), ...);
-  };
-  add(std::make_index_sequence<count - 1>());
-  return sum;
-}
 
 /// The rows of a, each an object of its own, as weighted() wants them.
 template <std::size_t i>

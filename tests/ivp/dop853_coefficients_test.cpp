@@ -1,0 +1,210 @@
+/// The coefficients of order 8(5,3) in extended precision, held to the order conditions of all rooted trees.
+#include "nlmech/ivp/runge_kutta/dop853_coefficients.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/ivp/oracle.hpp"
+#include "tests/places.hpp"
+
+namespace nlmech::ivp::dop853_coefficients_test {
+namespace {
+
+using oracle::Real;
+using Weights = std::vector<Real>;
+
+constexpr std::size_t stages = dop853::all_stages, end_of_step = dop853::stages;
+// The digits, 26 after the point of the largest of size 500, summed over sixteen stages and through products
+// of weights up to 40.
+constexpr double rounding = 1e-23;
+
+/// tables/reference/dop853.csv, by symbol, i and j, as it is written.
+std::map<std::string, std::string> written() {
+  std::ifstream file(NLMECH_SOURCE_DIR "/tables/reference/dop853.csv");
+  std::map<std::string, std::string> values;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#' || line.starts_with("symbol")) continue;
+    const auto last = line.rfind(',');
+    values[line.substr(0, last)] = line.substr(last + 1);
+  }
+  EXPECT_EQ(values.size(), 156U);
+  return values;
+}
+
+/// The coefficients with all their digits.
+struct Exact {
+  std::vector<Weights> a, dense;
+  Weights c, third, fifth;
+  Exact() {
+    const auto values = written();
+    const auto get = [&](const std::string& key) {
+      const auto found = values.find(key);
+      return found == values.end() ? Real(0) : Real(found->second);
+    };
+    for (std::size_t i = 1; i <= stages; ++i) {
+      const std::string n = std::to_string(i);
+      c.push_back(get("c," + n + ","));
+      third.push_back(get("third," + n + ","));
+      fifth.push_back(get("fifth," + n + ","));
+      a.emplace_back();
+      for (std::size_t j = 1; j <= stages; ++j) a.back().push_back(get("a," + n + "," + std::to_string(j)));
+    }
+    for (int r = 4; r <= 7; ++r) {
+      dense.emplace_back();
+      for (std::size_t i = 1; i <= stages; ++i)
+        dense.back().push_back(get("dense," + std::to_string(r) + "," + std::to_string(i)));
+    }
+  }
+};
+
+const Exact& exact() {
+  static const Exact coefficients;
+  return coefficients;
+}
+
+/// A rooted tree: its number of nodes, its density, and of each stage the product over the branches of what
+/// they sum to, of which weights make the elementary weight.
+struct Tree {
+  int order;
+  Real density;
+  Weights product;
+};
+
+/// All trees of up to @p most nodes, each once: a tree of n nodes is a multiset of trees with n - 1 nodes
+/// altogether, written in falling order of their places in the list.
+std::vector<Tree> trees(int most) {
+  const Exact& e = exact();
+  std::vector<Tree> all;
+  std::vector<Weights> sums;  // sum_j a_ij product_j of each
+  const auto add = [&](const Tree& tree) {
+    all.push_back(tree);
+    Weights sum(stages, 0);
+    for (std::size_t i = 0; i < stages; ++i) {
+      for (std::size_t j = 0; j < i; ++j) sum[i] += e.a[i][j] * tree.product[j];
+    }
+    sums.push_back(sum);
+  };
+  for (int order = 1; order <= most; ++order) {
+    std::vector<Tree> found;
+    const std::function<void(Tree, int, std::size_t)> grow = [&](const Tree& tree, int left,
+                                                                 std::size_t end) {
+      if (left == 0) found.push_back({order, tree.density * order, tree.product});
+      for (std::size_t branch = 0; branch < end && left > 0; ++branch) {
+        if (all[branch].order > left) continue;
+        Tree grown = tree;
+        grown.density *= all[branch].density;
+        for (std::size_t i = 0; i < stages; ++i) grown.product[i] *= sums[branch][i];
+        grow(grown, left - all[branch].order, branch + 1);
+      }
+    };
+    grow({0, 1, Weights(stages, 1)}, order - 1, all.size());
+    for (const Tree& tree : found) add(tree);
+  }
+  return all;
+}
+
+/// By what the weights miss s^order/density.
+double miss(const Weights& weights, const Tree& tree, const Real& s = 1) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * tree.product[i];
+  return static_cast<double>(abs(Real(sum - pow(s, tree.order) / tree.density)));
+}
+
+/// The greatest of all trees with so many nodes.
+double worst(const std::vector<Tree>& all, int order, const Weights& weights, const Real& s = 1) {
+  double largest = 0;
+  for (const Tree& tree : all) {
+    if (tree.order == order) largest = std::max(largest, miss(weights, tree, s));
+  }
+  return largest;
+}
+
+TEST(Dop853Coefficients, TreesAreCounted) {
+  std::map<int, int> counts;
+  for (const Tree& tree : trees(8)) ++counts[tree.order];
+  EXPECT_EQ(counts, (std::map<int, int>{{1, 1}, {2, 1}, {3, 2}, {4, 4}, {5, 9}, {6, 20}, {7, 48}, {8, 115}}));
+}
+
+TEST(Dop853Coefficients, RowsSumToTheirAbscissa) {
+  const Exact& e = exact();
+  for (std::size_t i = 0; i < stages; ++i) {
+    Real sum = 0;
+    for (std::size_t j = 0; j < i; ++j) sum += e.a[i][j];
+    EXPECT_LT(abs(Real(sum - e.c[i])), Real(rounding)) << i + 1;
+  }
+}
+
+// All 200 trees of the formula, and not those of nine nodes.
+TEST(Dop853Coefficients, FormulaIsOfOrderEight) {
+  const std::vector<Tree> all = trees(9);
+  for (int order = 1; order <= 8; ++order)
+    EXPECT_LT(worst(all, order, exact().a[end_of_step]), rounding) << order;
+  EXPECT_GT(worst(all, 9, exact().a[end_of_step]), 1e-7);
+}
+
+// The formulas that errors are estimated by.
+TEST(Dop853Coefficients, EstimatesAreOfOrdersFiveAndThree) {
+  const std::vector<Tree> all = trees(6);
+  Weights fifth = exact().a[end_of_step];
+  for (std::size_t i = 0; i < stages; ++i) fifth[i] -= exact().fifth[i];
+  for (int order = 1; order <= 5; ++order) EXPECT_LT(worst(all, order, fifth), rounding) << order;
+  EXPECT_GT(worst(all, 6, fifth), 1e-5);
+  for (int order = 1; order <= 3; ++order) EXPECT_LT(worst(all, order, exact().third), rounding) << order;
+  EXPECT_GT(worst(all, 4, exact().third), 1e-4);
+}
+
+/// Weights of the stages at the fraction s of a step: the polynomial, written out.
+Weights dense_weights(const Real& s) {
+  const Exact& e = exact();
+  const Real u = 1 - s;
+  Weights weights;
+  for (std::size_t i = 0; i < stages; ++i) {
+    const Real way = e.a[end_of_step][i], first = i == 0 ? 1 : 0, last = i == end_of_step ? 1 : 0;
+    const Real begin = first - way;
+    const Real inner = e.dense[0][i] + s * (e.dense[1][i] + u * (e.dense[2][i] + s * e.dense[3][i]));
+    weights.emplace_back(s * (way + u * (begin + s * (way - last - begin + u * inner))));
+  }
+  return weights;
+}
+
+// Eight points decide a polynomial of degree 7 that is zero at 0.
+TEST(Dop853Coefficients, DenseOutputIsOfOrderSeven) {
+  const std::vector<Tree> all = trees(8);
+  for (int k = 1; k <= 8; ++k) {
+    const Real s = Real(k) / 8;
+    for (int order = 1; order <= 7; ++order)
+      EXPECT_LT(worst(all, order, dense_weights(s), s), rounding) << order << " at " << k << "/8";
+  }
+  EXPECT_GT(worst(all, 8, dense_weights(Real(1) / 2), Real(1) / 2), 1e-9);
+}
+
+TEST(Dop853Coefficients, HeaderIsTheTableRounded) {
+  const auto values = written();
+  std::size_t compared = 0;
+  const auto same = [&](double mine, const std::string& key) {
+    const auto found = values.find(key);
+    EXPECT_EQ(mine, found == values.end() ? 0 : std::strtod(found->second.c_str(), nullptr)) << key;
+    compared += found != values.end();
+  };
+  for (std::size_t i = 0; i < stages; ++i) {
+    const std::string n = std::to_string(i + 1);
+    same(dop853::c[i], "c," + n + ",");
+    if (i < dop853::stages) {
+      same(dop853::third[i], "third," + n + ",");
+      same(dop853::fifth[i], "fifth," + n + ",");
+    }
+    for (std::size_t j = 0; j + 1 < stages; ++j)
+      same(dop853::a[i][j], "a," + n + "," + std::to_string(j + 1));
+    for (std::size_t r = 0; r < 4; ++r) same(dop853::dense[r][i], "dense," + std::to_string(r + 4) + "," + n);
+  }
+  EXPECT_EQ(compared, values.size());
+}
+
+}  // namespace
+}  // namespace nlmech::ivp::dop853_coefficients_test
