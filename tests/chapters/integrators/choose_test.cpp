@@ -72,7 +72,7 @@ TEST(Choose, FitsTheProblem) {
 TEST(Choose, SaysWhatRoundingLeaves) {
   const Finished f = integrators({"choose", "--problem", "lorenz", "--until", "25", "--digits", "14"});
   EXPECT_EQ(f.exit_code, 0) << f.errors;
-  EXPECT_NE(f.errors.find("rounding alone leaves about"), std::string::npos) << f.errors;
+  EXPECT_NE(f.errors.find("rounding alone leaves"), std::string::npos) << f.errors;
 }
 
 TEST(Choose, EndsWithOneWhereTheSolutionEnds) {

@@ -1,15 +1,13 @@
 #include "nlmech/comparison/choice/choice.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/expectation.hpp"
+#include "nlmech/comparison/choice/growth.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -17,12 +15,10 @@ namespace nlmech::comparison {
 namespace {
 
 constexpr std::size_t most_rivals = 5;
-constexpr double hopeless = 0.9;     // log10 of the factor behind the first, from which a method does not run
-constexpr double tie = 1.1;          // a peer that leads by less is no faster
-constexpr double budget = 2e5;       // of a run, in units of Measured: two milliseconds or so
-constexpr double long_budget = 2e6;  // of a run from a moved begin
-constexpr double enough = 0.005;     // s, after which a run is not repeated for its time
-constexpr double seconds = 0.25;     // of a run, where right-hand sides are expensive
+constexpr double hopeless = 0.9;  // log10 of the factor behind the first, from which a method does not run
+constexpr double tie = 1.1;       // a peer that leads by less is no faster
+constexpr double budget = 2e5;    // of a run, in units of Measured: two milliseconds or so
+constexpr double enough = 0.005;  // s, after which a run is not repeated for its time
 
 /// A run of a method on a part of the way.
 struct Part {
@@ -31,20 +27,13 @@ struct Part {
   double seen = 0, cost = 0, seconds = 0;
 };
 
-/// Limits that come to a cost.
-ivp::Limits limits_of(const Expectation& e, double most_cost) {
-  constexpr double fewest = 16;
-  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / e.step, fewest, 1e8)),
-          .seconds = seconds};
-}
-
 template <int m>
 Part run_part(const Question<m>& q, const Expectation& e, double end, double most_cost) {
   Part part;
   try {
     const auto run = any_integrator<m>(
         any_method(e.method), {.tolerance = e.tolerance, .absolute_tolerance = e.tolerance * q.absolute});
-    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, limits_of(e, most_cost));
+    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost));
     part.seen = (s.t - q.t0) / (q.t1 - q.t0);
     part.cost = e.cost * static_cast<double>(std::max<std::int64_t>(s.statistics.right_hand_sides, 1));
     part.seconds = s.statistics.seconds;
@@ -67,21 +56,6 @@ void weigh(const Features& features, std::vector<Ranked>& ranked) {
   for (Ranked& r : ranked)
     r.cost =
         first.cost * std::pow(r.cost / first.cost, weight) * std::pow(r.behind / first.behind, 1 - weight);
-}
-
-constexpr Eigen::Index most_directions = 8;  // in which begins are moved
-
-/// A state that is moved by so many times a tolerance: each component by itself, or, where these are many,
-/// all of them with some signs or other.
-template <int m>
-ivp::State<m> moved_state(ivp::State<m> x, Eigen::Index direction, double by, double absolute) {
-  const bool alone = x.size() <= most_directions;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    // Rows of a Hadamard matrix: no two patterns of signs are alike.
-    const bool negative = std::popcount(static_cast<unsigned>(i & (direction + i / 8))) % 2 == 1;
-    if (!alone || i == direction) x[i] += (negative && !alone ? -by : by) * (absolute + std::abs(x[i]));
-  }
-  return x;
 }
 
 /// Seconds of a right-hand side.
@@ -138,44 +112,6 @@ std::vector<Ranked> rank_methods(const Question<m>& q, const Features& features,
 }
 
 template <int m>
-double condition_along(const Question<m>& q, const Expectation& e, double& seen) {
-  // Far above the errors of the runs, and small against the solution.
-  constexpr double tolerance = 1e-9, moved = 1e-5;
-  const auto run = any_integrator<m>(
-      any_method(e.method),
-      {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
-  const ivp::Limits limits = limits_of(e, long_budget);
-  const Eigen::Index directions = std::min<Eigen::Index>(q.x0.size(), most_directions);
-  const double share = std::sqrt(static_cast<double>(q.x0.size()) / static_cast<double>(directions));
-  const int begins = q.x0.size() > most_directions ? 3 : 6;
-  std::vector<std::pair<double, ivp::State<m>>> from = {{q.t0, q.x0}};
-  ivp::State<m> size = q.x0.cwiseAbs();
-  const double way = q.t1 - q.t0;
-  const ivp::Observer<m> see = [&](const ivp::Step<m>& step) {
-    size = size.cwiseMax(step.x1.cwiseAbs());
-    const double next = way * static_cast<double>(from.size()) / begins;
-    if (step.t1 != q.t1 && std::abs(step.t1 - q.t0) >= std::abs(next)) from.emplace_back(step.t1, step.x1);
-    return true;
-  };
-  const ivp::Solution<m> straight = run(q.system, q.x0, q.t0, q.t1, see, limits);
-  seen = std::abs((straight.t - q.t0) / way);
-  if (!(seen > 0)) return 1;
-  const double absolute = q.absolute * std::min(1.0, size.maxCoeff());
-  double worst = 1;
-  for (const auto& [t, x] : from) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size());
-    for (Eigen::Index direction = 0; direction < directions; ++direction) {
-      const ivp::State<m> begin = moved_state<m>(x, direction, moved, absolute);
-      const ivp::Solution<m> other = run(q.system, begin, t, straight.t, {}, limits);
-      if (other.status.ok()) sum += (other.x - straight.x).cwiseAbs() * share / moved;
-    }
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      worst = std::max(worst, sum[i] / std::max(size[i], absolute / 10));
-  }
-  return worst;
-}
-
-template <int m>
 Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
   Chosen c;
   c.look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1);
@@ -185,11 +121,14 @@ Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
   c.right_hand_side = right_hand_side_seconds(q);
   for (const Expectation& e : expectations(evidence, c.look.features, q.level)) {
     if (!q.among.has(e.method)) continue;
-    c.condition = condition_along(q, e, c.condition_seen);
-    if (c.condition_seen > 0) break;
+    const Growth growth = growth_along(q, e);
+    if (!(growth.seen > 0)) continue;
+    // Of a part of the way: errors grow at least as the way does.
+    c.condition = growth.factor / growth.seen;
+    c.condition_seen = growth.seen;
+    c.condition_is_bound = growth.at_least;
+    break;
   }
-  // Of a part of the way: errors grow at least as the way does.
-  if (c.condition_seen > 0) c.condition /= c.condition_seen;
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
   c.possible = -std::log10(roundings * c.condition);
   return c;
@@ -227,26 +166,20 @@ double unit_seconds() {
 template std::vector<Ranked> rank_methods<1>(const Question<1>&, const Features&, const Evidence&, Status&);
 template Chosen looked_at<1>(const Question<1>&, const Evidence&);
 template Chosen choose<1>(Question<1>, double, const Evidence&, Chosen);
-template double condition_along<1>(const Question<1>&, const Expectation&, double&);
 template std::vector<Ranked> rank_methods<2>(const Question<2>&, const Features&, const Evidence&, Status&);
 template Chosen looked_at<2>(const Question<2>&, const Evidence&);
 template Chosen choose<2>(Question<2>, double, const Evidence&, Chosen);
-template double condition_along<2>(const Question<2>&, const Expectation&, double&);
 template std::vector<Ranked> rank_methods<3>(const Question<3>&, const Features&, const Evidence&, Status&);
 template Chosen looked_at<3>(const Question<3>&, const Evidence&);
 template Chosen choose<3>(Question<3>, double, const Evidence&, Chosen);
-template double condition_along<3>(const Question<3>&, const Expectation&, double&);
 template std::vector<Ranked> rank_methods<4>(const Question<4>&, const Features&, const Evidence&, Status&);
 template Chosen looked_at<4>(const Question<4>&, const Evidence&);
 template Chosen choose<4>(Question<4>, double, const Evidence&, Chosen);
-template double condition_along<4>(const Question<4>&, const Expectation&, double&);
 template std::vector<Ranked> rank_methods<6>(const Question<6>&, const Features&, const Evidence&, Status&);
 template Chosen looked_at<6>(const Question<6>&, const Evidence&);
 template Chosen choose<6>(Question<6>, double, const Evidence&, Chosen);
-template double condition_along<6>(const Question<6>&, const Expectation&, double&);
 template std::vector<Ranked> rank_methods<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Features&,
                                                           const Evidence&, Status&);
 template Chosen looked_at<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Evidence&);
 template Chosen choose<Eigen::Dynamic>(Question<Eigen::Dynamic>, double, const Evidence&, Chosen);
-template double condition_along<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Expectation&, double&);
 }  // namespace nlmech::comparison

@@ -2,32 +2,13 @@
 /// Which method for a problem: those that were fast on problems like it run against each other on it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "nlmech/comparison/choice/chosen.hpp"
 #include "nlmech/comparison/choice/expectation.hpp"
+#include "nlmech/comparison/choice/question.hpp"
 
 namespace nlmech::comparison {
-
-/// What is asked, and of which.
-struct Among {
-  std::vector<std::string> methods = {};  ///< the only ones that may be chosen; empty: all
-  /// May it be chosen?
-  [[nodiscard]] bool has(const std::string& method) const;
-};
-
-/// What is asked.
-template <int m>
-struct Question {
-  ivp::System<m> system;  ///< equations
-  ivp::State<m> x0;       ///< state at t0
-  double t0, t1;          ///< begin and end
-  double level = 9;       ///< digits to hold on the way
-  double absolute = 1;    ///< absolute over relative tolerance
-  Among among = {};       ///< which methods may be chosen
-  bool timed = false;     ///< repeat short runs for their times
-};
 
 /// Ranks methods. What decides are counts of steps and right-hand sides, each with what it cost where times
 /// were measured, and no time of this run: asked twice, it answers the same. (Unless right-hand sides are so
@@ -36,11 +17,6 @@ struct Question {
 template <int m>
 [[nodiscard]] std::vector<Ranked> rank_methods(const Question<m>& question, const Features& features,
                                                const Evidence& evidence, Status& status);
-
-/// How the problem multiplies errors of one tolerance, by runs from begins that are moved by a little.
-/// @param seen gets the share of the way for which that is known
-template <int m>
-[[nodiscard]] double condition_along(const Question<m>& question, const Expectation& method, double& seen);
 
 /// Looks at the problem and finds its condition.
 /// @returns all of Chosen but the ranks; its status is a failure if the solution ends on the way

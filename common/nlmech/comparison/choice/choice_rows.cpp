@@ -31,7 +31,8 @@ std::string smoothness(const Features& f) {
 
 std::string accuracy(const Chosen& c) {
   if (!(c.condition_seen > 0)) return fmt::format("{:.3g} digits", c.digits);
-  return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
+  return fmt::format("{:.3g} digits where errors grow {}{:.2g} times", c.digits,
+                     c.condition_is_bound ? "more than " : "", c.condition);
 }
 
 std::string form(const Features& f) {
@@ -80,9 +81,10 @@ std::string choice_rows(const Chosen& c) {
 std::string choice_remark(const Chosen& c) {
   if (c.digits <= c.possible) return "";
   return fmt::format(
-      "the problem multiplies errors by {:.2g}, so that rounding alone leaves about {:.2g} of the {:.3g} "
+      "the problem multiplies errors by {}{:.2g}, so that rounding alone leaves {} {:.2g} of the {:.3g} "
       "digits",
-      c.condition, std::max(0.0, c.possible), c.digits);
+      c.condition_is_bound ? "more than " : "", c.condition, c.condition_is_bound ? "less than" : "about",
+      std::max(0.0, c.possible), c.digits);
 }
 
 std::string shell_line(const std::vector<std::string>& words) {

@@ -26,8 +26,9 @@ struct Chosen {
   Status status;                        ///< a failure: the problem, or every method on it, ends on the way
   Look look;                            ///< at the problem
   double digits = 9;                    ///< asked for
-  double condition = 1;                 ///< condition_along()
+  double condition = 1;                 ///< growth_along()
   double condition_seen = 0;            ///< the share of the way that it was found on; 0: it is not known
+  bool condition_is_bound = false;      ///< errors have grown to the size of the solution: it is greater
   double possible = 15;                 ///< digits that rounding leaves
   double right_hand_side = 0;           ///< s of one
   std::vector<Ranked> ranked = {};      ///< the fastest first

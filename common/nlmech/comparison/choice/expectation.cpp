@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "nlmech/comparison/any_method.hpp"
@@ -130,6 +131,11 @@ double right_hand_sides_a_step(const Evidence& evidence, const Features& feature
 }
 
 }  // namespace
+
+ivp::Limits Expectation::limits(double most_cost) const {
+  constexpr double fewest = 16;
+  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / step, fewest, 1e8)), .seconds = 0.25};
+}
 
 double distance(const Features& a, const Features& b) {
   const auto stiff = [](const Features& f) { return std::clamp(f.stiffness, 0.0, most_stiff); };

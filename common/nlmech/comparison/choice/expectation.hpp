@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nlmech/comparison/choice/evidence.hpp"
+#include "nlmech/ivp/solution.hpp"
 
 namespace nlmech::comparison {
 
@@ -21,6 +22,9 @@ struct Expectation {
   double short_of = 0;      ///< digits by which its tightest tolerance falls short of that; 0: none
   double cost = 1;          ///< of one right-hand side with all that comes with it, in units of Measured
   double step = 1;          ///< cost of a step, in the same units
+
+  /// Limits of a run that come to a cost, and to a quarter of a second where right-hand sides are expensive.
+  [[nodiscard]] ivp::Limits limits(double most_cost) const;
 };
 
 /// Is the method made for such equations?

@@ -1,0 +1,116 @@
+#include "nlmech/comparison/choice/growth.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/any_method.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+constexpr double budget = 2e6;               // of a run, in units of Measured
+constexpr Eigen::Index most_directions = 8;  // in which begins are moved
+
+/// A state that is moved by so many times a tolerance: each component by itself, or, where these are many,
+/// all of them with some signs or other.
+template <int m>
+ivp::State<m> moved_state(ivp::State<m> x, Eigen::Index direction, double by, double absolute) {
+  const bool alone = x.size() <= most_directions;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    // Rows of a Hadamard matrix: no two patterns of signs are alike.
+    const bool negative = std::popcount(static_cast<unsigned>(i & (direction + i / 8))) % 2 == 1;
+    if (!alone || i == direction) x[i] += (negative && !alone ? -by : by) * (absolute + std::abs(x[i]));
+  }
+  return x;
+}
+
+/// A tolerance of the runs, and by how much begins are moved: far above the errors of the runs, and small
+/// against the solution.
+struct Fineness {
+  double tolerance, moved;
+};
+
+template <int m>
+class Runs {
+ public:
+  Runs(const Question<m>& q, const Expectation& e, const Fineness& fine)
+      : q_(q),
+        moved_(fine.moved),
+        limits_(e.limits(budget)),
+        run_(any_integrator<m>(
+            any_method(e.method),
+            {.tolerance = fine.tolerance, .absolute_tolerance = fine.tolerance * std::min(q.absolute, 1.0)})),
+        size_(q.x0.cwiseAbs()) {}
+
+  Growth growth() {
+    const ivp::Solution<m> straight = run_straight();
+    Growth g{1, std::abs((straight.t - q_.t0) / (q_.t1 - q_.t0))};
+    if (!(g.seen > 0)) return g;
+    const double absolute = q_.absolute * std::min(1.0, size_.maxCoeff());
+    for (const auto& [t, x] : begins_) {
+      const Eigen::VectorXd error = error_from(t, x, straight, absolute);
+      for (Eigen::Index i = 0; i < error.size(); ++i)
+        g.factor = std::max(g.factor, error[i] / std::max(size_[i], absolute / 10));
+    }
+    constexpr double large = 0.1;  // of the size of the solution
+    g.at_least = g.factor * moved_ > large;
+    return g;
+  }
+
+ private:
+  ivp::Solution<m> run_straight() {
+    const std::size_t most = q_.x0.size() > most_directions ? 3 : 6;
+    const double part = (q_.t1 - q_.t0) / static_cast<double>(most);
+    begins_ = {{q_.t0, q_.x0}};
+    const ivp::Observer<m> see = [this, part](const ivp::Step<m>& step) {
+      size_ = size_.cwiseMax(step.x1.cwiseAbs());
+      const bool far = std::abs(step.t1 - q_.t0) >= std::abs(part) * static_cast<double>(begins_.size());
+      if (far && step.t1 != q_.t1) begins_.emplace_back(step.t1, step.x1);
+      return true;
+    };
+    return run_(q_.system, q_.x0, q_.t0, q_.t1, see, limits_);
+  }
+  /// The error at the end of what was seen, in units of the moves.
+  [[nodiscard]] Eigen::VectorXd error_from(double t, const ivp::State<m>& x, const ivp::Solution<m>& straight,
+                                           double absolute) const {
+    const Eigen::Index n = x.size(), directions = std::min(n, most_directions);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index k = 0; k < directions; ++k) {
+      const ivp::State<m> begin = moved_state<m>(x, k, moved_, absolute);
+      const ivp::Solution<m> other = run_(q_.system, begin, t, straight.t, {}, limits_);
+      if (other.status.ok()) sum += (other.x - straight.x).cwiseAbs() / moved_;
+    }
+    if (n <= most_directions) return sum;
+    // Of random signs the mean is 0.8 of the root of the squares, the worst at most sqrt(n) times that root.
+    return sum * std::sqrt(static_cast<double>(n)) / (0.8 * static_cast<double>(directions));
+  }
+
+  const Question<m>& q_;
+  double moved_;
+  ivp::Limits limits_;
+  ivp::NamedIntegrator<m> run_;
+  ivp::State<m> size_;
+  std::vector<std::pair<double, ivp::State<m>>> begins_;
+};
+
+}  // namespace
+
+template <int m>
+Growth growth_along(const Question<m>& q, const Expectation& e) {
+  const Growth first = Runs<m>(q, e, {1e-9, 1e-5}).growth();
+  if (!first.at_least) return first;
+  const Growth finer = Runs<m>(q, e, {1e-13, 1e-10}).growth();
+  return finer.seen > 0 ? finer : first;
+}
+
+template Growth growth_along<1>(const Question<1>&, const Expectation&);
+template Growth growth_along<2>(const Question<2>&, const Expectation&);
+template Growth growth_along<3>(const Question<3>&, const Expectation&);
+template Growth growth_along<4>(const Question<4>&, const Expectation&);
+template Growth growth_along<6>(const Question<6>&, const Expectation&);
+template Growth growth_along<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Expectation&);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,31 @@
+/// @file
+/// A problem for which a method is to be chosen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/system.hpp"
+
+namespace nlmech::comparison {
+
+/// What is asked, and of which.
+struct Among {
+  std::vector<std::string> methods = {};  ///< the only ones that may be chosen; empty: all
+  /// May it be chosen?
+  [[nodiscard]] bool has(const std::string& method) const;
+};
+
+/// What is asked.
+template <int m>
+struct Question {
+  ivp::System<m> system;  ///< equations
+  ivp::State<m> x0;       ///< state at t0
+  double t0, t1;          ///< begin and end
+  double level = 9;       ///< digits to hold on the way
+  double absolute = 1;    ///< absolute over relative tolerance
+  Among among = {};       ///< which methods may be chosen
+  bool timed = false;     ///< repeat short runs for their times
+};
+
+}  // namespace nlmech::comparison
