@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "nlmech/scene/picture.hpp"
@@ -16,6 +17,7 @@ using frames::Motion;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int width = 960, height = 480;
+constexpr double panel_share = 0.76;  // of the height, beside heading and labels
 
 /// Places along one beam-column: its deformed chord and the cubic with the rotations of its ends against it.
 void add_beam(const frames::Frame& frame, const Eigen::VectorXd& x, std::size_t index, int parts,
@@ -58,22 +60,37 @@ std::vector<Seen> shown_shapes(const frames::FramePaths& paths) {
   return all;
 }
 
-/// Sets ranges in which both axes have one scale; room for the key above.
-void give_equal_ranges(const std::vector<Shape>& shapes, scene::Panel& panel) {
-  double left = HUGE_VAL, right = -HUGE_VAL, low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Shape& s : shapes) {
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-      if (std::isnan(s.x[i])) continue;
-      left = std::min(left, s.x[i]), right = std::max(right, s.x[i]);
-      low = std::min(low, s.y[i]), high = std::max(high, s.y[i]);
-    }
+/// The least and the greatest of numbers, NaN left out.
+struct Range {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  void take(double value) {
+    if (value < low) low = value;
+    if (value > high) high = value;
   }
-  const double pixels_x = width / 2. - 93,
-               pixels_y = 0.76 * height - 24. * static_cast<double>(shapes.size());
-  const double unit = 1.1 * std::max((right - left) / pixels_x, (high - low) / std::max(pixels_y, 80.));
-  const double x = (left + right) / 2, y = (low + high) / 2, half = pixels_x * unit / 2;
-  const double below = y - std::max(pixels_y, 80.) * unit / 2;
-  panel.x_range(x - half, x + half).y_range(below, below + 0.76 * height * unit);
+  [[nodiscard]] double size() const { return high - low; }
+};
+
+/// The share of a panel's height that a key of so many lines takes.
+double key_share(std::size_t lines) {
+  return std::min(0.6, (26. * static_cast<double>(lines) + 18) / (panel_share * height));
+}
+
+/// Sets ranges with room for the key above, and one scale on both axes unless the frame is flat.
+void give_ranges(const std::vector<Shape>& shapes, scene::Panel& panel) {
+  Range x, y;
+  for (const Shape& s : shapes) {
+    for (const double value : s.x) x.take(value);
+    for (const double value : s.y) y.take(value);
+  }
+  const double key = key_share(shapes.size()), pixels_x = width / 2. - 93,
+               pixels_y = (1 - key) * panel_share * height;
+  double unit_x = 1.1 * std::max(x.size(), 1e-300) / pixels_x,
+         unit_y = 1.1 * std::max(y.size(), 1e-300) / pixels_y;
+  if (unit_y > 0.2 * unit_x) unit_x = unit_y = std::max(unit_x, unit_y);
+  unit_y = std::max(unit_y, 1e-3 * unit_x);
+  const double half = pixels_x * unit_x / 2, middle = (x.low + x.high) / 2;
+  const double below = (y.low + y.high - pixels_y * unit_y) / 2;
+  panel.x_range(middle - half, middle + half).y_range(below, below + panel_share * height * unit_y);
 }
 
 void put_paths(const frames::NamedMotion& motion, const frames::FramePaths& paths, scene::Panel& panel) {
@@ -83,7 +100,10 @@ void put_paths(const frames::NamedMotion& motion, const frames::FramePaths& path
     std::copy_if(paths.points.begin(), paths.points.end(), std::back_inserter(some), wanted);
     return some;
   };
-  for (int branch = 0; branch <= std::min(paths.branches, 6); ++branch) {
+  Range loads;
+  for (const FramePoint& p : paths.points) loads.take(p.load);
+  std::size_t named = 0;
+  for (int branch = 0; branch <= std::min(paths.branches, 6); ++branch, ++named) {
     const auto points = select([&](const FramePoint& p) { return p.branch == branch; });
     panel.curve(branch == 0 ? "from rest" : fmt::format("branch {}", branch), points, along,
                 &FramePoint::load, scene::lines(branch == 0 ? 1 : branch % 7 + 2));
@@ -91,12 +111,15 @@ void put_paths(const frames::NamedMotion& motion, const frames::FramePaths& path
   for (const FramePoint::Kind kind :
        {FramePoint::Kind::maximum, FramePoint::Kind::minimum, FramePoint::Kind::bifurcation}) {
     const auto points = select([&](const FramePoint& p) { return p.kind == kind; });
-    if (!points.empty())
-      panel.curve(std::string(to_string(kind)), points, along, &FramePoint::load,
-                  scene::large_points(kind == FramePoint::Kind::maximum   ? 5
-                                      : kind == FramePoint::Kind::minimum ? 4
-                                                                          : 3));
+    if (points.empty()) continue;
+    ++named;
+    panel.curve(std::string(to_string(kind)), points, along, &FramePoint::load,
+                scene::large_points(kind == FramePoint::Kind::maximum   ? 5
+                                    : kind == FramePoint::Kind::minimum ? 4
+                                                                        : 3));
   }
+  const double room = std::max(loads.size(), 1e-300) / (1 - key_share(named));
+  panel.y_range(loads.low - 0.03 * room, loads.low + 1.02 * room);
 }
 
 }  // namespace
@@ -138,7 +161,7 @@ scene::Figure frame_picture(const frames::NamedFrame& frame, const frames::Frame
   const std::vector<Seen> seen = shown_shapes(paths);
   std::vector<Shape> shapes = {shape_of(frame.frame, Eigen::VectorXd::Zero(frame.frame.size()))};
   for (const Seen& s : seen) shapes.push_back(shape_of(frame.frame, s.point->x));
-  give_equal_ranges(shapes, panel);
+  give_ranges(shapes, panel);
   panel.curve("at rest", shapes[0].x, shapes[0].y, scene::thin_lines(8));
   for (std::size_t i = 0; i < seen.size(); ++i)
     panel.curve(seen[i].name, shapes[i + 1].x, shapes[i + 1].y, scene::lines(static_cast<int>(i % 7) + 1));

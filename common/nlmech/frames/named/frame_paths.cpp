@@ -30,9 +30,32 @@ struct Crossing {
   PathPoint point;
   Eigen::VectorXd direction;  ///< scaled
   Eigen::Index negative;      ///< as of FramePoint
+  int branch;                 ///< on which it was met
   bool is_simple;             ///< does one eigenvalue vanish?
   bool is_open[2] = {true, true};
 };
+
+double size_of(const Frame& frame) {
+  const auto& nodes = frame.nodes();
+  const auto [left, right] =
+      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.y < b.y; });
+  return std::hypot(right->x - left->x, high->y - low->y);
+}
+
+/// Scales by which a path is measured: one for all translations, so that a member that turns with its node
+/// does not turn the path, and 1 for rotations.
+Eigen::VectorXd scale_of(const Frame& frame) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(frame.size());
+  const double translation = 1 / size_of(frame);
+  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
+    for (const Motion motion : {Motion::x, Motion::y}) {
+      if (const Eigen::Index at = frame.unknown(node, motion); at >= 0) scale[at] = translation;
+    }
+  }
+  return scale;
+}
 
 /// The walk along all branches.
 class Walk {
@@ -41,7 +64,8 @@ class Walk {
       : how_(how),
         equations_(frame, load),
         first_(std::min(first_load(frame, load), how.until.value_or(HUGE_VAL) / 20)),
-        path_({.first = first_, .turn = how.turn}, equations_, Eigen::VectorXd::Zero(frame.size()), 0) {}
+        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = scale_of(frame)},
+              equations_, Eigen::VectorXd::Zero(frame.size()), 0) {}
 
   FramePaths all() {
     Status status = path_.start();
@@ -69,8 +93,11 @@ class Walk {
     const Crossing from = crossings_[i];
     const int branch = out_.branches + 1;
     Status status;
-    // The other branch is met at some distance, or at a smaller one.
-    for (double length = 0.02 * from.point.at.norm(); length > 1e-6 * from.point.at.norm(); length /= 4) {
+    // The other branch is met where something has moved by this share of the frame's size, or turned by so
+    // many rad; or at a smaller distance.
+    const double farthest = from.direction.cwiseAbs().maxCoeff();
+    for (double reach = 0.02; reach > 1e-7; reach /= 4) {
+      const double length = reach / farthest;
       status = path_.switch_branch(from.point, from.direction, half == 0 ? length : -length);
       if (status.ok()) break;
     }
@@ -107,9 +134,16 @@ class Walk {
     for (; listed_ < met_.size(); ++listed_) {
       const CriticalPoint& c = met_[listed_];
       if (has_ended(before, c.point)) return true;
-      add(kind_of(c.kind), c.point, std::min(least, c.point.negative));
+      if (Crossing* const met = known(c)) {
+        add(FramePoint::Kind::bifurcation, met->point, met->negative);
+        met->is_open[path_.before().tangent.y.dot(met->direction) > 0 ? 1 : 0] = false;
+        return true;
+      }
+      const Eigen::Index negative = std::min(least, c.point.negative);
+      add(kind_of(c.kind), c.point, negative);
       greatest_ = std::max(greatest_, std::abs(c.point.load));
-      if (c.kind == CriticalPoint::Kind::bifurcation && is_known(c, out_.points.back().negative)) return true;
+      if (c.kind == CriticalPoint::Kind::bifurcation)
+        crossings_.push_back({c.point, c.point.tangent.y, negative, branch_, c.vanishing == 1});
       before = c.point;
     }
     if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
@@ -131,19 +165,23 @@ class Walk {
     out_.points.push_back({branch_, kind, p.load, p.x, negative});
   }
 
-  /// Was this branch point met before? Then the half by which the walk came needs no walk. Else it is kept.
-  bool is_known(const CriticalPoint& c, Eigen::Index negative) {
-    const Eigen::VectorXd& direction = c.point.tangent.y;
-    for (Crossing& known : crossings_) {
-      const double size = std::max(known.point.at.norm(), c.point.at.norm());
-      const algebraic::PathVector off{known.point.at.y - c.point.at.y, known.point.at.m - c.point.at.m};
-      if (off.norm() > 1e-5 * size) continue;
-      const double along = path_.before().tangent.y.dot(known.direction);
-      known.is_open[along > 0 ? 1 : 0] = false;
-      return true;
+  /// The branch point, found on another branch, that a critical point of this one is; null if it is none.
+  Crossing* known(const CriticalPoint& c) {
+    const auto distance = [](const PathPoint& a, const PathPoint& b) {
+      return algebraic::PathVector{a.at.y - b.at.y, a.at.m - b.at.m}.norm();
+    };
+    // Along the branch that crosses another one the load has an extremum there, or may have: what is found
+    // is less precise than what was found along the other.
+    double least = 1e-3 * distance(path_.before(), path_.now());
+    Crossing* nearest = nullptr;
+    for (Crossing& k : crossings_) {
+      if (k.branch == branch_) continue;
+      const double off = distance(k.point, c.point);
+      if (off > least) continue;
+      least = off;
+      nearest = &k;
     }
-    crossings_.push_back({c.point, direction, negative, c.vanishing == 1});
-    return false;
+    return nearest;
   }
 
   FrameWalk how_;
@@ -157,15 +195,6 @@ class Walk {
   double greatest_ = 0;
   int branch_ = 0;
 };
-
-double size_of(const Frame& frame) {
-  const auto& nodes = frame.nodes();
-  const auto [left, right] =
-      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.x < b.x; });
-  const auto [low, high] =
-      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.y < b.y; });
-  return std::hypot(right->x - left->x, high->y - low->y);
-}
 
 /// How many times too great displacements are: 1 if a first step may make them.
 double excess_of(const Frame& frame, const Eigen::VectorXd& x) {

@@ -16,10 +16,10 @@ namespace nlmech::frames {
 
 /// How far to walk.
 struct FrameWalk {
-  int steps = 200;              ///< along each branch, at most; positive
-  std::optional<double> until;  ///< load factor of either sign at which each branch ends, positive
-  int branches = 0;             ///< to be followed besides the path from rest, at most
-  double turn = 0.15;           ///< of the tangent in a step, as it should be, rad
+  int steps = 200;                   ///< along each branch, at most; positive
+  std::optional<double> until = {};  ///< load factor of either sign at which each branch ends, positive
+  int branches = 0;                  ///< to be followed besides the path from rest, at most
+  double turn = 0.15;                ///< of the tangent in a step, as it should be, rad
 };
 
 /// A point of a path.
@@ -46,10 +46,10 @@ struct FramePoint {
 struct FramePaths {
   /// Branch by branch, in the order of the walk; each but that from rest begins with its bifurcation.
   std::vector<FramePoint> points;
-  int branches = 0;                ///< followed besides the path from rest
-  int unfollowed = 0;              ///< halves of branches seen and not followed
-  Status status;                   ///< success, or why a branch was left before its end, the first that was
-  Statistics statistics;           ///< of all of it
+  int branches = 0;       ///< followed besides the path from rest
+  int unfollowed = 0;     ///< halves of branches seen and not followed
+  Status status;          ///< success, or why a branch was left before its end, the first that was
+  Statistics statistics;  ///< of all of it
 };
 
 /// Follows the equilibria of a frame under growing dead loads from rest through all limit and branch points,
