@@ -78,6 +78,7 @@ if(NLMECH_CHAPTERS_SELECTED)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/figures/templates DESTINATION ${data_dir}/figures)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/published DESTINATION ${data_dir}/tables)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/chapters/integrators/examples DESTINATION ${data_dir}/chapters/integrators)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/chapters/homotopy/frames DESTINATION ${data_dir}/chapters/homotopy)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/reference/problem_set.csv
                 ${PROJECT_SOURCE_DIR}/tables/reference/problem_set_conditions.csv DESTINATION ${data_dir}/tables/reference)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/errata DESTINATION ${data_dir}/tables)

@@ -92,7 +92,7 @@ def toggles():
 
 
 def others():
-    for elements in (5, 10):
+    for elements in (5, 10, 20):
         problem, at = lee(elements)
         path = Path(problem, lambda x: x[3], [1 + 0.5 * k for k in range(186)], ["-1e-9", "-1e-9", 0, "1e-9"],
                     ["1e-6", "1e-4", "1e-3", "0.01", "0.03", "0.06", "0.1", "0.2", "0.4", "0.6", "0.8"])
@@ -105,10 +105,11 @@ def others():
     problem, _ = arch(100, "107.5", "1e8", "1e6", 20, False)
     path = Path(problem, lambda x: x[3], [], [-1e-3, -1e-3, 0, 1e-3], ["0.001", "0.01", "0.1", "1", *range(4, 120, 5)])
     row("deep arch of 20 limit", next(path.folds(mp.mpf("1e-9")))[1][0], 11)
-    problem, _ = arch("133.114", "7.3397", "1.875e6", mp.mpf("1e7") * (mp.mpf(3) / 16) ** 3 / 12, 16, True)
-    path = Path(problem, lambda x: x[3], [0.02 * k for k in range(1, 80)], [-1e-3, -1e-3, 0, 1e-3], ["1e-4", "0.001", "0.01"])
-    for name, (_, point) in zip(("limit", "lower limit"), path.folds(mp.mpf("1e-9"))):
-        row(f"shallow arch of 16 {name}", point[0], 12)
+    for elements in (16, 32):
+        problem, _ = arch("133.114", "7.3397", "1.875e6", mp.mpf("1e7") * (mp.mpf(3) / 16) ** 3 / 12, elements, True)
+        path = Path(problem, lambda x: x[3], [0.02 * k for k in range(1, 80)], [-1e-3, -1e-3, 0, 1e-3], ["1e-4", "0.001", "0.01"])
+        for name, (_, point) in zip(("limit", "lower limit"), path.folds(mp.mpf("1e-9"))):
+            row(f"shallow arch of {elements} {name}", point[0], 12)
 
 
 def main():

@@ -9,6 +9,7 @@ namespace nlmech::chapters::homotopy {
 void commands(scene::Commands& all) {
   add_limit_points_command(all);
   add_solve_command(all);
+  add_frame_command(all);
 }
 
 void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::string& about_elements) {

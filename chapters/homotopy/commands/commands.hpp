@@ -1,5 +1,5 @@
 /// @file
-/// The chapter's commands: toggles of the user's own.
+/// The chapter's commands: toggles and frames of the user's own.
 #pragma once
 
 #include <optional>
@@ -26,5 +26,6 @@ void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::str
 
 void add_limit_points_command(scene::Commands& all);  ///< `homotopy limit-points`
 void add_solve_command(scene::Commands& all);         ///< `homotopy solve`
+void add_frame_command(scene::Commands& all);         ///< `homotopy frame`
 
 }  // namespace nlmech::chapters::homotopy

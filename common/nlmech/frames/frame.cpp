@@ -32,6 +32,24 @@ BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& 
   return beam;
 }
 
+/// Nodes that members reach, all of them by pinned ends.
+std::vector<std::size_t> nodes_without_rotation(const std::vector<Member>& members, std::size_t nodes) {
+  std::vector<int> pinned(nodes, 0), rigid(nodes, 0);
+  const auto count = [&](int node, bool is_pinned) {
+    require_node(node, nodes, "a member");
+    ++(is_pinned ? pinned : rigid)[static_cast<std::size_t>(node)];
+  };
+  for (const Member& m : members) {
+    count(m.first, m.is_first_pinned);
+    count(m.second, m.is_second_pinned);
+  }
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (pinned[i] > 0 && rigid[i] == 0) found.push_back(i);
+  }
+  return found;
+}
+
 }  // namespace
 
 Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::vector<Support>& supports)
@@ -45,13 +63,17 @@ Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::ve
       part.unknowns[j] = unknowns_[3 * static_cast<std::size_t>(m.first) + j];
       part.unknowns[j + 3] = unknowns_[3 * static_cast<std::size_t>(m.second) + j];
     }
+    if (m.is_first_pinned) part.unknowns[2] = size_++;
+    if (m.is_second_pinned) part.unknowns[5] = size_++;
     parts_.push_back(part);
   }
+  if (size_ == 0) throw std::invalid_argument("Frame: nothing can move");
   make_pattern();
 }
 
 void Frame::number_unknowns(const std::vector<Support>& supports) {
   unknowns_.assign(3 * nodes_.size(), 0);
+  for (const std::size_t node : nodes_without_rotation(members_, nodes_.size())) unknowns_[3 * node + 2] = -1;
   for (const Support& s : supports) {
     require_node(s.node, nodes_.size(), "a support");
     unknowns_[3 * static_cast<std::size_t>(s.node) + static_cast<std::size_t>(s.motion)] = -1;
@@ -59,7 +81,6 @@ void Frame::number_unknowns(const std::vector<Support>& supports) {
   for (Eigen::Index& u : unknowns_) {
     if (u == 0) u = size_++;
   }
-  if (size_ == 0) throw std::invalid_argument("Frame: nothing can move");
 }
 
 void Frame::make_pattern() {
@@ -96,6 +117,10 @@ Eigen::Index Frame::unknown(int node, Motion motion) const {
 
 void Frame::require_size(Eigen::Index size) const {
   if (size != size_) throw invalid_argument("Frame: {} displacements for {} unknowns", size, size_);
+}
+
+void Frame::require_member(std::size_t index) const {
+  if (index >= parts_.size()) throw invalid_argument("Frame: there is no member {}", index);
 }
 
 Status Frame::failure(std::size_t member, Outcome outcome) const {

@@ -24,6 +24,7 @@ void check(const PathMethod& method) {
   require(method.shortest > 0 && method.shortest < 1, "shortest", method.shortest, "between 0 and 1");
   require(method.spherical >= 0 && method.spherical <= 1, "spherical", method.spherical, "between 0 and 1");
   require(method.iterations > 0, "iterations", method.iterations, "positive");
+  require(method.aim > 0, "aim", method.aim, "positive");
 }
 
 }  // namespace
@@ -233,7 +234,7 @@ Status Path::advance() {
 }
 
 void Path::adapt(double length, double angle, int count) {
-  const double by_turn = method_.turn / std::max(angle, 1e-3), by_count = std::sqrt(4. / count);
+  const double by_turn = method_.turn / std::max(angle, 1e-3), by_count = std::sqrt(static_cast<double>(method_.aim) / count);
   length_ = length;
   if (method_.kind == PathMethod::Kind::gdc)
     factor_ = std::min(1., 2 * factor_);

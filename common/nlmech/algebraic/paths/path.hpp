@@ -43,6 +43,7 @@ struct PathMethod {
   double shortest = 1e-9;      ///< a step shorter than so many first steps is `step_underflow`
   double spherical = 1;        ///< weight of the load in Crisfield's condition, 0 to 1
   int iterations = 10;         ///< at most so many corrections of a step
+  int aim = 4;                 ///< steps of riks and crisfield are chosen for so many of them at most
   Eigen::VectorXd scale = {};  ///< diagonal of S, positive; empty: chosen
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -179,32 +180,44 @@ double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& 
 
 /// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
 /// point itself a correction is not determined along the other branch. Where six places and four do not
-/// agree, as next to another singular point, nearer ones are taken.
+/// agree, as next to another singular point, nearer ones are taken; unless rounding, as of thousands of
+/// unknowns, makes these agree less.
 Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
   constexpr std::array<double, 6> offsets = {-1, 1, -0.6, 0.6, -0.2, 0.2};
   std::array<double, 6> parts{}, values{};
   std::array<PathVector, 6> places;
-  double middle = part_of(out), part = 0;
+  PathVector best;
+  double middle = part_of(out), least = HUGE_VAL, allowed = 0;
+  Outcome outcome = Outcome::not_converged;
   for (const double reach : {0.02, 2e-3, 2e-4}) {
     for (std::size_t i = 0; i < offsets.size(); ++i) {
       parts[i] = middle + reach * offsets[i];
-      if (const Outcome outcome = between(parts[i], out); outcome != Outcome::success) return outcome;
+      outcome = between(parts[i], out);
+      if (outcome != Outcome::success) break;
       values[i] = value(out);
       places[i] = out.at;
     }
-    part = zero_of(parts, values, 0);
-    if (!(std::abs(part - middle) <= reach)) return Outcome::not_converged;
-    const double off = std::abs(part - zero_of(parts, values, 2));
-    if (off <= 1e-6 * reach) break;
-    if (reach < 1e-3 && off > 1e-4 * reach) return Outcome::not_converged;
+    if (outcome != Outcome::success) break;
+    const double part = zero_of(parts, values, 0), off = std::abs(part - zero_of(parts, values, 2));
+    if (!(std::abs(part - middle) <= reach)) {
+      outcome = Outcome::not_converged;
+      break;
+    }
     middle = part;
+    if (off >= least) continue;
+    least = off;
+    allowed = 1e-4 * reach;
+    PathVector sum{Eigen::VectorXd::Zero(system_.size()), 0};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double share = lagrange(parts, 0, i, part);
+      sum.y += share * places[i].y;
+      sum.m += share * places[i].m;
+    }
+    best = std::move(sum);
+    if (off <= 1e-6 * reach) break;
   }
-  out.at = {Eigen::VectorXd::Zero(system_.size()), 0};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double share = lagrange(parts, 0, i, part);
-    out.at.y += share * places[i].y;
-    out.at.m += share * places[i].m;
-  }
+  if (!(least <= allowed)) return outcome == Outcome::success ? Outcome::not_converged : outcome;
+  out.at = std::move(best);
   out.x = system_.unscaled(out.at.y);
   out.load = out.at.m / system_.load_scale();
   out.arc = before_.arc + PathVector{out.at.y - before_.at.y, out.at.m - before_.at.m}.norm();

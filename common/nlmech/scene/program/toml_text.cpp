@@ -1,17 +1,39 @@
 #include "nlmech/scene/program/toml_text.hpp"
 
-#include <algorithm>
+#include <string_view>
 
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// What ends a number within a line, or a line.
+bool is_blank_or_comma(char c) { return std::string_view(" \t\r\n,]}").find(c) != std::string_view::npos; }
+
+}  // namespace
+
 void require_shallow_toml(std::string_view text, const std::string& name) {
   constexpr std::ptrdiff_t most = 2000;
-  const std::ptrdiff_t dots = std::count(text.begin(), text.end(), '.');
+  std::ptrdiff_t dots = 0;
+  bool is_last_a_point = false;  // the dot before, if only digits were between
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '.') {
+      is_last_a_point = is_last_a_point && !is_blank_or_comma(text[i]);
+      continue;
+    }
+    // A decimal point stands between two digits, and there is one in a number. Of two dots that are next to
+    // each other in a key one is counted at least.
+    const bool is_point =
+        !is_last_a_point && i > 0 && is_digit(text[i - 1]) && i + 1 < text.size() && is_digit(text[i + 1]);
+    if (!is_point) ++dots;
+    is_last_a_point = is_point;
+  }
   if (dots > most)
-    throw input_error("{}: {} dots, where {} are more than enough for its few numbers", name, dots, most);
+    throw input_error("{}: {} dots besides decimal points, where {} are more than enough for its names", name,
+                      dots, most);
 }
 
 }  // namespace nlmech::scene

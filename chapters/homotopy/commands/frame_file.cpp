@@ -1,0 +1,234 @@
+#include "chapters/homotopy/commands/frame_file.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/toml_text.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::homotopy {
+namespace {
+
+using frames::ModelPart;
+using frames::Motion;
+
+/// A value as it stands in the file, near enough to be found there.
+std::string text_of(const toml::node& node) {
+  std::ostringstream out;
+  node.visit([&out](const auto& value) { out << value; });
+  return echoed(out.str());
+}
+
+/// Reads one file.
+class Reader {
+ public:
+  Reader(const toml::table& all, const std::string& name) {
+    file_.name = name;
+    for (const auto& [key, node] : in_order(all)) {
+      if (key == "nodes")
+        for_entries(key, *node, [this](const auto& k, const auto& n) { read_node(k, n); });
+      else if (key == "members")
+        read_members(*node);
+      else if (key == "supports")
+        for_entries(key, *node, [this](const auto& k, const auto& n) { read_support(k, n); });
+      else if (key == "loads")
+        for_entries(key, *node, [this](const auto& k, const auto& n) { read_load(k, n); });
+      else
+        complain(*node, key, "no such key; there are nodes, members, supports, loads");
+    }
+  }
+  [[nodiscard]] FrameFile take() { return std::move(file_); }
+
+ private:
+  using Entry = std::pair<std::string, const toml::node*>;
+
+  /// Entries of a table as they stand in the file; a table of TOML is sorted by its keys.
+  static std::vector<Entry> in_order(const toml::table& table) {
+    std::vector<Entry> entries;
+    for (const auto& [key, node] : table) entries.emplace_back(std::string(key.str()), &node);
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      const auto &at = a.second->source().begin, &other = b.second->source().begin;
+      return std::pair(at.line, at.column) < std::pair(other.line, other.column);
+    });
+    return entries;
+  }
+
+  [[noreturn]] void complain(const toml::node& node, const std::string& key, const std::string& what) const {
+    throw InputError(fmt::format("{}, line {}: {} = {}: {}", file_.name, node.source().begin.line,
+                                 echoed(key), text_of(node), what));
+  }
+
+  void note_line(ModelPart part, const toml::node& node) {
+    file_.lines[static_cast<std::size_t>(part)].push_back(static_cast<int>(node.source().begin.line));
+  }
+
+  template <class Use>
+  void for_entries(const std::string& key, const toml::node& node, const Use& use) {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) complain(node, key, "a table is needed, with a line for each node");
+    for (const auto& [name, entry] : in_order(*table)) use(name, *entry);
+  }
+
+  double number(const toml::node& node, const std::string& key) const {
+    if (!node.is_number()) complain(node, key, "not a number");
+    const double value = node.value<double>().value_or(HUGE_VAL);
+    if (!std::isfinite(value)) complain(node, key, "not a finite number");
+    return value;
+  }
+
+  std::string text(const toml::node& node, const std::string& key) const {
+    const auto value = node.value_exact<std::string>();
+    if (!value) complain(node, key, "a name in quotes is needed");
+    return *value;
+  }
+
+  std::vector<std::string> texts(const toml::node& node, const std::string& key) const {
+    const toml::array* const array = node.as_array();
+    if (array == nullptr) complain(node, key, "a list of names in quotes is needed");
+    std::vector<std::string> all;
+    for (const toml::node& entry : *array) all.push_back(text(entry, key));
+    return all;
+  }
+
+  void read_node(const std::string& name, const toml::node& node) {
+    const std::string key = "nodes." + name;
+    const toml::array* const place = node.as_array();
+    if (place == nullptr || place->size() != 2) complain(node, key, "a place is two numbers, [x, y]");
+    file_.model.nodes.push_back({name, number((*place)[0], key), number((*place)[1], key)});
+    note_line(ModelPart::nodes, node);
+  }
+
+  void read_members(const toml::node& node) {
+    const toml::array* const all = node.as_array();
+    if (all == nullptr) complain(node, "members", "each member is a table under [[members]]");
+    for (const toml::node& entry : *all) {
+      const toml::table* const table = entry.as_table();
+      if (table == nullptr) complain(entry, "members", "each member is a table under [[members]]");
+      read_member(*table);
+    }
+  }
+
+  void read_member(const toml::table& table) {
+    frames::NamedMember m;
+    std::vector<std::string> hinges;
+    const toml::node* hinges_at = nullptr;
+    for (const auto& [key, node] : in_order(table)) {
+      if (key == "nodes") {
+        const std::vector<std::string> ends = texts(*node, key);
+        if (ends.size() != 2) complain(*node, key, "a member joins two nodes");
+        m.first = ends[0], m.second = ends[1];
+      } else if (key == "EA") {
+        m.ea = number(*node, key);
+      } else if (key == "EI") {
+        m.ei = number(*node, key);
+      } else if (key == "radius") {
+        m.radius = number(*node, key);
+      } else if (key == "elements") {
+        m.elements = whole(*node, key);
+      } else if (key == "hinges") {
+        hinges = texts(*node, key);
+        hinges_at = node;
+      } else {
+        complain(*node, key, "no such key; a member has nodes, EA, EI, hinges, elements, radius");
+      }
+    }
+    for (const std::string_view key : {"nodes", "EA", "EI"}) {
+      if (!table.contains(key))
+        throw InputError(
+            fmt::format("{}, line {}: a member without {}", file_.name, table.source().begin.line, key));
+    }
+    for (const std::string& hinge : hinges) {
+      if (hinge != m.first && hinge != m.second)
+        complain(*hinges_at, "hinges",
+                 fmt::format("the member joins {} and {}", echoed(m.first), echoed(m.second)));
+      (hinge == m.first ? m.is_first_pinned : m.is_second_pinned) = true;
+    }
+    file_.model.members.push_back(std::move(m));
+    note_line(ModelPart::members, table);
+  }
+
+  int whole(const toml::node& node, const std::string& key) const {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < 1 || *value > frames::most_beam_columns)
+      complain(node, key, fmt::format("a whole number from 1 to {} is needed", frames::most_beam_columns));
+    return static_cast<int>(*value);
+  }
+
+  std::optional<Motion> motion_of(std::string_view word) const {
+    for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
+      if (word == to_string(motion)) return motion;
+    }
+    return std::nullopt;
+  }
+
+  void read_support(const std::string& name, const toml::node& node) {
+    const std::string key = "supports." + name;
+    for (const std::string& word : texts(node, key)) {
+      const auto motion = motion_of(word);
+      if (!motion) complain(node, key, echoed(word) + " is no motion; there are x, y, rotation");
+      file_.model.supports.push_back({name, *motion});
+      note_line(ModelPart::supports, node);
+    }
+  }
+
+  void read_load(const std::string& name, const toml::node& node) {
+    const std::string key = "loads." + name;
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) complain(node, key, "a load is a table such as { y = -1 }");
+    for (const auto& [word, value] : in_order(*table)) {
+      const auto motion = word == "moment" ? Motion::rotation : motion_of(word);
+      if (!motion || word == "rotation") complain(*value, key + "." + word, "a load has x, y, moment");
+      file_.model.loads.push_back({name, *motion, number(*value, key + "." + word)});
+      note_line(ModelPart::loads, *value);
+    }
+  }
+
+  FrameFile file_;
+};
+
+std::string_view name_of(ModelPart part) {
+  switch (part) {
+    case ModelPart::nodes: return "nodes";
+    case ModelPart::members: return "members";
+    case ModelPart::supports: return "supports";
+    default: return "loads";
+  }
+}
+
+}  // namespace
+
+FrameFile parse_frame(std::string_view text, const std::string& name) {
+  scene::require_shallow_toml(text, name);
+  try {
+    return Reader(toml::parse(text, name), name).take();
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}, line {}, column {}: {}", name, error.source().begin.line,
+                                 error.source().begin.column, echoed(error.description(), 400)));
+  }
+}
+
+FrameFile read_frame(const std::string& path) {
+  return parse_frame(scene::read_whole(path), path == "-" ? "standard input" : echoed_path(path));
+}
+
+frames::NamedFrame build_frame(const FrameFile& file, int elements) {
+  try {
+    return build(file.model, elements);
+  } catch (const frames::ModelError& error) {
+    const std::vector<int>& lines = file.lines[static_cast<std::size_t>(error.part())];
+    const std::string where = error.index() < lines.size() ? fmt::format("line {}", lines[error.index()])
+                                                           : fmt::format("[{}]", name_of(error.part()));
+    throw InputError(fmt::format("{}, {}: {}", file.name, where, error.what()));
+  }
+}
+
+}  // namespace nlmech::chapters::homotopy

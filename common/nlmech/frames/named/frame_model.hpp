@@ -1,0 +1,128 @@
+/// @file
+/// A plane frame described by names: nodes, members between them, supports, loads; and the Frame that it
+/// makes.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "nlmech/frames/frame.hpp"
+
+namespace nlmech::frames {
+
+/// A joint with a name, at rest.
+struct NamedNode {
+  std::string name;  ///< each its own
+  double x = 0;      ///< place
+  double y = 0;      ///< place
+};
+
+/// A member between two named nodes.
+struct NamedMember {
+  std::string first;              ///< name of a node
+  std::string second;             ///< name of another one
+  double ea = 0;                  ///< EA, a force, positive
+  double ei = 0;                  ///< EI, force times length squared, positive
+  bool is_first_pinned = false;   ///< does the first end turn by itself?
+  bool is_second_pinned = false;  ///< does the second?
+  int elements = 1;               ///< beam-columns, times those of build()
+  /// Of a circular arc, at most half a circle, with its elements' ends on it: clockwise from the first node
+  /// to the second if positive, anticlockwise if negative; 0: straight
+  double radius = 0;
+};
+
+/// A motion of a named node that is zero.
+struct NamedSupport {
+  std::string node;           ///< its name
+  Motion motion = Motion::x;  ///< which
+};
+
+/// A dead load on a named node, times the load factor.
+struct NamedLoad {
+  std::string node;           ///< its name
+  Motion motion = Motion::x;  ///< along which; a moment on a rotation
+  double value = 0;           ///< force or moment, finite
+};
+
+/// A frame with its loads.
+struct FrameModel {
+  std::vector<NamedNode> nodes;        ///< in the order of the results
+  std::vector<NamedMember> members;    ///< at least one
+  std::vector<NamedSupport> supports;  ///< in any order
+  std::vector<NamedLoad> loads;        ///< at least one that is not 0
+};
+
+/// Which of the lists of a FrameModel.
+enum class ModelPart : std::uint8_t {
+  nodes,     ///< joints
+  members,   ///< between them
+  supports,  ///< what is held
+  loads      ///< what pulls
+};
+
+/// Why a model makes no frame, and which entry of it is to blame.
+class ModelError : public std::invalid_argument {
+ public:
+  /// @param sentence names what is wrong, with the value
+  ModelError(ModelPart part, std::size_t index, const std::string& sentence)
+      : std::invalid_argument(sentence), part_(part), index_(index) {}
+  [[nodiscard]] ModelPart part() const { return part_; }      ///< the list
+  [[nodiscard]] std::size_t index() const { return index_; }  ///< in it; 0 for an empty list
+
+ private:
+  ModelPart part_;
+  std::size_t index_;
+};
+
+/// A free motion of a named node.
+struct NamedMotion {
+  std::string name;      ///< "B.y", "B.rotation"
+  int node;              ///< index
+  Motion motion;         ///< which
+  Eigen::Index unknown;  ///< of the frame
+};
+
+/// The frame of a model.
+struct NamedFrame {
+  Frame frame;                       ///< the named nodes first, in the order of the model
+  Eigen::VectorXd load;              ///< forces on the unknowns for a load factor of 1
+  std::vector<NamedMotion> motions;  ///< free motions of the named nodes, in their order
+  std::vector<std::size_t> members;  ///< of each beam-column the member of the model that it is a part of
+};
+
+/// "x", "y", "rotation".
+[[nodiscard]] std::string_view to_string(Motion motion) noexcept;
+
+/// Beam-columns of the largest frame that is built.
+inline constexpr int most_beam_columns = 100'000;
+
+/// Builds it.
+///
+/// Tests hold arches of arcs to those of tests/frames/structures.cpp, whose nodes are computed on the circle,
+/// and frames with their nodes in another order to the same loads.
+/// @param model see there
+/// @param elements beam-columns a member, times NamedMember::elements; positive
+/// @throws ModelError for a name that is none or stands twice, two nodes in one place, a node without a
+/// member, a member of no length, EA or EI that is not positive, an arc that does not span its nodes, numbers
+/// that are not finite, a load on a held motion or on no rotation, no load at all, more than
+/// most_beam_columns; and for a frame that can move without a strain in any member (a mechanism, a part that
+/// nothing holds), blaming the node that moves most
+/// @throws std::invalid_argument if @p elements is not positive
+[[nodiscard]] NamedFrame build(const FrameModel& model, int elements);
+
+/// A motion that strains no member, if there is one.
+struct LooseMotion {
+  int node;       ///< the node that moves most, by the stiffness of what it is joined to
+  Motion motion;  ///< along which
+};
+
+/// Is the frame at rest a mechanism? The softest shape is found by inverse iteration and its energy summed
+/// from the strains of the members, so that soft is told from loose: a strain energy of less than 1e-18 of
+/// that of the unknowns each by itself is none.
+[[nodiscard]] std::optional<LooseMotion> loose_motion(const Frame& frame);
+
+}  // namespace nlmech::frames

@@ -1,0 +1,251 @@
+#include "nlmech/frames/named/frame_paths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "nlmech/algebraic/paths/path.hpp"
+#include "nlmech/algebraic/symmetric_solver.hpp"
+#include "nlmech/frames/loaded_frame.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::frames {
+namespace {
+
+using algebraic::CriticalPoint;
+using algebraic::Path;
+using algebraic::PathPoint;
+
+FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
+  switch (kind) {
+    case CriticalPoint::Kind::maximum: return FramePoint::Kind::maximum;
+    case CriticalPoint::Kind::minimum: return FramePoint::Kind::minimum;
+    default: return FramePoint::Kind::bifurcation;
+  }
+}
+
+/// A branch point, and which halves of its other branch are still to be followed.
+struct Crossing {
+  PathPoint point;
+  Eigen::VectorXd direction;  ///< scaled
+  Eigen::Index negative;      ///< as of FramePoint
+  int branch;                 ///< on which it was met
+  bool is_simple;             ///< does one eigenvalue vanish?
+  bool is_open[2] = {true, true};
+};
+
+double size_of(const Frame& frame) {
+  const auto& nodes = frame.nodes();
+  const auto [left, right] =
+      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.y < b.y; });
+  return std::hypot(right->x - left->x, high->y - low->y);
+}
+
+/// Scales by which a path is measured: one for all translations, so that a member that turns with its node
+/// does not turn the path, and 1 for rotations.
+Eigen::VectorXd scale_of(const Frame& frame) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(frame.size());
+  const double translation = 1 / size_of(frame);
+  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
+    for (const Motion motion : {Motion::x, Motion::y}) {
+      if (const Eigen::Index at = frame.unknown(node, motion); at >= 0) scale[at] = translation;
+    }
+  }
+  return scale;
+}
+
+/// The walk along all branches.
+class Walk {
+ public:
+  Walk(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& how)
+      : how_(how),
+        equations_(frame, load),
+        first_(std::min(first_load(frame, load), how.until.value_or(HUGE_VAL) / 20)),
+        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = scale_of(frame)},
+              equations_, Eigen::VectorXd::Zero(frame.size()), 0) {}
+
+  FramePaths all() {
+    Status status = path_.start();
+    if (status.ok()) status = along(0);
+    note(status);
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      for (const int half : {0, 1}) follow_half(i, half);
+    }
+    out_.statistics = path_.statistics();
+    return std::move(out_);
+  }
+
+ private:
+  void note(const Status& status) {
+    if (out_.status.ok() && !status.ok()) out_.status = status;
+  }
+
+  void follow_half(std::size_t i, int half) {
+    if (!crossings_[i].is_open[half]) return;
+    if (!crossings_[i].is_simple || out_.branches >= how_.branches) {
+      ++out_.unfollowed;
+      return;
+    }
+    crossings_[i].is_open[half] = false;
+    const Crossing from = crossings_[i];
+    const int branch = out_.branches + 1;
+    Status status;
+    // The other branch is met where something has moved by this share of the frame's size, or turned by so
+    // many rad; or at a smaller distance.
+    const double farthest = from.direction.cwiseAbs().maxCoeff();
+    for (double reach = 0.02; reach > 1e-7; reach /= 4) {
+      const double length = reach / farthest;
+      status = path_.switch_branch(from.point, from.direction, half == 0 ? length : -length);
+      if (status.ok()) break;
+    }
+    if (status.ok()) {
+      out_.branches = branch_ = branch;
+      add(FramePoint::Kind::bifurcation, from.point, from.negative);
+      status = along(branch);
+    }
+    note(status);
+  }
+
+  /// Walks on from now() of the path to the end of the branch.
+  Status along(int branch) {
+    branch_ = branch;
+    listed_ = 0;
+    greatest_ = 0;
+    met_.clear();
+    begin_ = out_.points.size();
+    Status status = follow(
+        path_, [this](const Path&) { return list(); }, how_.steps, met_);
+    if (status.outcome() == Outcome::step_limit && !how_.until) status = {};
+    return status;
+  }
+
+  [[nodiscard]] double end_load() const {
+    if (how_.until) return *how_.until;
+    return greatest_ > 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
+  }
+
+  /// Lists what the last step brought. Is it the end?
+  bool list() {
+    const Eigen::Index least = std::min(path_.before().negative, path_.now().negative);
+    PathPoint before = path_.before();
+    for (; listed_ < met_.size(); ++listed_) {
+      const CriticalPoint& c = met_[listed_];
+      if (has_ended(before, c.point)) return true;
+      if (Crossing* const met = known(c)) {
+        add(FramePoint::Kind::bifurcation, met->point, met->negative);
+        met->is_open[path_.before().tangent.y.dot(met->direction) > 0 ? 1 : 0] = false;
+        return true;
+      }
+      const Eigen::Index negative = std::min(least, c.point.negative);
+      add(kind_of(c.kind), c.point, negative);
+      greatest_ = std::max(greatest_, std::abs(c.point.load));
+      if (c.kind == CriticalPoint::Kind::bifurcation)
+        crossings_.push_back({c.point, c.point.tangent.y, negative, branch_, c.vanishing == 1});
+      before = c.point;
+    }
+    if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
+    add(FramePoint::Kind::step, path_.now(), path_.now().negative);
+    return false;
+  }
+
+  /// Does the branch end at its load between two points? Then that end is listed.
+  bool has_ended(const PathPoint& from, const PathPoint& to) {
+    const double end = end_load();
+    if (std::abs(to.load) < end) return false;
+    PathPoint last;
+    if (path_.crossing(to.load < 0 ? -end : end, from, to, last) != Outcome::success) last = to;
+    add(FramePoint::Kind::step, last, to.negative);
+    return true;
+  }
+
+  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative) {
+    out_.points.push_back({branch_, kind, p.load, p.x, negative});
+  }
+
+  /// The branch point, found on another branch, that a critical point of this one is; null if it is none.
+  Crossing* known(const CriticalPoint& c) {
+    const auto distance = [](const PathPoint& a, const PathPoint& b) {
+      return algebraic::PathVector{a.at.y - b.at.y, a.at.m - b.at.m}.norm();
+    };
+    // Along the branch that crosses another one the load has an extremum there, or may have: what is found
+    // is less precise than what was found along the other.
+    double least = 1e-3 * distance(path_.before(), path_.now());
+    Crossing* nearest = nullptr;
+    for (Crossing& k : crossings_) {
+      if (k.branch == branch_) continue;
+      const double off = distance(k.point, c.point);
+      if (off > least) continue;
+      least = off;
+      nearest = &k;
+    }
+    return nearest;
+  }
+
+  FrameWalk how_;
+  LoadedFrame equations_;
+  double first_;
+  Path path_;
+  FramePaths out_;
+  std::vector<Crossing> crossings_;
+  std::vector<CriticalPoint> met_;
+  std::size_t listed_ = 0, begin_ = 0;
+  double greatest_ = 0;
+  int branch_ = 0;
+};
+
+/// How many times too great displacements are: 1 if a first step may make them.
+double excess_of(const Frame& frame, const Eigen::VectorXd& x) {
+  const double far = 1e-3 * size_of(frame), turn = 0.02;
+  double worst = 0;
+  for (std::size_t i = 0; i < frame.members().size(); ++i) {
+    const Vector<double, 6> d = frame.ends<double>(x, i);
+    for (int j = 0; j < 6; ++j) worst = std::max(worst, std::abs(d[j]) / (j % 3 == 2 ? turn : far));
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::string_view to_string(FramePoint::Kind kind) noexcept {
+  switch (kind) {
+    case FramePoint::Kind::maximum: return "maximum";
+    case FramePoint::Kind::minimum: return "minimum";
+    case FramePoint::Kind::bifurcation: return "bifurcation";
+    default: return "step";
+  }
+}
+
+double first_load(const Frame& frame, const Eigen::VectorXd& load) {
+  LoadedFrame equations(frame, load);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(frame.size());
+  equations.linearise(rest, 0);
+  algebraic::SymmetricSolver solver;
+  const Eigen::VectorXd scale = algebraic::scale_of(equations.sparse()->diagonal());
+  solver.take(*equations.sparse(), scale);
+  const Eigen::Index negative = solver.factorise().negative;
+  const Eigen::VectorXd scaled = load.cwiseQuotient(scale);
+  Eigen::VectorXd x(frame.size());
+  solver.solve(scaled, x);
+  x = x.cwiseQuotient(scale);
+  double first = 1 / excess_of(frame, x);
+  if (!(std::isfinite(first) && first > 0)) return 1;
+  for (int halving = 0; halving < 60; ++halving, first /= 2) {
+    equations.linearise(first * x, 0);
+    solver.take(*equations.sparse(), scale);
+    if (solver.is_finite() && solver.factorise().negative == negative) break;
+  }
+  return first;
+}
+
+FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& walk) {
+  if (walk.steps < 1 || walk.branches < 0)
+    throw invalid_argument("equilibrium_paths: {} steps and {} branches", walk.steps, walk.branches);
+  if (walk.until && !(*walk.until > 0 && std::isfinite(*walk.until)))
+    throw invalid_argument("equilibrium_paths: until = {}; it must be positive", *walk.until);
+  return Walk(frame, load, walk).all();
+}
+
+}  // namespace nlmech::frames

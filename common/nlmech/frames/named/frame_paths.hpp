@@ -1,0 +1,77 @@
+/// @file
+/// All of a frame's equilibrium path from rest, with the branches that leave it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "nlmech/frames/frame.hpp"
+#include "nlmech/support/statistics.hpp"
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::frames {
+
+/// How far to walk.
+struct FrameWalk {
+  int steps = 200;                   ///< along each branch, at most; positive
+  std::optional<double> until = {};  ///< load factor of either sign at which each branch ends, positive
+  int branches = 0;                  ///< to be followed besides the path from rest, at most
+  double turn = 0.15;                ///< of the tangent in a step, as it should be, rad
+};
+
+/// A point of a path.
+struct FramePoint {
+  /// What it is.
+  enum class Kind : std::uint8_t {
+    step,        ///< where the walk stepped
+    maximum,     ///< of the load factor, along the walk
+    minimum,     ///< of the load factor, along the walk
+    bifurcation  ///< other branches leave the path
+  };
+  int branch = 0;          ///< 0: from rest
+  Kind kind = Kind::step;  ///< what it is
+  double load = 0;         ///< load factor
+  Eigen::VectorXd x;       ///< displacements
+  Eigen::Index negative =
+      0;  ///< negative eigenvalues of the tangent stiffness; the vanishing one not counted
+};
+
+/// "step", "maximum", "minimum", "bifurcation".
+[[nodiscard]] std::string_view to_string(FramePoint::Kind kind) noexcept;
+
+/// The paths, as far as they were followed.
+struct FramePaths {
+  /// Branch by branch, in the order of the walk; each but that from rest begins with its bifurcation.
+  std::vector<FramePoint> points;
+  int branches = 0;       ///< followed besides the path from rest
+  int unfollowed = 0;     ///< halves of branches seen and not followed
+  Status status;          ///< success, or why a branch was left before its end, the first that was
+  Statistics statistics;  ///< of all of it
+};
+
+/// Follows the equilibria of a frame under growing dead loads from rest through all limit and branch points,
+/// each computed to rounding, and goes on along branches that were met, both ways from a branch point, in the
+/// order in which they were met.
+///
+/// A branch ends at a load factor of `until`; where it meets a branch point that is known; or after its
+/// steps, which is a success unless `until` was given. Without `until` it ends at twice the greatest load
+/// factor of a limit or branch point on it.
+///
+/// Tests hold limit and branch points to those of tests/frames/structures_test.cpp and to closed forms (a
+/// two-bar truss, Euler's loads, a cantilever that rolls up to a circle).
+/// @param frame stable at rest
+/// @param load forces for a load factor of 1, not all 0
+/// @param walk how far
+/// @throws std::invalid_argument if a number of @p walk is out of its range, or @p load of another size or
+/// not finite
+[[nodiscard]] FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load,
+                                           const FrameWalk& walk);
+
+/// A load factor for a first step: it moves no node by more than a thousandth of the frame's size by linear
+/// theory and turns none by more than 0.02 rad, and with these displacements the frame is still stable.
+[[nodiscard]] double first_load(const Frame& frame, const Eigen::VectorXd& load);
+
+}  // namespace nlmech::frames

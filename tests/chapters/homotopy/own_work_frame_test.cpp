@@ -1,0 +1,203 @@
+/// `homotopy frame`: the frames that ship, frames of one's own, and what is said of files that are none.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/process.hpp"
+#include "tests/places.hpp"
+
+namespace nlmech::own_work_frame_test {
+namespace {
+
+using scene::Finished;
+
+Finished frame(const std::string& file, const std::vector<std::string>& words = {}) {
+  std::vector<std::string> all = {NLMECH_BINARY_DIR "/bin/homotopy", "frame", file};
+  all.insert(all.end(), words.begin(), words.end());
+  return scene::run_program(all, {});
+}
+
+/// A file of this process with a text.
+std::string written(const std::string& text) {
+  const std::string file = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".toml";
+  scene::write_whole(file, text);
+  return file;
+}
+
+std::string shipped(const std::string& name) {
+  return NLMECH_SOURCE_DIR "/chapters/homotopy/frames/" + name + ".toml";
+}
+
+double number(const std::string& text) {
+  double value = NAN;
+  EXPECT_TRUE(scene::parse_number(text, value)) << text;
+  return value;
+}
+
+using Rows = std::vector<scene::CsvRecord>;
+
+/// The rows of a path, head included; it has to come to its end.
+Rows path_of(const std::string& file, const std::vector<std::string>& words = {}) {
+  const Finished f = frame(file, words);
+  EXPECT_EQ(f.exit_code, 0) << file << ": " << f.errors;
+  return scene::parse_csv(f.output, "output");
+}
+
+std::size_t column(const Rows& rows, const std::string& name) {
+  const auto& head = rows.at(0).cells;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    if (head[i] == name) return i;
+  }
+  ADD_FAILURE() << "no column " << name;
+  return 0;
+}
+
+/// Load factors of the rows of a kind.
+std::vector<double> loads(const Rows& rows, const std::string& kind) {
+  std::vector<double> all;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].cells.back() == kind) all.push_back(number(rows[i].cells.at(column(rows, "load_factor"))));
+  }
+  return all;
+}
+
+void expect_limits(const Rows& rows, double maximum, double minimum, double tolerance) {
+  ASSERT_EQ(loads(rows, "maximum").size(), 1U);
+  ASSERT_EQ(loads(rows, "minimum").size(), 1U);
+  EXPECT_NEAR(loads(rows, "maximum")[0], maximum, tolerance);
+  EXPECT_NEAR(loads(rows, "minimum")[0], minimum, tolerance);
+}
+
+// oracle: homotopy_frames toggle 0.44 of 4 m*imum, Lee's frame of 20 *limit, shallow arch of 32 *
+TEST(OwnFrame, TheFramesThatShip) {
+  expect_limits(path_of(shipped("toggle")), 42.4387099966, 32.1222520061, 2e-10);
+  expect_limits(path_of(shipped("lee")), 1.8556739134, -0.9414420703, 2e-10);
+  const Rows half = path_of(shipped("half-shallow-arch")), whole = path_of(shipped("shallow-arch"));
+  expect_limits(half, 34.0902630604, 14.2531501017, 1e-9);
+  expect_limits(whole, 34.0902630604, 14.2531501017, 1e-9);
+  EXPECT_TRUE(loads(half, "bifurcation").empty());
+  ASSERT_EQ(loads(whole, "bifurcation").size(), 2U);
+  EXPECT_NEAR(loads(whole, "bifurcation")[0], 27.0, 0.15);  // between two places of a walk
+  const double limit = 2 * std::pow(1 - std::pow(1.25, -1. / 3), 1.5);
+  expect_limits(path_of(shipped("truss")), limit, -limit, 1e-12);
+}
+
+// Errors of m^-2 with 20, 40 and 80 elements. oracle: homotopy_frames deep arch of 20 limit
+TEST(OwnFrame, DeepArch) {
+  std::vector<double> found;
+  for (const char* elements : {"2", "4", "8"})
+    found.push_back(loads(path_of(shipped("deep-arch"), {"--elements", elements}), "maximum").at(0));
+  EXPECT_NEAR(found[0], 9.0734075563, 1e-10);
+  EXPECT_NEAR((4 * found[2] - found[1]) / 3, 8.973, 5e-4);
+}
+
+TEST(OwnFrame, ColumnCantileverAndPortal) {
+  const Rows column_rows = path_of(shipped("column"), {"--branches", "2", "--until", "1.5"});
+  ASSERT_EQ(column_rows.at(0).cells.at(0), "branch");
+  for (const double load : loads(column_rows, "bifurcation")) EXPECT_NEAR(load, 1, 2e-5);  // pi^2/EA and m^-2
+  EXPECT_EQ(number(column_rows.back().cells.at(0)), 2);
+  EXPECT_EQ(number(column_rows.back().cells.at(1)), 1.5);
+  const Rows rolled = path_of(shipped("cantilever"), {"--until", "1"});
+  EXPECT_EQ(number(rolled.back().cells.at(0)), 1);
+  EXPECT_NEAR(number(rolled.back().cells.at(1)), -1, 1e-11);
+  EXPECT_NEAR(number(rolled.back().cells.at(2)), 0, 1e-11);
+  EXPECT_NEAR(number(rolled.back().cells.at(3)), 2 * std::acos(-1.), 1e-11);
+  // With its small force sideways the portal sways: x grows all the way to the limit, past the sway
+  // load 7.379.
+  const Rows portal = path_of(shipped("portal"));
+  ASSERT_FALSE(loads(portal, "maximum").empty());
+  EXPECT_GT(loads(portal, "maximum")[0], 7.379);
+  EXPECT_TRUE(loads(portal, "bifurcation").empty());
+}
+
+constexpr const char* beam = R"([nodes]
+A = [0, 0]
+B = [1, 0]
+[[members]]
+nodes = ["A", "B"]
+EA = 1000
+EI = 1
+[supports]
+A = ["x", "y", "rotation"]
+[loads]
+B = { y = -1 }
+)";
+
+std::string with(std::string text, const std::string& old, const std::string& other) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), other);
+}
+
+TEST(OwnFrame, EndsAndNames) {
+  const Rows rows = path_of(written(beam), {"--until", "0.5"});
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"load_factor", "B.x", "B.y", "B.rotation",
+                                                     "negative_eigenvalues", "kind"}));
+  EXPECT_EQ(number(rows.back().cells[0]), 0.5);
+  const Finished short_of = frame(written(beam), {"--until", "50", "--steps", "2"});
+  EXPECT_EQ(short_of.exit_code, 1);
+  EXPECT_NE(short_of.errors.find("2 steps end at load"), std::string::npos) << short_of.errors;
+  EXPECT_EQ(scene::parse_csv(short_of.output, "output").size(), 4U) << short_of.output;
+  // A name that has a comma.
+  std::string named = with(beam, "B = [1", "'B,1' = [1");
+  named = with(with(named, "\"B\"", "\"B,1\""), "B = {", "'B,1' = {");
+  EXPECT_EQ(path_of(written(named), {"--steps", "1"})[0].cells[1], "B,1.x");
+}
+
+TEST(OwnFrame, WrongFilesAreNamedWithTheirLine) {
+  const auto expect = [](const std::string& text, const std::vector<std::string>& named) {
+    const Finished f = frame(written(text));
+    EXPECT_EQ(f.exit_code, 2) << text << f.errors;
+    EXPECT_TRUE(f.output.empty()) << f.output;
+    for (const std::string& words : named)
+      EXPECT_NE(f.errors.find(words), std::string::npos) << f.errors << " lacks " << words;
+  };
+  expect("", {".toml", "[nodes]", "no nodes"});
+  expect("nodes = 1", {"line 1", "table"});
+  expect(with(beam, "B = [1, 0]", "B = [1]"), {"line 3", "nodes.B", "[x, y]"});
+  expect(with(beam, "B = [1, 0]", "B = [inf, 0]"), {"line 3", "finite"});
+  expect(with(beam, "B = [1, 0]", "B = [1, 0]\nB = [2, 0]"), {"line 4"});
+  expect(with(beam, "B = [1, 0]", "B = [0, 0.0]"), {"line 3", "node B", "where node A is"});
+  expect(with(beam, "B = [1, 0]", "B = [1, 0]\nC = [2, 0]"), {"line 4", "node C has no member"});
+  expect(with(beam, "\"B\"]", "\"b\"]"), {"line 4", "no node b"});
+  expect(with(beam, "EI = 1", "EI = -1"), {"line 4", "A-B", "EI = -1"});
+  expect(with(beam, "EI = 1", "EI = 'soft'"), {"line 7", "EI", "not a number"});
+  expect(with(beam, "EI = 1\n", ""), {"line 4", "without EI"});
+  expect(with(beam, "EI = 1", "EI = 1\nhinges = [\"C\"]"), {"line 8", "joins A and B"});
+  expect(with(beam, "EI = 1", "EI = 1\nelements = 0"), {"line 8", "whole number"});
+  expect(with(beam, "EI = 1", "EI = 1\nradius = 0.4"), {"line 4", "radius = 0.4"});
+  expect(with(beam, "EI = 1", "EJ = 1"), {"line 7", "EJ", "no such key"});
+  expect(with(beam, "\"rotation\"", "\"turn\""), {"line 9", "turn is no motion"});
+  expect(with(beam, "A = [\"x\"", "Z = [\"x\""), {"line 9", "no node Z"});
+  expect(with(beam, "\"rotation\"", "\"y\""), {"line 3", "node B can move along"});
+  expect(with(beam, "A = [\"x\", \"y\", \"rotation\"]", ""), {"line 2", "node A can move"});
+  expect(with(beam, "y = -1", "z = -1"), {"line 11", "z", "x, y, moment"});
+  expect(with(beam, "y = -1", "y = 0"), {"no load"});
+  expect(with(beam, "B = { y", "A = { y"), {"line 11", "A.y, which is held"});
+  expect(with(beam, "[loads]", "[load]"), {"line 10", "no such key"});
+  expect("[nodes\n", {"line 1", "column"});
+  expect("a." + std::string(5000, '.'), {"dots"});
+}
+
+TEST(OwnFrame, DrawsThePaths) {
+  const std::string picture = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".svg";
+  std::filesystem::remove(picture);
+  for (const char* name : {"lee", "shallow-arch", "column"}) {
+    const Finished f =
+        frame(shipped(name), {"--branches", "2", "--until", "40", "--steps", "20", "--plot", picture});
+    EXPECT_NE(f.exit_code, 2) << f.errors;
+    EXPECT_EQ(f.errors.find("not drawn"), std::string::npos) << f.errors;
+    EXPECT_TRUE(std::filesystem::exists(picture));
+  }
+  std::filesystem::remove(picture);
+}
+
+}  // namespace
+}  // namespace nlmech::own_work_frame_test

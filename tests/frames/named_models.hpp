@@ -1,0 +1,115 @@
+/// @file
+/// Frames described by names on which tests agree.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "nlmech/frames/named/frame_model.hpp"
+#include "tests/frames/structures.hpp"
+
+namespace nlmech::frames::models {
+
+/// Holds a node's place.
+inline void pin(FrameModel& m, const std::string& node) {
+  m.supports.push_back({node, Motion::x});
+  m.supports.push_back({node, Motion::y});
+}
+
+/// Holds all of it.
+inline void clamp(FrameModel& m, const std::string& node) {
+  pin(m, node);
+  m.supports.push_back({node, Motion::rotation});
+}
+
+/// A bar of stiffness 1, pinned at both ends.
+inline NamedMember bar(const std::string& first, const std::string& second) {
+  return {
+      .first = first, .second = second, .ea = 1, .ei = 1, .is_first_pinned = true, .is_second_pinned = true};
+}
+
+/// A beam of length 1, EI = 1 and EA = 1e4 between clamps, its ends pinned to these or not, loaded in the
+/// middle.
+inline FrameModel beam(bool is_left_pinned, bool is_right_pinned) {
+  FrameModel m;
+  m.nodes = {{"left", 0, 0}, {"middle", 0.5, 0}, {"right", 1, 0}};
+  m.members = {
+      {.first = "left", .second = "middle", .ea = 1e4, .ei = 1, .is_first_pinned = is_left_pinned},
+      {.first = "middle", .second = "right", .ea = 1e4, .ei = 1, .is_second_pinned = is_right_pinned}};
+  clamp(m, "left");
+  clamp(m, "right");
+  m.loads = {{"middle", Motion::y, -1}};
+  return m;
+}
+
+/// Two pinned bars over a half span of 1, the apex at 0.5.
+inline FrameModel truss() {
+  FrameModel m;
+  m.nodes = {{"left", -1, 0}, {"apex", 0, 0.5}, {"right", 1, 0}};
+  m.members = {bar("left", "apex"), bar("apex", "right")};
+  pin(m, "left");
+  pin(m, "right");
+  m.loads = {{"apex", Motion::y, -1}};
+  return m;
+}
+
+/// A column of length 1 and EI = 1 with one node in its middle, pinned below and guided above, in units of
+/// its buckling load pi^2.
+inline FrameModel column(double ea) {
+  FrameModel m;
+  m.nodes = {{"base", 0, 0}, {"middle", 0, 0.5}, {"top", 0, 1}};
+  m.members = {{.first = "base", .second = "middle", .ea = ea, .ei = 1},
+               {.first = "middle", .second = "top", .ea = ea, .ei = 1}};
+  pin(m, "base");
+  m.supports.push_back({"top", Motion::x});
+  m.loads = {{"top", Motion::y, -std::acos(-1.) * std::acos(-1.)}};
+  return m;
+}
+
+/// A cantilever of length 1 and EI = 1 whose moment at a load factor of 1 rolls it up to a circle.
+inline FrameModel cantilever(double ea) {
+  FrameModel m;
+  m.nodes = {{"base", 0, 0}, {"tip", 1, 0}};
+  m.members = {{.first = "base", .second = "tip", .ea = ea, .ei = 1}};
+  clamp(m, "base");
+  m.loads = {{"tip", Motion::rotation, 2 * std::acos(-1.)}};
+  return m;
+}
+
+/// Lee's frame.
+inline FrameModel lee() {
+  FrameModel m;
+  m.nodes = {{"base", 0, 0}, {"corner", 0, 120}, {"load", 24, 120}, {"end", 120, 120}};
+  m.members = {{.first = "base", .second = "corner", .ea = 4320, .ei = 1440, .elements = 5},
+               {.first = "corner", .second = "load", .ea = 4320, .ei = 1440},
+               {.first = "load", .second = "end", .ea = 4320, .ei = 1440, .elements = 4}};
+  pin(m, "base");
+  pin(m, "end");
+  m.loads = {{"load", Motion::y, -1}};
+  return m;
+}
+
+/// An arch of two arcs, or of one to the crown.
+inline FrameModel arch(const Arch& a) {
+  FrameModel m;
+  const double half = std::sin(a.half_angle / 2), x = a.radius * std::sin(a.half_angle),
+               y = -2 * a.radius * half * half;
+  const auto hold = [&](const std::string& node, bool is_clamped) {
+    is_clamped ? clamp(m, node) : pin(m, node);
+  };
+  m.nodes = {{"left", -x, y}, {"crown", 0, 0}};
+  m.members = {{.first = "left", .second = "crown", .ea = a.ea, .ei = a.ei, .radius = a.radius}};
+  hold("left", a.is_left_clamped);
+  if (a.is_half) {
+    m.supports.push_back({"crown", Motion::x});
+    m.supports.push_back({"crown", Motion::rotation});
+  } else {
+    m.nodes.push_back({"right", x, y});
+    m.members.push_back({.first = "crown", .second = "right", .ea = a.ea, .ei = a.ei, .radius = a.radius});
+    hold("right", a.is_right_clamped);
+  }
+  m.loads = {{"crown", Motion::y, a.is_half ? -0.5 : -1}};
+  return m;
+}
+
+}  // namespace nlmech::frames::models
