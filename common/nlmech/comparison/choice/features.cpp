@@ -134,7 +134,7 @@ ivp::Solution<m> stepped(const ivp::System<m>& system, const ivp::State<m>& x0, 
   Steps<m> steps(system, t1 > t0 ? 1 : -1);
   const ivp::Observer<m> see = [&steps](const ivp::Step<m>& step) { return steps.see(step); };
   const auto run = any_integrator<m>(any_method("adaptive-collocation"), settings);
-  ivp::Solution<m> end = run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.1});
+  ivp::Solution<m> end = run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.5});
   steps.put(features);
   return end;
 }
