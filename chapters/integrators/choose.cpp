@@ -26,7 +26,8 @@ constexpr double close = 2;  // times the fastest, for a good choice
 /// What a method costs; infinite if it does not deliver.
 double cost_of(const SolvedProblem& p, const std::string& method, double digits) {
   const auto m = p.measured(method, digits);
-  return m ? m->cost : infinity;
+  if (!m) return infinity;
+  return m->cost;
 }
 
 /// A choice, judged by what was measured.

@@ -134,7 +134,7 @@ double right_hand_sides_a_step(const Evidence& evidence, const Features& feature
 
 ivp::Limits Expectation::limits(double most_cost) const {
   constexpr double fewest = 16;
-  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / step, fewest, 1e8)), .seconds = 0.25};
+  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / step, fewest, 1e8)), .seconds = 2};
 }
 
 double distance(const Features& a, const Features& b) {

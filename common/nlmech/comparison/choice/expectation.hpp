@@ -23,7 +23,7 @@ struct Expectation {
   double cost = 1;          ///< of one right-hand side with all that comes with it, in units of Measured
   double step = 1;          ///< cost of a step, in the same units
 
-  /// Limits of a run that come to a cost, and to a quarter of a second where right-hand sides are expensive.
+  /// Limits of a run that come to a cost, and to two seconds where right-hand sides are expensive.
   [[nodiscard]] ivp::Limits limits(double most_cost) const;
 };
 

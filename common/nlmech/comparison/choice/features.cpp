@@ -25,7 +25,7 @@ struct Fastest {
 
 /// By powers of the matrix, whose growth is the modulus also of a pair; the decay by the diagonal.
 Fastest fastest_of_many(const Eigen::MatrixXd& j, double direction) {
-  constexpr int powers = 30;
+  constexpr int powers = 30, counted = 15;
   Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(j.rows(), 1, 2);
   double growth = 0;
   for (int k = 0; k < powers; ++k) {
@@ -33,9 +33,9 @@ Fastest fastest_of_many(const Eigen::MatrixXd& j, double direction) {
     v = (j * v).eval();
     const double norm = v.norm();
     if (!(norm > 0)) return {};
-    if (k >= powers / 2) growth += std::log(norm);
+    if (k >= powers - counted) growth += std::log(norm);
   }
-  const double rate = std::exp(growth / (powers - powers / 2));
+  const double rate = std::exp(growth / counted);
   return {rate, std::clamp((-direction * j.diagonal()).maxCoeff() / rate, 0.0, 1.0)};
 }
 
@@ -134,7 +134,7 @@ ivp::Solution<m> stepped(const ivp::System<m>& system, const ivp::State<m>& x0, 
   Steps<m> steps(system, t1 > t0 ? 1 : -1);
   const ivp::Observer<m> see = [&steps](const ivp::Step<m>& step) { return steps.see(step); };
   const auto run = any_integrator<m>(any_method("adaptive-collocation"), settings);
-  ivp::Solution<m> end = run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.1});
+  ivp::Solution<m> end = run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.5});
   steps.put(features);
   return end;
 }

@@ -118,7 +118,7 @@ bool ProblemOfSize<m>::is_stiff(const Request& r) const {
 
 template <int m>
 std::string ProblemOfSize<m>::usual_method(const Request& r) const {
-  const std::string usual = "series";
+  constexpr const char* usual = "series";
   Question<m> q = question<m>(system(), r);
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo info = any_method(name).info;
