@@ -74,5 +74,10 @@ function(nlmech_add_book)
                                              "${PROJECT_BINARY_DIR}/check" ${chapter})
       set_tests_properties(pages/${chapter} PROPERTIES LABELS reproduction FIXTURES_REQUIRED check_${chapter})
     endforeach()
+    # The page on choosing a method shows numbers of several; it is checked with them all.
+    list(TRANSFORM book_CHAPTERS PREPEND check_ OUTPUT_VARIABLE checks)
+    add_test(NAME pages/choosing COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/forge.py" check "${PROJECT_SOURCE_DIR}"
+                                         "${PROJECT_BINARY_DIR}/check" ${book_CHAPTERS})
+    set_tests_properties(pages/choosing PROPERTIES LABELS reproduction FIXTURES_REQUIRED "${checks}")
   endif()
 endfunction()

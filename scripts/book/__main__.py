@@ -38,6 +38,7 @@ def label_pages(book):
     start page comes last, because it shows the first paragraphs of the others."""
     book.labels = {"docs/glossary.md": "glossary", "docs/architecture.md": "architecture"}
     book.labels |= {f"chapters/{chapter}/{chapter}.md": f"chapter_{chapter}" for chapter in book.chapters}
+    book.labels |= {source: "choosing" for source in book.choosing()}
     for name in ("reproduction", "completeness", "claims", "errata", "bench", "ratios", "adversary"):
         book.labels[f"tables/{name.upper()}.md"] = name
     book.labels["docs/index.md"] = "mainpage"
@@ -59,10 +60,11 @@ def make_pages(book):
 
 
 def chapter_tabs(book):
-    """The chapters for the sidebar, as tabs of Doxygen's layout file."""
+    """The chapters for the sidebar, behind how to choose a method, as tabs of Doxygen's layout file."""
     names = {chapter: components.short_name(book, chapter).replace("&", "&amp;") for chapter in book.chapters}
-    return "\n".join(f'      <tab type="user" url="@ref chapter_{chapter}" title="{name}"/>'
-                     for chapter, name in names.items())
+    tabs = ['      <tab type="user" url="@ref choosing" title="Choosing a method"/>' for _ in book.choosing()]
+    tabs += [f'      <tab type="user" url="@ref chapter_{chapter}" title="{name}"/>' for chapter, name in names.items()]
+    return "\n".join(tabs)
 
 
 def run_doxygen(book, doxygen, awesome, version):

@@ -25,6 +25,13 @@ class Book:
     summaries: dict = dataclasses.field(default_factory=dict)  # first paragraphs of finished pages, by source
     shown: set = dataclasses.field(default_factory=set)  # figures and tables that stand on a page
 
+    def choosing(self):
+        """The page on choosing a method, if this build has all chapters that it speaks of; else nothing."""
+        page = self.source / "docs/choosing.md"
+        if not page.exists() or not set(re.findall(r"/figures/(\w+)/", page.read_text(encoding="utf-8"))) <= set(self.chapters):
+            return []
+        return ["docs/choosing.md"]
+
     def complain(self, file, line, text):
         self.complaints.append(f"{file}:{line}: error: {text}")
         print(self.complaints[-1], file=sys.stderr)

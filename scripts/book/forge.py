@@ -166,17 +166,18 @@ def main(command, source, out, *chapters):
     book = Book(source, None, out, None, chapters)
     references.load(book, source / "docs/references.bib")
     stale = False
-    for chapter in chapters:
-        made = ForgePage(book, f"chapters/{chapter}/{chapter}.md", chapter).text()
-        file = source / f"docs/chapters/{chapter}.md"
+    for page in [f"chapters/{chapter}/{chapter}.md" for chapter in chapters] + book.choosing():
+        name = pathlib.Path(page).stem
+        made = ForgePage(book, page, name).text()
+        file = source / f"docs/chapters/{name}.md"
         if command == "write":
             file.parent.mkdir(exist_ok=True)
             file.write_text(SPAN.sub(r"\2", made), encoding="utf-8")
         elif not file.exists():
-            print(f"docs/chapters/{chapter}.md does not exist: make pages", file=sys.stderr)
+            print(f"docs/chapters/{name}.md does not exist: make pages", file=sys.stderr)
             stale = True
         elif lines := differences(made, file.read_text(encoding="utf-8")):
-            print(f"docs/chapters/{chapter}.md: lines {', '.join(map(str, lines[:9]))} are out of date: make pages", file=sys.stderr)
+            print(f"docs/chapters/{name}.md: lines {', '.join(map(str, lines[:9]))} are out of date: make pages", file=sys.stderr)
             stale = True
     if book.complaints or stale:
         sys.exit(1)

@@ -107,6 +107,13 @@ class InAHouse(unittest.TestCase):
         references.load(self.book, self.book.source / "docs/references.bib")
         self.book.labels["docs/glossary.md"] = "glossary"
 
+    def test_choosing_needs_its_chapters(self):
+        self.assertEqual(self.book.choosing(), [])
+        self.write(self.book.source / "docs/choosing.md", "[a](../figures/geodesy/fig-9.svg) [b](../figures/orbit/fig-1.svg)")
+        for chapters, pages in ((["geodesy"], []), (["orbit", "geodesy"], ["docs/choosing.md"])):
+            self.book.chapters = chapters
+            self.assertEqual(self.book.choosing(), pages)
+
     def write(self, file, text):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
