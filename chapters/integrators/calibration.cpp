@@ -79,7 +79,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
                       {"missing", &Row::worst, 2},
                       {"successes", &Row::successes},
                       {"of these silent failures", &Row::silent}});
-  for (const char* method : {"series", "adaptive-collocation", "rkn1210", "ode45"}) {
+  for (const char* method : {"series", "adaptive-collocation", "rkn1210", "ode45", "dop853"}) {
     double worst = -16;
     int silent = 0;
     for (const Row& row : rows) {

@@ -22,6 +22,7 @@ std::vector<comparison::Contender> contenders(bool quick) {
       comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
       comparison::by_tolerances("series", Kind::series, quick),
       comparison::by_tolerances("ode45", Kind::explicit_, quick),
+      comparison::by_tolerances("dop853", Kind::explicit_, quick),
       comparison::by_steps("rk4", {}, Kind::classical, 0.2, factors, quick),
       comparison::by_steps("newmark", {}, Kind::classical, 0.2, factors, quick)};
   for (const comparison::Contender& peer : comparison::all_peers(quick)) all.push_back(peer);

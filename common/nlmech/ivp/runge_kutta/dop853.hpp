@@ -125,6 +125,7 @@ class Stepper : public DenseOutput<S::dimension> {
   [[nodiscard]] bool end_is_finite() const { return x1_.allFinite(); }
   /// Has the solution within the trial been asked for?
   [[nodiscard]] bool has_dense() const { return has_dense_; }
+
   /// The polynomial of degree 7; order 7. The first call after a trial evaluates f three times.
   void at(double t, State<n>& x) const override {
     if (!has_dense_) expand();
