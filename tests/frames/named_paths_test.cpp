@@ -55,7 +55,7 @@ std::vector<double> limits_of(const FrameModel& model, int elements) {
 }
 
 // Half a unit of the last digit and the rounding floor of 1e-10 for 20 elements.
-// oracle: homotopy_frames Lee's frame of *
+// oracle: homotopy_frames Lee's frame of * limit, Lee's frame of * lower limit
 TEST(NamedPaths, LeesFrameSnapsThroughAndBack) {
   for (const auto& [share, high, low] :
        {std::tuple{1, 1.8559563314, -0.9412607899}, std::tuple{2, 1.8556922898, -0.9414308972},
@@ -92,7 +92,7 @@ TEST(NamedPaths, DeepArch) {
   EXPECT_NEAR(fine, 8.973, 5e-4);
 }
 
-// oracle: homotopy_frames shallow arch *
+// oracle: homotopy_frames shallow arch of *
 TEST(NamedPaths, ShallowArch) {
   Arch arch = shallow_arch(16);
   const std::vector<double> whole = limits_of(models::arch(arch), 8);
@@ -103,7 +103,7 @@ TEST(NamedPaths, ShallowArch) {
     EXPECT_NEAR(loads[1], 14.2528558990, 1e-9);
   }
   const std::vector<double> finer = limits_of(models::arch(arch), 16);
-  EXPECT_NEAR(finer[0], 34.0902630604, 1e-9);
+  EXPECT_NEAR(finer[0], 34.0902630603, 1e-9);
   EXPECT_NEAR(finer[1], 14.2531501017, 1e-9);
   const NamedFrame f = build(models::arch(arch), 16);
   EXPECT_TRUE(only(paths_of(f), Kind::bifurcation).empty());

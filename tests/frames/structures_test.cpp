@@ -64,7 +64,7 @@ std::string name_of(const testing::TestParamInfo<Kind>& kind) {
 INSTANTIATE_TEST_SUITE_P(By, Structures, testing::Values(Kind::riks, Kind::crisfield, Kind::gdc), name_of);
 
 // Tolerances are half a unit of the last digit and the rounding floor, which is 1e-10 of the load for 20
-// elements. oracle: homotopy_frames Lee's frame of *
+// elements. oracle: homotopy_frames Lee's frame of 5 *, Lee's frame of 10 *
 TEST_P(Structures, LeesFrame) {
   const auto expect = [](int elements, double high, double low) {
     const LoadedStructure s = make_frame(LeeFrame{.elements = elements});
@@ -90,7 +90,7 @@ TEST_P(Structures, DeepArch) {
   EXPECT_NEAR(found.folds[0].load, 907.34075563, 1e-8);
 }
 
-// oracle: homotopy_frames shallow arch *
+// oracle: homotopy_frames shallow arch of 16 *
 TEST_P(Structures, ShallowArch) {
   Arch arch = shallow_arch(16);
   const LoadedStructure full = make_frame(arch);

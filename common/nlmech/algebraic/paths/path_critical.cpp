@@ -180,17 +180,18 @@ double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& 
 
 /// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
 /// point itself a correction is not determined along the other branch. Where six places and four do not
-/// agree, as next to another singular point, nearer ones are taken; unless rounding, as of thousands of
-/// unknowns, makes these agree less.
+/// agree, as next to another singular point, nearer ones are taken. Where those at two distances agree and
+/// the nearest do not, as by the rounding of thousands of unknowns, the better of the two holds.
 Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
   constexpr std::array<double, 6> offsets = {-1, 1, -0.6, 0.6, -0.2, 0.2};
   std::array<double, 6> parts{}, values{};
   std::array<PathVector, 6> places;
   PathVector best;
-  double middle = part_of(out), least = HUGE_VAL, allowed = 0;
-  Outcome outcome = Outcome::not_converged;
+  double middle = part_of(out), least = HUGE_VAL;
+  int agreeing = 0;
+  Outcome outcome = Outcome::success;
   for (const double reach : {0.02, 2e-3, 2e-4}) {
-    for (std::size_t i = 0; i < offsets.size(); ++i) {
+    for (std::size_t i = 0; i < offsets.size() && outcome == Outcome::success; ++i) {
       parts[i] = middle + reach * offsets[i];
       outcome = between(parts[i], out);
       if (outcome != Outcome::success) break;
@@ -199,24 +200,22 @@ Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, 
     }
     if (outcome != Outcome::success) break;
     const double part = zero_of(parts, values, 0), off = std::abs(part - zero_of(parts, values, 2));
-    if (!(std::abs(part - middle) <= reach)) {
-      outcome = Outcome::not_converged;
-      break;
-    }
+    if (!(std::abs(part - middle) <= reach)) outcome = Outcome::not_converged;
+    if (reach < 1e-3 && off > 1e-4 * reach) outcome = Outcome::not_converged;
+    if (outcome != Outcome::success) break;
     middle = part;
-    if (off >= least) continue;
+    if (off <= 1e-3 * reach) ++agreeing;
+    if (agreeing == 2 && off > least && off > 1e-6 * reach && reach > 1e-3) continue;
     least = off;
-    allowed = 1e-4 * reach;
-    PathVector sum{Eigen::VectorXd::Zero(system_.size()), 0};
+    best = {Eigen::VectorXd::Zero(system_.size()), 0};
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const double share = lagrange(parts, 0, i, part);
-      sum.y += share * places[i].y;
-      sum.m += share * places[i].m;
+      best.y += share * places[i].y;
+      best.m += share * places[i].m;
     }
-    best = std::move(sum);
     if (off <= 1e-6 * reach) break;
   }
-  if (!(least <= allowed)) return outcome == Outcome::success ? Outcome::not_converged : outcome;
+  if (outcome != Outcome::success && agreeing < 2) return outcome;
   out.at = std::move(best);
   out.x = system_.unscaled(out.at.y);
   out.load = out.at.m / system_.load_scale();

@@ -119,6 +119,13 @@ class Walk {
     Status status = follow(
         path_, [this](const Path&) { return list(); }, how_.steps, met_);
     if (status.outcome() == Outcome::step_limit && !how_.until) status = {};
+    // Where branches cross, the signs of what vanishes there are those of rounding.
+    if (!status.ok() && status.outcome() != Outcome::step_limit) {
+      if (Crossing* const met = ahead()) {
+        arrive(*met);
+        status = {};
+      }
+    }
     return status;
   }
 
@@ -135,8 +142,7 @@ class Walk {
       const CriticalPoint& c = met_[listed_];
       if (has_ended(before, c.point)) return true;
       if (Crossing* const met = known(c)) {
-        add(FramePoint::Kind::bifurcation, met->point, met->negative);
-        met->is_open[path_.before().tangent.y.dot(met->direction) > 0 ? 1 : 0] = false;
+        arrive(*met);
         return true;
       }
       const Eigen::Index negative = std::min(least, c.point.negative);
@@ -165,23 +171,42 @@ class Walk {
     out_.points.push_back({branch_, kind, p.load, p.x, negative});
   }
 
+  static double distance(const PathPoint& a, const PathPoint& b) {
+    return algebraic::PathVector{a.at.y - b.at.y, a.at.m - b.at.m}.norm();
+  }
+
+  /// Ends the branch at a branch point of another one, whose half by which the walk came needs no walk.
+  void arrive(Crossing& met) {
+    add(FramePoint::Kind::bifurcation, met.point, met.negative);
+    met.is_open[path_.before().tangent.y.dot(met.direction) > 0 ? 1 : 0] = false;
+  }
+
   /// The branch point, found on another branch, that a critical point of this one is; null if it is none.
   Crossing* known(const CriticalPoint& c) {
-    const auto distance = [](const PathPoint& a, const PathPoint& b) {
-      return algebraic::PathVector{a.at.y - b.at.y, a.at.m - b.at.m}.norm();
-    };
     // Along the branch that crosses another one the load has an extremum there, or may have: what is found
     // is less precise than what was found along the other.
-    double least = 1e-3 * distance(path_.before(), path_.now());
-    Crossing* nearest = nullptr;
+    return nearest(c.point, 1e-3 * distance(path_.before(), path_.now()));
+  }
+
+  /// The one that lies before the walk, within two of its last steps; null if there is none.
+  Crossing* ahead() {
+    const PathPoint& before = path_.before();
+    Crossing* const met = nearest(path_.now(), 2 * distance(before, path_.now()));
+    if (met == nullptr) return nullptr;
+    const algebraic::PathVector way{met->point.at.y - before.at.y, met->point.at.m - before.at.m};
+    return before.tangent.dot(way) > 0 ? met : nullptr;
+  }
+
+  Crossing* nearest(const PathPoint& point, double least) {
+    Crossing* found = nullptr;
     for (Crossing& k : crossings_) {
       if (k.branch == branch_) continue;
-      const double off = distance(k.point, c.point);
+      const double off = distance(k.point, point);
       if (off > least) continue;
       least = off;
-      nearest = &k;
+      found = &k;
     }
-    return nearest;
+    return found;
   }
 
   FrameWalk how_;
