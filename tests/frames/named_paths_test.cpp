@@ -193,6 +193,7 @@ TEST(NamedPaths, EulersLoads) {
     }
     for (const int mode : {1, 2, 3}) {
       const auto i = static_cast<std::size_t>(mode) - 1;
+      EXPECT_EQ(forks[0][i].negative, mode - 1);
       EXPECT_NEAR((4 * forks[1][i].load - forks[0][i].load) / 3, expected(mode),
                   1e-8 * std::pow(mode, 6) + 1e-9)
           << ea;

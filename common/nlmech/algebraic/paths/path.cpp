@@ -234,7 +234,8 @@ Status Path::advance() {
 }
 
 void Path::adapt(double length, double angle, int count) {
-  const double by_turn = method_.turn / std::max(angle, 1e-3), by_count = std::sqrt(static_cast<double>(method_.aim) / count);
+  const double by_turn = method_.turn / std::max(angle, 1e-3),
+               by_count = std::sqrt(static_cast<double>(method_.aim) / count);
   length_ = length;
   if (method_.kind == PathMethod::Kind::gdc)
     factor_ = std::min(1., 2 * factor_);

@@ -136,8 +136,9 @@ class Walk {
 
   /// Lists what the last step brought. Is it the end?
   bool list() {
-    const Eigen::Index least = std::min(path_.before().negative, path_.now().negative);
     PathPoint before = path_.before();
+    Eigen::Index negative = before.negative;
+    const Eigen::Index way = way_of_step();
     for (; listed_ < met_.size(); ++listed_) {
       const CriticalPoint& c = met_[listed_];
       if (has_ended(before, c.point)) return true;
@@ -145,16 +146,27 @@ class Walk {
         arrive(*met);
         return true;
       }
-      const Eigen::Index negative = std::min(least, c.point.negative);
-      add(kind_of(c.kind), c.point, negative);
+      const Eigen::Index next = negative + way * c.vanishing,
+                         least = way != 0 ? std::min(negative, next) : std::min(negative, c.point.negative);
+      add(kind_of(c.kind), c.point, least);
       greatest_ = std::max(greatest_, std::abs(c.point.load));
       if (c.kind == CriticalPoint::Kind::bifurcation)
-        crossings_.push_back({c.point, c.point.tangent.y, negative, branch_, c.vanishing == 1});
+        crossings_.push_back({c.point, c.point.tangent.y, least, branch_, c.vanishing == 1});
       before = c.point;
+      negative = way != 0 ? next : c.point.negative;
     }
     if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
     add(FramePoint::Kind::step, path_.now(), path_.now().negative);
     return false;
+  }
+
+  /// 1 if all critical points of the last step make eigenvalues negative, -1 if all make them positive, else
+  /// 0.
+  [[nodiscard]] Eigen::Index way_of_step() const {
+    Eigen::Index all = 0;
+    for (std::size_t i = listed_; i < met_.size(); ++i) all += met_[i].vanishing;
+    const Eigen::Index change = path_.now().negative - path_.before().negative;
+    return all == 0 || std::abs(change) != all ? 0 : change / all;
   }
 
   /// Does the branch end at its load between two points? Then that end is listed.
