@@ -188,7 +188,7 @@ TEST(Equations, LargeSystems) {
   }
   const Equations e = read(text);
   EXPECT_EQ(e.size(), 2 * n);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * n);
+  std::vector<double> x(std::size_t{2} * n, 0.0);
   x[7] = 1;
   const std::vector<double> f = slopes(e, x);
   EXPECT_EQ(f[n + 6], 1);
