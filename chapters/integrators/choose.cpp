@@ -115,7 +115,8 @@ void put(const std::vector<Judged>& all, scene::Show& show) {
                    {"by problems alike", &Judged::alike},
                    {"condition", &Judged::condition, 2},
                    {"digits delivered", &Judged::delivered, 3}});
-  show.equals("problems and digits", all.size(), 84, "those that some method delivers");
+  show.between("problems and digits", static_cast<double>(all.size()), 78, 88,
+               "22 problems at four digits; twelve are not delivered on each, and rounding decides on which");
   const auto few = [](const Judged& j) { return j.digits < 12; };
   const auto meets = [](const Judged& j) { return j.digits < 12 && j.delivered > j.digits - 0.5; };
   show.between("share of 3, 6 and 9 digits that are delivered, up to half a digit, %",
