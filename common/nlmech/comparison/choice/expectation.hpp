@@ -40,7 +40,7 @@ struct Expectation {
 [[nodiscard]] std::vector<std::string> most_alike(const Evidence& evidence, const Features& features,
                                                   std::size_t count);
 
-/// The tolerances of the evidence.
-inline constexpr double loosest_measured = 1e-3, tightest_measured = 1e-13;
+inline constexpr double loosest_measured = 1e-3;    ///< first tolerance of the evidence
+inline constexpr double tightest_measured = 1e-13;  ///< last tolerance of the evidence
 
 }  // namespace nlmech::comparison

@@ -21,7 +21,8 @@ template <int m>
 struct Question {
   ivp::System<m> system;  ///< equations
   ivp::State<m> x0;       ///< state at t0
-  double t0, t1;          ///< begin and end
+  double t0;              ///< begin
+  double t1;              ///< end
   double level = 9;       ///< digits to hold on the way
   double absolute = 1;    ///< absolute over relative tolerance
   Among among = {};       ///< which methods may be chosen
