@@ -91,7 +91,7 @@ void show_lee(const Walked& lee, scene::Show& show) {
   path.curve("path from rest", lee.points(0), down, &FramePoint::load);
   put_forks(lee, down, path);
   scene::Panel& shapes = plot.panel("x", "y").key("top left");
-  shapes.x_range(-40, 190).y_range(-37, 180);
+  shapes.x_range(-40, 264).y_range(-37, 250);
   put_rest(lee, shapes);
   const FramePoint high = lee.points(Kind::maximum).at(0), low = lee.points(Kind::minimum).at(0);
   put_shape(lee, high.x, "at the maximum", scene::lines(1), shapes);
@@ -155,7 +155,7 @@ std::vector<Walked> walk_cantilever() {
 
 void show_cantilever(const std::vector<Walked>& all, scene::Show& show) {
   scene::Panel& panel = show.plot("A moment at its end rolls a cantilever up to a circle", "x", "y");
-  panel.set("size ratio -1").x_range(-0.5, 1.5).y_range(-0.1, 1.2).key("top right");
+  panel.set("size ratio -1").x_range(-0.5, 1.5).y_range(-0.1, 1.6).key("top right");
   put_rest(all[0], panel);
   const char* const names[] = {"one eighth of 2π {/:Italic EI}/{/:Italic l}", "a quarter", "half",
                                "three quarters", "all of it"};
