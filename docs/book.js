@@ -133,7 +133,18 @@ function connect_map(map) {
   });
 }
 
+// A link to what is folded away opens it.
+function unfold() {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const folds = [];
+  for (let e = target?.closest("details"); e; e = e.parentElement.closest("details")) folds.push(e);
+  folds.forEach((fold) => { fold.open = true; });
+  if (folds.length) target.scrollIntoView();
+}
+
 open_chapters();
+unfold();
+window.addEventListener("hashchange", unfold);
 document.querySelectorAll(".map").forEach(connect_map);
 if (window.MathJax?.Hub) {
   MathJax.Hub.Queue(fit_formulas);
