@@ -16,7 +16,7 @@ namespace {
 
 constexpr double tolerance = 1e-9, enough = 0.1;  // s, after which a curve ends
 constexpr std::array methods = {
-    "series",    "adaptive-collocation",  "rkn1210",          "ode45", "cvode-adams",
+    "series",    "adaptive-collocation",  "dop853",           "rkn1210", "ode45", "cvode-adams",
     "gsl-rk8pd", "odeint-bulirsch-stoer", "odeint-fehlberg78"};
 
 /// What a run cost.

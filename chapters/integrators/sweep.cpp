@@ -82,13 +82,19 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   return t;
 }
 
+/// What a run did, in right-hand sides: a factorisation counts as one a component, which is little.
+std::int64_t work_of(const Trial& t, int size) {
+  return t.work.right_hand_sides + size * std::max(t.work.jacobians, t.work.factorisations);
+}
+
 /// Of so long a way a tolerance looser than this leaves no digit.
 constexpr int loosest_of_long = 7;
 
 MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const Effort& effort) {
   const comparison::AnyMethod method = comparison::any_method(name);
   MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
-  const std::int64_t length = std::visit([](const auto& p) { return p.length; }, problem);
+  const auto [length, size] =
+      std::visit([](const auto& p) { return std::pair(std::int64_t{p.length}, p.system.size()); }, problem);
   const std::int64_t enough = all.chooses ? effort.enough * length : effort.enough / 6;
   for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
     if (length > 1 && power < loosest_of_long) continue;
@@ -96,7 +102,7 @@ MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const
         std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
-    if (is_last || last.work.right_hand_sides > enough) break;
+    if (is_last || work_of(last, size) > enough) break;
     if (effort.seconds > 0 && last.processor > effort.seconds / 2) break;
   }
   return all;
@@ -160,11 +166,9 @@ scene::Result<std::vector<ProblemTrials>> sweep() {
       "sweep",
       "every method and peer on every problem of the set, tolerances 1e-3 to 1e-13, absolute tolerances by "
       "the problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; "
-      "one "
-      "thread, median of repeats in 4 ms; a run has 60 000 steps (duffing-10000: 600 000), fewer in "
-      "search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000), "
-      "or 10 000 in "
-      "search of a step",
+      "one thread, median of repeats in 4 ms; a run has 60 000 steps (duffing-10000: 600 000), fewer in "
+      "search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000; a "
+      "Jacobian or factorisation counts as one a component), or 10 000 in search of a step",
       measure};
 }
 

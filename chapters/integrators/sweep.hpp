@@ -66,7 +66,7 @@ struct Effort {
   int tightest;           ///< of the last
   int by;                 ///< from one to the next
   std::int64_t steps;     ///< of a run, fewer in search of a step and with many nodes
-  std::int64_t enough;    ///< right-hand sides of the last run
+  std::int64_t enough;    ///< right-hand sides of the last run, and Jacobians times components
   double seconds = 0;     ///< instead of steps: of a run; a sweep ends with its first run of half of them
   double timing = 0.004;  ///< s, in which short runs are repeated
 };

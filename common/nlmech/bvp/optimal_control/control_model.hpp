@@ -71,7 +71,7 @@ class ControlModel {
   /// dz/dt of extremals (Eq. 5.7).
   virtual void extremal(double t, const Eigen::VectorXd& z, double mu, const Constraints& constraints,
                         Eigen::VectorXd& dzdt) const = 0;
-  /// Its derivatives by z, mu and t, in 2 n + 2 columns.
+  /// Its derivatives by z, mu and t, in 2 n + 2 columns; by z alone in a @p j of 2 n.
   virtual void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu,
                                  const Constraints& constraints, Eigen::MatrixXd& j) const = 0;
   /// H along an extremal, and its gradient by z, mu and t.

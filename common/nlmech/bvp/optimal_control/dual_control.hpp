@@ -56,18 +56,18 @@ class DualControl final : public ControlModel {
   /// See ControlModel.
   void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                          Eigen::MatrixXd& j) const override {
-    Vector<Outer, 2 * n> f;
-    [[maybe_unused]] const Outer h = dual_flow(t, z, mu, c, f);
-    for (int i = 0; i < 2 * n; ++i) {
-      for (int k = 0; k < 2 * n + 2; ++k) j(i, k) = f[i].partial[static_cast<std::size_t>(k)];
-    }
+    if (j.cols() == 2 * n)
+      set_jacobian<2 * n>(t, z, mu, c, j);
+    else
+      set_jacobian<2 * n + 2>(t, z, mu, c, j);
   }
 
   /// See ControlModel.
   [[nodiscard]] double hamiltonian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                    Eigen::VectorXd& gradient) const override {
-    Vector<Outer, 2 * n> f;
-    const Outer h = dual_flow(t, z, mu, c, f);
+    constexpr int variables = 2 * n + 2;
+    Vector<Dual<double, variables>, 2 * n> f;
+    const auto h = dual_flow<variables>(t, z, mu, c, f);
     gradient.resize(2 * n + 2);
     for (int k = 0; k < 2 * n + 2; ++k) gradient[k] = h.partial[static_cast<std::size_t>(k)];
     return h.value;
@@ -149,8 +149,6 @@ class DualControl final : public ControlModel {
   }
 
  private:
-  using Outer = Dual<double, 2 * n + 2>;  // by z, mu and t
-
   /// @param g of i: the i-th component of the dynamics with its derivatives by x, then u
   template <class Component>
   static void read_off(const Component& g, LinearDynamics& linear) {
@@ -277,14 +275,29 @@ class DualControl final : public ControlModel {
     return h.value;
   }
 
-  Outer dual_flow(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
-                  Vector<Outer, 2 * n>& f) const {
-    Vector<Outer, n> x, lambda;
+  /// The flow with its derivatives by z, and where there are two variables more by mu and t.
+  template <int variables>
+  Dual<double, variables> dual_flow(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
+                                    Vector<Dual<double, variables>, 2 * n>& f) const {
+    using D = Dual<double, variables>;
+    Vector<D, n> x, lambda;
     for (int i = 0; i < n; ++i) {
-      x[i] = Outer::variable(z[i], i);
-      lambda[i] = Outer::variable(z[n + i], n + i);
+      x[i] = D::variable(z[i], i);
+      lambda[i] = D::variable(z[n + i], n + i);
     }
-    return flow(Outer::variable(t, 2 * n + 1), x, lambda, Outer::variable(mu, 2 * n), c, f);
+    if constexpr (variables == 2 * n)
+      return flow(D(t), x, lambda, D(mu), c, f);
+    else
+      return flow(D::variable(t, 2 * n + 1), x, lambda, D::variable(mu, 2 * n), c, f);
+  }
+  template <int variables>
+  void set_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
+                    Eigen::MatrixXd& j) const {
+    Vector<Dual<double, variables>, 2 * n> f;
+    dual_flow<variables>(t, z, mu, c, f);
+    for (int i = 0; i < 2 * n; ++i) {
+      for (int k = 0; k < variables; ++k) j(i, k) = f[i].partial[static_cast<std::size_t>(k)];
+    }
   }
 
   P problem_;

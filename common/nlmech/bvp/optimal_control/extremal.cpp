@@ -112,6 +112,11 @@ void ExtremalProblem::rhs(double t, const VectorXd& z, const VectorXd& p, Vector
 
 void ExtremalProblem::jacobian(double t, const VectorXd& z, const VectorXd& p, MatrixXd& by_state,
                                MatrixXd& by_parameter) const {
+  if (parameters() == 0) {
+    by_state.resize(2L * n_, 2L * n_);
+    model_->extremal_jacobian(t, z, task_.mu, task_.constraints, by_state);
+    return;
+  }
   MatrixXd j(2 * n_, 2 * n_ + 2);
   model_->extremal_jacobian(true_time(t, p), z, mu(p), task_.constraints, j);
   by_state = j.leftCols(2 * n_);

@@ -44,11 +44,13 @@ std::string form(const Features& f) {
   return "first order";
 }
 
-std::string runs(const Ranked& r) {
+std::string runs(const Ranked& r, const Chosen& c) {
   const double percent = 100 * r.seen;
   std::string text = percent > 99.9 ? "ran the whole way"
                                     : fmt::format("ran {:.{}g} % of the way", percent, percent < 10 ? 1 : 2);
-  if (r.short_of > 0.05) text += fmt::format("; its tightest tolerance lacks {:.1g} digits", r.short_of);
+  if (r.short_of > 0.05)
+    text += fmt::format("; its tightest tolerance lacks {}{:.1g} digits",
+                        c.condition_is_bound ? "more than " : "", r.short_of);
   return text;
 }
 
@@ -68,10 +70,10 @@ std::string choice_rows(const Chosen& c) {
     if (i == 0)
       reason = fmt::format("{}; {}; {}; {}; a right-hand side takes {:.2g} s; like {}; {}", accuracy(c),
                            stiffness(f), smoothness(f), form(f), c.right_hand_side, fmt::join(c.alike, ", "),
-                           runs(r));
+                           runs(r, c));
     else
       reason = fmt::format("{:.2g} times as long as {}; on problems alike {:.2g} times the fastest; {}",
-                           r.cost / first.cost, first.method, r.behind, runs(r));
+                           r.cost / first.cost, first.method, r.behind, runs(r, c));
     text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.cost * second_a_unit,
                         quoted_cell(reason));
   }
