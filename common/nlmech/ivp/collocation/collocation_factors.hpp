@@ -44,6 +44,8 @@ namespace nlmech::ivp::adaptive {
 
 /// Factors L U of shift I - J by elimination with partial pivoting: plain loops, which for the few equations
 /// of most systems take a half to a third of the time of Eigen's; Eigen's, which work in blocks, for many.
+/// Complex columns and right-hand sides are kept as all real parts, then all imaginary ones, so that loops
+/// over them work on several rows at once.
 /// @tparam Number double or std::complex<double> @tparam n size, or Eigen::Dynamic
 template <class Number, int n>
 class Factors {
@@ -52,7 +54,8 @@ class Factors {
   explicit Factors(Eigen::Index size) : size_(size) {
     if constexpr (n == Eigen::Dynamic) {
       if (is_large()) return;
-      a_.resize(static_cast<std::size_t>(size * size));
+      a_.resize(static_cast<std::size_t>(parts * size * size));
+      side_.resize(static_cast<std::size_t>(parts * size));
       pivot_.resize(static_cast<std::size_t>(size));
     }
   }
@@ -67,61 +70,98 @@ class Factors {
         return;
       }
     }
-    for (Eigen::Index k = 0; k < size_ * size_; ++k) a_[at(k)] = -j.data()[k];
-    for (Eigen::Index k = 0; k < size_; ++k) column(k)[k] += shift;
+    for (Eigen::Index k = 0; k < size_; ++k) {
+      double* const a = column(k);
+      for (Eigen::Index i = 0; i < size_; ++i) set(a, i, -j(i, k));
+      set(a, k, get(a, k) + shift);
+    }
     for (Eigen::Index k = 0; k < size_; ++k) eliminate(k);
   }
   /// @p x becomes the solution for the right-hand side @p x.
-  void solve(Vector<Number, n>& x) const {
+  void solve(Vector<Number, n>& x) {
     if constexpr (n == Eigen::Dynamic) {
       if (is_large()) {
         x = large_.solve(x);
         return;
       }
     }
-    for (Eigen::Index k = 0; k < size_; ++k) std::swap(x[k], x[pivot_[at(k)]]);
-    for (Eigen::Index k = 0; k < size_; ++k) subtract(column(k), x[k], k + 1, size_, x.data());
+    double* const y = side_.data();
+    for (Eigen::Index k = 0; k < size_; ++k) set(y, k, x[k]);
+    for (Eigen::Index k = 0; k < size_; ++k) swap(y, k, pivot_[at(k)]);
+    for (Eigen::Index k = 0; k < size_; ++k) subtract(column(k), get(y, k), k + 1, size_, y);
     for (Eigen::Index k = size_ - 1; k >= 0; --k) {
-      x[k] = product(x[k], column(k)[k]);
-      subtract(column(k), x[k], 0, k, x.data());
+      x[k] = product(get(y, k), get(column(k), k));
+      subtract(column(k), x[k], 0, k, y);
     }
   }
 
  private:
-  static constexpr bool is_fixed = n != Eigen::Dynamic;
-  static constexpr std::size_t rows = is_fixed ? static_cast<std::size_t>(n) : 1;
+  static constexpr bool is_fixed = n != Eigen::Dynamic, is_complex = !std::is_same_v<Number, double>;
+  static constexpr Eigen::Index parts = is_complex ? 2 : 1;  // doubles of a number
+  static constexpr std::size_t rows = is_fixed ? static_cast<std::size_t>(n) : 1, row_doubles = parts * rows;
   static constexpr Eigen::Index most_of_loops = 48;  // equations; twice as many are as fast by blocks
   using Large = Eigen::Matrix<Number, n, n>;
+  using Doubles = std::vector<double>;
   struct None {};
 
   [[nodiscard]] bool is_large() const { return size_ > most_of_loops; }
   [[nodiscard]] static std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
-  [[nodiscard]] Number* column(Eigen::Index k) { return a_.data() + k * size_; }
-  [[nodiscard]] const Number* column(Eigen::Index k) const { return a_.data() + k * size_; }
+  [[nodiscard]] double* column(Eigen::Index k) { return a_.data() + parts * k * size_; }
+
+  // Number i of a column.
+  [[nodiscard]] Number get(const double* a, Eigen::Index i) const {
+    if constexpr (is_complex)
+      return {a[i], a[size_ + i]};
+    else
+      return a[i];
+  }
+  void set(double* a, Eigen::Index i, const Number& value) const {
+    if constexpr (is_complex) {
+      a[i] = value.real();
+      a[size_ + i] = value.imag();
+    } else {
+      a[i] = value;
+    }
+  }
+  void swap(double* a, Eigen::Index i, Eigen::Index k) const {
+    for (Eigen::Index part = 0; part < parts; ++part) std::swap(a[part * size_ + i], a[part * size_ + k]);
+  }
 
   // y_i -= a_i factor for i from begin to end.
-  static void subtract(const Number* a, const Number& factor, Eigen::Index begin, Eigen::Index end,
-                       Number* y) {
-    for (Eigen::Index i = begin; i < end; ++i) y[i] -= product(a[i], factor);
+  void subtract(const double* a, const Number& factor, Eigen::Index begin, Eigen::Index end,
+                double* y) const {
+    if constexpr (is_complex) {
+      const double re = factor.real(), im = factor.imag();
+      const double* const __restrict a_re = a, * const __restrict a_im = a + size_;
+      double* const __restrict y_re = y, * const __restrict y_im = y + size_;
+      for (Eigen::Index i = begin; i < end; ++i) {
+        y_re[i] -= a_re[i] * re - a_im[i] * im;
+        y_im[i] -= a_re[i] * im + a_im[i] * re;
+      }
+    } else {
+      for (Eigen::Index i = begin; i < end; ++i) y[i] -= a[i] * factor;
+    }
   }
   // Brings the pivot of column k to the diagonal, whose reciprocal is kept there, and subtracts its row.
   void eliminate(Eigen::Index k) {
-    Number* const a = column(k);
+    double* const a = column(k);
     Eigen::Index p = k;
     for (Eigen::Index i = k + 1; i < size_; ++i) {
-      if (magnitude(a[i]) > magnitude(a[p])) p = i;
+      if (magnitude(get(a, i)) > magnitude(get(a, p))) p = i;
     }
     pivot_[at(k)] = p;
     if (p != k) {
-      for (Eigen::Index j = 0; j < size_; ++j) std::swap(column(j)[k], column(j)[p]);
+      for (Eigen::Index j = 0; j < size_; ++j) swap(column(j), k, p);
     }
-    a[k] = reciprocal(a[k]);
-    for (Eigen::Index i = k + 1; i < size_; ++i) a[i] = product(a[i], a[k]);
-    for (Eigen::Index j = k + 1; j < size_; ++j) subtract(a, column(j)[k], k + 1, size_, column(j));
+    const Number inverse = reciprocal(get(a, k));
+    set(a, k, inverse);
+    for (Eigen::Index i = k + 1; i < size_; ++i) set(a, i, product(get(a, i), inverse));
+    for (Eigen::Index j = k + 1; j < size_; ++j) subtract(a, get(column(j), k), k + 1, size_, column(j));
   }
 
   Eigen::Index size_;
-  std::conditional_t<is_fixed, std::array<Number, rows * rows>, std::vector<Number>> a_{};
+  std::conditional_t<is_fixed, std::array<double, row_doubles * rows>, Doubles> a_{};
+  std::conditional_t<is_fixed, std::array<double, row_doubles>, Doubles> side_{};
   std::conditional_t<is_fixed, std::array<Eigen::Index, rows>, std::vector<Eigen::Index>> pivot_{};
   std::conditional_t<is_fixed, None, Eigen::PartialPivLU<Large>> large_{};
 };
