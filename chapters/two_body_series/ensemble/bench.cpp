@@ -1,0 +1,127 @@
+/// @file
+/// `two_body_series_ensemble_bench`: orbits in lanes against the same orbits one by one, at equal achieved
+/// median error, and two threads against one; by Google Benchmark. Writes
+/// results/bench/two_body_series_ensemble.json and tables/BENCH.md under the current folder; exit code 1 if a
+/// claim is not held.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "chapters/speed.hpp"
+#include "nlmech/orbit/ensemble.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/support/extended_real.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace {
+
+using namespace nlmech;
+using Real = ExtendedReal<50>;
+
+/// Orbits from their periapsis over some twenty revolutions, and where they end.
+struct Orbits {
+  Orbits(std::string name_, double least, double largest) : name(std::move(name_)) {
+    const double revolution = 2 * std::acos(-1.0);
+    std::mt19937_64 random(21);
+    for (int i = 0; i < 512; ++i) {
+      const double e = least + (largest - least) * static_cast<double>(random() >> 11U) * 0x1p-53;
+      const orbit::State start{{1 - e, 0, 0}, {0, std::sqrt((1 + e) / (1 - e)), 0}};
+      flights.push_back({start, revolution * (19.25 + (i % 16 + 0.5) / 16), {}});
+      const orbit::BasicState<Real> s{start.position.cast<Real>(), start.velocity.cast<Real>()};
+      const auto c = orbit::lagrange_coefficients(s, Real(flights.back().until), Real(1));
+      ends.push_back(orbit::moved(s, c).position.cast<double>());
+    }
+  }
+  std::string name;
+  std::vector<orbit::Flight> flights;
+  std::vector<orbit::Vector3<double>> ends;
+};
+
+using Way = std::function<std::vector<orbit::Solution>(const Orbits&, double tolerance)>;
+
+std::vector<orbit::Solution> one_by_one(const Orbits& orbits, double tolerance) {
+  std::vector<orbit::Solution> ends;
+  for (const orbit::Flight& f : orbits.flights)
+    ends.push_back(orbit::propagate(f.start, 0, f.until, f.gravity,
+                                    orbit::AnalyticContinuation{.tolerance = tolerance}));
+  return ends;
+}
+
+Way in_lanes(InstructionSet set, int threads) {
+  return [=](const Orbits& orbits, double tolerance) {
+    return orbit::propagate_all(orbits.flights,
+                                {.tolerance = tolerance, .threads = threads, .instructions = set});
+  };
+}
+
+/// A piece of work that is measured.
+struct Work {
+  std::string name;
+  std::function<void()> run;
+};
+
+/// With the loosest tolerance, by half decades, whose median error is as wanted.
+std::optional<Work> work_to(const Orbits& orbits, const std::string& way, const Way& run, double wanted) {
+  for (int half = 12; half <= 34; ++half) {
+    const double tolerance = std::pow(10, -0.5 * half);
+    const auto ends = run(orbits, tolerance);
+    std::vector<double> errors;
+    double steps = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      errors.push_back((ends[i].x.position - orbits.ends[i]).norm());
+      steps += static_cast<double>(ends[i].statistics.steps) / static_cast<double>(ends.size());
+    }
+    if (!(median(errors) <= wanted)) continue;
+    const std::string name = fmt::format("{}, {} to {:g}", orbits.name, way, wanted);
+    const double seconds =
+        time_repeats([&] { (void)run(orbits, tolerance); }, 5).smallest / static_cast<double>(ends.size());
+    fmt::print("{}: tolerance {:.1e}, error {:.1e}, {:.1f} steps, {:.2f} us an orbit, {:.1f} ns a step\n",
+               name, tolerance, median(errors), steps, 1e6 * seconds, 1e9 * seconds / steps);
+    return Work{name, [&orbits, run, tolerance] {
+                  auto all = run(orbits, tolerance);
+                  benchmark::DoNotOptimize(all);
+                }};
+  }
+  return std::nullopt;
+}
+
+int bench(int argc, char** argv) {
+  chapters::begin_speed(argc, argv);
+  const std::vector<Orbits> all_orbits = {{"512 orbits, e = 0.1", 0.1, 0.1},
+                                          {"512 orbits, e = 0.7", 0.7, 0.7},
+                                          {"512 orbits, e in 0 to 0.9", 0, 0.9}};
+  std::vector<Work> all;
+  std::vector<scene::SpeedClaim> claims;
+  for (const Orbits& orbits : all_orbits) {
+    for (const double wanted : {1e-9, 1e-12}) {
+      const auto single = work_to(orbits, "one by one", one_by_one, wanted);
+      if (!single) continue;
+      all.push_back(*single);
+      const auto add = [&](const std::string& way, const Way& run, const std::string& theirs, double least) {
+        const auto ours = work_to(orbits, way, run, wanted);
+        if (!ours) return std::string();
+        all.push_back(*ours);
+        claims.push_back({fmt::format("{} against {}", ours->name, theirs), ours->name,
+                          fmt::format("{}, {} to {:g}", orbits.name, theirs, wanted), least});
+        return ours->name;
+      };
+      if (available(InstructionSet::avx2))
+        add("lanes of avx2", in_lanes(InstructionSet::avx2, 1), "one by one", 2.5);
+      if (available(InstructionSet::avx512))
+        add("lanes of avx512", in_lanes(InstructionSet::avx512, 1), "one by one", 5);
+    }
+  }
+  return chapters::judge_speed("two_body_series_ensemble", claims, chapters::measure_speed(all));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return nlmech::chapters::speed_main("two_body_series_ensemble_bench", &bench, argc, argv);
+}

@@ -1,0 +1,170 @@
+#include "chapters/two_body_series/ensemble/propagate_all.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include "chapters/two_body_series/orbits/orbits.hpp"
+#include "nlmech/orbit/ensemble.hpp"
+#include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/catalogue/shard.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::chapters::two_body_series {
+namespace {
+
+enum Column : std::size_t { x, y, z, vx, vy, vz, mu, until };
+
+/// Lines that are held in memory at a time.
+constexpr double most_lines = 1e5;
+
+class OrbitCatalogue {
+ public:
+  explicit OrbitCatalogue(const CatalogueRequest& request)
+      : request_(request),
+        catalogue_(request.file, {"x", "y", "z", "vx", "vy", "vz"}, {"mu", "until"},
+                   [this](const std::vector<double>& row) { return complaint(row); }) {
+    refuse_doubled("until", request.until);
+    refuse_doubled("mu", request.mu);
+    if (!request.until && !catalogue_.has("until"))
+      throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
+  }
+
+  [[nodiscard]] int print() {
+    const double lines = request_.every ? catalogue_.rows() ? most_rows_ : most_lines / 64 : 1;
+    scene::print_catalogue(
+        catalogue_, {.shard = request_.shard,
+                     .options = fmt::format("{} {} {} {} {:a} {} {}", request_.method, shown(request_.until),
+                                            shown(request_.mu), shown(request_.every), request_.tolerance,
+                                            fmt::join(request_.field.zonal, ","), request_.field.radius),
+                     .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
+                     .portion = static_cast<std::size_t>(std::clamp(most_lines / lines, 1.0, 8192.0)),
+                     .work = [this](const scene::CatalogueRows& rows) {
+                       return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
+                     }});
+    if (failed_ == 0) return 0;
+    scene::tell(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}", failed_,
+                            first_failed_, first_sentence_));
+    return 1;
+  }
+
+ private:
+  static std::string shown(const std::optional<double>& value) {
+    return value ? fmt::format("{:a}", *value) : "-";
+  }
+
+  void refuse_doubled(const char* column, const std::optional<double>& option) const {
+    if (option && catalogue_.has(column))
+      throw input_error("--{} {}: {} has a column {}", column, *option, catalogue_.name(), column);
+  }
+
+  /// Called while the catalogue is made, too: only what is before it in this class is there.
+  [[nodiscard]] std::string complaint(const std::vector<double>& row) {
+    if (row[x] == 0 && row[y] == 0 && row[z] == 0)
+      return "x,y,z = 0,0,0 is the centre, where the attraction has no bound";
+    if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
+    if (request_.every) {
+      const double lines = std::abs(row[until]) / *request_.every;
+      if (lines > 1e7)
+        return fmt::format("until = {:.17g}: more than 10 million rows at --every {}", row[until],
+                           *request_.every);
+      most_rows_ = std::max(most_rows_, lines);
+    }
+    return {};
+  }
+
+  [[nodiscard]] orbit::Flight flight(const std::vector<double>& row) const {
+    orbit::Flight f{{{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}}, 0, request_.field};
+    f.until = request_.until ? *request_.until : row[until];
+    f.gravity.mu = catalogue_.has("mu") ? row[mu] : request_.mu.value_or(earth_mu);
+    return f;
+  }
+
+  static void add_line(std::string& lines, std::int64_t row, double t, const orbit::State& s,
+                       const std::string& rest, std::string_view status) {
+    const auto &p = s.position, &v = s.velocity;
+    fmt::format_to(std::back_inserter(lines),
+                   "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}{},{}\n", row, t, p[0], p[1],
+                   p[2], v[0], v[1], v[2], rest, status);
+  }
+
+  /// The lines between are there already; the first and the last are not.
+  void note(std::int64_t row, const Status& status) {
+    if (status.ok()) return;
+    if (failed_++ == 0) {
+      first_failed_ = row;
+      first_sentence_ = status.text();
+    }
+  }
+
+  [[nodiscard]] std::string by_series(const scene::CatalogueRows& rows) {
+    std::vector<orbit::Flight> flights;
+    for (const auto& row : rows.numbers) flights.push_back(flight(row));
+    std::vector<std::string> between(request_.every ? flights.size() : 0);
+    orbit::InnerRows inner;
+    if (request_.every) {
+      inner.every = *request_.every;
+      inner.sink = [&](std::size_t i, double t, const orbit::State& s) {
+        add_line(between[i], rows.first + static_cast<std::int64_t>(i), t, s, rows.rest[i],
+                 to_string(Outcome::success));
+      };
+    }
+    const auto ends =
+        orbit::propagate_all(flights, {.tolerance = request_.tolerance, .threads = request_.threads}, inner);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      note(rows.first + static_cast<std::int64_t>(i), ends[i].status);
+    return scene::lines_in_threads(ends.size(), request_.threads, [&](std::size_t i, std::string& lines) {
+      const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
+      if (request_.every) {
+        if (flights[i].until != 0)
+          add_line(lines, row, 0, flights[i].start, rows.rest[i], to_string(Outcome::success));
+        lines += between[i];
+      }
+      add_line(lines, row, ends[i].t, ends[i].x, rows.rest[i], to_string(ends[i].status.outcome()));
+    });
+  }
+
+  [[nodiscard]] std::string by_kepler(const scene::CatalogueRows& rows) {
+    std::vector<Status> statuses(rows.numbers.size());
+    std::string text = scene::lines_in_threads(
+        rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
+          const orbit::Flight f = flight(rows.numbers[i]);
+          const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
+          const auto add = [&](double t) {
+            const auto there = orbit::propagate_kepler(f.start, t, f.gravity.mu);
+            if (!there.status.ok()) statuses[i] = there.status;
+            add_line(lines, rows.first + static_cast<std::int64_t>(i), there.status.ok() ? t : 0,
+                     there.status.ok() ? there.state : f.start, rows.rest[i],
+                     to_string(there.status.outcome()));
+          };
+          if (request_.every && f.until != 0) {
+            // The end has its own row; rounding of k DT makes no second one.
+            for (std::int64_t k = 0; end - static_cast<double>(k) * *request_.every > 1e-9 * *request_.every;
+                 ++k)
+              add(sign * static_cast<double>(k) * *request_.every);
+          }
+          add(f.until);
+        });
+    for (std::size_t i = 0; i < statuses.size(); ++i)
+      note(rows.first + static_cast<std::int64_t>(i), statuses[i]);
+    return text;
+  }
+
+  const CatalogueRequest& request_;
+  double most_rows_ = 1;
+  scene::Catalogue catalogue_;
+  std::int64_t failed_ = 0, first_failed_ = 0;
+  std::string first_sentence_;
+};
+
+}  // namespace
+
+int print_orbits(const CatalogueRequest& request) { return OrbitCatalogue(request).print(); }
+
+}  // namespace nlmech::chapters::two_body_series

@@ -1,0 +1,88 @@
+/// @file
+/// A catalogue: CSV with a header and a task a row, read some rows at a time, so that memory does not grow
+/// with the file. Every complaint names file, line, column and value.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nlmech::scene {
+
+/// Some consecutive rows.
+struct CatalogueRows {
+  std::int64_t first = 1;         ///< number of the first one, from 1
+  std::vector<std::size_t> line;  ///< of the file, from 1, by row
+  std::vector<std::vector<double>>
+      numbers;                    ///< by row, then as the columns are known; NaN without the column
+  std::vector<std::string> rest;  ///< by row: the other cells as they stand, a comma before each
+};
+
+/// What is wrong with the numbers of a row, as "x,y,z = 0,0,0: is the centre"; empty if nothing is.
+using RowCheck = std::function<std::string(const std::vector<double>& numbers)>;
+
+/// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
+/// in any order, and the others are handed on. Blank lines and lines that begin with '#' are skipped.
+///
+/// A file is read through once beforehand: rows() and digest() are known then, and whatever is wrong with any
+/// of its rows is said before the first is worked on. Standard input cannot be read twice, and complaints of
+/// a row come when it is its turn.
+class Catalogue {
+ public:
+  /// @param path "-" is standard input
+  /// @param required columns that must be there  @param optional columns that may be
+  /// @throws InputError naming the file, and line, column and value
+  Catalogue(std::string path, std::vector<std::string> required, std::vector<std::string> optional,
+            RowCheck check);
+
+  /// Is this one of its columns?
+  [[nodiscard]] bool has(std::string_view column) const;
+  /// The names of the columns that are handed on, a comma before each.
+  [[nodiscard]] const std::string& rest_names() const { return rest_names_; }
+  /// Its path, as messages give it.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// How many rows it has; not known of standard input.
+  [[nodiscard]] std::optional<std::int64_t> rows() const { return rows_; }
+  /// A number made of all lines.
+  [[nodiscard]] std::uint64_t digest() const { return digest_; }
+
+  /// The next rows up to number @p last, at most @p most; none at the end. @throws InputError as above
+  [[nodiscard]] CatalogueRows next(std::size_t most, std::int64_t last);
+  /// Leaves out rows up to number @p row. @throws InputError as above
+  void skip_to(std::int64_t row);
+
+ private:
+  /// A line and its number.
+  struct Line {
+    std::string_view text;
+    std::size_t number = 0;
+  };
+
+  void open();
+  [[nodiscard]] bool read_line(Line& line);
+  [[nodiscard]] bool read_row(Line& line);
+  void read_header();
+  void understand(const Line& line, std::vector<double>& numbers, std::string& rest) const;
+
+  std::string path_, name_;
+  std::vector<std::string> known_;
+  std::size_t required_;
+  RowCheck check_;
+  std::vector<int> column_;  ///< of the file, to which of known_ it belongs, or -1
+  std::vector<std::string> names_;
+  std::string rest_names_;
+  std::ifstream file_;
+  std::string buffer_;
+  std::size_t place_ = 0, line_number_ = 0;
+  bool ended_ = false;
+  std::int64_t next_row_ = 1;
+  std::optional<std::int64_t> rows_;
+  std::uint64_t digest_ = 0xcbf29ce484222325U;
+};
+
+}  // namespace nlmech::scene

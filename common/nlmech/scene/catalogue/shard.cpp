@@ -1,0 +1,230 @@
+#include "nlmech/scene/catalogue/shard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <thread>
+
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::scene {
+namespace {
+
+constexpr int most_shards = 1'000'000;
+
+std::string end_mark(const Shard& shard) {
+  return fmt::format("# end of shard {} / {}", shard.part, shard.parts);
+}
+
+std::uint64_t digest_of(std::string_view text, std::uint64_t hash) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+/// A part, as its first line describes it.
+struct Part {
+  std::string path, name;
+  Shard shard;
+  std::int64_t first = 0, last = 0;
+  std::string whole;   ///< "1000 run 9f86d081884c7d65": rows of the catalogue, and what they were made of
+  std::string header;  ///< its second line
+};
+
+std::ifstream opened(const Part& part) {
+  errno = 0;
+  std::ifstream in(part.path, std::ios::binary);
+  if (!in)
+    throw input_error("{}: {}", part.name, std::generic_category().message(errno != 0 ? errno : ENOENT));
+  return in;
+}
+
+[[noreturn]] void refuse_label(const Part& part, const std::string& line) {
+  throw input_error(
+      "{}, line 1: '{}' does not say which part of which output this is; merge joins what --shard i/n writes",
+      part.name, echoed(line));
+}
+
+/// Understands the first two lines.
+void read_label(Part& part, std::istream& in) {
+  std::string line, mark, shard, slash, rows, to, of, run, digest, rest;
+  std::getline(in, line);
+  std::istringstream words(line.substr(0, 200));
+  std::int64_t all = 0;
+  words >> mark >> shard >> part.shard.part >> slash >> part.shard.parts >> rows >> part.first >> to >>
+      part.last >> of >> all >> run >> digest;
+  const bool fine =
+      words && !(words >> rest) && mark + shard + slash + rows + to + of + run == "#shard/rowstoofrun" &&
+      part.shard.part >= 1 && part.shard.part <= part.shard.parts && part.shard.parts <= most_shards &&
+      all >= 0 && part.shard.rows(all) == std::pair(part.first, part.last);
+  if (!fine) refuse_label(part, line);
+  part.whole = echoed(fmt::format("{} run {}", all, digest));
+  std::getline(in, part.header);
+}
+
+/// Reads a part through: its rows are there in order, and so is its end.
+Part checked(const std::string& path) {
+  Part part;
+  part.path = path;
+  part.name = echoed_path(path);
+  std::ifstream in = opened(part);
+  read_label(part, in);
+  std::string line;
+  std::int64_t row = part.first - 1;
+  for (std::size_t number = 3; std::getline(in, line); ++number) {
+    if (line == end_mark(part.shard) && row == part.last && in.peek() == std::ifstream::traits_type::eof())
+      return part;
+    std::int64_t here = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), here);
+    const bool fine = error == std::errc{} && end != line.data() + line.size() && *end == ',';
+    if (!fine || (here != row && here != row + 1) || here < part.first || here > part.last)
+      throw input_error("{}, line {}: '{}' is no line of row {} or {}", part.name, number, echoed(line), row,
+                        row + 1);
+    row = here;
+  }
+  throw input_error("{}: ends with row {} of {} to {}, without the line '{}': the file is not whole",
+                    part.name, row, part.first, part.last, end_mark(part.shard));
+}
+
+/// All parts in order, each there once.
+std::vector<Part> in_order(const std::vector<std::string>& paths) {
+  std::vector<std::optional<Part>> ordered;
+  std::optional<Part> first;
+  for (const std::string& path : paths) {
+    Part part = checked(path);
+    if (!first) {
+      first = part;
+      ordered.resize(static_cast<std::size_t>(part.shard.parts));
+    }
+    if (part.whole != first->whole || part.shard.parts != first->shard.parts || part.header != first->header)
+      throw input_error("{}, line 1: shard {} / {} of {} is no part of that of {}: {} shards of {}",
+                        part.name, part.shard.part, part.shard.parts, part.whole, first->name,
+                        first->shard.parts, first->whole);
+    std::optional<Part>& place = ordered[static_cast<std::size_t>(part.shard.part - 1)];
+    if (place)
+      throw input_error("{}: shard {} / {} is in {} already", part.name, part.shard.part, part.shard.parts,
+                        place->name);
+    place = std::move(part);
+  }
+  std::string missing;
+  std::vector<Part> all;
+  for (std::size_t k = 0; k < ordered.size(); ++k) {
+    if (ordered[k]) {
+      all.push_back(std::move(*ordered[k]));
+    } else if (missing.size() < 60) {
+      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", k + 1);
+    }
+  }
+  if (!missing.empty())
+    throw input_error("{}: shards {} of {} are missing", first->name, missing, first->shard.parts);
+  return all;
+}
+
+}  // namespace
+
+std::pair<std::int64_t, std::int64_t> Shard::rows(std::int64_t rows) const {
+  // Rows before part k: rows k/parts, rounded down, without a product that could overflow.
+  const auto before = [&](std::int64_t k) { return rows / parts * k + rows % parts * k / parts; };
+  return {before(part - 1) + 1, before(part)};
+}
+
+Shard typed_shard(const std::string& option, const std::string& text) {
+  const std::size_t place = text.find('/');
+  if (place == std::string::npos) throw input_error("{} {}: needs two numbers and '/'", option, echoed(text));
+  const auto whole = [&](const std::string& half) { return typed_whole(option, half, 1, most_shards); };
+  const Shard shard{whole(text.substr(0, place)), whole(text.substr(place + 1))};
+  if (shard.part > shard.parts)
+    throw input_error("{} {}: there are {} shards", option, echoed(text), shard.parts);
+  return shard;
+}
+
+void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
+  std::string text = run.header + '\n', end;
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
+  if (!run.shard.empty()) {
+    const Shard shard = typed_shard("--shard", run.shard);
+    if (!catalogue.rows())
+      throw input_error("--shard {}: needs a file; how many rows {} has is not known", run.shard,
+                        catalogue.name());
+    const auto [from, to] = shard.rows(*catalogue.rows());
+    text = fmt::format("# shard {} / {} rows {} to {} of {} run {:016x}\n", shard.part, shard.parts, from, to,
+                       *catalogue.rows(), digest_of(run.options, catalogue.digest())) +
+           text;
+    end = end_mark(shard) + '\n';
+    last = to;
+    catalogue.skip_to(from);
+  }
+  print_result(text);
+  const std::string of = catalogue.rows() ? fmt::format(" of {}", *catalogue.rows()) : std::string();
+  for (;;) {
+    const CatalogueRows rows = catalogue.next(run.portion, last);
+    if (rows.line.empty()) break;
+    const Doing doing(fmt::format("at row {}{}", rows.first, of));
+    print_result(run.work(rows));
+  }
+  if (!end.empty()) print_result(end);
+}
+
+std::string lines_in_threads(std::size_t count, int threads,
+                             const std::function<void(std::size_t task, std::string& lines)>& add) {
+  const std::size_t wanted =
+      threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t portion = std::clamp<std::size_t>(count / (8 * wanted), 1, 64);
+  std::vector<std::string> pieces((count + portion - 1) / portion);
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t k = next++; k < pieces.size(); k = next++) {
+        for (std::size_t i = k * portion; i < std::min(count, (k + 1) * portion); ++i) add(i, pieces[k]);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+      next = pieces.size();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < std::min(wanted, pieces.size()); ++k) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+  std::string lines;
+  for (const std::string& piece : pieces) lines += piece;
+  return lines;
+}
+
+void print_merged(const std::vector<std::string>& paths) {
+  const std::vector<Part> parts = in_order(paths);
+  print_result(parts.at(0).header + '\n');
+  for (const Part& part : parts) {
+    std::ifstream in = opened(part);
+    std::string line, text;
+    for (int k = 0; k < 2; ++k) std::getline(in, line);
+    while (std::getline(in, line) && !line.starts_with('#')) {
+      text.append(line).append("\n");
+      if (text.size() < std::size_t{1} << 18U) continue;
+      print_result(text);
+      text.clear();
+    }
+    print_result(text);
+  }
+}
+
+}  // namespace nlmech::scene

@@ -1,0 +1,94 @@
+/// Catalogues: rows and what is handed on; shards that make up the whole; lines of threads in order.
+#include "nlmech/scene/catalogue/catalogue.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "nlmech/scene/catalogue/shard.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/support/errors.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::scene::catalogue_test {
+namespace {
+
+using tests::TemporaryFolder;
+
+TEST(Catalogue, RowsByName) {
+  const TemporaryFolder folder;
+  write_whole(folder.path() / "a.csv",
+              "\xEF\xBB\xBF name , b,a\r\n#x\r\n\r\n\"p, q\", 2 , 1\r\n,4,3\n\"\",-6,+5");
+  Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {"b", "c"}, {});
+  EXPECT_TRUE(catalogue.has("b"));
+  EXPECT_FALSE(catalogue.has("c"));
+  EXPECT_EQ(catalogue.rest_names(), ",name");
+  EXPECT_EQ(catalogue.rows(), 3);
+  const CatalogueRows two = catalogue.next(2, 99);
+  ASSERT_EQ(two.line.size(), 2U);
+  EXPECT_EQ(two.line[0], 4U);
+  EXPECT_EQ(two.rest[0], ",\"p, q\"");
+  EXPECT_EQ(two.rest[1], ",");
+  EXPECT_EQ(two.numbers[1][0], 3);
+  EXPECT_EQ(two.numbers[1][1], 4);
+  EXPECT_TRUE(std::isnan(two.numbers[1][2]));
+  const CatalogueRows one = catalogue.next(2, 99);
+  EXPECT_EQ(one.first, 3);
+  ASSERT_EQ(one.line.size(), 1U);
+  EXPECT_EQ(one.numbers[0][0], 5);
+  EXPECT_TRUE(catalogue.next(2, 99).line.empty());
+}
+
+// Lines across the portions in which a file is read, and the digest of what they say.
+TEST(Catalogue, LongFiles) {
+  const TemporaryFolder folder;
+  std::string text = "a,note\n";
+  for (int i = 0; i < 5000; ++i)
+    text += std::to_string(i) + "," + std::string(static_cast<std::size_t>(i % 997), 'n') + "\n";
+  write_whole(folder.path() / "a.csv", text);
+  text[text.find("4999,") + 3] = '8';
+  write_whole(folder.path() / "b.csv", text);
+  Catalogue a((folder.path() / "a.csv").string(), {"a"}, {}, {}),
+      b((folder.path() / "b.csv").string(), {"a"}, {}, {});
+  EXPECT_NE(a.digest(), b.digest());
+  a.skip_to(4001);
+  const CatalogueRows rows = a.next(9999, 4900);
+  EXPECT_EQ(rows.first, 4001);
+  ASSERT_EQ(rows.line.size(), 900U);
+  EXPECT_EQ(rows.numbers[899][0], 4899);
+}
+
+RC_GTEST_PROP(Shard, PartsMakeUpTheWhole, (int rows)) {
+  const int all = std::abs(rows % 1000), parts = *rc::gen::inRange(1, 50);
+  std::int64_t next = 1;
+  for (int k = 1; k <= parts; ++k) {
+    const auto [first, last] = Shard{k, parts}.rows(all);
+    RC_ASSERT(first == next);
+    RC_ASSERT(last - first + 1 >= all / parts);
+    RC_ASSERT(last - first + 1 <= all / parts + 1);
+    next = last + 1;
+  }
+  RC_ASSERT(next == all + 1);
+}
+
+TEST(LinesInThreads, AreInOrder) {
+  for (const std::size_t count : {0U, 1U, 63U, 1000U}) {
+    std::string expected;
+    for (std::size_t i = 0; i < count; ++i) expected += std::to_string(i) + '\n';
+    for (const int threads : {0, 1, 3}) {
+      EXPECT_EQ(
+          lines_in_threads(count, threads,
+                           [](std::size_t i, std::string& lines) { lines += std::to_string(i) + '\n'; }),
+          expected);
+    }
+  }
+  const auto fails = [](std::size_t i, std::string&) {
+    if (i == 500) throw InputError("no");
+  };
+  EXPECT_THROW((void)lines_in_threads(1000, 3, fails), InputError);
+}
+
+}  // namespace
+}  // namespace nlmech::scene::catalogue_test
