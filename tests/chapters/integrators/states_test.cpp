@@ -48,7 +48,7 @@ TEST(States, RowsAreRuns) {
   ASSERT_EQ(records.size(), 121U);
   for (int i = 0; i < 40; ++i) {
     for (int k = 0; k < 3; ++k) {
-      const Words& cells = records[static_cast<std::size_t>(3 * i + k + 1)].cells;
+      const Words& cells = records[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k) + 1].cells;
       const double t = 1.5 * k, w = 1 + 0.1 * i, x = 0.5 + i;
       EXPECT_EQ(cells[0], std::to_string(i + 1));
       EXPECT_EQ(std::stod(cells[1]), t);
