@@ -95,7 +95,9 @@ struct Pack {
 
 }  // namespace nlmech::ivp
 
-/// What Eigen has to know about it.
+/// @cond Doxygen cannot follow specialisations of another library's templates
+// What Eigen has to know about it as entries of vectors.
 template <int n>
 struct Eigen::NumTraits<nlmech::ivp::Pack<n>> : nlmech::detail::NumberTraits<nlmech::ivp::Pack<n>, n, n, n> {
 };
+/// @endcond
