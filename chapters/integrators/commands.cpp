@@ -8,6 +8,7 @@ void commands(scene::Commands& all) {
   comparison::add_integrate_command(all, problems);
   comparison::add_compare_command(all, problems);
   comparison::add_choose_command(all, problems);
+  comparison::add_merge_command(all);
 }
 
 }  // namespace nlmech::chapters::integrators

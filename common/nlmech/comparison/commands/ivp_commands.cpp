@@ -10,10 +10,12 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/choice_rows.hpp"
+#include "nlmech/comparison/commands/catalogue_run.hpp"
 #include "nlmech/comparison/commands/choices.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
 #include "nlmech/expression/syntax.hpp"
+#include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
@@ -32,7 +34,8 @@ struct Words {
   ivp::Settings settings;
   ivp::Limits limits{.seconds = 60};
   std::vector<std::string> set, events;
-  std::string section;
+  std::string section, states, shard;
+  std::optional<int> threads;
   bool no_verify = false;
   int digits = 9;
 };
@@ -68,18 +71,31 @@ std::string read_equations(const std::string& name) {
 }
 
 /// The problem by name, or the equations that were typed or stand in a file.
-std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& problems) {
-  const int given = !words.problem.empty() + !words.equation.empty() + !words.file.empty();
-  if (given != 1) throw InputError("give one of --problem NAME, --equation TEXT and --file NAME.ode");
+/// @param equations what was typed or read @param values of parameters, in place of those that were typed
+std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& problems,
+                                       const expression::SourceText& equations,
+                                       const CatalogueRuns::Values& values) {
   if (words.problem.empty()) {
-    const bool typed = words.file.empty();
-    return typed_problem(
-        {typed ? "--equation" : words.file, typed ? words.equation : read_equations(words.file)},
-        settings_of(words.set));
+    auto settings = settings_of(words.set);
+    for (const auto& [name, value] : values) settings[name] = value;
+    return typed_problem(equations, settings);
   }
   auto problem = problem_by_name(problems, words.problem);
   apply_settings(*problem, words.set);
+  for (const auto& [name, value] : values) problem->set_parameter(name, value);
   return problem;
+}
+
+/// The equations, if they were typed or stand in a file.
+expression::SourceText equations_of(const Words& words) {
+  const int given = !words.problem.empty() + !words.equation.empty() + !words.file.empty();
+  if (given != 1) throw InputError("give one of --problem NAME, --equation TEXT and --file NAME.ode");
+  if (words.file.empty()) return {"--equation", words.equation};
+  return {words.file, read_equations(words.file)};
+}
+
+std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& problems) {
+  return problem_of(words, problems, equations_of(words), {});
 }
 
 Request understand(const Words& words, const OwnProblem& problem) {
@@ -113,7 +129,34 @@ std::string heading_of(const Words& words) {
   return echoed(text, most);
 }
 
-void integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
+/// A run for each row of a file.
+int integrate_all(const Words& words, const OwnProblems& problems, const std::string& program) {
+  if (!words.plot.empty()) throw input_error("--plot {}: --states draws none", words.plot);
+  const expression::SourceText equations = equations_of(words);
+  CatalogueRuns runs;
+  runs.program = program;
+  runs.file = words.states;
+  runs.shard = words.shard;
+  runs.threads = words.threads.value_or(0);
+  runs.problem = [&](const CatalogueRuns::Values& values) {
+    return problem_of(words, problems, equations, values);
+  };
+  runs.request = [&](const OwnProblem& problem) { return understand(words, problem); };
+  const auto problem = runs.problem({});
+  const Request r = runs.request(*problem);
+  runs.method = about(
+      "--method", [&] { return any_method(words.method.empty() ? problem->usual_method(r) : words.method); });
+  runs.typed = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(),
+                           fmt::join(words.set, " "), words.initial, r.t0, r.t1, runs.method.name,
+                           Choice{runs.method, words.settings}.setting(), words.every.value_or(0),
+                           fmt::join(words.events, " "), words.section);
+  return print_runs(runs);
+}
+
+int integrate(const Words& words, const OwnProblems& problems, const std::string& program) {
+  if (!words.states.empty()) return integrate_all(words, problems, program);
+  if (words.threads) throw input_error("--threads {}: is about --states", *words.threads);
+  if (!words.shard.empty()) throw input_error("--shard {}: is about --states", words.shard);
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
@@ -127,6 +170,7 @@ void integrate(const Words& words, const OwnProblems& problems, const std::strin
       return r.section ? section_figure(run.seen, heading_of(words))
                        : run_figure(run.seen, heading_of(words));
     });
+  return 0;
 }
 
 void compare(const Words& words, const OwnProblems& problems, const std::string& program) {
@@ -224,6 +268,20 @@ std::string describe_all(const OwnProblems& problems) {
   return fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " "));
 }
 
+/// `merge`
+struct Parts {
+  std::vector<std::string> files;
+};
+
+void declare_parts(scene::Options& options, Parts& parts) {
+  options.add("parts", parts.files, "files written by integrate --shard").required();
+}
+
+int merge(const Parts& parts) {
+  scene::print_merged(parts.files);
+  return 0;
+}
+
 }  // namespace
 
 void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
@@ -249,12 +307,28 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
     options.add(
         "--plot", words.plot,
         "draws the unknowns against time, or the section: a name.svg, over an older such picture alone");
+    options.add(
+        "--states", words.states,
+        "CSV with a run a row: columns are unknowns and parameters by name, others are handed on; - is "
+        "standard input");
+    options.add("--threads", words.threads, "of --states, how many; without it one a processor")
+        .range(1, 1024);
+    options.add("--shard", words.shard,
+                "of --states, i/n: the i-th of n disjoint parts, for merge of integrators");
     options.footer(describe_all(problems));
   };
-  commands.add<Words>("integrate", "An equation from begin to end, as CSV: t,x,x',...", declare,
-                      [problems, program = commands.program()](const Words& words) {
-                        return integrate(words, problems, program);
-                      });
+  commands.add<Words>(
+      "integrate",
+      "An equation from begin to end, as CSV: t,x,x',...; of many rows of a file: row,t,x,x',...,status",
+      declare, [problems, program = commands.program()](const Words& words) {
+        return integrate(words, problems, program);
+      });
+}
+
+void add_merge_command(scene::Commands& commands) {
+  commands.add("merge",
+               "Joins all shards of one run over --states, given in any order, to what one run writes",
+               declare_parts, merge);
 }
 
 void add_choose_command(scene::Commands& commands, const OwnProblems& problems) {

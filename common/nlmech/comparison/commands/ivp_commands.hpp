@@ -17,6 +17,9 @@ namespace nlmech::comparison {
 void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
                            const std::string& method = "");
 
+/// `merge`: the shards of `integrate --states`.
+void add_merge_command(scene::Commands& commands);
+
 /// `choose`: which method for a problem, with the command that runs it.
 void add_choose_command(scene::Commands& commands, const OwnProblems& problems);
 

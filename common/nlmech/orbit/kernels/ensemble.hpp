@@ -23,17 +23,22 @@ struct alignas(64) Row {
 
 /// Orbits side by side, each in units of its own. The kernel reads and writes all rows.
 struct LaneBlock {
-  Row position[3], velocity[3];          ///< now
-  Row position_low[3], velocity_low[3];  ///< rounding errors of their sums
-  Row mu;                                ///< gravitational parameter
-  Row remaining, remaining_low;          ///< time to go, positive, as a sum of two
-  Row least_step;                        ///< a shorter one is lost in the time
-  // The latest step, for what lies within it.
-  Row first_position[3], first_velocity[3];  ///< where it began
-  Row step, chosen;                          ///< its length, and the one without regard to the end
-  Row next_row;                              ///< time from now to the next row asked for, or 1e300
-  Row first[most_ensemble_order + 1];        ///< coefficients of the first universal function in time
-  Row second[most_ensemble_order + 1];       ///< and of the second
+  Row position[3];      ///< now
+  Row velocity[3];      ///< now
+  Row position_low[3];  ///< rounding errors of its sums
+  Row velocity_low[3];  ///< rounding errors of its sums
+  Row mu;               ///< gravitational parameter
+  Row remaining;        ///< time to go, positive
+  Row remaining_low;    ///< the rest of it: both together are exact
+  Row least_step;       ///< a shorter one is lost in the time
+  Row step;             ///< length of the latest step
+  Row chosen;           ///< the same without regard to the end
+  Row next_row;         ///< time from now to the next row asked for, or 1e300
+  // The latest step in which a row was due, for what lies within it.
+  Row first_position[3];                ///< where it began
+  Row first_velocity[3];                ///< where it began
+  Row first[most_ensemble_order + 1];   ///< coefficients of the first universal function in time
+  Row second[most_ensemble_order + 1];  ///< and of the second
 };
 
 /// What is the same for all lanes and orbits.

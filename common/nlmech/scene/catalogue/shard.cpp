@@ -168,15 +168,17 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
     last = to;
     catalogue.skip_to(from);
   }
-  print_result(text);
   const std::string of = catalogue.rows() ? fmt::format(" of {}", *catalogue.rows()) : std::string();
   for (;;) {
     const CatalogueRows rows = catalogue.next(run.portion, last);
     if (rows.line.empty()) break;
     const Doing doing(fmt::format("at row {}{}", rows.first, of));
-    print_result(run.work(rows));
+    // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
+    text += run.work(rows);
+    print_result(text);
+    text.clear();
   }
-  if (!end.empty()) print_result(end);
+  print_result(text + end);
 }
 
 std::string lines_in_threads(std::size_t count, int threads,

@@ -1,0 +1,39 @@
+/// @file
+/// `integrate --states`: one run for each row of a CSV file.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/commands/own_problem.hpp"
+
+namespace nlmech::comparison {
+
+/// Runs over a catalogue, as they were asked for.
+struct CatalogueRuns {
+  /// Parameters with values of their own.
+  using Values = std::vector<std::pair<std::string, double>>;
+
+  std::string program;  ///< on standard error
+  std::string file;     ///< CSV: columns are unknowns and parameters by name; others are handed on
+  std::string shard;    ///< "i/n", or empty
+  std::string typed;    ///< what else the rows depend on, for merge
+  int threads = 0;      ///< 0: one a processor
+  /// The problem with these parameters. @throws InputError if they cannot be meant
+  std::function<std::unique_ptr<OwnProblem>(const Values&)> problem;
+  /// What is asked of it; the initial state is that of a row without columns.
+  std::function<Request(const OwnProblem&)> request;
+  AnyMethod method;  ///< the same for all rows
+};
+
+/// Prints `row,t,...,status` in the order of the file, `...` the unknowns, `event` if events were asked for,
+/// and the other columns. A run that fails is a row with empty cells and its status.
+/// @returns the exit code: 1, with a word on standard error, if one failed
+/// @throws InputError for whatever is wrong with the file, with line and value
+[[nodiscard]] int print_runs(const CatalogueRuns& runs);
+
+}  // namespace nlmech::comparison

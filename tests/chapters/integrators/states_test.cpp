@@ -1,0 +1,118 @@
+/// `integrators integrate --states` and `merge`: rows are what single runs print, in any division.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "nlmech/scene/program/files.hpp"
+#include "tests/chapters/integrators/run.hpp"
+#include "tests/scene/temporary_folder.hpp"
+
+namespace nlmech::integrators_states_test {
+namespace {
+
+using integrators_commands_test::integrators;
+using integrators_commands_test::Words;
+using scene::Finished;
+using tests::TemporaryFolder;
+
+std::string output(const Words& words, const std::string& folder) {
+  const Finished f = integrators(words, folder);
+  EXPECT_EQ(f.exit_code, 0) << f.errors;
+  return f.output;
+}
+
+void refused(const Words& words, const std::string& folder, const Words& named) {
+  const Finished f = integrators(words, folder);
+  EXPECT_EQ(f.exit_code, 2) << f.errors;
+  EXPECT_EQ(f.output, "");
+  for (const std::string& part : named)
+    EXPECT_NE(f.errors.find(part), std::string::npos) << part << "\n" << f.errors;
+}
+
+// Unknowns and a parameter by name, the oscillator's own start for what is not given, a name handed on.
+TEST(States, RowsAreRuns) {
+  const TemporaryFolder folder;
+  std::string text = "w,name,x\n";
+  for (int i = 0; i < 40; ++i) text += fmt::format("{},\"run, {}\",{}\n", 1 + 0.1 * i, i, 0.5 + i);
+  scene::write_whole(folder / "starts.csv", text);
+  const Words words = {"integrate", "--equation", "x'' + w^2 x = 0; w = 1; x(0) = 1; x'(0) = 0",
+                       "--states",  "starts.csv", "--until",
+                       "3",         "--every",    "1.5",
+                       "--method",  "dop853"};
+  const std::string whole = output(words, folder.string());
+  const auto records = scene::parse_csv(whole, "output");
+  EXPECT_EQ(records.at(0).cells, (Words{"row", "t", "x", "x'", "name", "status"}));
+  ASSERT_EQ(records.size(), 121U);
+  for (int i = 0; i < 40; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Words& cells = records[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k) + 1].cells;
+      const double t = 1.5 * k, w = 1 + 0.1 * i, x = 0.5 + i;
+      EXPECT_EQ(cells[0], std::to_string(i + 1));
+      EXPECT_EQ(std::stod(cells[1]), t);
+      EXPECT_NEAR(std::stod(cells[2]) / x, std::cos(w * t),
+                  1e-6);  // a tolerance of 1e-9 a step, some dozens of them
+      EXPECT_EQ(cells[4], fmt::format("run, {}", i));
+      EXPECT_EQ(cells[5], "success");
+    }
+  }
+  // The bytes of one run: by one thread, by the row itself, by shards.
+  Words more = words;
+  more.insert(more.end(), {"--threads", "1"});
+  EXPECT_EQ(output(more, folder.string()), whole);
+  const std::string alone =
+      output({"integrate", "--equation", "x'' + w^2 x = 0; w = 1; x(0) = 1; x'(0) = 0", "--set", "w=1.1",
+              "--initial", "x=1.5", "--until", "3", "--method", "dop853"},
+             folder.string());
+  const auto single = scene::parse_csv(alone, "output");
+  EXPECT_EQ(single.at(2).cells[1], records[6].cells[2]);
+  Words merge = {"merge"};
+  for (int k = 3; k >= 1; --k) {
+    Words part = words;
+    part.insert(part.end(), {"--shard", fmt::format("{}/3", k)});
+    scene::write_whole(folder / fmt::format("{}.csv", k), output(part, folder.string()));
+    merge.push_back(fmt::format("{}.csv", k));
+  }
+  EXPECT_EQ(output(merge, folder.string()), whole);
+  merge.pop_back();
+  refused(merge, folder.string(), {"shards 1 of 3 are missing"});
+}
+
+// x' = x^2 from 1 ends at t = 1, from 1/4 at 4.
+TEST(States, FailuresAreTheirOwn) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "starts.csv", "x,tag\n1,a\n0.25,b\n");
+  const Finished f = integrators({"integrate", "--equation", "x' = x^2; x(0) = 1", "--states", "starts.csv",
+                                  "--until", "2", "--method", "ode45"},
+                                 folder.string());
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_NE(f.errors.find("1 of the runs failed; the first is row 1"), std::string::npos) << f.errors;
+  const auto records = scene::parse_csv(f.output, "output");
+  ASSERT_EQ(records.size(), 4U);
+  EXPECT_EQ(records[1].cells[3], "a");
+  EXPECT_NE(records[1].cells[4], "success");
+  EXPECT_EQ(records[3].cells[4], "success");
+  EXPECT_NEAR(std::stod(records[3].cells[2]), 0.5, 1e-7);  // 1/(4 - 2)
+}
+
+TEST(States, BadInputIsNamed) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "bad.csv", "u,r\n1,2\n3,x\n");
+  scene::write_whole(folder / "foreign.csv", "p,q\n1,2\n");
+  const Words start = {"integrate", "--problem", "lorenz", "--until", "1"};
+  const auto with = [&](Words more, const Words& named) {
+    more.insert(more.begin(), start.begin(), start.end());
+    refused(more, folder.string(), named);
+  };
+  with({"--states", "bad.csv"}, {"bad.csv", "line 3, column 2 (r)", "'x'"});
+  with({"--states", "foreign.csv"}, {"foreign.csv", "none of its columns", "sigma"});
+  with({"--states", "bad.csv", "--plot", "a.svg"}, {"--plot a.svg"});
+  with({"--states", "-", "--shard", "1/2"}, {"standard input"});
+  with({"--threads", "2"}, {"--threads 2", "--states"});
+  with({"--shard", "1/2"}, {"--shard 1/2", "--states"});
+}
+
+}  // namespace
+}  // namespace nlmech::integrators_states_test
