@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "chapters/homotopy/commands/commands.hpp"
+#include "chapters/homotopy/commands/frame_dynamic.hpp"
 #include "chapters/homotopy/commands/frame_file.hpp"
 #include "chapters/homotopy/commands/frame_picture.hpp"
 #include "nlmech/frames/named/frame_paths.hpp"
@@ -20,6 +23,8 @@ struct Words {
   std::string file, plot;
   int steps = 200, elements = 4, branches = 0;
   std::optional<double> until;
+  std::string load_case;
+  DynamicWords dynamic;
 };
 
 void declare(scene::Options& options, Words& words) {
@@ -37,27 +42,73 @@ void declare(scene::Options& options, Words& words) {
            "so many branches are followed besides the path from rest, both ways from a bifurcation, in the "
            "order in which they are met; with a column branch")
       .range(0, 1000);
+  options.add("--case", words.load_case, "which load case, of a file with several");
   options.add("--plot", words.plot, "FILE.svg: load factor against the largest displacement, and shapes");
+  declare_dynamic(options, words.dynamic);
+}
+
+/// Forces on the given motions, a row for each point.
+std::vector<Eigen::VectorXd> reactions(const frames::NamedFrame& frame, const frames::FramePaths& paths) {
+  std::vector<Eigen::VectorXd> all(paths.points.size());
+  for (std::size_t i = 0; i < all.size() && !frame.given.empty(); ++i)
+    static_cast<void>(frame.frame.force<double>(paths.points[i].x, all[i]));
+  return all;
+}
+
+bool is_given(const frames::NamedFrame& frame, const frames::NamedMotion& motion) {
+  return std::binary_search(frame.given.begin(), frame.given.end(), motion.unknown);
 }
 
 std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& paths, bool with_branch) {
   std::string text(with_branch ? "branch,load_factor" : "load_factor");
   for (const frames::NamedMotion& m : frame.motions) text.append(",").append(scene::csv_field(m.name));
+  for (const frames::NamedMotion& m : frame.motions) {
+    if (is_given(frame, m)) text.append(",").append(scene::csv_field(m.name + ".force"));
+  }
   text += ",negative_eigenvalues,kind\n";
-  for (const frames::FramePoint& p : paths.points) {
+  const std::vector<Eigen::VectorXd> forces = reactions(frame, paths);
+  for (std::size_t i = 0; i < paths.points.size(); ++i) {
+    const frames::FramePoint& p = paths.points[i];
     if (with_branch) text += fmt::format("{},", p.branch);
     text += fmt::format("{:.12g}", p.load);
     for (const frames::NamedMotion& m : frame.motions) text += fmt::format(",{:.12g}", p.x[m.unknown]);
+    for (const frames::NamedMotion& m : frame.motions) {
+      if (is_given(frame, m)) text += fmt::format(",{:.12g}", forces[i][m.unknown]);
+    }
     text += fmt::format(",{},{}\n", p.negative, to_string(p.kind));
   }
   return text;
 }
 
+/// The frame of the file, its imperfection built in.
+frames::NamedFrame frame_of(const FrameFile& file, const Words& words) {
+  frames::NamedFrame perfect = build_frame(file, words.elements);
+  if (!file.model.imperfection) return perfect;
+  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, {.steps = words.steps});
+  if (!made.status.ok()) throw Failure(made.status);
+  scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
+                          file.model.imperfection->amplitude, to_string(made.buckled.kind),
+                          made.buckled.load));
+  return made.frame;
+}
+
+void move(const Words& words, const FrameFile& file, const frames::NamedFrame& frame,
+          const scene::Picture& picture) {
+  const FrameRun run = run_frame(file, frame, words.dynamic);
+  scene::print_result(csv_of(frame, run));
+  if (picture.wanted()) picture.draw([&] { return motion_picture(frame, run); });
+  if (!run.status.ok()) throw Failure(run.status);
+  scene::tell(fmt::format("frame: energies balance within {:.1e} of the greatest", run.imbalance));
+}
+
 void work(const Words& words) {
   const scene::Picture picture(words.plot);
-  const frames::NamedFrame frame = build_frame(read_frame(words.file), words.elements);
-  const frames::FramePaths paths = equilibrium_paths(
-      frame.frame, frame.load, {.steps = words.steps, .until = words.until, .branches = words.branches});
+  const FrameFile file =
+      read_frame(words.file, words.load_case.empty() ? std::nullopt : std::optional(words.load_case));
+  const frames::NamedFrame frame = frame_of(file, words);
+  if (words.dynamic.is_wanted) return move(words, file, frame, picture);
+  const frames::FramePaths paths =
+      equilibrium_paths(frame, {.steps = words.steps, .until = words.until, .branches = words.branches});
   if (paths.points.empty()) throw Failure(paths.status);
   scene::print_result(csv_of(frame, paths, words.branches > 0));
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
@@ -76,11 +127,13 @@ void work(const Words& words) {
 }  // namespace
 
 void add_frame_command(scene::Commands& all) {
-  all.add("frame",
-          "The equilibrium path of a plane frame of your own under growing dead loads, from rest, as CSV: "
-          "load_factor, displacements of the named nodes that are free, negative_eigenvalues (of the tangent "
-          "stiffness: 0 is stable), kind: step, maximum, minimum, bifurcation",
-          declare, work);
+  all.add(
+      "frame",
+      "The equilibrium path of a plane frame of your own under growing dead loads or given displacements, "
+      "from rest, as CSV: load_factor, displacements of the named nodes that are not held, forces on given "
+      "ones, negative_eigenvalues (of the tangent stiffness: 0 is stable), kind: step, maximum, minimum, "
+      "bifurcation. With --dynamic its motion: time, load_factor, displacements, energies",
+      declare, work);
 }
 
 }  // namespace nlmech::chapters::homotopy

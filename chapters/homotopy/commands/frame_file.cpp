@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -31,8 +32,10 @@ std::string text_of(const toml::node& node) {
 /// Reads one file.
 class Reader {
  public:
-  Reader(const toml::table& all, const std::string& name) {
+  Reader(const toml::table& all, const std::string& name, const std::optional<std::string>& load_case)
+      : case_(load_case) {
     file_.name = name;
+    find_cases(all);
     for (const auto& [key, node] : in_order(all)) {
       if (key == "nodes")
         for_entries(key, *node, [this](const auto& k, const auto& n) { read_node(k, n); });
@@ -41,9 +44,19 @@ class Reader {
       else if (key == "supports")
         for_entries(key, *node, [this](const auto& k, const auto& n) { read_support(k, n); });
       else if (key == "loads")
-        for_entries(key, *node, [this](const auto& k, const auto& n) { read_load(k, n); });
+        for_actions(key, *node, [this](const auto& k, const auto& n) { read_load(k, n); });
+      else if (key == "displacements")
+        for_actions(key, *node, [this](const auto& k, const auto& n) { read_displacement(k, n); });
+      else if (key == "masses")
+        for_entries(key, *node, [this](const auto& k, const auto& n) { read_mass(k, n); });
+      else if (key == "damping")
+        read_damping(*node);
+      else if (key == "imperfection")
+        read_imperfection(*node);
       else
-        complain(*node, key, "no such key; there are nodes, members, supports, loads");
+        complain(*node, key,
+                 "no such key; there are nodes, members, supports, loads, displacements, masses, damping, "
+                 "imperfection");
     }
   }
   [[nodiscard]] FrameFile take() { return std::move(file_); }
@@ -76,6 +89,63 @@ class Reader {
     const toml::table* const table = node.as_table();
     if (table == nullptr) complain(node, key, "a table is needed, with a line for each node");
     for (const auto& [name, entry] : in_order(*table)) use(name, *entry);
+  }
+
+  /// Is it the table of a case? Its first entry is a table again.
+  static bool is_case(const toml::node& node) {
+    const toml::table* const table = node.as_table();
+    return table != nullptr && !table->empty() && in_order(*table).front().second->is_table();
+  }
+
+  /// Which cases there are, and which of them is meant.
+  void find_cases(const toml::table& all) {
+    const toml::node* single = nullptr;
+    for (const char* const key : {"loads", "displacements"}) {
+      const toml::table* const table = all[key].as_table();
+      if (table == nullptr) continue;
+      for (const auto& [name, node] : in_order(*table)) {
+        if (!is_case(*node))
+          single = node;
+        else
+          cases_.insert(name);
+      }
+    }
+    std::string names;
+    for (const std::string& name : cases_) names.append(names.empty() ? "" : ", ").append(echoed(name));
+    if (single != nullptr && !cases_.empty())
+      throw InputError(
+          fmt::format("{}, line {}: this stands beside cases ({}); put all loads and "
+                      "displacements under a case, or none",
+                      file_.name, single->source().begin.line, echoed(names, 400)));
+    if (case_ && !cases_.contains(*case_))
+      throw InputError(
+          fmt::format("{}, [loads]: there is no case {}; {}", file_.name, echoed(*case_),
+                      cases_.empty() ? "loads stand there without one" : "there is " + echoed(names, 400)));
+    if (!case_ && cases_.size() > 1)
+      throw InputError(fmt::format("{}, [loads]: there are several cases; say --case and one of {}",
+                                   file_.name, echoed(names, 400)));
+    if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
+  }
+
+  /// Forgets what was read last.
+  template <class Entries>
+  void shorten(Entries& entries, ModelPart part, std::size_t size) {
+    entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(size), entries.end());
+    file_.lines[static_cast<std::size_t>(part)].resize(size);
+  }
+
+  /// Entries of loads or displacements, of the case that is meant. All cases are read, so that a mistake in
+  /// another one is not kept until it is asked for.
+  template <class Use>
+  void for_actions(const std::string& key, const toml::node& node, const Use& use) {
+    if (cases_.empty()) return for_entries(key, node, use);
+    for_entries(key, node, [&](const std::string& name, const toml::node& entries) {
+      const std::size_t loads = file_.model.loads.size(), moves = file_.model.displacements.size();
+      for_entries(key + '.' + name, entries, use);
+      if (name == case_) return;
+      shorten(file_.model.loads, ModelPart::loads, loads);
+      shorten(file_.model.displacements, ModelPart::displacements, moves);
+    });
   }
 
   double number(const toml::node& node, const std::string& key) const {
@@ -130,6 +200,8 @@ class Reader {
         m.ea = number(*node, key);
       } else if (key == "EI") {
         m.ei = number(*node, key);
+      } else if (key == "mass") {
+        m.mass = number(*node, key);
       } else if (key == "radius") {
         m.radius = number(*node, key);
       } else if (key == "elements") {
@@ -138,7 +210,7 @@ class Reader {
         hinges = texts(*node, key);
         hinges_at = node;
       } else {
-        complain(*node, key, "no such key; a member has nodes, EA, EI, hinges, elements, radius");
+        complain(*node, key, "no such key; a member has nodes, EA, EI, hinges, elements, radius, mass");
       }
     }
     for (const std::string_view key : {"nodes", "EA", "EI"}) {
@@ -182,9 +254,7 @@ class Reader {
 
   void read_load(const std::string& name, const toml::node& node) {
     const std::string key = "loads." + name;
-    const toml::table* const table = node.as_table();
-    if (table == nullptr) complain(node, key, "a load is a table such as { y = -1 }");
-    for (const auto& [word, value] : in_order(*table)) {
+    for (const auto& [word, value] : table_of(node, key, "a load is a table such as { y = -1 }")) {
       const auto motion = word == "moment" ? Motion::rotation : motion_of(word);
       if (!motion || word == "rotation") complain(*value, key + "." + word, "a load has x, y, moment");
       file_.model.loads.push_back({name, *motion, number(*value, key + "." + word)});
@@ -192,7 +262,67 @@ class Reader {
     }
   }
 
+  void read_displacement(const std::string& name, const toml::node& node) {
+    const std::string key = "displacements." + name;
+    for (const auto& [word, value] : table_of(node, key, "a displacement is a table such as { y = -1 }")) {
+      const auto motion = motion_of(word);
+      if (!motion) complain(*value, key + "." + word, "a displacement has x, y, rotation");
+      file_.model.displacements.push_back({name, *motion, number(*value, key + "." + word)});
+      note_line(ModelPart::displacements, *value);
+    }
+  }
+
+  void read_mass(const std::string& name, const toml::node& node) {
+    const std::string key = "masses." + name;
+    frames::NamedMass mass{.node = name};
+    for (const auto& [word, value] : table_of(node, key, "a mass is a table such as { mass = 2 }")) {
+      if (word != "mass" && word != "inertia") complain(*value, key + "." + word, "there are mass, inertia");
+      (word == "mass" ? mass.mass : mass.inertia) = number(*value, key + "." + word);
+    }
+    file_.model.masses.push_back(mass);
+    note_line(ModelPart::masses, node);
+  }
+
+  void read_damping(const toml::node& node) {
+    frames::Damping& damping = file_.model.damping;
+    for (const auto& [word, value] : table_of(node, "damping", "a table is needed")) {
+      if (word != "mass" && word != "stiffness")
+        complain(*value, "damping." + word, "there are mass, stiffness");
+      (word == "mass" ? damping.mass : damping.stiffness) = number(*value, "damping." + word);
+    }
+    note_line(ModelPart::damping, node);
+  }
+
+  void read_imperfection(const toml::node& node) {
+    frames::Imperfection imperfection;
+    bool has_amplitude = false;
+    for (const auto& [word, value] : table_of(node, "imperfection", "a table is needed")) {
+      if (word == "mode") {
+        imperfection.mode = whole(*value, "imperfection.mode");
+      } else if (word == "amplitude") {
+        imperfection.amplitude = number(*value, "imperfection.amplitude");
+        has_amplitude = true;
+      } else {
+        complain(*value, "imperfection." + word, "there are mode, amplitude");
+      }
+    }
+    if (!has_amplitude)
+      throw InputError(fmt::format("{}, line {}: an imperfection without amplitude", file_.name,
+                                   node.source().begin.line));
+    file_.model.imperfection = imperfection;
+    note_line(ModelPart::imperfection, node);
+  }
+
+  /// Entries of a table, or a complaint.
+  std::vector<Entry> table_of(const toml::node& node, const std::string& key, const char* what) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) complain(node, key, what);
+    return in_order(*table);
+  }
+
   FrameFile file_;
+  std::optional<std::string> case_;
+  std::set<std::string> cases_;
 };
 
 std::string_view name_of(ModelPart part) {
@@ -200,34 +330,43 @@ std::string_view name_of(ModelPart part) {
     case ModelPart::nodes: return "nodes";
     case ModelPart::members: return "members";
     case ModelPart::supports: return "supports";
-    default: return "loads";
+    case ModelPart::loads: return "loads";
+    case ModelPart::displacements: return "displacements";
+    case ModelPart::masses: return "masses";
+    case ModelPart::damping: return "damping";
+    default: return "imperfection";
   }
 }
 
 }  // namespace
 
-FrameFile parse_frame(std::string_view text, const std::string& name) {
+FrameFile parse_frame(std::string_view text, const std::string& name,
+                      const std::optional<std::string>& load_case) {
   scene::require_shallow_toml(text, name);
   try {
-    return Reader(toml::parse(text, name), name).take();
+    return Reader(toml::parse(text, name), name, load_case).take();
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}, line {}, column {}: {}", name, error.source().begin.line,
                                  error.source().begin.column, echoed(error.description(), 400)));
   }
 }
 
-FrameFile read_frame(const std::string& path) {
-  return parse_frame(scene::read_whole(path), path == "-" ? "standard input" : echoed_path(path));
+FrameFile read_frame(const std::string& path, const std::optional<std::string>& load_case) {
+  return parse_frame(scene::read_whole(path), path == "-" ? "standard input" : echoed_path(path), load_case);
+}
+
+void complain_of(const FrameFile& file, const frames::ModelError& error) {
+  const std::vector<int>& lines = file.lines[static_cast<std::size_t>(error.part())];
+  const std::string where = error.index() < lines.size() ? fmt::format("line {}", lines[error.index()])
+                                                         : fmt::format("[{}]", name_of(error.part()));
+  throw InputError(fmt::format("{}, {}: {}", file.name, where, error.what()));
 }
 
 frames::NamedFrame build_frame(const FrameFile& file, int elements) {
   try {
     return build(file.model, elements);
   } catch (const frames::ModelError& error) {
-    const std::vector<int>& lines = file.lines[static_cast<std::size_t>(error.part())];
-    const std::string where = error.index() < lines.size() ? fmt::format("line {}", lines[error.index()])
-                                                           : fmt::format("[{}]", name_of(error.part()));
-    throw InputError(fmt::format("{}, {}: {}", file.name, where, error.what()));
+    complain_of(file, error);
   }
 }
 

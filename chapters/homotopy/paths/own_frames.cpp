@@ -8,10 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/homotopy/commands/frame_file.hpp"
-#include "chapters/homotopy/commands/frame_picture.hpp"
-#include "nlmech/frames/named/frame_paths.hpp"
-#include "nlmech/scene/program/files.hpp"
+#include "chapters/homotopy/paths/walked.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -21,62 +18,6 @@ namespace {
 using frames::FramePoint;
 using Kind = FramePoint::Kind;
 constexpr double pi = std::numbers::pi;
-
-/// A frame that ships, and its paths.
-struct Walked {
-  frames::NamedFrame frame;
-  frames::FramePaths paths;
-
-  [[nodiscard]] std::vector<FramePoint> points(int branch) const {
-    return select([branch](const FramePoint& p) { return p.branch == branch; });
-  }
-  [[nodiscard]] std::vector<FramePoint> points(Kind kind, int branch = 0) const {
-    return select([=](const FramePoint& p) { return p.branch == branch && p.kind == kind; });
-  }
-  /// The motion of this name, times a factor, of any point.
-  [[nodiscard]] std::function<double(const FramePoint&)> motion(const std::string& name,
-                                                                double factor = 1) const {
-    for (const frames::NamedMotion& m : frame.motions) {
-      if (m.name == name) return [at = m.unknown, factor](const FramePoint& p) { return factor * p.x[at]; };
-    }
-    throw Failure("no motion " + name);
-  }
-
- private:
-  template <class Wanted>
-  [[nodiscard]] std::vector<FramePoint> select(const Wanted& wanted) const {
-    std::vector<FramePoint> some;
-    std::copy_if(paths.points.begin(), paths.points.end(), std::back_inserter(some), wanted);
-    return some;
-  }
-};
-
-Walked walk(const std::string& name, int elements, const frames::FrameWalk& how) {
-  const auto file = scene::data_folder() / "chapters" / "homotopy" / "frames" / (name + ".toml");
-  frames::NamedFrame frame = build_frame(parse_frame(scene::read_whole(file), name + ".toml"), elements);
-  frames::FramePaths paths = equilibrium_paths(frame.frame, frame.load, how);
-  if (!paths.status.ok()) throw Failure(paths.status);
-  return {std::move(frame), std::move(paths)};
-}
-
-void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& name, const scene::Look& look,
-               scene::Panel& panel) {
-  const Shape shape = shape_of(w.frame.frame, x);
-  panel.curve(name, shape.x, shape.y, look);
-}
-
-void put_rest(const Walked& w, scene::Panel& panel) {
-  put_shape(w, Eigen::VectorXd::Zero(w.frame.frame.size()), "at rest", scene::thin_lines(8), panel);
-}
-
-void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
-  for (const auto& [kind, style] :
-       {std::pair{Kind::maximum, 5}, {Kind::minimum, 4}, {Kind::bifurcation, 3}}) {
-    if (!w.points(kind).empty())
-      panel.curve(std::string(to_string(kind)), w.points(kind), x, &FramePoint::load,
-                  scene::large_points(style));
-  }
-}
 
 // ------------------------------------------------------------------------------------------- Lee's frame
 

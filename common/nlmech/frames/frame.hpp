@@ -86,6 +86,13 @@ class Frame {
   /// @throws std::invalid_argument if there is no such node
   [[nodiscard]] Eigen::Index unknown(int node, Motion motion) const;
 
+  /// Of a member the unknowns of x, y and rotation of both ends, -1 where held; rotations of pinned ends
+  /// are their own. @throws std::invalid_argument if there is no such member
+  [[nodiscard]] const std::array<Eigen::Index, 6>& unknowns_of(std::size_t member) const {
+    require_member(member);
+    return parts_[member].unknowns;
+  }
+
   /// U(x).
   /// @throws std::invalid_argument if x has another size
   template <class T>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string_view>
@@ -70,6 +71,8 @@ void require_member(const NamedMember& m, double length, std::size_t index) {
   if (!(length > 0 && std::isfinite(length))) refuse(fmt::format("its length is {}", length));
   if (!(m.ea > 0 && std::isfinite(m.ea))) refuse(fmt::format("EA = {}; it must be positive", m.ea));
   if (!(m.ei > 0 && std::isfinite(m.ei))) refuse(fmt::format("EI = {}; it must be positive", m.ei));
+  if (!(m.mass >= 0 && std::isfinite(m.mass)))
+    refuse(fmt::format("mass = {}; it must not be negative", m.mass));
   if (m.elements < 1) refuse(fmt::format("elements = {}; at least 1", m.elements));
   if (!std::isfinite(m.radius)) refuse(fmt::format("radius = {}; it must be finite", m.radius));
   if (m.radius != 0 && length > 2 * std::abs(m.radius) * (1 + 1e-12))
@@ -151,23 +154,95 @@ Frame frame_of(const Parts& parts, const std::vector<Support>& supports) {
   return {parts.nodes, parts.members, supports};
 }
 
-Eigen::VectorXd load_of(const FrameModel& model, const Names& names, const Frame& frame) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(frame.size());
+/// The unknown of a named motion that something acts on. @param what "load on", in sentences
+Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& names, const Frame& frame,
+                        ModelPart part, std::size_t index, std::string_view what) {
+  const Eigen::Index at = frame.unknown(index_of(names, node, part, index), motion);
+  if (at < 0)
+    throw refusal(
+        part, index, "{} {}.{}, which {}", what, echoed(node), to_string(motion),
+        motion == Motion::rotation ? "is held, or which no member is rigidly joined to" : "is held");
+  return at;
+}
+
+/// Loads on the unknowns, and which of these are given.
+void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
+  f.load = f.displacement = Eigen::VectorXd::Zero(f.frame.size());
+  for (std::size_t i = 0; i < model.displacements.size(); ++i) {
+    const NamedDisplacement& d = model.displacements[i];
+    const Eigen::Index at =
+        unknown_of(d.node, d.motion, names, f.frame, ModelPart::displacements, i, "displacement of");
+    if (!std::isfinite(d.value))
+      throw refusal(ModelPart::displacements, i, "displacement of {}.{} = {}; it must be finite",
+                    echoed(d.node), to_string(d.motion), d.value);
+    if (std::find(f.given.begin(), f.given.end(), at) != f.given.end())
+      throw refusal(ModelPart::displacements, i, "displacement of {}.{} stands twice", echoed(d.node),
+                    to_string(d.motion));
+    f.given.push_back(at);
+    f.displacement[at] = d.value;
+  }
+  std::sort(f.given.begin(), f.given.end());
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const NamedLoad& l = model.loads[i];
-    const Eigen::Index at = frame.unknown(index_of(names, l.node, ModelPart::loads, i), l.motion);
+    const Eigen::Index at = unknown_of(l.node, l.motion, names, f.frame, ModelPart::loads, i, "load on");
     if (!std::isfinite(l.value))
       throw refusal(ModelPart::loads, i, "load on {}.{} = {}; it must be finite", echoed(l.node),
                     to_string(l.motion), l.value);
-    if (at < 0)
-      throw refusal(
-          ModelPart::loads, i, "load on {}.{}, which {}", echoed(l.node), to_string(l.motion),
-          l.motion == Motion::rotation ? "is held, or which no member is rigidly joined to" : "is held");
-    load[at] += l.value;
+    if (std::binary_search(f.given.begin(), f.given.end(), at))
+      throw refusal(ModelPart::loads, i, "load on {}.{}, whose displacement is given", echoed(l.node),
+                    to_string(l.motion));
+    f.load[at] += l.value;
   }
-  if (!(load.cwiseAbs().maxCoeff() > 0))
+  if (static_cast<Eigen::Index>(f.given.size()) == f.frame.size())
+    throw refusal(ModelPart::displacements, 0, "all motions of all nodes are given");
+  if (!(f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0))
     throw refusal(ModelPart::loads, 0, "there is no load, or all of them are 0");
-  return load;
+}
+
+Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Frame& frame,
+                          const std::vector<std::size_t>& origins) {
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(frame.size());
+  for (std::size_t i = 0; i < frame.members().size(); ++i) {
+    const Member& m = frame.members()[i];
+    const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
+               &b = frame.nodes()[static_cast<std::size_t>(m.second)];
+    const double length = std::hypot(b.x - a.x, b.y - a.y), all = model.members[origins[i]].mass * length;
+    if (!std::isfinite(all * length * length))
+      throw refusal(ModelPart::members, origins[i], "{}: its mass is {}, beyond all numbers",
+                    called(model.members[origins[i]]), all);
+    const std::array<Eigen::Index, 6> unknowns = frame.unknowns_of(i);
+    for (std::size_t j = 0; j < 6; ++j) {
+      if (unknowns[j] >= 0) mass[unknowns[j]] += j % 3 == 2 ? all * length * length / 24 : all / 2;
+    }
+  }
+  for (std::size_t i = 0; i < model.masses.size(); ++i) {
+    const NamedMass& m = model.masses[i];
+    const int node = index_of(names, m.node, ModelPart::masses, i);
+    for (const double value : {m.mass, m.inertia}) {
+      if (!(value >= 0 && std::isfinite(value)))
+        throw refusal(ModelPart::masses, i, "mass and inertia of {} are {} and {}; neither is negative",
+                      echoed(m.node), m.mass, m.inertia);
+    }
+    for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
+      const Eigen::Index at = frame.unknown(node, motion);
+      if (at >= 0) mass[at] += motion == Motion::rotation ? m.inertia : m.mass;
+    }
+  }
+  if (!mass.allFinite()) throw refusal(ModelPart::masses, 0, "a sum of masses is beyond all numbers");
+  return mass;
+}
+
+void require_numbers(const FrameModel& model) {
+  for (const double value : {model.damping.mass, model.damping.stiffness}) {
+    if (!(value >= 0 && std::isfinite(value)))
+      throw refusal(ModelPart::damping, 0, "damping = {}; it must not be negative", value);
+  }
+  if (!model.imperfection) return;
+  if (model.imperfection->mode < 1)
+    throw refusal(ModelPart::imperfection, 0, "mode = {}; they count from 1", model.imperfection->mode);
+  if (!std::isfinite(model.imperfection->amplitude))
+    throw refusal(ModelPart::imperfection, 0, "amplitude = {}; it must be finite",
+                  model.imperfection->amplitude);
 }
 
 }  // namespace
@@ -190,13 +265,20 @@ NamedFrame build(const FrameModel& model, int elements) {
     const NamedSupport& s = model.supports[i];
     supports.push_back({index_of(names, s.node, ModelPart::supports, i), s.motion});
   }
+  require_numbers(model);
+  // What is given is held while the load factor does not change.
+  std::vector<Support> held = supports;
+  for (std::size_t i = 0; i < model.displacements.size(); ++i) {
+    const NamedDisplacement& d = model.displacements[i];
+    held.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
+  }
   // Whether a frame is a mechanism does not depend on what its members are divided into.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<LooseMotion> loose;
-  if (supports.empty()) loose = {0, Motion::x};
+  if (held.empty()) loose = {0, Motion::x};
   bool is_all_held = false;
   try {
-    if (!loose) loose = loose_motion(frame_of(whole, supports));
+    if (!loose) loose = loose_motion(frame_of(whole, held));
   } catch (const std::invalid_argument&) {
     is_all_held = true;  // nothing can move but inside of members
   }
@@ -207,19 +289,21 @@ NamedFrame build(const FrameModel& model, int elements) {
                   "mechanism; give it a support or a member",
                   echoed(model.nodes[at].name), to_string(loose->motion));
   }
-  if (is_all_held) throw refusal(ModelPart::supports, 0, "all motions of all nodes are held");
-  Frame frame = frame_of(divided, supports);
-  Eigen::VectorXd load = load_of(model, names, frame);
-  std::vector<NamedMotion> motions;
+  if (is_all_held && supports.size() == held.size())
+    throw refusal(ModelPart::supports, 0, "all motions of all nodes are held");
+  NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
+  add_actions(model, names, f);
+  f.mass = masses_of(model, names, f.frame, f.members);
+  f.damping = model.damping;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
-      const Eigen::Index at = frame.unknown(static_cast<int>(i), motion);
+      const Eigen::Index at = f.frame.unknown(static_cast<int>(i), motion);
       if (at >= 0)
-        motions.push_back(
+        f.motions.push_back(
             {fmt::format("{}.{}", model.nodes[i].name, to_string(motion)), static_cast<int>(i), motion, at});
     }
   }
-  return {std::move(frame), std::move(load), std::move(motions), divided.origins};
+  return f;
 }
 
 }  // namespace nlmech::frames

@@ -33,6 +33,7 @@ struct NamedMember {
   /// Of a circular arc, at most half a circle, with its elements' ends on it: clockwise from the first node
   /// to the second if positive, anticlockwise if negative; 0: straight
   double radius = 0;
+  double mass = 0;  ///< per length, not negative; counts for motions in time alone
 };
 
 /// A motion of a named node that is zero.
@@ -48,21 +49,58 @@ struct NamedLoad {
   double value = 0;           ///< force or moment, finite
 };
 
+/// A motion of a named node that is given, times the load factor.
+struct NamedDisplacement {
+  std::string node;           ///< its name
+  Motion motion = Motion::x;  ///< which
+  double value = 0;           ///< displacement, or angle in rad, finite
+};
+
+/// A mass at a named node, for motions in time.
+struct NamedMass {
+  std::string node;    ///< its name
+  double mass = 0;     ///< not negative
+  double inertia = 0;  ///< mass times length squared, against rotation, not negative
+};
+
+/// Rayleigh's damping: forces a M v + b K v, with the masses M and the stiffness K at rest.
+struct Damping {
+  double mass = 0;       ///< a, 1/time, not negative
+  double stiffness = 0;  ///< b, time, not negative
+};
+
+/// A shape in which the perfect frame buckles, built in without strain.
+struct Imperfection {
+  int mode = 1;          ///< that of the limit or branch point of this number on the path from rest, from 1
+  double amplitude = 0;  ///< greatest displacement of a node along x or y, of either sign, finite
+};
+
 /// A frame with its loads.
 struct FrameModel {
-  std::vector<NamedNode> nodes;        ///< in the order of the results
-  std::vector<NamedMember> members;    ///< at least one
-  std::vector<NamedSupport> supports;  ///< in any order
-  std::vector<NamedLoad> loads;        ///< at least one that is not 0
+  std::vector<NamedNode> nodes;                   ///< in the order of the results
+  std::vector<NamedMember> members;               ///< at least one
+  std::vector<NamedSupport> supports;             ///< in any order
+  std::vector<NamedLoad> loads;                   ///< one that is not 0, or a displacement
+  std::vector<NamedDisplacement> displacements;   ///< given motions, each but once, none of them held
+  std::vector<NamedMass> masses;                  ///< beside those of members
+  Damping damping;                                ///< of motions in time
+  std::optional<Imperfection> imperfection = {};  ///< for imperfect(); build() makes the perfect frame
 };
 
 /// Which of the lists of a FrameModel.
 enum class ModelPart : std::uint8_t {
-  nodes,     ///< joints
-  members,   ///< between them
-  supports,  ///< what is held
-  loads      ///< what pulls
+  nodes,          ///< joints
+  members,        ///< between them
+  supports,       ///< what is held
+  loads,          ///< what pulls
+  displacements,  ///< what is moved
+  masses,         ///< what is heavy
+  damping,        ///< the one entry
+  imperfection    ///< the one entry
 };
+
+/// How many lists there are.
+inline constexpr std::size_t model_parts = 8;
 
 /// Why a model makes no frame, and which entry of it is to blame.
 class ModelError : public std::invalid_argument {
@@ -88,10 +126,18 @@ struct NamedMotion {
 
 /// The frame of a model.
 struct NamedFrame {
-  Frame frame;                       ///< the named nodes first, in the order of the model
-  Eigen::VectorXd load;              ///< forces on the unknowns for a load factor of 1
-  std::vector<NamedMotion> motions;  ///< free motions of the named nodes, in their order
-  std::vector<std::size_t> members;  ///< of each beam-column the member of the model that it is a part of
+  Frame frame;                            ///< the named nodes first, in the order of the model
+  Eigen::VectorXd load = {};              ///< forces on the unknowns for a load factor of 1
+  std::vector<NamedMotion> motions = {};  ///< free motions of the named nodes, in their order
+  std::vector<std::size_t> members = {};  ///< of each beam-column the model's member that it is a part of
+  Eigen::VectorXd displacement = {};      ///< given displacements for a load factor of 1; 0 where none is
+  std::vector<Eigen::Index> given = {};   ///< the unknowns that are given, rising; most frames have none
+  std::vector<Support> supports = {};     ///< of the frame
+  /// Of each unknown: half the mass of each beam-column that meets there, at a rotation m l^2/24 of each,
+  /// which is that of its half turning about the node; and what the node has of its own. Such masses are the
+  /// same whichever way a member points, so that no gyroscopic forces arise.
+  Eigen::VectorXd mass = {};
+  Damping damping = {};  ///< of motions in time
 };
 
 /// "x", "y", "rotation".
@@ -108,9 +154,10 @@ inline constexpr int most_beam_columns = 100'000;
 /// @param elements beam-columns a member, times NamedMember::elements; positive
 /// @throws ModelError for a name that is none or stands twice, two nodes in one place, a node without a
 /// member, a member of no length, EA or EI that is not positive, an arc that does not span its nodes, numbers
-/// that are not finite, a load on a held motion or on no rotation, no load at all, more than
-/// most_beam_columns; and for a frame that can move without a strain in any member (a mechanism, a part that
-/// nothing holds), blaming the node that moves most
+/// that are not finite, a load on a held or a given motion or on no rotation, neither load nor displacement,
+/// a displacement that is held or stands twice, masses or damping that are negative, a mode below 1, more
+/// than most_beam_columns; and for a frame that can move without a strain in any member (a mechanism, a part
+/// that nothing holds), blaming the node that moves most
 /// @throws std::invalid_argument if @p elements is not positive
 [[nodiscard]] NamedFrame build(const FrameModel& model, int elements);
 

@@ -8,6 +8,7 @@
 #include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
+#include "nlmech/frames/named/driven_frame.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
@@ -29,6 +30,7 @@ FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
 struct Crossing {
   PathPoint point;
   Eigen::VectorXd direction;  ///< scaled
+  Eigen::VectorXd mode;       ///< as of FramePoint
   Eigen::Index negative;      ///< as of FramePoint
   int branch;                 ///< on which it was met
   bool is_simple;             ///< does one eigenvalue vanish?
@@ -57,15 +59,34 @@ Eigen::VectorXd scale_of(const Frame& frame) {
   return scale;
 }
 
+/// A frame as equations, and all of its displacements from the unknowns of these.
+struct Structure {
+  const Frame& frame;
+  algebraic::Loaded& equations;
+  const DrivenFrame* driven = nullptr;  ///< the equations, if some motions are given
+  [[nodiscard]] Eigen::VectorXd whole(const Eigen::VectorXd& x, double load) const {
+    return driven != nullptr ? driven->whole(x, load) : x;
+  }
+  [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd& v) const {
+    return driven != nullptr ? driven->shape(v) : v;
+  }
+  [[nodiscard]] Eigen::VectorXd scale() const {
+    const Eigen::VectorXd all = scale_of(frame);
+    return driven != nullptr ? driven->free(all) : all;
+  }
+};
+
+double first_load(const Structure& structure);
+
 /// The walk along all branches.
 class Walk {
  public:
-  Walk(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& how)
+  Walk(const Structure& structure, const FrameWalk& how)
       : how_(how),
-        equations_(frame, load),
-        first_(std::min(first_load(frame, load), how.until.value_or(HUGE_VAL) / 20)),
-        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = scale_of(frame)},
-              equations_, Eigen::VectorXd::Zero(frame.size()), 0) {}
+        structure_(structure),
+        first_(std::min(first_load(structure), how.until.value_or(HUGE_VAL) / 20)),
+        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = structure.scale()},
+              structure.equations, Eigen::VectorXd::Zero(structure.equations.size()), 0) {}
 
   FramePaths all() {
     Status status = path_.start();
@@ -103,7 +124,7 @@ class Walk {
     }
     if (status.ok()) {
       out_.branches = branch_ = branch;
-      add(FramePoint::Kind::bifurcation, from.point, from.negative);
+      add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode);
       status = along(branch);
     }
     note(status);
@@ -131,7 +152,7 @@ class Walk {
 
   [[nodiscard]] double end_load() const {
     if (how_.until) return *how_.until;
-    return greatest_ > 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
+    return greatest_ > 0 && how_.critical == 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
   }
 
   /// Lists what the last step brought. Is it the end?
@@ -148,10 +169,11 @@ class Walk {
       }
       const Eigen::Index next = negative + way * c.vanishing,
                          least = way != 0 ? std::min(negative, next) : std::min(negative, c.point.negative);
-      add(kind_of(c.kind), c.point, least);
+      add(kind_of(c.kind), c.point, least, c.direction);
       greatest_ = std::max(greatest_, std::abs(c.point.load));
       if (c.kind == CriticalPoint::Kind::bifurcation)
-        crossings_.push_back({c.point, c.point.tangent.y, least, branch_, c.vanishing == 1});
+        crossings_.push_back({c.point, c.point.tangent.y, c.direction, least, branch_, c.vanishing == 1});
+      if (branch_ == 0 && ++criticals_ == how_.critical) return true;
       before = c.point;
       negative = way != 0 ? next : c.point.negative;
     }
@@ -179,8 +201,10 @@ class Walk {
     return true;
   }
 
-  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative) {
-    out_.points.push_back({branch_, kind, p.load, p.x, negative});
+  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative,
+           const Eigen::VectorXd& mode = {}) {
+    out_.points.push_back({branch_, kind, p.load, structure_.whole(p.x, p.load), negative,
+                           mode.size() > 0 ? structure_.shape(mode) : mode});
   }
 
   static double distance(const PathPoint& a, const PathPoint& b) {
@@ -189,7 +213,7 @@ class Walk {
 
   /// Ends the branch at a branch point of another one, whose half by which the walk came needs no walk.
   void arrive(Crossing& met) {
-    add(FramePoint::Kind::bifurcation, met.point, met.negative);
+    add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode);
     met.is_open[path_.before().tangent.y.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
@@ -222,7 +246,7 @@ class Walk {
   }
 
   FrameWalk how_;
-  LoadedFrame equations_;
+  Structure structure_;
   double first_;
   Path path_;
   FramePaths out_;
@@ -230,7 +254,7 @@ class Walk {
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0, begin_ = 0;
   double greatest_ = 0;
-  int branch_ = 0;
+  int branch_ = 0, criticals_ = 0;
 };
 
 /// How many times too great displacements are: 1 if a first step may make them.
@@ -242,6 +266,49 @@ double excess_of(const Frame& frame, const Eigen::VectorXd& x) {
     for (int j = 0; j < 6; ++j) worst = std::max(worst, std::abs(d[j]) / (j % 3 == 2 ? turn : far));
   }
   return worst;
+}
+
+double first_load(const Structure& structure) {
+  algebraic::Loaded& equations = structure.equations;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(equations.size());
+  equations.linearise(rest, 0);
+  algebraic::SymmetricSolver solver;
+  const Eigen::VectorXd scale = algebraic::scale_of(equations.sparse()->diagonal());
+  solver.take(*equations.sparse(), scale);
+  const Eigen::Index negative = solver.factorise().negative;
+  Eigen::VectorXd column;
+  equations.load_vector(column);
+  const Eigen::VectorXd scaled = (-column).cwiseQuotient(scale);
+  Eigen::VectorXd x(equations.size());
+  solver.solve(scaled, x);
+  x = x.cwiseQuotient(scale);
+  double first = 1 / excess_of(structure.frame, structure.whole(x, 1));
+  if (!(std::isfinite(first) && first > 0)) return 1;
+  for (int halving = 0; halving < 60; ++halving, first /= 2) {
+    equations.linearise(first * x, first);
+    solver.take(*equations.sparse(), scale);
+    if (solver.is_finite() && solver.factorise().negative == negative) break;
+  }
+  return first;
+}
+
+/// Calls use(structure) with the equations of a frame.
+template <class Use>
+auto with_structure(const NamedFrame& f, const Use& use) {
+  if (f.given.empty()) {
+    LoadedFrame equations(f.frame, f.load);
+    return use(Structure{f.frame, equations});
+  }
+  DrivenFrame equations(f);
+  return use(Structure{f.frame, equations, &equations});
+}
+
+void require(const FrameWalk& walk) {
+  if (walk.steps < 1 || walk.branches < 0 || walk.critical < 0)
+    throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", walk.steps,
+                           walk.branches, walk.critical);
+  if (walk.until && !(*walk.until > 0 && std::isfinite(*walk.until)))
+    throw invalid_argument("equilibrium_paths: until = {}; it must be positive", *walk.until);
 }
 
 }  // namespace
@@ -257,32 +324,22 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
 
 double first_load(const Frame& frame, const Eigen::VectorXd& load) {
   LoadedFrame equations(frame, load);
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(frame.size());
-  equations.linearise(rest, 0);
-  algebraic::SymmetricSolver solver;
-  const Eigen::VectorXd scale = algebraic::scale_of(equations.sparse()->diagonal());
-  solver.take(*equations.sparse(), scale);
-  const Eigen::Index negative = solver.factorise().negative;
-  const Eigen::VectorXd scaled = load.cwiseQuotient(scale);
-  Eigen::VectorXd x(frame.size());
-  solver.solve(scaled, x);
-  x = x.cwiseQuotient(scale);
-  double first = 1 / excess_of(frame, x);
-  if (!(std::isfinite(first) && first > 0)) return 1;
-  for (int halving = 0; halving < 60; ++halving, first /= 2) {
-    equations.linearise(first * x, 0);
-    solver.take(*equations.sparse(), scale);
-    if (solver.is_finite() && solver.factorise().negative == negative) break;
-  }
-  return first;
+  return first_load(Structure{frame, equations});
+}
+
+double first_load(const NamedFrame& frame) {
+  return with_structure(frame, [](const Structure& structure) { return first_load(structure); });
 }
 
 FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& walk) {
-  if (walk.steps < 1 || walk.branches < 0)
-    throw invalid_argument("equilibrium_paths: {} steps and {} branches", walk.steps, walk.branches);
-  if (walk.until && !(*walk.until > 0 && std::isfinite(*walk.until)))
-    throw invalid_argument("equilibrium_paths: until = {}; it must be positive", *walk.until);
-  return Walk(frame, load, walk).all();
+  require(walk);
+  LoadedFrame equations(frame, load);
+  return Walk({frame, equations}, walk).all();
+}
+
+FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk) {
+  require(walk);
+  return with_structure(frame, [&](const Structure& structure) { return Walk(structure, walk).all(); });
 }
 
 }  // namespace nlmech::frames

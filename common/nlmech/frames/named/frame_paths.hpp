@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nlmech/frames/frame.hpp"
+#include "nlmech/frames/named/frame_model.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 
@@ -20,6 +21,9 @@ struct FrameWalk {
   std::optional<double> until = {};  ///< load factor of either sign at which each branch ends, positive
   int branches = 0;                  ///< to be followed besides the path from rest, at most
   double turn = 0.15;                ///< of the tangent in a step, as it should be, rad
+  /// The path from rest ends at its limit or branch point of this number, not at a multiple of their loads;
+  /// 0: goes on.
+  int critical = 0;
 };
 
 /// A point of a path.
@@ -37,6 +41,7 @@ struct FramePoint {
   Eigen::VectorXd x;       ///< displacements
   Eigen::Index negative =
       0;  ///< negative eigenvalues of the tangent stiffness; the vanishing one not counted
+  Eigen::VectorXd mode = {};  ///< of a limit or branch point: the shape that costs no work, of length 1
 };
 
 /// "step", "maximum", "minimum", "bifurcation".
@@ -70,8 +75,36 @@ struct FramePaths {
 [[nodiscard]] FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load,
                                            const FrameWalk& walk);
 
+/// The same of a frame by names, some of whose motions may be given: its load factor is theirs, too, and
+/// eigenvalues are those with given motions held. Tests hold paths under a given displacement to those under
+/// the force that it takes.
+[[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk);
+
+/// The frame with an imperfection built in, or why there is none.
+struct Imperfect {
+  NamedFrame frame;    ///< with its nodes moved, at rest and without strain
+  FramePoint buckled;  ///< where the perfect frame has the shape; without it the status is a failure
+  Status status;       ///< success; `not_converged` for a path without that point; as FramePaths::status
+};
+
+/// Moves the nodes of a frame along the null vector of its stiffness at a limit or branch point of the path
+/// from rest. Of its two directions the one is taken in which the first node that moves farthest along x or y
+/// moves to greater values.
+///
+/// Tests hold it to closed forms of two columns held by braces, whose limit loads fall with the amplitude by
+/// Koiter's powers 1/2 and 2/3.
+/// @param perfect the frame
+/// @param imperfection which point and how far
+/// @param walk how far to look for the point
+/// @throws std::invalid_argument for a mode below 1 or an amplitude that is not finite; as build(), if nodes
+/// meet
+[[nodiscard]] Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
+                                  const FrameWalk& walk = {});
+
 /// A load factor for a first step: it moves no node by more than a thousandth of the frame's size by linear
 /// theory and turns none by more than 0.02 rad, and with these displacements the frame is still stable.
 [[nodiscard]] double first_load(const Frame& frame, const Eigen::VectorXd& load);
+/// The same of a frame some of whose motions may be given.
+[[nodiscard]] double first_load(const NamedFrame& frame);
 
 }  // namespace nlmech::frames

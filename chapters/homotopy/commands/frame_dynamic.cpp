@@ -1,0 +1,166 @@
+#include "chapters/homotopy/commands/frame_dynamic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/system.hpp"
+#include "nlmech/scene/picture.hpp"
+#include "nlmech/scene/table.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::homotopy {
+namespace {
+
+using frames::LoadHistory;
+
+constexpr double most_imbalance = 0.01;
+
+/// Those that ask for no derivative of the frame's forces beyond the tangent.
+constexpr std::array methods = {
+    "newmark", "hht",    "generalized-alpha", "backward-euler", "explicit", "rk4", "rk6", "ode45",
+    "dop853",  "rkn1210"};
+
+LoadHistory history_of(const DynamicWords& words) {
+  const LoadHistory::Kind kind = words.history == "ramp"    ? LoadHistory::Kind::ramp
+                                 : words.history == "pulse" ? LoadHistory::Kind::pulse
+                                                            : LoadHistory::Kind::step;
+  if (kind == LoadHistory::Kind::step && words.duration)
+    throw InputError("--duration: a step has none; say --history ramp or pulse");
+  if (kind != LoadHistory::Kind::step && !words.duration)
+    throw InputError("--history " + words.history + " needs a --duration");
+  return {kind, words.factor, words.duration.value_or(0)};
+}
+
+/// A step or a tolerance for the method; without one of both a step of a two-thousandth of the time, for
+/// `explicit` one within which it is stable.
+ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
+  if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
+  const ivp::MethodInfo& method = ivp::method_info(words.method);
+  if (!method.fixed_step()) {
+    if (words.step && method.steps == ivp::Steps::chosen)
+      throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
+    return {.step = words.step, .tolerance = words.tolerance};
+  }
+  if (words.step || words.tolerance) return {.step = words.step, .tolerance = words.tolerance};
+  double step = time / 2000;
+  // It is unstable at 2; members that are stretched are stiffer than at rest.
+  if (words.method == "explicit") step = std::min(step, 1 / motion.highest_frequency());
+  return {.step = step};
+}
+
+Moment moment_of(const frames::FrameMotion& motion, double t, const Eigen::VectorXd& x,
+                 const frames::FrameEnergies& energies) {
+  return {t,
+          motion.history().at(t),
+          x.head(x.size() / 2),
+          energies.kinetic,
+          energies.strain,
+          energies.work,
+          energies.dissipated};
+}
+
+}  // namespace
+
+void declare_dynamic(scene::Options& options, DynamicWords& words) {
+  options.add("--dynamic", words.is_wanted, "the motion in time instead; members need a mass");
+  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0")
+      .one_of({"step", "ramp", "pulse"});
+  options.add("--factor", words.factor, "with --dynamic: the greatest load factor");
+  options
+      .add("--duration", words.duration, "with --dynamic: in which a ramp rises, or after which a pulse ends")
+      .positive();
+  options.add("--time", words.time, "with --dynamic: end of the motion").positive();
+  options.add("--method", words.method, "with --dynamic: the integrator")
+      .one_of({methods.begin(), methods.end()});
+  options.add("--step", words.step, "with --dynamic: time step; without it a two-thousandth of the time")
+      .positive();
+  options.add("--tolerance", words.tolerance, "with --dynamic: instead of a step").positive();
+  options.add("--every", words.every, "with --dynamic: time between two rows; without it each step has one")
+      .positive();
+}
+
+FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words) {
+  if (!words.time) throw InputError("--dynamic needs a --time at which it ends");
+  const LoadHistory history = history_of(words);
+  if (words.every && *words.time / *words.every > 1e6)
+    throw InputError(fmt::format("--every {}: more than a million rows", *words.every));
+  try {
+    const frames::FrameMotion motion(frame, history);
+    const ivp::System<Eigen::Dynamic> system(motion);
+    const auto integrate =
+        ivp::named_integrator<Eigen::Dynamic>(words.method, settings_of(words, motion, *words.time));
+    frames::FrameEnergies energies(motion);
+    FrameRun run;
+    run.moments.push_back(moment_of(motion, 0, motion.rest(), energies));
+    double next = words.every.value_or(0);
+    const auto see = [&](const ivp::Step<Eigen::Dynamic>& step) {
+      energies.take(step);
+      const bool is_last = step.t1 == *words.time;
+      // A row between is that of the first step that ends there or later.
+      if (step.t1 < next && !is_last) return true;
+      run.moments.push_back(moment_of(motion, step.t1, step.x1, energies));
+      if (words.every) next = (std::floor(step.t1 / *words.every) + 1) * *words.every;
+      return true;
+    };
+    run.status = integrate(system, motion.rest(), 0, *words.time, see, {}).status;
+    run.imbalance = energies.greatest > 0 ? energies.imbalance / energies.greatest : 0;
+    if (run.status.ok() && !(run.imbalance <= most_imbalance))
+      run.status = Status::failure(
+          Outcome::not_converged,
+          fmt::format(
+              "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
+              "step, a smaller tolerance, or newmark, which does not dissipate",
+              words.method, run.imbalance, most_imbalance));
+    return run;
+  } catch (const frames::ModelError& error) {
+    complain_of(file, error);
+  }
+}
+
+std::string csv_of(const frames::NamedFrame& frame, const FrameRun& run) {
+  std::string text("time,load_factor");
+  for (const frames::NamedMotion& m : frame.motions) text.append(",").append(scene::csv_field(m.name));
+  text += ",kinetic_energy,strain_energy,work,dissipated\n";
+  for (const Moment& m : run.moments) {
+    text += fmt::format("{:.12g},{:.12g}", m.time, m.load);
+    for (const frames::NamedMotion& motion : frame.motions)
+      text += fmt::format(",{:.12g}", m.x[motion.unknown]);
+    text += fmt::format(",{:.12g},{:.12g},{:.12g},{:.12g}\n", m.kinetic, m.strain, m.work, m.dissipated);
+  }
+  return text;
+}
+
+scene::Figure motion_picture(const frames::NamedFrame& frame, const FrameRun& run) {
+  const frames::NamedMotion* most = &frame.motions.front();
+  double farthest = -1;
+  for (const frames::NamedMotion& m : frame.motions) {
+    if (m.motion == frames::Motion::rotation) continue;
+    for (const Moment& at : run.moments) {
+      if (std::abs(at.x[m.unknown]) > farthest) {
+        farthest = std::abs(at.x[m.unknown]);
+        most = &m;
+      }
+    }
+  }
+  scene::Show show(false);
+  scene::Plot& plot = show.plots("The largest displacement, and the energies");
+  plot.size(960, 480).columns({"panel", "curve", "x", "y"});
+  plot.panel("time", scene::without_markup(most->name))
+      .key("off")
+      .curve(
+          "", run.moments, &Moment::time, [&](const Moment& m) { return m.x[most->unknown]; },
+          scene::lines(1));
+  plot.panel("time", "energy")
+      .key("bottom right")
+      .curve("work of the loads", run.moments, &Moment::time, &Moment::work, scene::lines(1))
+      .curve("strain", run.moments, &Moment::time, &Moment::strain, scene::lines(2))
+      .curve("kinetic", run.moments, &Moment::time, &Moment::kinetic, scene::lines(4))
+      .curve("dissipated", run.moments, &Moment::time, &Moment::dissipated, scene::lines(3));
+  return *show.take().figure;
+}
+
+}  // namespace nlmech::chapters::homotopy

@@ -1,0 +1,62 @@
+/// @file
+/// `homotopy frame --dynamic`: the motion of a frame under loads that come in time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/homotopy/commands/frame_file.hpp"
+#include "nlmech/frames/named/frame_motion.hpp"
+#include "nlmech/scene/program/options.hpp"
+#include "nlmech/scene/show.hpp"
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::chapters::homotopy {
+
+/// What was typed of a motion in time.
+struct DynamicWords {
+  bool is_wanted = false;           ///< --dynamic
+  std::string history = "step";     ///< --history
+  double factor = 1;                ///< --factor
+  std::optional<double> duration;   ///< --duration
+  std::optional<double> time;       ///< --time
+  std::string method = "newmark";   ///< --method
+  std::optional<double> step;       ///< --step
+  std::optional<double> tolerance;  ///< --tolerance
+  std::optional<double> every;      ///< --every
+};
+
+/// Its options.
+void declare_dynamic(scene::Options& options, DynamicWords& words);
+
+/// A moment of a motion.
+struct Moment {
+  double time;        ///< of it
+  double load;        ///< factor
+  Eigen::VectorXd x;  ///< displacements
+  double kinetic;     ///< energy
+  double strain;      ///< energy
+  double work;        ///< of the loads, up to now
+  double dissipated;  ///< energy, up to now
+};
+
+/// A motion.
+struct FrameRun {
+  std::vector<Moment> moments;  ///< rows of the result, rest first
+  double imbalance = 0;         ///< the most energy that was too much or missing, over the greatest energy
+  Status status;  ///< of the integrator; a failure, too, for an imbalance of more than a hundredth
+};
+
+/// Moves the frame from rest.
+/// @throws InputError naming an option that is missing or does not fit, or the entry of the file without mass
+[[nodiscard]] FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame,
+                                 const DynamicWords& words);
+
+/// The rows as CSV.
+[[nodiscard]] std::string csv_of(const frames::NamedFrame& frame, const FrameRun& run);
+
+/// The largest displacement and the energies against time.
+[[nodiscard]] scene::Figure motion_picture(const frames::NamedFrame& frame, const FrameRun& run);
+
+}  // namespace nlmech::chapters::homotopy

@@ -1,0 +1,181 @@
+#include "nlmech/frames/named/frame_motion.hpp"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "nlmech/support/doubles.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::frames {
+namespace {
+
+/// Names a member that leaves an unknown without mass.
+void require_masses(const NamedFrame& f) {
+  for (std::size_t i = 0; i < f.frame.members().size(); ++i) {
+    for (const Eigen::Index at : f.frame.unknowns_of(i)) {
+      if (at >= 0 && !(f.mass[at] > 0))
+        throw ModelError(ModelPart::members, f.members[i],
+                         "a motion in time needs a mass of this member, per length: something that it moves "
+                         "has none");
+    }
+  }
+}
+
+}  // namespace
+
+double LoadHistory::at(double t) const {
+  if (kind == Kind::ramp && t < duration) return factor * t / duration;
+  return kind == Kind::pulse && t >= duration ? 0 : factor;
+}
+
+FrameMotion::FrameMotion(const NamedFrame& frame, const LoadHistory& history)
+    : frame_(&frame), history_(history) {
+  if (!frame.given.empty())
+    throw ModelError(ModelPart::displacements, 0, "a motion in time has loads, and no given displacements");
+  if (!std::isfinite(history.factor) || !std::isfinite(history.duration) ||
+      (history.kind != LoadHistory::Kind::step && !(history.duration > 0)))
+    throw invalid_argument("FrameMotion: a load factor of {} with a duration of {}", history.factor,
+                           history.duration);
+  require_masses(frame);
+  static_cast<void>(frame.frame.tangent<double>(Eigen::VectorXd::Zero(frame.frame.size()), stiffness_));
+  damping_ = frame.damping.stiffness * stiffness_;
+  for (Eigen::Index i = 0; i < frame.frame.size(); ++i)
+    damping_.coeffRef(i, i) += frame.damping.mass * frame.mass[i];
+}
+
+void FrameMotion::acceleration(const double& t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                               Eigen::VectorXd& a) const {
+  if (!has_values(frame_->frame.force<double>(q, a))) {
+    a.setConstant(q.size(), nan);
+    return;
+  }
+  if (frame_->damping.mass > 0 || frame_->damping.stiffness > 0) a.noalias() += damping_ * v;
+  a = (history_.at(t) * frame_->load - a).cwiseQuotient(frame_->mass);
+}
+
+void FrameMotion::operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
+  const Eigen::Index n = frame_->frame.size();
+  Eigen::VectorXd a(n);
+  acceleration(t, x.head(n), x.tail(n), a);
+  dxdt.resize(2 * n);
+  dxdt.head(n) = x.tail(n);
+  dxdt.tail(n) = a;
+}
+
+void FrameMotion::jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
+  static_cast<void>(t);
+  const Eigen::Index n = frame_->frame.size();
+  Eigen::SparseMatrix<double> k;
+  const bool is_there = has_values(frame_->frame.tangent<double>(x.head(n), k));
+  j.setZero(2 * n, 2 * n);
+  j.topRightCorner(n, n).setIdentity();
+  const auto minus_over_mass = [&](const Eigen::SparseMatrix<double>& of, auto block) {
+    for (int column = 0; column < of.outerSize(); ++column) {
+      for (Eigen::SparseMatrix<double>::InnerIterator at(of, column); at; ++at)
+        block(at.row(), column) = is_there ? -at.value() / frame_->mass[at.row()] : nan;
+    }
+  };
+  minus_over_mass(k, j.bottomLeftCorner(n, n));
+  minus_over_mass(damping_, j.bottomRightCorner(n, n));
+}
+
+std::vector<double> FrameMotion::discontinuities(double t0, double t1) const {
+  const double at = history_.duration;
+  if (history_.kind != LoadHistory::Kind::step && std::min(t0, t1) < at && at < std::max(t0, t1)) return {at};
+  return {};
+}
+
+double FrameMotion::highest_frequency() const {
+  // Of the symmetric M^-1/2 K M^-1/2. A start with a share of every shape.
+  const Eigen::VectorXd root = frame_->mass.cwiseSqrt();
+  Eigen::VectorXd v(root.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i * i));
+  double size = 0;
+  for (int i = 0; i < 60; ++i) {
+    v.normalize();
+    const Eigen::VectorXd next = (stiffness_ * v.cwiseQuotient(root)).cwiseQuotient(root);
+    size = next.norm();
+    v = next;
+  }
+  return std::sqrt(size);
+}
+
+FrameEnergies::FrameEnergies(const FrameMotion& motion) : motion_(&motion) {}
+
+double FrameEnergies::along_load(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd& q = motion_->frame().load;
+  return q.dot(x.head(q.size()));
+}
+
+double FrameEnergies::damping_power(const Eigen::VectorXd& x) const {
+  const Eigen::Index n = motion_->frame().load.size();
+  return x.tail(n).dot(motion_->damping() * x.tail(n));
+}
+
+void FrameEnergies::add(double t0, double t1, double moved, double lost, const Eigen::VectorXd& x0,
+                        const Eigen::VectorXd& x1) {
+  const NamedFrame& f = motion_->frame();
+  const Eigen::Index n = f.load.size();
+  // The load's line, from within the step: at its ends it may jump.
+  const double h = t1 - t0, early = motion_->history().at(t0 + h / 4),
+               late = motion_->history().at(t1 - h / 4), slope = 2 * (late - early) / h;
+  const double first = early - slope * h / 4, last = late + slope * h / 4;
+  work += last * along_load(x1) - first * along_load(x0) - slope * moved;
+  dissipated += lost;
+  kinetic = 0.5 * x1.tail(n).cwiseAbs2().dot(f.mass);
+  strain = f.frame.energy<double>(x1.head(n)).value;
+  greatest = std::max(greatest, kinetic + strain);
+  imbalance = std::max(imbalance, std::abs(kinetic + strain + dissipated - work));
+}
+
+std::optional<double> barrier_load(const NamedFrame& frame, const FramePaths& paths) {
+  if (!frame.given.empty())
+    throw std::invalid_argument("barrier_load: a frame with given displacements has no potential");
+  const auto potential = [&](const Eigen::VectorXd& x, double load) {
+    const Energy<double> strain = frame.frame.energy<double>(x);
+    return has_values(strain.status) ? strain.value - load * frame.load.dot(x) : nan;
+  };
+  /// The equilibrium under a load, near x.
+  const auto settled = [&](Eigen::VectorXd x, double load) {
+    Eigen::VectorXd f;
+    Eigen::SparseMatrix<double> k;
+    for (int i = 0; i < 20; ++i) {
+      if (!has_values(frame.frame.force<double>(x, f)) || !has_values(frame.frame.tangent<double>(x, k)))
+        break;
+      const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(k);
+      if (factors.info() != Eigen::Success) break;
+      const Eigen::VectorXd step = factors.solve(f - load * frame.load);
+      x -= step;
+      if (step.norm() <= 1e-10 * x.norm()) break;
+    }
+    return x;
+  };
+  std::optional<double> least;
+  for (std::size_t i = 1; i < paths.points.size(); ++i) {
+    const FramePoint &a = paths.points[i - 1], &b = paths.points[i];
+    const bool is_unstable = a.branch == b.branch && (a.negative > 0 || b.negative > 0);
+    if (!is_unstable || a.load <= 0 || b.load <= 0) continue;
+    const double before = potential(a.x, a.load), after = potential(b.x, b.load);
+    if (!((before > 0) != (after > 0))) continue;
+    // Along a path the potential falls by q x per load: Newton's iteration for its zero, from the line
+    // between both points.
+    const double part = before / (before - after);
+    double load = a.load + part * (b.load - a.load);
+    Eigen::VectorXd x = settled(a.x + part * (b.x - a.x), load);
+    for (int k = 0; k < 20; ++k) {
+      const double change = potential(x, load) / frame.load.dot(x);
+      load += change;
+      x = settled(x, load);
+      if (!(std::abs(change) > 1e-13 * std::abs(load))) break;
+    }
+    const bool is_between =
+        load >= std::min(a.load, b.load) * (1 - 1e-6) && load <= std::max(a.load, b.load) * (1 + 1e-6);
+    if (is_between && (!least || load < *least)) least = load;
+  }
+  return least;
+}
+
+}  // namespace nlmech::frames
