@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -41,19 +40,15 @@ namespace nlmech::tests {
   const Read w = read(written), p = read(printed);
   const bool words = goes_on ? w.words.starts_with(p.words) : w.words == p.words;
   if (!words || w.numbers.size() < p.numbers.size()) return false;
-  static const std::regex number(R"(-?([0-9]*\.?[0-9]*)(?:e[-+]?[0-9]+)?)");
-  auto text = std::sregex_iterator(printed.begin(), printed.end(), number);
   for (std::size_t i = 0; i < p.numbers.size(); ++i) {
-    while (text->str(1).find_first_of("0123456789") == std::string::npos) ++text;  // a hyphen, a full stop
-    const std::string mantissa = (text++)->str(1);
-    const bool result = mantissa.size() - static_cast<std::size_t>(std::ranges::count(mantissa, '.')) >= 10;
-    if (!same_number(w.numbers[i], p.numbers[i], result)) return false;
+    if (!same_number(w.numbers[i], p.numbers[i], p.digits[i] >= 10)) return false;
   }
   return true;
 }
 
 /// The first line of a printed output that is not in what a program writes, in its order; empty if all are. A
-/// line "..." stands for lines that are left out. Seconds, a column of that name, are not compared.
+/// line "..." stands for lines that are left out; what follows it as the last line is the last of both.
+/// Seconds, a column of that name, are not compared.
 [[nodiscard]] inline std::string differs_from(const std::string& output, std::vector<std::string> printed) {
   std::vector<std::string> written = lines_in(output);
   if (!written.empty()) {
@@ -73,6 +68,7 @@ namespace nlmech::tests {
       left_out = true;
       continue;
     }
+    if (left_out && &line == &printed.back() && next != written.end()) next = written.end() - 1;
     while (left_out && next != written.end() && !same_line(*next, line)) ++next;
     if (next == written.end() || !same_line(*next, line)) return line;
     ++next;
