@@ -49,8 +49,9 @@ struct Checked {
 /// blank before a full stop, where a number was lost ("number"); a brief description that ends within a
 /// bracket
 /// ("summary"). Of pages with figures or tables, at both widths: a picture for which fewer than eight words
-/// stand, or its caption ("alternative"); a table that is wider than its column on a desk, or whose verdict
-/// or effect is out of sight ("table"); a chapter of more than 40 screens ("length").
+/// stand, or its caption ("alternative"); a table of at most eleven columns that is wider than its own column
+/// on a desk, or one whose verdict or effect is out of sight ("table"); a chapter of more than 40 screens
+/// ("length").
 ///
 /// Pages that differ in nothing but plain contents, as most of the API reference, are shown in the frame of
 /// the first of them, for loading the same scripts a thousand times takes minutes.
