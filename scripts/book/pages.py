@@ -200,9 +200,11 @@ class Page:
         return None
 
     def snippet(self, path, _marker, line):
-        """Code of a source, which Doxygen cuts out."""
+        """Code of a source, which Doxygen cuts out. It looks for a path below each of its folders first, and then for the name alone,
+        which more than one file may have."""
         self.book.reads(self.book.source / path)
-        return line
+        folder = path.partition("/")[0] + "/"
+        return line.replace(folder, "", 1) if folder in ("chapters/", "common/") else line
 
     def list_of_chapters(self):
         items = ""
