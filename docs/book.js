@@ -45,7 +45,7 @@ const verdicts = new Set([
   "not built",
 ]);
 
-// Cells with sentences get room, short ones stay on one line, those with a verdict get its mark. Headings such
+// Cells with sentences get room, short ones stay on one line, those with a verdict get its mark and stay in sight. Headings such
 // as latitude_corrected_deg may break at their underscores.
 function mark_cells(table) {
   for (const heading of table.querySelectorAll("th")) {
@@ -57,6 +57,13 @@ function mark_cells(table) {
     if (text.length < 13) cell.classList.add("short");
     if (verdicts.has(text)) cell.dataset.verdict = text;
   }
+  const [heading, ...rows] = table.rows;
+  const columns = heading?.cells.length ?? 0;
+  for (const [name, more_than] of [["many", 5], ["crowded", 8], ["endless", 11]]) table.classList.toggle(name, columns > more_than);
+  [...(heading?.cells ?? [])].forEach((cell, column) => {
+    if (!/^(verdict|effect)$/.test(cell.textContent.trim())) return;
+    for (const row of [heading, ...rows]) row.cells[column]?.classList.add("kept");
+  });
 }
 
 // A table in a box of its own, which the keyboard reaches when there is something to scroll.

@@ -64,7 +64,10 @@ class ForgePage(Page):
         made = super().list_or_picture(line, number)
         return line if made and made.startswith(("\\htmlonly", "\\anchor ")) else made  # as forges write it already
 
-    def picture(self, caption, path, is_table):
+    def grouped(self, figure, number):
+        return figure
+
+    def picture(self, caption, path, is_table, given=None):
         path, file = self.resolved(path)
         chapter, scene = drawn_by(path)
         if path.endswith("/errata.md"):
@@ -80,7 +83,8 @@ class ForgePage(Page):
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
                 return f"{mark}{caption}\n\n{table}"
         elif not is_table and kept.exists():
-            alt = plain_text(SPAN.sub(r"\2", caption)).replace("[", "(").replace("]", ")")
+            svg = self.book.text(kept)
+            alt = self.alternative(svg, given, SPAN.sub(r"\2", caption), path).replace("[", "(").replace("]", ")")
             return f"{mark}![{alt}](../gallery/{kept.name})\n\n{caption}"
         return f"> {mark}{caption} `{chapter} run {scene}` {'writes' if is_table else 'draws'} it."
 

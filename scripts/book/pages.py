@@ -3,8 +3,9 @@
   {{geodesy/fig-2.27: max latitude error | 3}}    a number of results/geodesy/fig-2.27.json
   {{ratios: table-4.2, RK4-1 (P/10), ours | 2}}   a number of tables/ratios.json
   [@elgohary2015, Eq. 2.45]                       a citation
-  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure
-  [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table
+  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; behind the path may stand "what is seen",
+                                                  for who does not see it, where the picture's own words do not tell
+  [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table; a long one is folded away in chapters
   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
                                                   tables, pages, headers; any other file is copied
   [Fig. 2.27](../geodesy/geodesy.md#fig-2.27)     a link to what the chapter's page shows of that scene
@@ -20,13 +21,15 @@ import os
 import re
 
 import components
+import pictures
 import references
 from book import Complaint
 from quantities import quantity_text
 
 FENCE = re.compile(r"[ \t]*(```|~~~)")
 OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
-FIGURE = re.compile(r"!\[(.*)\]\(([^() ]+)\)[ \t]*")
+FIGURE = re.compile(r'!\[(.*)\]\(([^() ]+)(?: +"([^"]*)")?\)[ \t]*')
+FIGURE_PARAGRAPH = re.compile(r'!\[[^\0]*\]\([^() ]+(?:\s+"[^"]*")?\)\s*')
 TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
 SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)(.*)")
 FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
@@ -34,6 +37,9 @@ SECTION = re.compile(r'<a id="(\w+)"></a>')
 MARK = re.compile(r"\$`[^`]*`\$|`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][^():@ ]*\)")  # code first: it stays as it is
 QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?\}\}", re.ASCII)
 CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
+LIST_MARK = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
+MOST_ROWS = 16  # of a table that a chapter shows unfolded
+LEAST_FIGURES = 3  # one after another that stand side by side
 WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
 WORKS_CITED = "@BOOK_WORKS_CITED@"  # stands for them until the whole page is read
 
@@ -62,7 +68,12 @@ def plain_text(caption):
     text = re.sub(r'[@\\]ref [^ ]+ "([^"]*)"', r"\1", caption)
     text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"\\f[][$]|[*`]|<[^<>]*>", "", text.replace("<sup>", "^"))
-    return html.escape(html.unescape(text).replace("\u00a0", " "), quote=False).replace('"', "&quot;")
+    return escaped(html.unescape(text).replace("\u00a0", " "))
+
+
+def escaped(text):
+    """As the value of an attribute of HTML."""
+    return html.escape(text, quote=False).replace('"', "&quot;")
 
 
 def in_formula(text):
@@ -72,6 +83,27 @@ def in_formula(text):
 
 def is_blank(line):
     return line.strip(" \t") == ""
+
+
+def groups_of_figures(lines):
+    """First line of the first figure and of the last one of all groups of figures that stand side by side: those that follow each other
+    with nothing between. Lines count from 1."""
+    groups, group, paragraph = {}, [], []
+    for number, line in enumerate([*lines, "", "end"], 1):
+        if not is_blank(line):
+            paragraph.append((number, line))
+            if number <= len(lines):
+                continue
+        if not paragraph:
+            continue
+        if FIGURE_PARAGRAPH.fullmatch("\n".join(text for _, text in paragraph)):
+            group.append(paragraph[0][0])
+        else:
+            if len(group) >= LEAST_FIGURES:
+                groups[group[0]] = group[-1]
+            group = []
+        paragraph = []
+    return groups
 
 
 def summary_of(page):
@@ -86,6 +118,7 @@ class Page:
     def __init__(self, book, source, label):
         self.book, self.source, self.label = book, source, label
         self.lines = book.text(book.source / source).split("\n")
+        self.groups = groups_of_figures(self.lines)
         self.number = 0  # of lines that were read
         self.made = []
         self.owed = ""  # line breaks that joined lines had, given back at the end of the paragraph
@@ -154,8 +187,10 @@ class Page:
             return components.map_of_the_house(self.book)
         if mark == "{{references}}":
             return WORKS_CITED
-        if match := FIGURE.fullmatch(line) or TABLE.fullmatch(line):
-            return self.picture(self.inline(match[1], number), match[2], is_table=line.startswith("["))
+        if match := FIGURE.fullmatch(line):
+            return self.grouped(self.picture(self.inline(match[1], number), match[2], False, match[3]), number)
+        if match := TABLE.fullmatch(line):
+            return self.picture(self.inline(match[1], number), match[2], True)
         if FOLD.fullmatch(mark):
             return f"\\htmlonly[block]{mark}\\endhtmlonly"
         if match := SECTION.fullmatch(mark):
@@ -165,9 +200,11 @@ class Page:
         return None
 
     def snippet(self, path, _marker, line):
-        """Code of a source, which Doxygen cuts out."""
+        """Code of a source, which Doxygen cuts out. It looks for a path below each of its folders first, and then for the name alone,
+        which more than one file may have."""
         self.book.reads(self.book.source / path)
-        return line
+        folder = path.partition("/")[0] + "/"
+        return line.replace(folder, "", 1) if folder in ("chapters/", "common/") else line
 
     def list_of_chapters(self):
         items = ""
@@ -182,7 +219,13 @@ class Page:
         generated = re.match("(figures|tables)/[^/]+/", path)
         return path, (self.book.out if generated else self.book.source) / path
 
-    def picture(self, caption, path, is_table):
+    def grouped(self, figure, number):
+        """A figure with the begin or the end of a group of figures side by side, if it is the first or the last of one."""
+        if number in self.groups:
+            figure = f'\\htmlonly[block]<div class="plates">\\endhtmlonly {figure}'
+        return figure + (" \\htmlonly[block]</div>\\endhtmlonly" if number in self.groups.values() else "")
+
+    def picture(self, caption, path, is_table, given=None):
         r"""A figure or a table. \htmlonly around the frame, so that the caption itself is Doxygen's: formulas and links work in
         it. (\image of Doxygen 1.9.4 takes no formula in a caption, and puts the pictures of all chapters under their bare names
         into one folder.)"""
@@ -191,16 +234,35 @@ class Page:
             raise Complaint(f"there is no {path}{advice(path)}")
         self.book.shown.add(path)
         if is_table:
+            rows = self.book.text(file).count("\n|") - 1  # without heading and rule
+            if self.source.startswith("chapters/") and rows > MOST_ROWS:
+                return self.folded_table(caption, path, file, rows)
             before, after = '<div class="table-caption">', "</div>"
         else:
             self.book.copy(file, path)
-            image = f'<a href="{path}"><img src="{path}" alt="{plain_text(caption)}"/></a>'
+            svg = self.book.text(file)
+            size = pictures.size_of(svg)
+            size = f' width="{size[0]}" height="{size[1]}"' if size else ""
+            image = f'<a href="{path}"><img src="{path}" alt="{self.alternative(svg, given, caption, path)}"{size}/></a>'
             before, after = f'<figure class="plate">{image}<figcaption>', "</figcaption></figure>"
-            if path.endswith(".svg") and "<script" in self.book.text(file):  # its curves say their names where it stands alone
+            if "<script" in svg:  # its curves say their names where it stands alone
                 after = f'<a class="curves" href="{path}">All curves by name</a>{after}'
         text = (f"\\anchor {anchor(path)} \\htmlonly[block]{before}\\endhtmlonly {caption} "
                 f"\\htmlonly[block]{after}\\endhtmlonly")
         return text + self.included(path, file) if is_table else text
+
+    def alternative(self, svg, given, caption, path):
+        """The text that stands for a picture where it cannot be seen."""
+        text = pictures.alternative(svg, given, html.unescape(plain_text(caption)))
+        if not text:
+            raise Complaint(f"neither {path} nor the page says in {pictures.LEAST_WORDS} words what is seen: ![caption](path \"what is seen\")")
+        return escaped(text)
+
+    def folded_table(self, caption, path, file, rows):
+        r"""A long table behind its caption. Put in whole: \include takes all of its line."""
+        return (f'\\htmlonly[block]<details class="table"><summary>\\endhtmlonly \\anchor {anchor(path)} {caption} '
+                f"({rows} rows) \\htmlonly[block]</summary>\\endhtmlonly \n\n{self.book.text(file)}\n"
+                "\\htmlonly[block]</details>\\endhtmlonly")
 
     def included(self, path, file):
         """A table's text. Doxygen looks for formulas before it includes: a table that has some is put in whole, and the lines
@@ -219,7 +281,8 @@ class Page:
 
         if "{{" in MARK.sub("", line):
             self.book.complain(self.source, number, "{{ without }} in the same paragraph")
-        return MARK.sub(replaced, line)
+        filled = MARK.sub(replaced, line)
+        return LIST_MARK.sub(r"\1\\\2", filled) if line.startswith("{{") else filled  # a number and a full stop are no list
 
     def replacement(self, mark, before):
         """The text for one mark {{...}}, citation [@...] or end of a link ](...). `before` is the page up to there."""

@@ -1,6 +1,7 @@
 """Numbers of results/<chapter>/<scene>.json as text for a page."""
 import decimal
 import json
+import math
 import re
 
 from book import Complaint
@@ -15,13 +16,13 @@ def grouped(whole, tex):
 
 
 def formatted(number, digits=None, tex=False):
-    """A Decimal in so many significant digits (1 to 17), half away from zero. Without a wish for digits a whole number (5 or
-    5.0) is shown in full, others with three."""
+    """A Decimal in so many significant digits (1 to 17), half away from zero; three without a wish for digits. A whole number (5 or
+    5.0) is shown without decimals, and without a wish in full."""
     minus = "" if number >= 0 else "-" if tex else "&minus;"
     number = number.copy_abs()
     if number == 0:
         return "0"
-    if digits is None and number < 10**17 and number == int(number):
+    if number < 10**(digits or 17) and number == int(number):
         return minus + grouped(str(int(number)), tex)
     digits = digits or 3
     number = decimal.Context(prec=digits, rounding=decimal.ROUND_HALF_UP).plus(number)
@@ -86,5 +87,7 @@ def quantity_text(book, scene, name, options, tex):
     value = found[0].get("value")
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise Complaint(f"'{name}' of {file} has no value ({json.dumps(value)})")
+    if value == "" or isinstance(value, float) and not math.isfinite(value):
+        raise Complaint(f"'{name}' of {file} is {value!r}, which says nothing")
     text = value if isinstance(value, str) else formatted(decimal.Decimal(value), digits, tex)  # a text: "not stated"
     return text + (unit_text(found[0].get("unit") or "", tex) if with_unit else "")

@@ -2,8 +2,6 @@
 import contextlib
 import decimal
 import io
-import pathlib
-import tempfile
 import unittest
 
 import components
@@ -11,45 +9,8 @@ import forge
 import references
 import search
 from book import Book, Complaint
-from pages import Page
 from quantities import formatted
-
-HOUSE = pathlib.Path(__file__).resolve().parent.parent.parent
-PAGE = "chapters/geodesy/geodesy.md"
-JSON = "results/geodesy/fig-2.27.json"
-QUANTITIES = """{"quantities":[
-  {"name":"max error","value":2.417e-11,"unit":"deg"}, {"name":"acceleration","value":9.80665,"unit":"m/s^2"},
-  {"name":"twice","value":1}, {"name":"twice","value":2}, {"name":"nothing","value":null}]}"""
-RATIOS = """{"quantities":[
-  {"name":"table-4.4, RK4-1 (0.1; 0.5), ours","value":0.0216,"unit":"1"},
-  {"name":"table-4.4, RK4-1 (0.1; 0.5), verdict","value":"does not hold","unit":""}]}"""
-WORKS = """% Words above the first
-@book{one2001,
-  author = {One, A. and Two, B.},
-  title = {T},
-  year = {2001},
-  isbn = {1-23},
-}
-@misc{old1900,
-  author = {Old, C.},
-  title = {U},
-  year = {1900},
-  doi = {10.1/x},
-}
-@misc{lost1800,
-  author = {Lost, D.},
-  title = {V},
-  year = {1800},
-}
-"""
-MAP = (r'<div class="map"><ul class="floor chapter-floor">'
-       r'<li>\ref chapter_one "First" <span class="uses">high</span></li>'
-       r'<li>\ref chapter_two_three "Two three" </li></ul>'
-       r'<ul class="floor"><li>\ref nlmech::high "high" <span class="uses">low, ground</span></li></ul>'
-       r'<ul class="floor"><li>\ref common/nlmech/low "low" <span class="uses">ground</span></li></ul>'
-       r'<ul class="floor"><li>\ref common/nlmech/ground "ground" </li></ul>'
-       r'<div class="note">Each box names what it stands on. '
-       r'Every chapter also stands on <span class="common">ground</span>.</div></div>')
+from test_house import ALT, HOUSE, InAHouse, JSON, MAP, PAGE, PICTURE, SEEN, WORKS
 
 
 class Numbers(unittest.TestCase):
@@ -76,65 +37,15 @@ class Numbers(unittest.TestCase):
                 ("6378137", 3, True, r"6.38 \times 10^{6}"),
                 ("9999.0", None, False, "9999"),
                 ("12", None, False, "12"),
+                ("7.0", 2, False, "7"),
+                ("10", 1, False, "10"),
+                ("0.5", 2, False, "0.50"),
                 ("-12", None, False, "&minus;12"),
                 ("0.0", 3, True, "0"),
                 ("1.7976931348623157e+308", 17, True, r"1.7976931348623157 \times 10^{308}"),
                 ("5e-324", 1, True, r"5 \times 10^{-324}")):
             with self.subTest(value=value, digits=digits, tex=tex):
                 self.assertEqual(formatted(decimal.Decimal(value), digits, tex), wanted)
-
-
-class InAHouse(unittest.TestCase):
-    """A small house of one scene, with what its page may name."""
-
-    def setUp(self):
-        top = tempfile.TemporaryDirectory()
-        self.addCleanup(top.cleanup)
-        top = pathlib.Path(top.name)
-        self.book = Book(top / "source", top / "build", top / "out", top / "book", [])
-        for file, text in ((f"out/{JSON}", QUANTITIES),
-                           ("out/figures/geodesy/fig-2.27.svg", "<svg/>"),
-                           ("out/figures/geodesy/fig-9.svg", "<svg/>"),
-                           ("out/figures/geodesy/error-vs-time.svg", "<svg><script/></svg>"),
-                           ("out/tables/geodesy/table-2.6.md", "| a |\n| --- |\n"),
-                           ("out/tables/geodesy/table-2.7.md", "| \\f$a\\f$ |\n| --- |\n"),
-                           ("source/docs/references.bib", WORKS),
-                           ("source/docs/glossary.md", "# Words\n"),
-                           ("source/tables/ratios.json", RATIOS),
-                           ("source/tables/a.csv", "a\n"),
-                           ("source/common/nlmech/geodesy/a.hpp", "")):
-            self.write(top / file, text)
-        references.load(self.book, self.book.source / "docs/references.bib")
-        self.book.labels["docs/glossary.md"] = "glossary"
-
-    def test_choosing_needs_its_chapters(self):
-        self.assertEqual(self.book.choosing(), [])
-        self.write(self.book.source / "docs/choosing.md", "[a](../figures/geodesy/fig-9.svg) [b](../figures/orbit/fig-1.svg)")
-        for chapters, pages in ((["geodesy"], []), (["orbit", "geodesy"], ["docs/choosing.md"])):
-            self.book.chapters = chapters
-            self.assertEqual(self.book.choosing(), pages)
-
-    def write(self, file, text):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
-
-    def made(self, body, source=PAGE, label="chapter_geodesy"):
-        """The page of this text under a title, without the title's two lines."""
-        self.write(self.book.source / source, f"# Title: more\n\n{body}\n")
-        self.book.complaints.clear()
-        with contextlib.redirect_stderr(io.StringIO()):
-            text = Page(self.book, source, label).text()
-        return text.replace(f"# Title: more {{#{label}}}\n\\tableofcontents\n", "").strip()
-
-    def expect_page(self, body, wanted):
-        with self.subTest(page=body):
-            self.assertEqual(self.made(body), wanted)
-            self.assertEqual(self.book.complaints, [])
-
-    def expect_complaint(self, body, wanted):
-        with self.subTest(page=body):
-            self.made(body)
-            self.assertEqual(self.book.complaints, [f"{PAGE}:{wanted}"])
 
 
 class Pages(InAHouse):
@@ -181,9 +92,36 @@ class Pages(InAHouse):
 
     def test_figure(self):
         page = self.made('![A "c"\nover two](../../figures/geodesy/fig-2.27.svg)')
-        self.assertIn(r'alt="A &quot;c&quot; over two"/></a><figcaption>\endhtmlonly A "c" over two ', page)
+        self.assertIn(rf'alt="{ALT}" width="760" height="520"/></a><figcaption>\endhtmlonly A "c" over two ', page)
         self.assertTrue((self.book.folder / "html/figures/geodesy/fig-2.27.svg").exists())
         self.assertNotIn("All curves", page)
+
+    def test_what_is_seen_may_be_told_and_must_be(self):
+        told = "A circle in an ellipse that it touches at both ends."
+        self.assertIn(f'alt="{told}"', self.made(f'![a](../../figures/geodesy/fig-9.svg "{told}")'))
+        for text in ("", ' "Too few words."'):
+            self.expect_complaint(f"![a](../../figures/geodesy/fig-9.svg{text})", "3: error: neither figures/geodesy/fig-9.svg nor the "
+                                  'page says in 8 words what is seen: ![caption](path "what is seen")')
+        self.made(f"![{SEEN[:-1]}](../../figures/geodesy/fig-2.27.svg)")  # no more than the caption
+        self.assertEqual(len(self.book.complaints), 1)
+
+    def test_figures_one_after_another_stand_side_by_side(self):
+        figures = [f"![a](../../figures/geodesy/{name}.svg)" for name in ("fig-2.27", "fig-10", "error-vs-time")]
+        page = self.made("\n\n".join(figures) + "\n\ntext\n\n" + "\n\n".join(figures[:2]))
+        self.assertEqual(page.count('<div class="plates">'), 1)
+        begin, end = page.index('<div class="plates">'), page.index("</figcaption></figure>\\endhtmlonly \\htmlonly[block]</div>")
+        self.assertEqual(page.index("<figure"), page.index("<figure", begin))
+        self.assertEqual(page[begin:end].count("<figure"), 3)
+
+    def test_a_long_table_is_folded(self):
+        rows = "".join(f"| {i} |\n" for i in range(30))
+        self.write(self.book.out / "tables/geodesy/long.md", "| a |\n| --- |\n" + rows)
+        self.expect_page("[*Cap*](../../tables/geodesy/long.md)",
+                         '\\htmlonly[block]<details class="table"><summary>\\endhtmlonly \\anchor tables_geodesy_long *Cap* (30 rows) '
+                         f"\\htmlonly[block]</summary>\\endhtmlonly \n\n| a |\n| --- |\n{rows}\n\\htmlonly[block]</details>\\endhtmlonly")
+
+    def test_a_number_at_the_begin_of_a_line_is_no_item_of_a_list(self):
+        self.expect_page("is\n{{geodesy/fig-2.27: twelve | 5}}. So\n\n12. x", "is\n12\\. So\n\n12. x")
 
     def test_a_figure_that_answers_is_linked_as_such(self):
         page = self.made("![a](../../figures/geodesy/error-vs-time.svg)")
@@ -218,13 +156,15 @@ class Pages(InAHouse):
             self.expect_page(body, wanted)
 
     def test_what_is_refused_with_page_and_line(self):
-        known = "'max error', 'acceleration', 'twice', 'twice', 'nothing'"
+        known = "'max error', 'acceleration', 'twelve', 'empty', 'infinite', 'twice', 'twice', 'nothing'"
         for body, wanted in (
                 ("\n{{geodesy/fig-2.27: max eror}}", f"4: error: {JSON} has no quantity 'max eror'; it has {known}"),
                 ("{{geodesy/fig-9.9: a}}",
                  "3: error: there is no results/geodesy/fig-9.9.json; `geodesy run fig-9.9` writes it"),
                 ("{{geodesy/fig-2.27: twice}}", f"3: error: {JSON} has several quantities 'twice'"),
                 ("{{geodesy/fig-2.27: nothing}}", f"3: error: 'nothing' of {JSON} has no value (null)"),
+                ("{{geodesy/fig-2.27: empty}}", f"3: error: 'empty' of {JSON} is '', which says nothing"),
+                ("{{geodesy/fig-2.27: infinite}}", f"3: error: 'infinite' of {JSON} is inf, which says nothing"),
                 ("{{geodesy/fig-2.27: max error | 18}}",
                  "3: error: '18' is neither a number of digits (1 to 17) nor 'no unit'"),
                 ("{{max error}}", "3: error: {{max error}} is not of the form {{chapter/scene: quantity | digits}}"),
@@ -252,7 +192,7 @@ class ForForges(InAHouse):
         self.write(self.book.out / "results/geodesy/error-vs-time.csv", "method,time_s\n")
         self.write(self.book.out / "results/geodesy/error-vs-time.json", '{"quantities":[{"name":"factor","value":3}]}')
         self.write(self.book.out / "tables/geodesy/error-vs-time.md", "| a |\n| --- |\n| 1 |\n")
-        self.write(self.book.source / "docs/gallery/geodesy-fig-2.27.svg", "<svg/>")
+        self.write(self.book.source / "docs/gallery/geodesy-fig-2.27.svg", PICTURE)
         self.write(self.book.source / "chapters/geodesy/a.cpp", "  // [ex]\n  int a;\n\n    a = 1;\n  // [ex]\n")
 
     def page(self, body):
@@ -278,7 +218,7 @@ class ForForges(InAHouse):
                  '> <a id="error-vs-time"></a>C. `geodesy run error-vs-time` writes it.'),
                 ("![C.](../../figures/geodesy/fig-9.svg)", '> <a id="fig-9"></a>C. `geodesy run fig-9` draws it.'),
                 ("![A [b]](../../figures/geodesy/fig-2.27.svg)\n\n[C.](../../tables/geodesy/table-2.6.md)",
-                 '<a id="fig-2.27"></a>![A (b)](../gallery/geodesy-fig-2.27.svg)\n\nA [b]\n\n'
+                 f'<a id="fig-2.27"></a>![{ALT}](../gallery/geodesy-fig-2.27.svg)\n\nA [b]\n\n'
                  '<a id="table-2.6"></a>C.\n\n| a |\n| --- |'),
                 ("[a](../../figures/geodesy/fig-9.svg) [b](../../figures/moon/fig-1.svg) [c](../../tables/a.csv) "
                  "[d](../moon/moon.md#fig-1)", "[a](#fig-9) [b](moon.md#fig-1) [c](../../tables/a.csv) [d](moon.md#fig-1)"),

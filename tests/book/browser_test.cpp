@@ -55,9 +55,16 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
       {"exception.html", {"error", {"Error: thrown on purpose"}}},
       {"network.html", {"network", {"https://example.org/data"}}},
       {"width.html", {"width", {"608 px in 390 (div.: wide)"}}},
+      {"number.html", {"number", {"a list begins with 300", "It converges to ."}}},
+      {"summary.html", {"summary", {"Newmark's method (N."}}},
+      {"alternative.html",
+       {"alternative",
+        {"a%20picture.svg: \"Too few words\"",
+         "a%20picture.svg: \"A caption that says with nine words nothing new\""}}},
+      {"chapter_long.html", {"length", {"41 screens of 900 px"}}},
   };
   for (const auto& [page, what] : broken) copy(page);
-  for (const char* page : {"console.html", "image.html", "script.html"}) copy(page);
+  for (const char* page : {"console.html", "image.html", "script.html", "table.html"}) copy(page);
   const std::set<Finding> found = findings();
   std::set<Finding> expected;
   for (const auto& [page, what] : broken) {
@@ -66,10 +73,23 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
   const std::string at = "file://" + fs::canonical(pages_.path()).string() + "/";
   const std::string missing = "Failed to load resource: net::ERR_FILE_NOT_FOUND " + at;
   expected.insert({"console.html", "error", "console: \"said on purpose\""});
+  expected.insert({"table.html", "table", "900 px in 600: row | effect"});
+  for (const char* width : {"390", "1400"})
+    expected.insert(
+        {"table.html", "table", std::string("effect is out of sight at ") + width + " px: row | effect"});
   expected.insert({"image.html", "image", "no-such-picture.svg"});
   expected.insert({"image.html", "error", missing + "no-such-picture.svg"});
   expected.insert({"script.html", "error", missing + "no-such-script.js"});
   EXPECT_EQ(summary(found), summary(expected));
+}
+
+/// The second page is shown in the frame of the first, and judged as if it were loaded.
+TEST_F(PageCheck, JudgesPagesThatAreShownInTheFrameOfAnother) {
+  copy("frame 1.html");
+  copy("frame 2.html");
+  EXPECT_EQ(summary(check_pages(*program_, pages_.path(), {.browsers = 1}).findings),
+            "frame 2.html: link: leads to no place on its page: frame 1.html#second\n"
+            "frame 2.html: width: 708 px in 390 (div.: wide)\n");
 }
 
 TEST_F(PageCheck, GivesUpAPageThatHangsAndGoesOn) {

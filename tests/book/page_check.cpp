@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cctype>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <future>
 #include <map>
@@ -73,6 +74,24 @@ std::vector<std::string> pages_under(const fs::path& folder) {
   return pages;
 }
 
+/// What surrounds a page's contents: what comes before them, without the page's title and its place in the
+/// tree. Pages with the same frame differ in their contents alone, and those of such pages need no script of
+/// their own. Nothing for pages without a frame, with formulas, or with figures or tables, which scripts
+/// prepare.
+std::optional<std::string> frame_of(const std::string& page) {
+  const std::size_t contents = page.find("<div id=\"doc-content\">");
+  if (contents == std::string::npos) return std::nullopt;
+  for (const char* prepared : {"mathjax/MathJax.js", "<figure", "class=\"markdownTable\""}) {
+    if (page.find(prepared) != std::string::npos) return std::nullopt;
+  }
+  std::string frame = page.substr(0, contents);
+  for (const auto& [begin, end] : {std::pair("<title>", "</title>"), std::pair("initNavTree('", "'")}) {
+    const std::size_t from = frame.find(begin);
+    if (from != std::string::npos) frame.erase(from, frame.find(end, from + std::strlen(begin)) - from);
+  }
+  return frame;
+}
+
 /// By anything but files and what a page holds itself.
 bool leaves_the_machine(const std::string& url) {
   const std::string scheme = url.substr(0, url.find(':'));
@@ -83,7 +102,10 @@ bool leaves_the_machine(const std::string& url) {
 class Reader {
  public:
   Reader(const std::string& program, const Checking& how)
-      : how_(how), browser_(program), script_(read(NLMECH_SOURCE_DIR "/tests/book/probe.js")) {
+      : how_(how),
+        browser_(program),
+        script_(read(NLMECH_SOURCE_DIR "/tests/book/probe.js")),
+        layout_(read(NLMECH_SOURCE_DIR "/tests/book/layout.js")) {
     const Deadline deadline = in_seconds(60);  // a cold start on a busy machine
     const json target = browser_.call("Target.createTarget", {{"url", "about:blank"}}, "", deadline);
     const json session = browser_.call("Target.attachToTarget",
@@ -91,38 +113,69 @@ class Reader {
     session_ = session["sessionId"].get<std::string>();
     for (const char* domain : {"Page", "Runtime", "Log", "Network"})
       browser_.call(std::string(domain) + ".enable", json::object(), session_, deadline);
-    browser_.call("Emulation.setDeviceMetricsOverride",
-                  {{"width", how.width}, {"height", 844}, {"deviceScaleFactor", 1}, {"mobile", false}},
-                  session_, deadline);
+    resize(how.width, 844, deadline);
   }
 
   /// Shows a page and adds what is wrong with it. @throws BrowserLost
   Page look(const fs::path& file, const std::string& name, std::set<Finding>& findings) {
     const Deadline deadline = in_seconds(how_.seconds);
     (void)browser_.take_events();
-    browser_.call("Page.navigate", {{"url", "file://" + encoded(file.string())}}, session_, deadline);
+    const std::string address = "file://" + encoded(file.string()), text = read(file);
+    const auto frame = frame_of(text);
+    const bool framed = frame && frame == frame_;
     std::vector<json> events;
-    while (events.empty() || events.back()["method"] != "Page.loadEventFired")
-      events.push_back(browser_.next_event(deadline));
-    const json answer = browser_.call(
-        "Runtime.evaluate", {{"expression", script_}, {"awaitPromise", true}, {"returnByValue", true}},
-        session_, deadline);
+    if (!framed) {
+      frame_.reset();
+      browser_.call("Page.navigate", {{"url", address}}, session_, deadline);
+      while (events.empty() || events.back()["method"] != "Page.loadEventFired")
+        events.push_back(browser_.next_event(deadline));
+      frame_ = frame;
+    }
+    const json page = framed ? json(text) : json();
+    const auto found = run(script_ + "(" + page.dump(-1, ' ', false, json::error_handler_t::replace) + "," +
+                               json(address).dump() + ")",
+                           name, findings, deadline);
+    if (found && (*found)["explains"] == true) look_at_layout(name, findings, deadline);
     for (json& event : browser_.take_events()) events.push_back(std::move(event));
     for (const json& event : events) note(event, name, findings);
-    if (answer.contains("exceptionDetails")) {
-      findings.insert(
-          {name, "error", "the probe failed: " + answer["exceptionDetails"].dump().substr(0, 300)});
-      return {};
-    }
-    const json& found = answer["result"]["value"];
-    for (const json& image : found["images"]) findings.insert({name, "image", image.get<std::string>()});
-    for (const json& text : found["tex"]) findings.insert({name, "formula", text.get<std::string>()});
-    for (const json& text : found["wide"]) findings.insert({name, "width", text.get<std::string>()});
-    return {found["links"].get<std::vector<std::string>>(), found["anchors"].get<std::set<std::string>>(),
-            found["friends"].get<std::vector<std::string>>()};
+    if (!found) return {};
+    add((*found)["findings"], name, findings);
+    return {(*found)["links"].get<std::vector<std::string>>(),
+            (*found)["anchors"].get<std::set<std::string>>(),
+            (*found)["friends"].get<std::vector<std::string>>()};
   }
 
  private:
+  /// The value of a script; nothing, and a finding, if it failed.
+  std::optional<json> run(const std::string& script, const std::string& page, std::set<Finding>& findings,
+                          Deadline deadline) {
+    json answer = browser_.call("Runtime.evaluate",
+                                {{"expression", script}, {"awaitPromise", true}, {"returnByValue", true}},
+                                session_, deadline);
+    if (!answer.contains("exceptionDetails")) return answer["result"]["value"];
+    findings.insert({page, "error", "the probe failed: " + answer["exceptionDetails"].dump().substr(0, 300)});
+    return std::nullopt;
+  }
+
+  /// Figures and tables at the width of a phone and at that of a desk.
+  void look_at_layout(const std::string& page, std::set<Finding>& findings, Deadline deadline) {
+    if (const auto narrow = run(layout_, page, findings, deadline)) add(*narrow, page, findings);
+    resize(how_.desk_width, 900, deadline);
+    if (const auto wide = run(layout_, page, findings, deadline)) add(*wide, page, findings);
+    resize(how_.width, 844, deadline);
+  }
+
+  void resize(int width, int height, Deadline deadline) {
+    browser_.call("Emulation.setDeviceMetricsOverride",
+                  {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}},
+                  session_, deadline);
+  }
+
+  static void add(const json& found, const std::string& page, std::set<Finding>& findings) {
+    for (const json& finding : found)
+      findings.insert({page, finding[0].get<std::string>(), finding[1].get<std::string>()});
+  }
+
   static void note(const json& event, const std::string& page, std::set<Finding>& findings) {
     const std::string method = event.value("method", "");
     const json& p = event["params"];
@@ -152,7 +205,8 @@ class Reader {
 
   Checking how_;
   Browser browser_;
-  std::string session_, script_;
+  std::string session_, script_, layout_;
+  std::optional<std::string> frame_;  // of the page that is loaded, if other pages can be shown in it
 };
 
 /// Doxygen 1.9.4 gives friends of a class, and nested classes that are private, no place on the page that it

@@ -13,7 +13,9 @@ namespace nlmech::tests {
 /// Something that a reader would stumble over.
 struct Finding {
   std::string page;  ///< file, relative to the book's folder
-  std::string kind;  ///< "link", "image", "formula", "error", "network", "width" or "time"
+  /// "link", "image", "formula", "number", "summary", "alternative", "table", "length", "error", "network",
+  /// "width" or "time"
+  std::string kind;
   std::string text;  ///< what it is
 
   /// By page, kind and text.
@@ -22,9 +24,10 @@ struct Finding {
 
 /// How the pages are looked at.
 struct Checking {
-  int browsers = 2;     ///< at work at the same time
-  int width = 390;      ///< of the window, px: a phone held upright
-  double seconds = 60;  ///< for one page, on a busy machine; after that the browser is started anew
+  int browsers = 2;       ///< at work at the same time
+  int width = 390;        ///< of the window, px: a phone held upright
+  int desk_width = 1400;  ///< of the window in which figures and tables are looked at once more, px
+  double seconds = 60;    ///< for one page, on a busy machine; after that the browser is started anew
 };
 
 /// What came out.
@@ -42,7 +45,16 @@ struct Checked {
 /// MathJax
 /// ("formula"); an error on the console, a script or style that cannot be loaded, or an exception that nobody
 /// caught ("error"); a request that would leave the machine ("network"); a page that scrolls sideways
-/// ("width"); a page that is not done in time ("time").
+/// ("width"); a page that is not done in time ("time"); a list that begins with another number than 1, or a
+/// blank before a full stop, where a number was lost ("number"); a brief description that ends within a
+/// bracket
+/// ("summary"). Of pages with figures or tables, at both widths: a picture for which fewer than eight words
+/// stand, or its caption ("alternative"); a table of at most eleven columns that is wider than its own column
+/// on a desk, or one whose verdict or effect is out of sight ("table"); a chapter of more than 40 screens
+/// ("length").
+///
+/// Pages that differ in nothing but plain contents, as most of the API reference, are shown in the frame of
+/// the first of them, for loading the same scripts a thousand times takes minutes.
 ///
 /// What belongs to MathJax or is loaded by the search box inside other pages is no page.
 /// @param program the browser's

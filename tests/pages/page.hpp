@@ -2,6 +2,7 @@
 /// What the tests of the printed pages read: fenced blocks, and texts that may differ in numbers alone.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -58,6 +59,7 @@ struct Block {
 struct Read {
   std::string words;            ///< each number is a '#'
   std::vector<double> numbers;  ///< in their order
+  std::vector<int> digits;      ///< of each number, without those of its exponent
 };
 
 /// Takes the numbers out of a text; a sign counts to the number.
@@ -69,9 +71,12 @@ struct Read {
     double number = 0;
     const bool begins = (*at >= '0' && *at <= '9') || *at == '-' || *at == '.';
     const auto [stop, error] = begins ? std::from_chars(at, end, number) : std::from_chars_result{at, {}};
-    if (begins && error == std::errc{}) {
+    if (begins && error == std::errc{} && std::isfinite(number)) {  // "-information" begins with an infinity
       found.words += '#';
       found.numbers.push_back(number);
+      const char* const mantissa_end = std::find(at, stop, 'e');
+      found.digits.push_back(
+          static_cast<int>(std::count_if(at, mantissa_end, [](char c) { return c >= '0' && c <= '9'; })));
       at = stop;
     } else {
       found.words += *at++;

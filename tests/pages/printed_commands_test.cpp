@@ -1,13 +1,17 @@
 /// Every command that README, CONTRIBUTING and the chapters' pages print is run as a reader would type it, in
-/// a folder with the build and the chapters, or is one of a stated few that something else runs.
+/// a folder with the build and the chapters, or is one of a stated few that something else runs. On the
+/// chapters' pages each stands with its output, as scripts/book/outputs.py writes it there.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <regex>
 
 #include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
+#include "tests/pages/printed_output.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::tests::printed_commands_test {
@@ -17,28 +21,40 @@ namespace fs = std::filesystem;
 
 const fs::path source = NLMECH_SOURCE_DIR;
 
-/// A line of a page's ```sh block.
+/// A command of a page's ```sh block.
 struct Command {
   std::string line;
   int number = 0;  ///< of the line on the page
 };
 
+std::vector<Command> commands_of(const Block& block) {
+  std::vector<Command> commands;
+  if (block.language != "sh") return commands;
+  int number = block.line;
+  bool goes_on = false;  // the line before ended with a backslash
+  for (const std::string& line : block.lines) {
+    ++number;
+    if (goes_on)
+      commands.back().line += "\n" + line;
+    else if (!line.empty() && !line.starts_with("#"))
+      commands.push_back({line, number});
+    goes_on = line.ends_with("\\");
+  }
+  return commands;
+}
+
 std::vector<Command> commands_of(const fs::path& page) {
   std::vector<Command> commands;
   for (const Block& block : blocks_of(page)) {
-    if (block.language != "sh") continue;
-    int number = block.line;
-    bool goes_on = false;  // the line before ended with a backslash
-    for (const std::string& line : block.lines) {
-      ++number;
-      if (goes_on)
-        commands.back().line += "\n" + line;
-      else if (!line.empty() && !line.starts_with("#"))
-        commands.push_back({line, number});
-      goes_on = line.ends_with("\\");
-    }
+    for (Command& command : commands_of(block)) commands.push_back(std::move(command));
   }
   return commands;
+}
+
+/// The block of output that stands next below a line; nullptr if there is none.
+const Block* output_below(const std::vector<Block>& blocks, int line) {
+  const auto next = std::ranges::find_if(blocks, [&](const Block& b) { return b.line == line + 2; });
+  return next != blocks.end() && next->language == "text" ? &*next : nullptr;
 }
 
 /// The program of the build that a line calls; empty if it calls none.
@@ -62,28 +78,71 @@ std::vector<std::string> pages() {
   return found;
 }
 
-class PrintedCommands : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(PrintedCommands, EndWithZero) {
-  const fs::path page = source / GetParam();
-  std::string name = page.stem().string();
-  const fs::path folder = fs::temp_directory_path() / ("nlmech-" + name + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  fs::create_directory_symlink(NLMECH_BINARY_DIR, folder / "build");
-  fs::create_directory_symlink(source / "chapters", folder / "chapters");
-  int run = 0;
-  for (const Command& command : commands_of(page)) {
-    const std::string program = program_of(command.line);
-    if (program.empty()) continue;
-    ++run;
-    // README speaks of all chapters, a build may have fewer.
-    if (GetParam() == "README.md" && !fs::exists(fs::path(NLMECH_BINARY_DIR "/bin") / program)) continue;
-    const scene::Finished f = scene::run_program({"sh", "-c", command.line}, folder);
-    EXPECT_EQ(f.exit_code, 0) << GetParam() << ":" << command.number << ": " << command.line << "\n"
-                              << f.errors;
+class PrintedCommands : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("nlmech-" + page_.stem().string() + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    fs::create_directory_symlink(NLMECH_BINARY_DIR, folder_ / "build");
+    fs::create_directory_symlink(source / "chapters", folder_ / "chapters");
   }
-  EXPECT_TRUE(run > 0 || GetParam() == "CONTRIBUTING.md") << GetParam() << " calls no program";
-  fs::remove_all(folder);
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// What a command prints, which must succeed. README speaks of all chapters, a build may have fewer.
+  [[nodiscard]] std::optional<std::string> run(const Command& command, const std::string& program) const {
+    if (GetParam() == "README.md" && !fs::exists(fs::path(NLMECH_BINARY_DIR "/bin") / program)) return {};
+    const scene::Finished f = scene::run_program({"sh", "-c", command.line}, folder_);
+    EXPECT_EQ(f.exit_code, 0) << place(command.number) << command.line << "\n" << f.errors;
+    return f.output;
+  }
+  [[nodiscard]] std::string place(int line) const { return GetParam() + ":" + std::to_string(line) + ": "; }
+
+  const fs::path page_ = source / GetParam();
+  fs::path folder_;
+};
+
+TEST_P(PrintedCommands, EndWithZeroAndStandWithTheirOutput) {
+  const bool with_output = GetParam().starts_with("chapters/");
+  const std::vector<Block> blocks = blocks_of(page_);
+  int calls = 0;
+  for (const Block& block : blocks) {
+    std::string output;
+    int of_block = 0;
+    for (const Command& command : commands_of(block)) {
+      const std::string program = program_of(command.line);
+      if (program.empty()) continue;
+      ++of_block;
+      output += run(command, program).value_or("");
+    }
+    calls += of_block;
+    if (!with_output || output.empty()) continue;
+    EXPECT_EQ(of_block, 1) << place(block.line) << "a command a block, for its output stands below";
+    const Block* printed = output_below(blocks, block.line + static_cast<int>(block.lines.size()) + 1);
+    ASSERT_NE(printed, nullptr) << place(block.line) << "no ```text block with the output stands below";
+    EXPECT_EQ(differs_from(output, printed->lines), "") << place(printed->line) << "scripts/book/outputs.py";
+  }
+  EXPECT_TRUE(calls > 0 || GetParam() == "CONTRIBUTING.md") << GetParam() << " calls no program";
+}
+
+/// The program of a chapter, and those of examples/, where a page shows their code.
+TEST_P(PrintedCommands, ShowTheOutputOfExamples) {
+  static const std::regex snippet(R"(\\snippet (?:chapters/(\w+)/example|examples/(\w+))\.cpp example)");
+  const std::vector<Block> blocks = blocks_of(page_);
+  int number = 0;
+  for (const std::string& line : lines_in(text_of(page_))) {
+    ++number;
+    std::smatch match;
+    if (!std::regex_match(line, match, snippet)) continue;
+    const fs::path program = fs::path(NLMECH_BINARY_DIR "/bin") /
+                             (match[1].matched ? match[1].str() + "_example" : match[2].str());
+    const Block* printed = output_below(blocks, number);
+    ASSERT_NE(printed, nullptr) << place(number) << "no ```text block with the output stands below";
+    if (!fs::exists(program)) continue;  // of another chapter's components
+    const scene::Finished f = scene::run_program({program.string()}, {});
+    EXPECT_EQ(f.exit_code, 0) << f.errors;
+    EXPECT_EQ(differs_from(f.output, printed->lines), "")
+        << place(printed->line) << "scripts/book/outputs.py";
+  }
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& page) {
@@ -159,13 +218,20 @@ TEST(PrintedCommandsElsewhere, KnowTheirTargets) {
   EXPECT_FALSE(runs_elsewhere("rm -rf build"));
 }
 
-TEST(PrintedExamples, OfTheGeodesyPageRuns) {
-  const fs::path program = NLMECH_BINARY_DIR "/bin/geodesy_example";
-  if (!fs::exists(program)) GTEST_SKIP() << "geodesy is not built";
-  const scene::Finished f = scene::run_program({program.string()}, {});
-  EXPECT_EQ(f.exit_code, 0);
-  EXPECT_TRUE(f.output.starts_with("success: latitude 21.52"))
-      << f.output;  // atan(2.5/6.379) = 21.40 deg plus the flattening
+TEST(PrintedOutput, MayDifferByRoundingAndInRunTimes) {
+  const std::string output = "method,error,seconds,steps\nrk4,1.0e-5,0.5,1234567890.5\neuler,2e-17,3,-4\n";
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(differs_from(output, lines_in(output)), "");
+  EXPECT_EQ(differs_from(output, {"method,error,seconds,steps", "..."}), "");
+  EXPECT_EQ(differs_from(output, {"...", "euler,-9e-17,7,-4"}), "");
+  EXPECT_EQ(differs_from(output, {"...", "rk4,1.8e-5,70,1234567890.6 ...", "..."}), "");
+  EXPECT_EQ(differs_from("a,1\nb,2\nb,2\n", {"a,1", "...", "b,2"}), "");
+  EXPECT_EQ(differs_from("a: -infinite 12345678901\n", {"a: -infinite 12345678902"}), "");
+  for (const Lines& wrong :
+       {Lines{"method,error,seconds,steps"}, Lines{"...", "rk4,2.2e-5,0.5,1234567890.5", "..."},
+        Lines{"...", "rk4,1.0e-5,0.5,1234667890.5", "..."}, Lines{"...", "euler,2e-17,3,4"},
+        Lines{"...", "euler,2e-17,3,-4", "more"}, Lines{"...", "Euler ...", "..."}})
+    EXPECT_NE(differs_from(output, wrong), "") << wrong.back();
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ class Expansion {
       r_[i][0] = s.position[static_cast<int>(i)];
       r_[i][1] = s.velocity[static_cast<int>(i)];
     }
+    // [coefficient by coefficient]
     for (int n = 0; n + 2 <= order; ++n) {
       const auto k = static_cast<std::size_t>(n);
       f_[k] = square(r_[0], k) + square(r_[1], k) + square(r_[2], k);
@@ -70,6 +71,7 @@ class Expansion {
         r_[i][k + 2] = true_division_ ? T(gravity_.mu * sum / divisor) : T(gravity_.mu / divisor * sum);
       }
     }
+    // [coefficient by coefficient]
   }
 
   /// r_k, from the latest expand().

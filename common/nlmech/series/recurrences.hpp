@@ -8,7 +8,7 @@
 #include <cstddef>
 
 namespace nlmech::recurrence {
-
+// [product and quotient]
 /// Coefficient k of a b: the sum of a_i b_{k-i} (Cauchy's product).
 template <class T>
 [[nodiscard]] T product(const T* a, const T* b, std::size_t k) {
@@ -23,7 +23,7 @@ template <class T>
   for (std::size_t i = 1; i <= k; ++i) a_k -= b[i] * r[k - i];
   return a_k / b[0];
 }
-
+// [product and quotient]
 /// Coefficient k of the root of a, for a_0 != 0, from a = r r.
 template <class T>
 [[nodiscard]] T root(const T* a, const T* r, std::size_t k) {

@@ -124,7 +124,7 @@ bool GlobalCollocation::is_replaced(Index row) const {
 Index GlobalCollocation::row_of(const ReplacedRow& row) const {
   return row.component * nodes_ + (row.at_end ? nodes_ - 1 : 0);
 }
-
+// [collocation and conditions]
 void GlobalCollocation::residual(const VectorXd& x, VectorXd& f) {
   VectorXd at(n_), slope(n_);
   const auto values = x.reshaped(nodes_, n_);
@@ -137,7 +137,7 @@ void GlobalCollocation::residual(const VectorXd& x, VectorXd& f) {
   const VectorXd r = condition_residuals(x);
   for (const ReplacedRow& row : method_.rows) f[row_of(row)] = r[row.condition];
 }
-
+// [collocation and conditions]
 void GlobalCollocation::linearise(const VectorXd& x) {
   matrix_ = MatrixXd::Zero(size(), size());
   MatrixXd by_state(n_, n_), none(n_, 0);

@@ -67,6 +67,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     const double inside = segment_(t + h);
     predict();
     prepare();
+    // [hermitian residual]
     const auto residual = [&](const State<n>& x, State<n>& r) {
       static_cast<void>(system_.second_derivative(inside, x, f1_, g1_, fx_, gx_));
       statistics.right_hand_sides += 2;
@@ -74,6 +75,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
       positions(r) -= (h_ * h_) * (step_.qa1 * velocities(f1_) + (h_ * step_.qj1) * velocities(g1_));
       velocities(r) -= h_ * (step_.va1 * velocities(f1_) + (h_ * step_.vj1) * velocities(g1_));
     };
+    // [hermitian residual]
     const auto derivative = [&](const State<n>& /*x*/, Jacobian<n>& matrix) { assemble(matrix); };
     algebraic::Newton newton = newton_;
     // Rounding of f and g reaches velocities as eps |x| / h, however stiff f is, times at most some tens.
