@@ -135,6 +135,11 @@ void Options::limit(double& seconds) {
   add("--limit", seconds, "wall time at most, s").positive();
 }
 
+void Options::limit(std::optional<double>& seconds, const std::string& otherwise) {
+  heeds_limit_ = true;
+  add("--limit", seconds, "wall time at most, s; without it " + otherwise).positive();
+}
+
 Options& Commands::add(const std::string& name, const std::string& help, std::function<Answer()> work) {
   return all_.emplace_back(Command{name, help, std::move(work), {}}).options;
 }

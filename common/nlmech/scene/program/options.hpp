@@ -83,6 +83,8 @@ class Options {
   }
   /// `--limit`, the wall time in seconds, for a command that heeds it by itself; all others are given one.
   void limit(double& seconds);
+  /// The same, and without it as @p otherwise says; the command is then given as long as it takes.
+  void limit(std::optional<double>& seconds, const std::string& otherwise);
   /// The command takes as long as it takes, unless the user gives a limit.
   void unlimited() { unlimited_ = true; }
   /// Words below the help.
