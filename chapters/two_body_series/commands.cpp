@@ -50,8 +50,6 @@ void check_rows(double until, double every) {
   if (std::abs(until) / every > 1e7) throw input_error("--every {}: more than 10 million rows", every);
 }
 
-constexpr double usual_limit = 60;  // seconds
-
 /// `propagate`
 struct Propagation {
   std::vector<double> position, velocity;
@@ -83,7 +81,7 @@ void declare_propagation(scene::Options& options, Propagation& p) {
       .range(1e-18, 0.1);
   options.add("--threads", p.threads, "of --states, how many; without it one a processor").range(1, 1024);
   options.add("--shard", p.shard, "of --states, i/n: the i-th of n disjoint parts, for merge");
-  options.limit(p.limit, fmt::format("{} for one orbit, and for --states as long as it takes", usual_limit));
+  options.limit(p.limit, "--states");
 }
 
 orbit::Gravity gravity_of(const Propagation& p) {
@@ -151,7 +149,7 @@ scene::Answer propagate(const Propagation& p) {
                  .time = *p.until,
                  .every = p.every,
                  .gravity = gravity_of(p),
-                 .seconds = p.limit.value_or(usual_limit)};
+                 .seconds = p.limit.value_or(scene::Options::usual_limit)};
   if (p.every) check_rows(*p.until, *p.every);
   check_method(p);
   r.tolerance = p.tolerance.value_or(r.tolerance);
