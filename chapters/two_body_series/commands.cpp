@@ -54,8 +54,7 @@ void check_rows(double until, double every) {
 struct Propagation {
   std::vector<double> position, velocity;
   std::optional<double> mu, until;
-  double limit = 60;
-  std::optional<double> every, radius, tolerance;
+  std::optional<double> every, radius, tolerance, limit;
   std::vector<double> zonal;
   std::string method = "series", states, shard;
   std::optional<int> threads;
@@ -82,7 +81,7 @@ void declare_propagation(scene::Options& options, Propagation& p) {
       .range(1e-18, 0.1);
   options.add("--threads", p.threads, "of --states, how many; without it one a processor").range(1, 1024);
   options.add("--shard", p.shard, "of --states, i/n: the i-th of n disjoint parts, for merge");
-  options.limit(p.limit);
+  options.limit(p.limit, "--states");
 }
 
 orbit::Gravity gravity_of(const Propagation& p) {
@@ -126,6 +125,7 @@ int propagate_all(const Propagation& p) {
   r.tolerance = p.tolerance.value_or(r.tolerance);
   r.threads = p.threads.value_or(0);
   r.shard = p.shard;
+  r.seconds = p.limit.value_or(r.seconds);
   if (p.until && p.every) check_rows(*p.until, *p.every);
   return print_orbits(r);
 }
@@ -145,8 +145,11 @@ scene::Answer propagate(const Propagation& p) {
   const orbit::State start{vector_of("--position", p.position), vector_of("--velocity", p.velocity)};
   refuse_centre(start);
   if (!p.until) throw InputError("--until T is needed");
-  OrbitRequest r{
-      .start = start, .time = *p.until, .every = p.every, .gravity = gravity_of(p), .seconds = p.limit};
+  OrbitRequest r{.start = start,
+                 .time = *p.until,
+                 .every = p.every,
+                 .gravity = gravity_of(p),
+                 .seconds = p.limit.value_or(scene::Options::usual_limit)};
   if (p.every) check_rows(*p.until, *p.every);
   check_method(p);
   r.tolerance = p.tolerance.value_or(r.tolerance);

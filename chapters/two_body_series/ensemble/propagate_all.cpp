@@ -15,14 +15,15 @@
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
 enum Column : std::size_t { x, y, z, vx, vy, vz, mu, until };
 
-/// Lines that are held in memory at a time.
-constexpr double most_lines = 1e5;
+/// Lines that are worked on and held in memory at a time, but for those of a single orbit.
+constexpr std::size_t most_lines = 16384;
 
 class OrbitCatalogue {
  public:
@@ -37,14 +38,14 @@ class OrbitCatalogue {
   }
 
   [[nodiscard]] int print() {
-    const double lines = request_.every ? catalogue_.rows() ? most_rows_ : most_lines / 64 : 1;
+    catalogue_.weigh_by([this](const std::vector<double>& row) { return 1 + lines_between(row); });
     scene::print_catalogue(
         catalogue_, {.shard = request_.shard,
                      .options = fmt::format("{} {} {} {} {:a} {} {}", request_.method, shown(request_.until),
                                             shown(request_.mu), shown(request_.every), request_.tolerance,
                                             fmt::join(request_.field.zonal, ","), request_.field.radius),
                      .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
-                     .portion = static_cast<std::size_t>(std::clamp(most_lines / lines, 1.0, 8192.0)),
+                     .portion = most_lines,
                      .work = [this](const scene::CatalogueRows& rows) {
                        return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
                      }});
@@ -64,18 +65,18 @@ class OrbitCatalogue {
       throw input_error("--{} {}: {} has a column {}", column, *option, catalogue_.name(), column);
   }
 
+  [[nodiscard]] double lines_between(const std::vector<double>& row) const {
+    return request_.every ? std::abs(request_.until.value_or(row[until])) / *request_.every : 0;
+  }
+
   /// Called while the catalogue is made, too: only what is before it in this class is there.
-  [[nodiscard]] std::string complaint(const std::vector<double>& row) {
+  [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
     if (row[x] == 0 && row[y] == 0 && row[z] == 0)
       return "x,y,z = 0,0,0 is the centre, where the attraction has no bound";
     if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
-    if (request_.every) {
-      const double lines = std::abs(row[until]) / *request_.every;
-      if (lines > 1e7)
-        return fmt::format("until = {:.17g}: more than 10 million rows at --every {}", row[until],
-                           *request_.every);
-      most_rows_ = std::max(most_rows_, lines);
-    }
+    if (lines_between(row) > 1e7)
+      return fmt::format("until = {:.17g}: more than 10 million rows at --every {}",
+                         request_.until.value_or(row[until]), *request_.every);
     return {};
   }
 
@@ -116,7 +117,8 @@ class OrbitCatalogue {
       };
     }
     const auto ends =
-        orbit::propagate_all(flights, {.tolerance = request_.tolerance, .threads = request_.threads}, inner);
+        orbit::propagate_all(flights, {.tolerance = request_.tolerance, .threads = request_.threads}, inner,
+                             {.seconds = std::max(0.0, request_.seconds - watch_.seconds())});
     for (std::size_t i = 0; i < ends.size(); ++i)
       note(rows.first + static_cast<std::int64_t>(i), ends[i].status);
     return scene::lines_in_threads(ends.size(), request_.threads, [&](std::size_t i, std::string& lines) {
@@ -130,6 +132,13 @@ class OrbitCatalogue {
     });
   }
 
+  [[nodiscard]] orbit::KeplerSolution moved(const orbit::Flight& f, double time) const {
+    if (watch_.seconds() > request_.seconds)
+      return {f.start, failed_with(Outcome::time_limit, "kepler: {} seconds were used up; allow more",
+                                   request_.seconds)};
+    return orbit::propagate_kepler(f.start, time, f.gravity.mu);
+  }
+
   [[nodiscard]] std::string by_kepler(const scene::CatalogueRows& rows) {
     std::vector<Status> statuses(rows.numbers.size());
     std::string text = scene::lines_in_threads(
@@ -137,8 +146,9 @@ class OrbitCatalogue {
           const orbit::Flight f = flight(rows.numbers[i]);
           const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
           const auto add = [&](double t) {
-            const auto there = orbit::propagate_kepler(f.start, t, f.gravity.mu);
-            if (!there.status.ok()) statuses[i] = there.status;
+            if (!statuses[i].ok()) return;
+            const auto there = moved(f, t);
+            statuses[i] = there.status;
             add_line(lines, rows.first + static_cast<std::int64_t>(i), there.status.ok() ? t : 0,
                      there.status.ok() ? there.state : f.start, rows.rest[i],
                      to_string(there.status.outcome()));
@@ -157,7 +167,7 @@ class OrbitCatalogue {
   }
 
   const CatalogueRequest& request_;
-  double most_rows_ = 1;
+  Stopwatch watch_;
   scene::Catalogue catalogue_;
   std::int64_t failed_ = 0, first_failed_ = 0;
   std::string first_sentence_;

@@ -2,6 +2,7 @@
 /// Orbits of a catalogue, propagated all: CSV to CSV.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,7 @@ struct CatalogueRequest {
   double tolerance = 1e-15;       ///< of a step, for series
   int threads = 0;                ///< 0: one a processor
   std::string shard;              ///< "i/n", or empty
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time; then orbits end as they are
 };
 
 /// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file, `...` its other columns. A row of

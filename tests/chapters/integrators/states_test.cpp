@@ -97,6 +97,22 @@ TEST(States, FailuresAreTheirOwn) {
   EXPECT_NEAR(std::stod(records[3].cells[2]), 0.5, 1e-7);  // 1/(4 - 2)
 }
 
+// What is not done in time says so in its row.
+TEST(States, LimitEndsWhatIsNotDone) {
+  const TemporaryFolder folder;
+  std::string text = "x\n";
+  for (int i = 0; i < 50; ++i) text += fmt::format("{}\n", i);
+  scene::write_whole(folder / "starts.csv", text);
+  const Finished f = integrators({"integrate", "--equation", "x' = -x", "--initial", "x=1", "--states",
+                                  "starts.csv", "--until", "2", "--method", "ode45", "--limit", "1e-9"},
+                                 folder.string());
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_NE(f.errors.find("50 of the runs failed; the first is row 1"), std::string::npos) << f.errors;
+  const auto records = scene::parse_csv(f.output, "output");
+  ASSERT_EQ(records.size(), 51U);
+  for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells.back(), "time_limit");
+}
+
 TEST(States, BadInputIsNamed) {
   const TemporaryFolder folder;
   scene::write_whole(folder / "bad.csv", "u,r\n1,2\n3,x\n");

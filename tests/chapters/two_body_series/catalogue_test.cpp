@@ -149,6 +149,20 @@ TEST_F(StatesCommand, FailuresAreTheirOwn) {
   EXPECT_EQ(records[3].cells[8], "success");
 }
 
+// What is not done in time says so in its row; a minute is no bound for a catalogue.
+TEST_F(StatesCommand, LimitEndsWhatIsNotDone) {
+  write("orbits.csv", ellipses(2000));
+  for (const char* method : {"series", "kepler"}) {
+    const Finished f = run({"propagate", "--states", "orbits.csv", "--method", method, "--limit", "1e-9"});
+    EXPECT_EQ(f.exit_code, 1);
+    EXPECT_NE(f.errors.find("time_limit"), std::string::npos) << f.errors;
+    const auto records = scene::parse_csv(f.output, "output");
+    ASSERT_EQ(records.size(), 2001U);
+    for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells[9], "time_limit");
+  }
+  EXPECT_NE(output({"propagate", "--help"}).find("as long as it takes"), std::string::npos);
+}
+
 // Nothing is printed of a file with a mistake, wherever it stands.
 TEST_F(StatesCommand, BadInputIsNamed) {
   const std::string head = "x,y,z,vx,vy,vz,until\n", row = "1,0,0,0,1,0,5\n";

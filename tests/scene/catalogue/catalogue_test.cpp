@@ -41,6 +41,15 @@ TEST(Catalogue, RowsByName) {
   EXPECT_TRUE(catalogue.next(2, 99).line.empty());
 }
 
+// A portion ends with the row that makes it weigh enough, so that what is held at a time is bounded.
+TEST(Catalogue, PortionsAreWeighed) {
+  const tests::TemporaryFolder folder;
+  write_whole(folder.path() / "a.csv", "a\n3\n4\n9\n1\n1\n");
+  Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {}, {});
+  catalogue.weigh_by([](const std::vector<double>& row) { return row[0]; });
+  for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next(5, 99).line.size(), rows);
+}
+
 // Lines across the portions in which a file is read, and the digest of what they say.
 TEST(Catalogue, LongFiles) {
   const TemporaryFolder folder;

@@ -11,6 +11,7 @@
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 namespace {
@@ -109,6 +110,8 @@ class Runner {
     try {
       const auto problem = problem_of(numbers);
       Request request = runs_.request(*problem);
+      request.limits.seconds =
+          std::min(request.limits.seconds, std::max(0.0, runs_.seconds - watch_.seconds()));
       for (std::size_t k = 0; k < states_.size(); ++k) {
         if (!std::isnan(numbers[k])) request.x0[k] = numbers[k];
       }
@@ -132,6 +135,7 @@ class Runner {
   }
 
   const CatalogueRuns& runs_;
+  Stopwatch watch_;
   std::unique_ptr<OwnProblem> base_;
   Request request_;
   std::vector<std::string> states_, parameters_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@ struct CatalogueRuns {
   std::string shard;    ///< "i/n", or empty
   std::string typed;    ///< what else the rows depend on, for merge
   int threads = 0;      ///< 0: one a processor
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time of all; each has its own limit
   /// The problem with these parameters. @throws InputError if they cannot be meant
   std::function<std::unique_ptr<OwnProblem>(const Values&)> problem;
   /// What is asked of it; the initial state is that of a row without columns.

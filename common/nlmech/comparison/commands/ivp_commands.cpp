@@ -32,7 +32,7 @@ struct Words {
   double until = 0;
   std::optional<double> from, every;
   ivp::Settings settings;
-  ivp::Limits limits{.seconds = 60};
+  std::optional<double> limit;
   std::vector<std::string> set, events;
   std::string section, states, shard;
   std::optional<int> threads;
@@ -104,7 +104,7 @@ Request understand(const Words& words, const OwnProblem& problem) {
             .t1 = words.until,
             .settings = words.settings,
             .every = words.every,
-            .limits = words.limits,
+            .limits = {.seconds = words.limit.value_or(scene::Options::usual_limit)},
             .verify = !words.settings.step && !words.no_verify};
   if (r.settings.step && r.settings.tolerance)
     throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
@@ -138,6 +138,7 @@ int integrate_all(const Words& words, const OwnProblems& problems, const std::st
   runs.file = words.states;
   runs.shard = words.shard;
   runs.threads = words.threads.value_or(0);
+  runs.seconds = words.limit.value_or(runs.seconds);
   runs.problem = [&](const CatalogueRuns::Values& values) {
     return problem_of(words, problems, equations, values);
   };
@@ -231,7 +232,8 @@ void declare_problem(scene::Options& options, Words& words) {
   options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
 }
 
-void declare_common(scene::Options& options, Words& words) {
+/// @param many the option of integrate with which it may take as long as it takes
+void declare_common(scene::Options& options, Words& words, const std::string& many = {}) {
   declare_problem(options, words);
   ivp::Settings& s = words.settings;
   options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
@@ -244,7 +246,7 @@ void declare_common(scene::Options& options, Words& words) {
       .add("--absolute-tolerance", s.absolute_tolerance,
            "for components that become small; --tolerance without it. Not for fixed steps")
       .positive();
-  options.limit(words.limits.seconds);
+  options.limit(words.limit, many);
 }
 
 /// What some methods have and others have not: options for those that at least one of @p methods has.
@@ -287,7 +289,7 @@ int merge(const Parts& parts) {
 void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
                            const std::string& method) {
   const auto declare = [&](scene::Options& options, Words& words) {
-    declare_common(options, words);
+    declare_common(options, words, "--states");
     words.method = method;
     options.add(
         "--method", words.method,

@@ -67,14 +67,19 @@ struct EnsembleTaylor {
       finish<2>(V::all(0), V::all(0));
       finish<3>(first[2] * sigma[1], second[2] * sigma[1]);
     } else {
-      V a0 = first[2] * sigma[n - 2], a1 = first[3] * sigma[n - 2];
-      V b0 = second[2] * sigma[n - 2], b1 = second[3] * sigma[n - 2];
-#pragma GCC unroll 40
+      V f = first[3], g = second[3];
+      V a0 = first[2] * sigma[n - 2], a1 = f * sigma[n - 2];
+      V b0 = second[2] * sigma[n - 2], b1 = g * sigma[n - 2];
+      // A loop of a few terms, which hands on what it has read: unrolled, the code of the higher orders is
+      // more than the first level of the cache of instructions holds, and a step takes twice as long.
+#pragma GCC unroll 2
       for (int m = 3; m < n; ++m) {
-        a0 = multiply_add(first[m], sigma[n - m], a0);
-        b0 = multiply_add(second[m], sigma[n - m], b0);
-        a1 = multiply_add(first[m + 1], sigma[n - m], a1);
-        b1 = multiply_add(second[m + 1], sigma[n - m], b1);
+        a0 = multiply_add(f, sigma[n - m], a0);
+        b0 = multiply_add(g, sigma[n - m], b0);
+        f = first[m + 1];
+        g = second[m + 1];
+        a1 = multiply_add(f, sigma[n - m], a1);
+        b1 = multiply_add(g, sigma[n - m], b1);
       }
       a1 = multiply_add(first[2], sigma[n - 1], a1);
       b1 = multiply_add(second[2], sigma[n - 1], b1);

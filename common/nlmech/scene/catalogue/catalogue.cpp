@@ -183,9 +183,11 @@ CatalogueRows Catalogue::next(std::size_t most, std::int64_t last) {
   CatalogueRows rows;
   rows.first = next_row_;
   Line line;
-  while (rows.line.size() < most && next_row_ <= last && read_row(line)) {
+  double sum = 0;
+  while (sum < static_cast<double>(most) && next_row_ <= last && read_row(line)) {
     understand(line, rows.numbers.emplace_back(), rows.rest.emplace_back());
     rows.line.push_back(line.number);
+    sum += weight_ ? weight_(rows.numbers.back()) : 1;
     ++next_row_;
   }
   return rows;

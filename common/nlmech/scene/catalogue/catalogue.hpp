@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace nlmech::scene {
@@ -25,6 +26,9 @@ struct CatalogueRows {
 
 /// What is wrong with the numbers of a row, as "x,y,z = 0,0,0: is the centre"; empty if nothing is.
 using RowCheck = std::function<std::string(const std::vector<double>& numbers)>;
+
+/// What a row counts for in a portion, as the lines that its output has.
+using RowWeight = std::function<double(const std::vector<double>& numbers)>;
 
 /// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
 /// in any order, and the others are handed on. Blank lines and lines that begin with '#' are skipped.
@@ -51,7 +55,10 @@ class Catalogue {
   /// A number made of all lines.
   [[nodiscard]] std::uint64_t digest() const { return digest_; }
 
-  /// The next rows up to number @p last, at most @p most; none at the end. @throws InputError as above
+  /// Rows are counted by their weight from now on, not by their number.
+  void weigh_by(RowWeight weight) { weight_ = std::move(weight); }
+  /// The next rows up to number @p last, until they count for @p most or more; none at the end.
+  /// @throws InputError as above
   [[nodiscard]] CatalogueRows next(std::size_t most, std::int64_t last);
   /// Leaves out rows up to number @p row. @throws InputError as above
   void skip_to(std::int64_t row);
@@ -73,6 +80,7 @@ class Catalogue {
   std::vector<std::string> known_;
   std::size_t required_;
   RowCheck check_;
+  RowWeight weight_;
   std::vector<int> column_;  ///< of the file, to which of known_ it belongs, or -1
   std::vector<std::string> names_;
   std::string rest_names_;

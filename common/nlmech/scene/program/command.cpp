@@ -23,7 +23,7 @@ namespace nlmech::scene {
 namespace {
 
 constexpr int failed = 1, wrong_usage = 2;
-constexpr const char *limit_name = "--limit", *usual_limit = "60";
+constexpr const char* limit_name = "--limit";
 
 /// Seconds beyond the limit for commands that heed it by themselves.
 constexpr double usual_grace = 0.5;
@@ -76,7 +76,7 @@ void Parsed::add_limit() {
   CLI::Option* const limit = app->add_option(limit_name, limit_text, help);
   limit->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   limit->type_name("NUMBER");
-  if (!unlimited) limit->default_str(usual_limit);
+  if (!unlimited) limit->default_str(fmt::format("{}", Options::usual_limit));
 }
 
 void Parsed::understand() const {
@@ -94,7 +94,11 @@ void Parsed::understand() const {
 
 TimeLimit::Command Parsed::watched(const std::string& program) const {
   const CLI::Option* const limit = app->get_option(limit_name);
-  const std::string text = limit->count() > 0 ? limit->results().back() : limit->get_default_str();
+  const std::string& lifted_by = command->options.lifted_by();
+  std::string text = limit->count() > 0 ? limit->results().back() : limit->get_default_str();
+  const bool lifted =
+      command->options.is_unlimited() || (!lifted_by.empty() && app->get_option(lifted_by)->count() > 0);
+  if (text.empty() && !lifted) text = fmt::format("{}", Options::usual_limit);
   TimeLimit::Command watched{program, command->name, {}, command->options.heeds_limit() ? usual_grace : 0};
   if (!text.empty()) watched.seconds = typed_positive(limit_name, text);
   return watched;

@@ -135,6 +135,16 @@ void Options::limit(double& seconds) {
   add("--limit", seconds, "wall time at most, s").positive();
 }
 
+void Options::limit(std::optional<double>& seconds, const std::string& lifted_by) {
+  heeds_limit_ = true;
+  lifted_by_ = lifted_by;
+  add("--limit", seconds,
+      lifted_by.empty() ? fmt::format("wall time at most, s; {} without it", usual_limit)
+                        : fmt::format("wall time at most, s; without it {}, and with {} as long as it takes",
+                                      usual_limit, lifted_by))
+      .positive();
+}
+
 Options& Commands::add(const std::string& name, const std::string& help, std::function<Answer()> work) {
   return all_.emplace_back(Command{name, help, std::move(work), {}}).options;
 }

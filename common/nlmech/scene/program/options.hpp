@@ -83,6 +83,10 @@ class Options {
   }
   /// `--limit`, the wall time in seconds, for a command that heeds it by itself; all others are given one.
   void limit(double& seconds);
+  /// The same; without it usual_limit, but as long as it takes if the option @p lifted_by, of many tasks, is
+  /// given. Empty: none does.
+  void limit(std::optional<double>& seconds, const std::string& lifted_by);
+  static constexpr double usual_limit = 60;  ///< wall time of a command, s, if nothing is said
   /// The command takes as long as it takes, unless the user gives a limit.
   void unlimited() { unlimited_ = true; }
   /// Words below the help.
@@ -90,14 +94,15 @@ class Options {
 
   /// All of them.
   [[nodiscard]] const std::deque<Option>& all() const { return all_; }
-  [[nodiscard]] bool heeds_limit() const { return heeds_limit_; }      ///< limit()
-  [[nodiscard]] bool is_unlimited() const { return unlimited_; }       ///< unlimited()
-  [[nodiscard]] const std::string& footer() const { return footer_; }  ///< footer()
+  [[nodiscard]] bool heeds_limit() const { return heeds_limit_; }            ///< limit()
+  [[nodiscard]] const std::string& lifted_by() const { return lifted_by_; }  ///< limit(); empty: nothing
+  [[nodiscard]] bool is_unlimited() const { return unlimited_; }             ///< unlimited()
+  [[nodiscard]] const std::string& footer() const { return footer_; }        ///< footer()
 
  private:
   std::deque<Option> all_;  // references to its elements hold
   bool heeds_limit_ = false, unlimited_ = false;
-  std::string footer_;
+  std::string footer_, lifted_by_;
 };
 
 /// How a command ends, if it throws nothing: with an exit code, or with a result that is printed.
