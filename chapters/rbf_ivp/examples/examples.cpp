@@ -24,6 +24,14 @@ std::vector<std::string> methods_of(const std::string& setting, bool with_ode45)
   return all;
 }
 
+/// The two settings of each method one after the other.
+std::vector<std::string> both_settings(bool with_ode45) {
+  const std::vector<std::string> first = methods_of("1", with_ode45), second = methods_of("2", with_ode45);
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < first.size(); ++i) all.insert(all.end(), {first[i], second[i]});
+  return all;
+}
+
 /// Velocities of the three masses: RMS error of v1.
 Expected velocity(double value) {
   return about(value, 1e-4, "tools/oracles/rbf_ivp_methods.py, five digits");
@@ -43,6 +51,7 @@ Scenes histories_of_rows(const Example<2>& example, int number) {
 
 void add_free_duffing(Scenes& scenes) {
   const Example<2> example = free_duffing_rows();
+  scenes.push_back(histories(example, "histories-duffing", both_settings(true)));
   std::ranges::move(histories_of_rows(example, 2), std::back_inserter(scenes));
   scenes.push_back(comparison(example, {16, 0, "x(t)", methods_of("1", true)}));
   scenes.push_back(result_table(example));
@@ -50,6 +59,7 @@ void add_free_duffing(Scenes& scenes) {
 
 void add_impact(Scenes& scenes) {
   const Example<2> example = impact_rows();
+  scenes.push_back(histories(example, "histories-impact", both_settings(false)));
   std::ranges::move(histories_of_rows(example, 17), std::back_inserter(scenes));
   scenes.push_back(comparison(example, {29, 0, "x(t)", methods_of("1", false)}));
   scenes.push_back(result_table(example));
@@ -86,6 +96,7 @@ void put_response(const Record<6>& record, scene::Show& show) {
 
 void add_three_masses(Scenes& scenes) {
   const Example<6> example = three_mass_rows();
+  scenes.push_back(histories(example, "histories-three-masses", both_settings(false)));
   scenes.push_back({.name = "fig-4.31",
                     .title = "Three masses: the three positions in time by ode45",
                     .place = "Figure 4.31",

@@ -179,6 +179,51 @@ void put(const Case<n>& c, const Row<n>& row, const History& figure, const Recor
     figure.velocity.check("RMS velocity error", rms_error(nominal, n / 2, row.reading.points), show);
 }
 
+/// The greatest error of a position within each part of the way.
+template <int n>
+std::vector<TimeError> position_errors(const Record<n>& record, const Case<n>& c) {
+  return errors_of(record, c, Points::all, [&c](const ivp::State<n>& e) {
+    return (e.template head<n / 2>().cwiseAbs().array() / c.amplitude.template head<n / 2>().array())
+        .maxCoeff();
+  });
+}
+
+/// A panel a run, the two settings of a method side by side, all with the same axes.
+template <int n>
+void put_all(const Example<n>& example, const std::vector<std::string>& methods,
+             const std::vector<const Record<n>*>& records, scene::Show& show) {
+  const Case<n>& c = example.made();
+  constexpr double small = 1e-6, least = 1e-11, greatest_shown = 100;
+  std::vector<std::vector<TimeError>> errors;
+  for (const Record<n>* record : records) errors.push_back(position_errors(*record, c));
+  const auto kept = std::ranges::count_if(errors, [](const auto& run) { return greatest(run) < small; });
+  scene::Plot& plot = show.plots(
+      fmt::format("{}: {} of {} runs keep the error below 1e-6", example.title, kept, records.size()));
+  const int rows = static_cast<int>(records.size()) / 2, top = 56, foot = 70, height = 92, gap = 24;
+  const int whole = top + rows * (height + gap) + foot - gap;
+  plot.size(760, whole).columns({"panel", "curve", "t_s", "error"});
+  for (int i = 0; const std::vector<TimeError>& run : errors) {
+    const int row = i / 2, column = i % 2;
+    const double above = 1 - double(top + row * (height + gap)) / whole;
+    const bool last = row + 1 == rows;
+    scene::Panel& panel = plot.panel(last ? "{/:Italic t} (s)" : "", column == 0 ? "error" : "");
+    const Reading& reading = example.row(methods.at(static_cast<std::size_t>(i))).reading;
+    panel.place(0.115 + 0.455 * column, 0.525 + 0.455 * column, above - double(height) / whole, above)
+        .caption(fmt::format("{} ({})", reading.method, reading.setting))
+        .x_range(c.t0, c.t1)
+        .log_y(least, greatest_shown)
+        .set("ytics 1e-10, 1e5")
+        .set(column == 0 ? "format y power_of_ten" : "format y ''");
+    if (!last) panel.set("format x ''");
+    panel.curve("", run, &TimeError::t, &TimeError::error, {"lines linewidth 1.4", 1});
+    if (reading.nominal)
+      reading.nominal->check("RMS error of " + reading.method,
+                             example.row(reading.method).nominal_error(*records[static_cast<std::size_t>(i)]),
+                             show);
+    ++i;
+  }
+}
+
 }  // namespace
 
 template <int n>
@@ -195,8 +240,23 @@ scene::Scene history(const Example<n>& example, const History& figure) {
           .content = scene::Content(show, row.nominal, row.inferred)};
 }
 
+template <int n>
+scene::Scene histories(const Example<n>& example, const std::string& name,
+                       const std::vector<std::string>& methods) {
+  std::vector<scene::Result<Record<n>>> results;
+  for (const std::string& method : methods) results.push_back(example.row(method).nominal);
+  const auto show = [example, methods](const std::vector<const Record<n>*>& records, scene::Show& to) {
+    put_all(example, methods, records, to);
+  };
+  return {.name = name,
+          .title = example.title + ": position errors in time by all methods, on common axes",
+          .content = scene::Content(show, results)};
+}
+
 template scene::Scene history(const Example<2>&, const History&);
 template scene::Scene history(const Example<6>&, const History&);
+template scene::Scene histories(const Example<2>&, const std::string&, const std::vector<std::string>&);
+template scene::Scene histories(const Example<6>&, const std::string&, const std::vector<std::string>&);
 
 std::vector<TimeError> greatest_by_bin(const std::vector<TimeError>& errors, double begin, double end,
                                        int bins) {

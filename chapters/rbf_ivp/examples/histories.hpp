@@ -30,6 +30,13 @@ struct History {
 template <int n>
 [[nodiscard]] scene::Scene history(const Example<n>& example, const History& figure);
 
+/// The greatest position error in time of several runs, a panel each on common axes: methods whose settings
+/// follow each other stand side by side.
+/// @param methods of rows, two a line of panels
+template <int n>
+[[nodiscard]] scene::Scene histories(const Example<n>& example, const std::string& name,
+                                     const std::vector<std::string>& methods);
+
 /// A figure of solutions over the window that the runs of an example keep.
 struct Comparison {
   int figure;                        ///< 16: Figure 4.16
