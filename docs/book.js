@@ -91,6 +91,11 @@ function fit_formulas() {
       formula.style.fontSize = `${percent}%`;
     }
   }
+  const inline = [...document.querySelectorAll(".contents p .MathJax_SVG, .contents li .MathJax_SVG")]
+    .filter((formula) => !formula.closest(".MathJax_SVG_Display"));
+  inline.forEach((formula) => formula.classList.remove("long"));
+  const wide = inline.map((formula) => formula.getBoundingClientRect().width > formula.closest("p, li").clientWidth);
+  inline.forEach((formula, i) => formula.classList.toggle("long", wide[i]));
 }
 
 // The sidebar opens only the branch of the page shown; the chapters shall always be seen. Doxygen fills the

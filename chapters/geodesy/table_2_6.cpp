@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/geodesy/printed.hpp"
@@ -9,18 +11,28 @@
 namespace nlmech::chapters::geodesy::table_2_6 {
 namespace {
 
+/// Powers and indices of a polynomial as they are set, for readers: "37b^3 - 66b^2h0".
+std::string typeset(std::string text) {
+  for (const auto& [plain, set] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("^4", "⁴"),
+                                   std::pair("h0", "h₀"), std::pair("phi_", "φ_")}) {
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at))
+      text.replace(at, std::strlen(plain), set);
+  }
+  return text;
+}
+
 /// Derived and corrected tables are one and the same; tests/geodesy holds them to that.
 void put(const nlmech::geodesy::SeriesTable& derived, scene::Show& show) {
   using C = PrintedCoefficient;
   const auto agrees = [&](const C& c) { return row_of(c, derived) == c.by_height && c.remark.empty(); };
-  show.table(
-      printed_coefficients(),
-      {{"coefficient", &C::name},
-       {"belongs to", [](const C& c) { return (c.in_height ? "h_" : "phi_") + std::to_string(c.order); }},
-       {"printed", &C::printed},
-       {"derived", [&](const C& c) { return polynomial_text(row_of(c, derived)); }},
-       {"same", [&](const C& c) { return agrees(c) ? "yes" : "no"; }},
-       {"remark", &C::remark}});
+  show.table(printed_coefficients(),
+             {{"coefficient", &C::name},
+              {"belongs to",
+               [](const C& c) { return typeset((c.in_height ? "h_" : "phi_") + std::to_string(c.order)); }},
+              {"printed", [](const C& c) { return typeset(std::string(c.printed)); }},
+              {"derived", [&](const C& c) { return typeset(polynomial_text(row_of(c, derived))); }},
+              {"same", [&](const C& c) { return agrees(c) ? "yes" : "no"; }},
+              {"remark", &C::remark}});
   show.equals("printed coefficients that agree with the derivation",
               std::ranges::count_if(printed_coefficients(), agrees), 6,
               "C1, C2, C4, C5, C7, C10: the exact derivation of the library gives the same six");

@@ -38,7 +38,8 @@ MARK = re.compile(r"\$`[^`]*`\$|`[^`]*`|\{\{[^{}]*\}\}|\[@[^]]*\]|\]\([^()#@: ][
 QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?\}\}", re.ASCII)
 CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
 LIST_MARK = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
-MOST_ROWS = 16  # of a table that a chapter shows unfolded
+MOST_ROWS = 16  # of a published table or of errata that a chapter shows unfolded
+MOST_RUNS = 6  # of any other, for the conclusion shall stand below the picture
 LEAST_FIGURES = 3  # one after another that stand side by side
 WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
 WORKS_CITED = "@BOOK_WORKS_CITED@"  # stands for them until the whole page is read
@@ -235,7 +236,8 @@ class Page:
         self.book.shown.add(path)
         if is_table:
             rows = self.book.text(file).count("\n|") - 1  # without heading and rule
-            if self.source.startswith("chapters/") and rows > MOST_ROWS:
+            most = MOST_ROWS if file.name.startswith(("table-", "errata")) else MOST_RUNS
+            if self.source.startswith("chapters/") and rows > most:
                 return self.folded_table(caption, path, file, rows)
             before, after = '<div class="table-caption">', "</div>"
         else:

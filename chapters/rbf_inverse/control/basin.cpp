@@ -80,7 +80,7 @@ std::vector<Row> compute(bool quick) {
 }
 
 void draw(const std::vector<Row>& rows, scene::Show& show) {
-  scene::Plot& plot = show.plots("The basin shrinks with T, whatever the functions are");
+  scene::Plot& plot = show.plots("From T = 1 to T = 5 every method loses most of its basin");
   plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
   std::vector<bvp::DuffingCase> cases;
   for (const DuffingSubject& subject : duffing_subjects()) cases.push_back(subject.which);

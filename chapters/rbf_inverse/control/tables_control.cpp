@@ -23,15 +23,14 @@ struct Conditions {
 
 const std::vector<Conditions>& printed_conditions() {
   static const std::vector<Conditions> all = {
-      {DuffingCase::final_only, "x(tF)", "lambda(t0) = 0",
+      {DuffingCase::final_only, "x(T)", "λ(0) = 0",
        "for a free start and a cost that does not depend on it; never solved in the text"},
-      {DuffingCase::x1x1, "x1(t0), x1(tF)", "-lambda2(t0) = phi_x2, lambda2(tF) = phi_x2"},
-      {DuffingCase::x1x2, "x1(t0), x2(tF)", "-lambda2(t0) = phi_x2, lambda1(tF) = phi_x1"},
-      {DuffingCase::x2x1, "x2(t0), x1(tF)", "-lambda1(t0) = phi_x1, lambda2(tF) = phi_x2"},
-      {DuffingCase::x2x2, "x2(t0), x2(tF)", "-lambda1(t0) = phi_x1, lambda1(tF) = phi_x1",
-       "never solved in the text"},
-      {DuffingCase::free, "x(t0)", "not in the table", "lambda(tF) = phi_x: Eq. 5.23"},
-      {DuffingCase::fixed, "x(t0), x(tF)", "not in the table", "none: Eq. 5.26"}};
+      {DuffingCase::x1x1, "x₁(0), x₁(T)", "−λ₂(0) = φ_x₂, λ₂(T) = φ_x₂"},
+      {DuffingCase::x1x2, "x₁(0), x₂(T)", "−λ₂(0) = φ_x₂, λ₁(T) = φ_x₁"},
+      {DuffingCase::x2x1, "x₂(0), x₁(T)", "−λ₁(0) = φ_x₁, λ₂(T) = φ_x₂"},
+      {DuffingCase::x2x2, "x₂(0), x₂(T)", "−λ₁(0) = φ_x₁, λ₁(T) = φ_x₁", "never solved in the text"},
+      {DuffingCase::free, "x(0)", "not in the table", "λ(T) = φ_x: Eq. 5.23"},
+      {DuffingCase::fixed, "x(0), x(T)", "not in the table", "none: Eq. 5.26"}};
   return all;
 }
 
@@ -42,12 +41,13 @@ std::string Conditions::in_words() const {
   const auto add = [&](const auto& states, const char* time, const char* sign) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!text.empty()) text += ", ";
-      text += states[i] ? fmt::format("x{}({})", i + 1, time)
-                        : fmt::format("{}lambda{}({}) = phi_x{}", sign, i + 1, time, i + 1);
+      const char* index = i == 0 ? "₁" : "₂";
+      text += states[i] ? fmt::format("x{}({})", index, time)
+                        : fmt::format("{}λ{}({}) = φ_x{}", sign, index, time, index);
     }
   };
-  add(task.begin, "t0", "-");
-  add(task.end, "tF", "");
+  add(task.begin, "0", "−");
+  add(task.end, "T", "");
   return text;
 }
 
