@@ -120,6 +120,19 @@ class Pages(InAHouse):
                          '\\htmlonly[block]<details class="table"><summary>\\endhtmlonly \\anchor tables_geodesy_long *Cap* (30 rows) '
                          f"\\htmlonly[block]</summary>\\endhtmlonly \n\n| a |\n| --- |\n{rows}\n\\htmlonly[block]</details>\\endhtmlonly")
 
+    def test_a_published_table_may_be_longer_than_one_of_runs(self):
+        for name, rows, folded in (("runs", 6, False), ("runs", 7, True), ("table-4.2", 7, False), ("table-4.2", 17, True),
+                                   ("errata", 16, False)):
+            self.write(self.book.out / f"tables/geodesy/{name}.md", "| a |\n| --- |\n" + "| 1 |\n" * rows)
+            page = self.made(f"[Cap](../../tables/geodesy/{name}.md)")
+            self.assertEqual('<details class="table">' in page, folded, f"{name}: {rows} rows")
+
+    def test_code_is_looked_for_below_the_folder_that_doxygen_knows(self):
+        for path, given in (("common/nlmech/geodesy/a.hpp", "nlmech/geodesy/a.hpp"), ("examples/a.cpp", "examples/a.cpp"),
+                            ("chapters/common/a.cpp", "common/a.cpp")):
+            self.write(self.book.source / path, "")
+            self.expect_page(f"\\snippet {path} part", f"\\snippet {given} part")
+
     def test_a_number_at_the_begin_of_a_line_is_no_item_of_a_list(self):
         self.expect_page("is\n{{geodesy/fig-2.27: twelve | 5}}. So\n\n12. x", "is\n12\\. So\n\n12. x")
 

@@ -34,7 +34,7 @@ namespace nlmech::tests {
 }
 
 /// Are two lines the same but for the machine? One that ends with " ..." on the page goes on in the output.
-[[nodiscard]] inline bool same_line(std::string written, std::string printed) {
+[[nodiscard]] inline bool same_line(const std::string& written, std::string printed) {
   const bool goes_on = printed.ends_with(" ...");
   if (goes_on) printed.resize(printed.size() - 4);
   const Read w = read(written), p = read(printed);
