@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -92,11 +91,12 @@ void draw(const std::vector<Row>& rows, scene::Show& show) {
                                          : "off");
     const auto curve = [&](const std::string& name, const Solver& solver, auto count,
                            const scene::Look& look) {
+      std::vector<Row> own;
+      for (const Row& r : rows)
+        if (r.final_time == time && r.solver == &solver) own.push_back(r);
       panel.curve(
-          name, rows | std::views::filter([&](const Row& r) {
-                  return r.final_time == time && r.solver == &solver;
-                }),
-          &Row::place, [&](const Row& r) { return 100. * std::invoke(count, r) / r.guesses; }, look);
+          name, own, &Row::place, [&](const Row& r) { return 100. * std::invoke(count, r) / r.guesses; },
+          look);
     };
     for (const Solver& s : solvers()) curve(s.name, s, &Row::good, scene::linespoints(s.style));
     curve("spurious roots of the printed one", solvers().front(), &Row::spurious,
