@@ -138,9 +138,11 @@ double exact_level(double e) {
 }
 
 void put(const Study& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("How much load an imperfection costs");
+  scene::Plot& plot = show.plots(
+      "An imperfection a costs load like a^{1/2} where buckling has a side, like a^{2/3} where it has none");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
-  scene::Panel& paths = plot.panel("displacement of the foot, towards the brace / height", "load / critical load");
+  scene::Panel& paths =
+      plot.panel("displacement of the foot, towards the brace / height", "load / critical load");
   paths.key("off").x_range(-0.5, 0.6).y_range(0, 1.45);
   const double critical = all.series[0].critical;
   for (const Family& f : all.family) {
