@@ -26,12 +26,13 @@ Walked walk_lee() { return walk("lee", 4, {.until = 3, .turn = 0.06}); }
 void show_lee(const Walked& lee, scene::Show& show) {
   scene::Plot& plot = show.plots("Lee's frame: the load turns back, then its displacement");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
-  scene::Panel& path = plot.panel("displacement of the load, downwards", "load").key("top left");
+  scene::Panel& path =
+      plot.panel("displacement of the load, downwards, in the file's units", "load factor").key("top left");
   const auto down = lee.motion("load.y", -1);
   path.x_range(0, 100).y_range(-1.5, 4.4);
   path.curve("path from rest", lee.points(0), down, &FramePoint::load);
   put_forks(lee, down, path);
-  scene::Panel& shapes = plot.panel("x", "y").key("top left");
+  scene::Panel& shapes = plot.panel("x, in the file's units", "y, in the file's units").key("top left");
   shapes.x_range(-40, 264).y_range(-37, 250);
   put_rest(lee, shapes);
   const FramePoint high = lee.points(Kind::maximum).at(0), low = lee.points(Kind::minimum).at(0);
@@ -60,13 +61,13 @@ void show_arch(const Walked& arch, scene::Show& show) {
   scene::Plot& plot = show.plots("A shallow arch falls straight, or tilts on its way");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
-    scene::Panel& panel = plot.panel(label, "load").key(is_named ? "top left" : "off").y_range(0, 80);
+    scene::Panel& panel = plot.panel(label, "load factor").key(is_named ? "top left" : "off").y_range(0, 80);
     panel.curve("symmetric path", arch.points(0), x, &FramePoint::load, scene::lines(1));
     panel.curve("tilted to the left", arch.points(1), x, &FramePoint::load, scene::lines(2));
     panel.curve("tilted to the right", arch.points(2), x, &FramePoint::load, scene::lines(4));
     put_forks(arch, x, panel);
   };
-  put("displacement of the crown, downwards", arch.motion("crown.y", -1), true);
+  put("displacement of the crown, downwards, in the file's units", arch.motion("crown.y", -1), true);
   put("rotation of the crown, rad", arch.motion("crown.rotation"), false);
   const auto forks = arch.points(Kind::bifurcation);
   if (forks.size() != 2) throw Failure("shallow arch: other bifurcations than two");
@@ -85,6 +86,51 @@ void show_arch(const Walked& arch, scene::Show& show) {
                "both halves join the two bifurcations");
 }
 
+// -------------------------------------------------------------------------------------------- deep arch
+
+/// An arch by more and more elements.
+std::vector<Walked> walk_deep() {
+  std::vector<Walked> all;
+  for (const int elements : {2, 4, 8}) all.push_back(walk("deep-arch", elements, {.turn = 0.06}));
+  return all;
+}
+
+void show_deep(const std::vector<Walked>& all, scene::Show& show) {
+  const Walked& fine = all.back();
+  scene::Plot& plot = show.plots("A deep arch, pinned at one end alone, leans over and falls");
+  plot.size(960, 480).columns({"panel", "curve", "x", "y"});
+  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R^2/EI");
+  path.key("bottom right").x_range(0, 4.5).y_range(-2, 10);
+  const double radius = 100;
+  const auto down = fine.motion("crown.y", -1 / radius);
+  path.curve("path from rest", fine.points(0), down, &FramePoint::load);
+  put_forks(fine, down, path);
+  scene::Panel& shapes = plot.panel("x, in the file's units", "y, in the file's units").key("bottom left");
+  shapes.set("size ratio -1").x_range(-160, 160).y_range(-370, 30);
+  put_rest(fine, shapes);
+  const FramePoint high = fine.points(Kind::maximum).at(0);
+  put_shape(fine, high.x, "at the maximum", scene::lines(1), shapes);
+  put_shape(fine, fine.points(0).back().x, "at the end of the path", scene::lines(2), shapes);
+
+  std::vector<double> limits;
+  for (const Walked& w : all) limits.push_back(w.points(Kind::maximum).at(0).load);
+  const double second[] = {limits[1] + (limits[1] - limits[0]) / 3, limits[2] + (limits[2] - limits[1]) / 3},
+               extrapolated = second[1] + (second[1] - second[0]) / 15;
+  // oracle: homotopy_frames deep arch of 20 limit
+  show.near("limit load times R^2/EI, 20 elements", limits[0], 9.0734075563, 1e-9,
+            "tools/oracles/homotopy_frames.py, all its digits");
+  show.near("limit load times R^2/EI, extrapolated", extrapolated, 8.97294947594,
+            std::abs(extrapolated - second[1]),
+            "tables/frames/deck.csv, the elastica; what the last extrapolation changes");
+  struct Line {
+    int elements;
+    double limit;
+  };
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < limits.size(); ++i) lines.push_back({20 << i, limits[i]});
+  show.table(lines, {{"elements", &Line::elements}, {"limit load times R^2/EI", &Line::limit, 12}});
+}
+
 // ------------------------------------------------------------------------------------------- cantilever
 
 std::vector<Walked> walk_cantilever() {
@@ -95,7 +141,8 @@ std::vector<Walked> walk_cantilever() {
 }
 
 void show_cantilever(const std::vector<Walked>& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("A moment at its end rolls a cantilever up to a circle", "x", "y");
+  scene::Panel& panel =
+      show.plot("A moment at its end rolls a cantilever up to a circle", "x / length", "y / length");
   panel.set("size ratio -1").x_range(-0.5, 1.5).y_range(-0.1, 1.6).key("top right");
   put_rest(all[0], panel);
   const char* const names[] = {"one eighth of 2π {/:Italic EI}/{/:Italic l}", "a quarter", "half",
@@ -139,7 +186,8 @@ void show_column(const Walked& column, scene::Show& show) {
     loads.push_back(euler(0.25 * i));
   }
   path.curve("elastica", angles, loads, scene::points(3));
-  scene::Panel& shapes = plot.panel("x", "y").key("top left").x_range(-0.85, 0.75).y_range(-0.45, 1.06);
+  scene::Panel& shapes =
+      plot.panel("x / length", "y / length").key("top left").x_range(-0.85, 0.75).y_range(-0.45, 1.06);
   put_rest(column, shapes);
   double worst = 0;
   for (const int branch : {1, 2}) {
@@ -166,6 +214,10 @@ std::vector<scene::Scene> scenes() {
   const scene::Result arch("shallow-arch-paths",
                            "chapters/homotopy/frames/shallow-arch.toml, 16 elements a half, both branches",
                            walk_arch);
+  const scene::Result deep("deep-arch-paths",
+                           "chapters/homotopy/frames/deep-arch.toml, 20, 40 and 80 elements, extrapolated "
+                           "by powers of elements^-2",
+                           walk_deep);
   const scene::Result cantilever("cantilever-paths",
                                  "chapters/homotopy/frames/cantilever.toml, 100 elements, to five loads",
                                  walk_cantilever);
@@ -177,6 +229,9 @@ std::vector<scene::Scene> scenes() {
           {.name = "shallow-arch",
            .title = "A clamped shallow arch: limit points, bifurcations and the branch between them",
            .content = scene::Content(show_arch, arch)},
+          {.name = "deep-arch",
+           .title = "A deep arch clamped at one end and pinned at the other: limit load, extrapolated",
+           .content = scene::Content(show_deep, deep)},
           {.name = "cantilever",
            .title = "A cantilever rolled up by a moment",
            .content = scene::Content(show_cantilever, cantilever)},
