@@ -111,6 +111,8 @@ TEST(NamedFrames, RefuseWhatMakesNoFrame) {
   expect_refused(with([](M& m) { m.members[0].ei = -1; }), ModelPart::members, 0, "EI = -1");
   expect_refused(with([](M& m) { m.members[0].radius = 0.1; }), ModelPart::members, 0, "does not span");
   expect_refused(with([](M& m) { m.members[0].elements = 1 << 30; }), ModelPart::members, 0, "more than");
+  expect_refused(with([](M& m) { m.nodes[1].x = 4.9e-324, m.nodes[1].y = 0; }), ModelPart::members, 0,
+                 "cannot be told apart");
   expect_refused(with([](M& m) { m.supports[0].node = "x"; }), ModelPart::supports, 0, "no node x");
   expect_refused(with([](M& m) { m.loads[0].node = "left"; }), ModelPart::loads, 0, "left.y, which is held");
 }

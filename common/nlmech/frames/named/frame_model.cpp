@@ -111,7 +111,14 @@ void add_member(const NamedMember& m, std::size_t index, int first, int second, 
   const Node a = parts.nodes[static_cast<std::size_t>(first)],
              b = parts.nodes[static_cast<std::size_t>(second)];
   int before = first;
-  for (const Node& place : inner_places(m, a, b, elements)) {
+  const std::vector<Node> places = inner_places(m, a, b, elements);
+  for (std::size_t i = 0; i <= places.size(); ++i) {
+    const Node &from = i == 0 ? a : places[i - 1], &to = i == places.size() ? b : places[i];
+    if (!(std::hypot(to.x - from.x, to.y - from.y) > 0))
+      throw refusal(ModelPart::members, index, "{}: {} elements cannot be told apart where it stands",
+                    called(m), elements);
+  }
+  for (const Node& place : places) {
     parts.nodes.push_back(place);
     const int next = static_cast<int>(parts.nodes.size()) - 1;
     parts.members.push_back({before, next, m.ea, m.ei, before == first && m.is_first_pinned, false});
