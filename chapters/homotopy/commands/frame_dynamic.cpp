@@ -18,6 +18,7 @@ namespace {
 using frames::LoadHistory;
 
 constexpr double most_imbalance = 0.01;
+constexpr std::size_t most_rows = 1'000'000;
 
 /// Those that ask for no derivative of the frame's forces beyond the tangent.
 constexpr std::array methods = {
@@ -86,13 +87,17 @@ void declare_dynamic(scene::Options& options, DynamicWords& words) {
 FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words) {
   if (!words.time) throw InputError("--dynamic needs a --time at which it ends");
   const LoadHistory history = history_of(words);
-  if (words.every && *words.time / *words.every > 1e6)
-    throw InputError(fmt::format("--every {}: more than a million rows", *words.every));
+  if (words.every && *words.time / *words.every > static_cast<double>(most_rows))
+    throw InputError(fmt::format("--every {}: more than {} rows", *words.every, most_rows));
   try {
     const frames::FrameMotion motion(frame, history);
     const ivp::System<Eigen::Dynamic> system(motion);
-    const auto integrate =
-        ivp::named_integrator<Eigen::Dynamic>(words.method, settings_of(words, motion, *words.time));
+    const ivp::Settings settings = settings_of(words, motion, *words.time);
+    if (!words.every && settings.step && *words.time / *settings.step > static_cast<double>(most_rows))
+      throw InputError(
+          fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
+                      *words.time / *settings.step, most_rows));
+    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(words.method, settings);
     frames::FrameEnergies energies(motion);
     FrameRun run;
     run.moments.push_back(moment_of(motion, 0, motion.rest(), energies));
@@ -102,6 +107,11 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
       const bool is_last = step.t1 == *words.time;
       // A row between is that of the first step that ends there or later.
       if (step.t1 < next && !is_last) return true;
+      if (run.moments.size() > most_rows)
+        throw InputError(
+            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
+                        "say --every",
+                        most_rows, step.t1));
       run.moments.push_back(moment_of(motion, step.t1, step.x1, energies));
       if (words.every) next = (std::floor(step.t1 / *words.every) + 1) * *words.every;
       return true;

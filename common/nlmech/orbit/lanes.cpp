@@ -73,6 +73,8 @@ void Lanes::choose_units(int i) {
   const double mu = std::ldexp(lane.mu, 2 * lane.time - 3 * lane.length);
   int time = (3 * length - std::ilogb(mu)) / 2;
   if (v > 0) time = std::min(time, length - std::ilogb(v));
+  // What remains must stay a number, so that a flight that cannot go on knows its time.
+  time = std::max(time, std::ilogb(lane.until) - 1000 - lane.time);
   for (int k = 0; k < 3; ++k) {
     for (kernels::Row* rows : {block_.position, block_.position_low}) scale(rows[k], i, -length);
     for (kernels::Row* rows : {block_.velocity, block_.velocity_low}) scale(rows[k], i, time - length);
