@@ -198,6 +198,16 @@ TEST(Ensemble, FailuresAreTheirOwn) {
   EXPECT_TRUE(propagate_all({}).empty());
 }
 
+// In its own units the end is beyond the range of doubles.
+TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
+  const std::vector<Flight> flights = {{{{1e-300, 0, 0}, {0, 1, 0}}, 86400, {}},
+                                       {{{1, 0, 0}, {1e200, 0, 0}}, 1e300, {}}};
+  for (const Solution& end : propagate_all(flights)) {
+    EXPECT_FALSE(end.status.ok());
+    EXPECT_EQ(end.t, 0) << end.status.text();
+  }
+}
+
 TEST(Ensemble, ZonalFlightsAreThoseOfOne) {
   const Flight f{low_orbit, 86400, earth(6)};
   const Solution a = propagate_all(std::span(&f, 1))[0], b = propagate(f.start, 0, f.until, f.gravity);

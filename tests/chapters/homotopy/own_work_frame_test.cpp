@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -185,6 +186,56 @@ TEST(OwnFrame, WrongFilesAreNamedWithTheirLine) {
   expect(with(beam, "[loads]", "[load]"), {"line 10", "no such key"});
   expect("[nodes\n", {"line 1", "column"});
   expect("a." + std::string(5000, '.'), {"dots"});
+}
+
+TEST(OwnFrame, CasesDisplacementsAndMotionsInTimeAreNamedWhereTheyAreWrong) {
+  const auto expect = [](const std::string& file, const std::vector<std::string>& words,
+                         const std::vector<std::string>& named) {
+    const Finished f = frame(file, words);
+    EXPECT_EQ(f.exit_code, 2) << f.errors;
+    EXPECT_TRUE(f.output.empty()) << f.output;
+    for (const std::string& word : named)
+      EXPECT_NE(f.errors.find(word), std::string::npos) << f.errors << " lacks " << word;
+  };
+  const std::string cases = shipped("cases"), toggle = shipped("toggle");
+  expect(cases, {}, {"[loads]", "--case", "lift, twist, weight"});
+  expect(cases, {"--case", "nothing"}, {"no case nothing", "lift, twist, weight"});
+  expect(toggle, {"--case", "weight"}, {"no case weight"});
+  expect(written(std::string(beam) + "[displacements]\nZ = { y = 1 }\n"), {}, {"line 13", "no node Z"});
+  expect(written(std::string(beam) + "[displacements]\nA = { y = 1 }\n"), {}, {"line 13", "held"});
+  expect(written(std::string(beam) + "[imperfection]\nmode = 0\namplitude = 1\n"), {}, {"line 13", "mode"});
+  expect(written(std::string(beam) + "[damping]\nmass = -1\n"), {"--dynamic", "--time", "1"},
+         {"line 12", "damping = -1"});
+  expect(toggle, {"--dynamic"}, {"--time"});
+  expect(shipped("lee"), {"--dynamic", "--time", "1"}, {"line 11", "mass"});
+  expect(toggle, {"--dynamic", "--time", "1", "--history", "ramp"}, {"--duration"});
+  expect(toggle, {"--dynamic", "--time", "1", "--duration", "1"}, {"--duration", "step"});
+  expect(toggle, {"--dynamic", "--time", "1", "--step", "1e-3", "--tolerance", "1e-6"}, {"one of both"});
+  expect(toggle, {"--dynamic", "--time", "1", "--step", "1e-7"}, {"--every", "1000000"});
+  expect(toggle, {"--dynamic", "--time", "1", "--every", "1e-7"}, {"--every", "1000000"});
+}
+
+TEST(OwnFrame, EnergiesOfAMotionBalance) {
+  const Finished f = frame(shipped("toggle"), {"--dynamic", "--factor", "30", "--time", "0.2"});
+  ASSERT_EQ(f.exit_code, 0) << f.errors;
+  const Rows rows = scene::parse_csv(f.output, "output");
+  const std::size_t kinetic = column(rows, "kinetic_energy"), strain = column(rows, "strain_energy"),
+                    work = column(rows, "work");
+  double greatest = 0, worst = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double done = number(rows[i].cells[work]);
+    greatest = std::max(greatest, std::abs(done));
+    worst = std::max(worst, std::abs(number(rows[i].cells[kinetic]) + number(rows[i].cells[strain]) - done));
+  }
+  // Beyond a hundredth the command itself says failure.
+  // period.
+  EXPECT_GT(greatest, 1);
+  EXPECT_LE(worst, 1e-2 * greatest);
+  // Steps far too long for it: no success.
+  const Finished blown =
+      frame(shipped("toggle"), {"--dynamic", "--time", "0.2", "--method", "explicit", "--step", "0.1"});
+  EXPECT_EQ(blown.exit_code, 1);
+  EXPECT_NE(blown.errors.find("of the greatest energy"), std::string::npos) << blown.errors;
 }
 
 TEST(OwnFrame, DrawsThePaths) {
