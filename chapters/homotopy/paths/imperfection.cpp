@@ -4,6 +4,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -186,13 +187,14 @@ void put(const Study& all, scene::Show& show) {
     std::string name;
     double critical;
     Loss loss;
-    double power;
+    std::optional<double> power;
   };
   std::vector<Line> lines;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const Series& s = all.series[i];
     for (std::size_t k = 0; k < s.losses.size(); ++k)
-      lines.push_back({subjects[i].name, s.critical, s.losses[k], k > 0 ? s.power(k - 1) : NAN});
+      lines.push_back(
+          {subjects[i].name, s.critical, s.losses[k], k > 0 ? std::optional(s.power(k - 1)) : std::nullopt});
   }
   show.table(lines, {{"frame", &Line::name},
                      {"critical load", &Line::critical, 10},

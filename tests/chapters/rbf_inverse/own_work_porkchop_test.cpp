@@ -1,6 +1,5 @@
 /// `rbf_inverse porkchop` and `merge` as a user types them, and as a scheduler or GNU parallel does.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/process.hpp"
+#include "tests/chapters/program_in_folder.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::own_work_porkchop_test {
@@ -22,43 +22,14 @@ const std::string program = NLMECH_BINARY_DIR "/bin/rbf_inverse";
 /// The file of the chapter's page.
 const std::string orbits = NLMECH_SOURCE_DIR "/chapters/rbf_inverse/earth-mars.toml";
 
-/// A folder of its own for each test.
-class PorkchopCommand : public testing::Test {
+class PorkchopCommand : public tests::ProgramInFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              (std::string("nlmech-porkchop-") +
-               testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Finished run(const std::vector<std::string>& words) const {
-    std::vector<std::string> arguments = {program};
-    arguments.insert(arguments.end(), words.begin(), words.end());
-    return scene::run_program(arguments, folder_);
-  }
-  [[nodiscard]] std::string output(const std::vector<std::string>& words) const {
-    const Finished f = run(words);
-    EXPECT_EQ(f.exit_code, 0) << f.errors;
-    return f.output;
-  }
-  void write(const std::string& name, const std::string& text) const {
-    scene::write_whole(folder_ / name, text);
-  }
-  void refused(const std::vector<std::string>& words, const std::vector<std::string>& named) const {
-    const Finished f = run(words);
-    EXPECT_EQ(f.exit_code, 2) << f.errors;
-    EXPECT_TRUE(f.output.empty());
-    for (const std::string& part : named)
-      EXPECT_NE(f.errors.find(part), std::string::npos) << part << "\n" << f.errors;
-  }
+  PorkchopCommand() : ProgramInFolder(program) {}
   /// As far as the commands of the page see.
   void stand_in_the_source_folder() const {
     fs::create_directory_symlink(NLMECH_BINARY_DIR, folder_ / "build");
     fs::create_directory_symlink(NLMECH_SOURCE_DIR "/chapters", folder_ / "chapters");
   }
-  fs::path folder_;
 };
 
 TEST_F(PorkchopCommand, AnyNumberOfThreadsAndShardsWritesTheSameBytes) {

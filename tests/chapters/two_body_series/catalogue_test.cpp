@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/process.hpp"
+#include "tests/chapters/program_in_folder.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::catalogue_test {
@@ -21,37 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using scene::Finished;
 
-/// A folder of its own for each test.
-class StatesCommand : public testing::Test {
+class StatesCommand : public tests::ProgramInFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              (std::string("nlmech-states-") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-               std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Finished run(const std::vector<std::string>& words) const {
-    std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/two_body_series"};
-    arguments.insert(arguments.end(), words.begin(), words.end());
-    return scene::run_program(arguments, folder_);
-  }
-  [[nodiscard]] std::string output(const std::vector<std::string>& words) const {
-    const Finished f = run(words);
-    EXPECT_EQ(f.exit_code, 0) << f.errors;
-    return f.output;
-  }
-  void write(const std::string& name, const std::string& text) const {
-    scene::write_whole(folder_ / name, text);
-  }
-  void refused(const std::vector<std::string>& words, const std::vector<std::string>& named) const {
-    const Finished f = run(words);
-    EXPECT_EQ(f.exit_code, 2) << f.errors;
-    EXPECT_TRUE(f.output.empty());
-    for (const std::string& part : named)
-      EXPECT_NE(f.errors.find(part), std::string::npos) << part << "\n" << f.errors;
-  }
+  StatesCommand() : ProgramInFolder(NLMECH_BINARY_DIR "/bin/two_body_series") {}
   /// Ellipses about mu = 1, with a name that has a comma, columns in an order of its own, and a comment.
   [[nodiscard]] static std::string ellipses(int count) {
     std::string text = "name,vx,vy,vz,until,x,y,z,mu\n# a comment\n\n";
@@ -62,8 +34,6 @@ class StatesCommand : public testing::Test {
     }
     return text;
   }
-
-  fs::path folder_;
 };
 
 // Each row against Kepler's problem in closed form, within what one orbit is held to; names come back as they
