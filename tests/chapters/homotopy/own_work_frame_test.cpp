@@ -27,7 +27,7 @@ Finished frame(const std::string& file, const std::vector<std::string>& words = 
 
 /// A file of this process with a text.
 std::string written(const std::string& text) {
-  const std::string file = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".toml";
+  std::string file = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".toml";
   scene::write_whole(file, text);
   return file;
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@
 namespace nlmech::catalogue_test {
 namespace {
 
-namespace fs = std::filesystem;
 using scene::Finished;
 
 class StatesCommand : public tests::ProgramInFolder {
