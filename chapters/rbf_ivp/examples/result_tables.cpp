@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,13 +15,19 @@ namespace {
 
 /// What a row of the table says, in its own columns and in the figure's.
 struct Line {
-  std::string method, setting, published = "N/A", verdict = "context", reading;
+  std::string method, setting, published = "N/A", reading;
+  scene::Verdict judged = scene::Verdict::context;
   std::optional<double> published_value = {};
-  std::string name = {};  ///< as PublishedValue::name(); empty if no error is printed
+  std::optional<Expected> scatter = {};  ///< of rounding noise, if the printed value is held against that
+  std::string name = {};                 ///< as PublishedValue::name(); empty if no error is printed
   double nominal = 0, inferred = 0;
   double milliseconds = 0;
   Statistics statistics = {};
 
+  [[nodiscard]] std::string verdict() const { return std::string(to_string(judged)); }
+  [[nodiscard]] bool comes_out() const {
+    return judged == scene::Verdict::reproduced || judged == scene::Verdict::reproduced_inferred;
+  }
   [[nodiscard]] std::int64_t steps() const { return statistics.steps; }
   [[nodiscard]] std::int64_t right_hand_sides() const { return statistics.right_hand_sides; }
   /// Only where it can be told from the nominal one.
@@ -50,7 +58,8 @@ std::vector<Line> lines(const Example<n>& example, const Records<n>& nominal, co
       const scene::PublishedValue& value = printed.at(line.name);
       line.published = value.printed;
       line.published_value = value.value;
-      line.verdict = to_string(scene::judge(value, {line.nominal, line.inferred}).verdict);
+      line.judged = scene::judge(value, {line.nominal, line.inferred}).verdict;
+      if (line.judged == scene::Verdict::same_rounding) line.scatter = row.reading.nominal;
       if (!value.reading.empty()) line.reading = value.reading;
     }
     all.push_back(std::move(line));
@@ -58,20 +67,41 @@ std::vector<Line> lines(const Example<n>& example, const Records<n>& nominal, co
   return all;
 }
 
+/// What the title says of the verdicts: "12 printed errors: 8 come out, 1 within roundings, 3 differ".
+std::string outcome(const std::vector<Line>& lines) {
+  const auto count = [&](auto which) { return std::ranges::count_if(lines, which); };
+  const auto printed = count([](const Line& l) { return l.published_value.has_value(); });
+  const auto exact = count(&Line::comes_out);
+  const auto noise = count([](const Line& l) { return l.judged == scene::Verdict::same_rounding; });
+  return fmt::format("{} printed errors: {} come out, {} within roundings, {} differ", printed, exact, noise,
+                     printed - exact - noise);
+}
+
 /// Rows from the top of the picture.
 void draw(const std::vector<Line>& lines, const std::string& example, scene::Show& show) {
-  scene::Table data({{"row"}, {"method"}, {"published"}, {"nominal"}, {"inferred"}, {"time_ms"}});
+  scene::Table data({{"row"},
+                     {"method"},
+                     {"published"},
+                     {"differs"},
+                     {"nominal"},
+                     {"inferred"},
+                     {"scatter_low"},
+                     {"scatter_high"},
+                     {"time_ms"}});
   std::string names;
-  int within_ten_percent = 0, printed = 0;
   for (int row = 0; const Line& l : lines) {
-    data.add({++row, l.method, l.published_value, l.nominal, l.inferred_if_apart(), l.milliseconds});
+    std::optional<double> differs, low, high;
+    if (l.scatter) {
+      low = l.scatter->recorded_low;
+      high = l.scatter->recorded_high;
+    } else if (!l.comes_out()) {
+      differs = l.published_value;
+    }
+    data.add({++row, l.method, l.published_value, differs, l.nominal, l.inferred_if_apart(), low, high,
+              l.milliseconds});
     names += fmt::format("{}{} {}", row > 1 ? ", " : "", scene::gnuplot_quoted(l.method), row);
-    if (!l.published_value) continue;
-    ++printed;
-    within_ten_percent += std::abs(l.inferred / *l.published_value - 1) < 0.1 ? 1 : 0;
   }
-  scene::Plot& plot = show.plots(
-      fmt::format("{}: {} of {} printed errors come out within 10 %", example, within_ten_percent, printed));
+  scene::Plot& plot = show.plots(example + ", " + outcome(lines));
   const double bottom = static_cast<double>(lines.size()) + 0.7;
   plot.panel("RMS error", "")
       .place(0.16, 0.67, 0.13, 0.85)
@@ -80,10 +110,15 @@ void draw(const std::vector<Line>& lines, const std::string& example, scene::Sho
       .set("xtics 100")
       .set("ytics scale 0 (" + names + ")")
       .key("at screen 0.5, screen 0.925 center top maxrows 1 samplen 1")
-      .columns("ours, nominal", "nominal:row", {"points pointtype 7 pointsize 1.1", 1})
-      .columns("ours, inferred", "inferred:row", {"points pointtype 5 pointsize 1", 4})
+      .also(
+          "data using \"scatter_low\":\"row\":(column('scatter_high')-column('scatter_low')):(0) "
+          "with vectors nohead linewidth 11 linecolor rgb '#c4c4c4' title 'roundings'")
+      .columns("ours", "nominal:row", {"points pointtype 7 pointsize 1.1", 1})
+      .columns("inferred", "inferred:row", {"points pointtype 5 pointsize 1", 4})
       .columns("printed", "published:row",
-               {"points pointtype 6 pointsize 2 linewidth 1.6 linecolor rgb ink", 3});
+               {"points pointtype 6 pointsize 2 linewidth 1.6 linecolor rgb ink", 3})
+      .columns("differs", "differs:row",
+               {"points pointtype 2 pointsize 1.3 linewidth 1.8 linecolor rgb ink", 3});
   plot.panel("our time (ms)", "")
       .place(0.72, 0.97, 0.13, 0.85)
       .y_range(bottom, 0.3)

@@ -32,7 +32,8 @@ Expected scattered(double low, double high) {
   constexpr double widened = 3;  // other compilers and processors round elsewhere
   return {low / widened, high * widened,
           "recorded: the range over which results scattered when nodes were moved by roundings, "
-          "three times as wide to both sides"};
+          "three times as wide to both sides",
+          low, high};
 }
 
 Example<2> free_duffing_rows() {
