@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -64,6 +66,22 @@ PorkchopProblem low_to_geostationary(bool quick) {
   return p;
 }
 
+/// Tics with the date below the days since J2000, which is noon of the first of January 2000.
+std::string dated_tics(const std::vector<double>& times) {
+  constexpr int every = 100;
+  using std::chrono::days;
+  std::string tics;
+  for (int t = static_cast<int>(std::ceil(times.front() / day / every)) * every; t <= times.back() / day;
+       t += every) {
+    const std::chrono::year_month_day date{std::chrono::sys_days{std::chrono::year{2000} / 1 / 1} + days{t}};
+    constexpr std::array months = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                   "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    tics += fmt::format("{}\"{}\\n{} {} {:02}\" {}", tics.empty() ? "" : ", ", t, unsigned(date.day()),
+                        months[unsigned(date.month()) - 1], int(date.year()) % 100, t);
+  }
+  return tics;
+}
+
 /// The cheapest cell by a measure.
 struct Row {
   const char* measure;
@@ -114,7 +132,9 @@ void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
                                 .arrival = "arrival (days since J2000)",
                                 .speed = "km/s",
                                 .time = day,
-                                .speed_unit = 1e3}));
+                                .speed_unit = 1e3,
+                                .departure_tics = dated_tics(grid.departures),
+                                .arrival_tics = dated_tics(grid.arrivals)}));
   const std::vector<Row> least = put_minima(grid, "days since J2000", day, show);
   const char* const program =
       "recorded: least by other code (universal variables of Bate, Mueller and White, bisection) over "
