@@ -245,8 +245,9 @@ int Tape::products() const {
 }
 
 tape::Program Tape::program() const {
-  return {instructions_.data(), static_cast<int>(instructions_.size()), terms_.data(), outputs_.data(),
-          size()};
+  return {instructions_.data(), static_cast<int>(instructions_.size()),
+          terms_.data(),        static_cast<int>(terms_.size()),
+          outputs_.data(),      size()};
 }
 
 }  // namespace nlmech

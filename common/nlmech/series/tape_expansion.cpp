@@ -1,9 +1,10 @@
 #include "nlmech/series/tape_expansion.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "nlmech/series/tape_values.hpp"
 
 namespace nlmech {
 
@@ -23,34 +24,6 @@ tape::Replay kernel(InstructionSet set) {
   return tape::baseline_replay;
 }
 
-/// Coefficient 0 of an instruction; @p x is that of its argument, @p other of the second one. The result and
-/// that of its companion.
-std::pair<double, double> value(const Instruction& i, double x, double other) {
-  switch (i.operation) {
-    case Operation::product:
-    case Operation::product_by_line:
-    case Operation::square: return {x * other, 0};
-    case Operation::quotient: return {x / other, 0};
-    case Operation::reciprocal: return {i.factor / x, 0};
-    case Operation::root: return {std::sqrt(x), 0};
-    case Operation::exponential: return {std::exp(x), 0};
-    case Operation::circular: return {std::sin(x), std::cos(x)};
-    case Operation::hyperbolic: return {std::sinh(x), std::cosh(x)};
-    case Operation::tangent: return {std::tan(x), 1 + std::tan(x) * std::tan(x)};
-    case Operation::hyperbolic_tangent: return {std::tanh(x), 1 / (std::cosh(x) * std::cosh(x))};
-    case Operation::logarithm: return {std::log(x), 0};
-    case Operation::power: return {std::pow(x, i.factor), 0};
-    case Operation::arc_sine: return {std::asin(x), 0};
-    case Operation::arc_cosine: return {std::acos(x), 0};
-    case Operation::arc_tangent: return {std::atan(x), 0};
-    case Operation::angle: return {std::atan2(x, other), 0};
-    case Operation::error_function: return {std::erf(x), 0};
-    default: return {0, 0};
-  }
-}
-
-bool has_companion(Operation operation) { return operation >= Operation::circular; }
-
 }  // namespace
 
 InstructionSet replay_instruction_set() noexcept {
@@ -66,20 +39,15 @@ void TapeExpansion::load(Tape tape, int order) {
   stride_ = std::ptrdiff_t{8} * ((order + 8) / 8);
   if (stride_ % 16 == 0) stride_ += 8;
   memory_.assign(static_cast<std::size_t>(tape_.series() * stride_), 0.0);
-  factor_.assign(static_cast<std::size_t>(order) + 1, 0.0);
-  scale_ = 0;
+  reciprocals_ = tape::reciprocals(order);
 }
 
 void TapeExpansion::expand(double t, const double* x, double scale) {
-  if (scale != scale_) {
-    scale_ = scale;
-    for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = scale * (1 / static_cast<double>(k + 1));
-  }
   memory_[0] = t;
   memory_[1] = scale;
   for (int i = 0; i < tape_.size(); ++i) memory_[static_cast<std::size_t>((i + 1) * stride_)] = x[i];
   first_pass(scale);
-  replay_(tape_.program(), memory_.data(), stride_, order_, scale, factor_.data());
+  replay_(tape_.program(), nullptr, memory_.data(), stride_, order_, &scale, reciprocals_.data());
 }
 
 void TapeExpansion::first_pass(double scale) {
@@ -95,9 +63,9 @@ void TapeExpansion::first_pass(double scale) {
       }
       at(i.r) = i.factor * (sum + i.shift) / i.divisor;
     } else {
-      const auto [result, companion] = value(i, at(i.a), at(i.b));
+      const auto [result, companion] = tape::first_coefficient(i, i.factor, at(i.a), at(i.b));
       at(i.r) = result;
-      if (has_companion(i.operation)) at(i.r + 1) = companion;
+      if (tape::has_companion(i.operation)) at(i.r + 1) = companion;
     }
   }
   for (int i = 0; i < program.size; ++i) {

@@ -48,8 +48,7 @@ class TapeExpansion {
   tape::Replay replay_;
   int order_ = 0;
   std::ptrdiff_t stride_ = 0;
-  double scale_ = 0;
-  std::vector<double> memory_, factor_;
+  std::vector<double> memory_, reciprocals_;
 };
 
 }  // namespace nlmech

@@ -67,15 +67,31 @@ struct Program {
   const Instruction* instructions;  ///< in the order of evaluation
   int instruction_count;            ///< how many
   const Term* terms;                ///< of all linear combinations
+  int term_count;                   ///< how many
   const Output* outputs;            ///< one a component of the state
   int size;                         ///< components of the state
 };
 
+/// Where the constants of a lane stand, if solutions side by side have their own: of each instruction three,
+/// then those of the terms, then those of the outputs.
+/// @{
+[[nodiscard, gnu::always_inline]] constexpr int factor_of(int instruction) { return 3 * instruction; }
+[[nodiscard, gnu::always_inline]] constexpr int divisor_of(int instruction) { return 3 * instruction + 1; }
+[[nodiscard, gnu::always_inline]] constexpr int shift_of(int instruction) { return 3 * instruction + 2; }
+[[nodiscard, gnu::always_inline]] constexpr int term_of(const Program& program, int term) {
+  return 3 * program.instruction_count + term;
+}
+[[nodiscard, gnu::always_inline]] constexpr int output_of(const Program& program, int i) {
+  return term_of(program, program.term_count) + i;
+}
+/// @}
+
 /// Coefficients k = 1, ..., order - 1 of all series, and 2, ..., order of the state. @p memory: series i
-/// begins at memory + i stride. Coefficient k + 1 of the state is that of the right-hand side times @p scale
-/// over k + 1: divided for k < first_reciprocal, else multiplied by the rounded factor[k].
-using Replay = void (*)(const Program& program, double* memory, std::int64_t stride, int order, double scale,
-                        const double* factor);
+/// begins at memory + i stride. Coefficient k + 1 of the state is that of the right-hand side times *@p scale
+/// over k + 1: divided for k < first_reciprocal, else multiplied by the product of the scale and
+/// @p reciprocals[k]. For lanes every coefficient, constant and scale is one a lane.
+using Replay = void (*)(const Program& program, const double* constants, double* memory, std::int64_t stride,
+                        int order, const double* scale, const double* reciprocals);
 
 /// From this coefficient on the state is multiplied by a rounded reciprocal. Below, where terms are large, it
 /// is divided.
@@ -84,5 +100,18 @@ inline constexpr int first_reciprocal = 8;
 extern const Replay baseline_replay;  ///< compiled for every machine
 extern const Replay avx2_replay;      ///< the same text compiled for AVX2
 extern const Replay avx512_replay;    ///< the same text compiled for AVX-512
+
+/// Several solutions at once, one a lane.
+struct LaneKernel {
+  int lanes;      ///< how many
+  Replay replay;  ///< for all lanes, with the bits of baseline_replay (in baseline_lanes) or avx2_replay
+  /// The sums of c_k s^k for k = 1, ..., order >= 2, of the components of the state: @p sums[i lanes + lane].
+  void (*increments)(const double* memory, std::int64_t stride, int size, int order, const double* s,
+                     double* sums);
+};
+
+extern const LaneKernel baseline_lanes;  ///< compiled for every machine
+extern const LaneKernel avx2_lanes;      ///< compiled for AVX2
+extern const LaneKernel avx512_lanes;    ///< compiled for AVX-512
 
 }  // namespace nlmech::tape

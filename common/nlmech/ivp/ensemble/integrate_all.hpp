@@ -15,6 +15,8 @@
 
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/ivp/ensemble/pack.hpp"
+#include "nlmech/ivp/ensemble/series_lanes.hpp"
+#include "nlmech/ivp/ensemble/start.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 
@@ -29,6 +31,13 @@ concept TakesPack = Problem::dimension >
               Vector<Number, Problem::dimension>& f) {
   problem(t, x, f);
 };
+
+/// How many threads have something to do. @param threads asked for; 0: one a processor
+[[nodiscard]] inline std::size_t threads_for(std::size_t count, std::size_t portion, int threads) {
+  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : processors;
+  return std::min(wanted, (count + portion - 1) / portion);
+}
 
 /// Calls @p work with portions of the numbers up to @p count, by several threads. The first exception is
 /// thrown again at the end.
@@ -49,11 +58,8 @@ void share_out(std::size_t count, std::size_t portion, int threads, const Work& 
     }
   };
   {
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : processors;
     std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < std::min(wanted, (count + portion - 1) / portion); ++k)
-      others.emplace_back(run);
+    for (std::size_t k = 1; k < threads_for(count, portion, threads); ++k) others.emplace_back(run);
     run();
   }
   if (failure) std::rethrow_exception(failure);
@@ -85,18 +91,77 @@ void pack_steps(const Problem& problem, const StepGrid& grid, Vector<Number, Pro
   }
 }
 
+/// One trajectory by itself.
+template <int n, class Method>
+[[nodiscard]] Solution<n> alone(const Start<n>& start, const Method& method) {
+  Solution<n> solution =
+      integrate(*start.system, start.x0, start.t0, start.t1, method, start.observer, start.limits);
+  solution.statistics.seconds = 0;
+  return solution;
+}
+
+/// One thread's work: lanes that take the next trajectory when they are free.
+template <int n>
+void run_lanes(std::span<const Start<n>> starts, const Series& method, std::atomic<std::size_t>& next,
+               std::vector<Solution<n>>& solutions, InstructionSet set = best_instruction_set()) {
+  SeriesLanes<n> lanes(rule_of(method), set);
+  for (bool more = true; more || lanes.busy() > 0;) {
+    while (more && lanes.free() > 0) {
+      const std::size_t i = next.fetch_add(1);
+      more = i < starts.size();
+      if (!more) break;
+      const Start<n>& start = starts[i];
+      check_arguments(start.t0, start.t1, start.x0.size(), start.system->size());
+      if (!lanes.suits(start) || !lanes.take_in(i, start, solutions)) solutions[i] = alone(start, method);
+    }
+    if (lanes.busy() > 0) lanes.run(solutions);
+  }
+}
+
 }  // namespace detail
 
-/// Every state from t0 to t1 by integrate(), each by itself: failures of one leave the others alone, and a
-/// trajectory has the same bits in any company, order, and number of threads. Statistics::seconds is 0.
+/// Every trajectory by integrate(), each by itself: failures of one leave the others alone, and a trajectory
+/// has the same bits in any company, order, and number of threads. Statistics::seconds is 0.
+///
+/// Series with chosen steps moves as many trajectories in a register as the processor allows, each with its
+/// own steps and end; those of one kind of equations, which may differ in their constants. A trajectory that
+/// is done makes room for the next. Alone go those that switch, meet a discontinuity, or name bounds or
+/// invariants.
 /// @param threads how many; 0: one a processor
-/// @return a solution for each state, in their order
+/// @return a solution for each start, in their order
 /// @throws std::invalid_argument as integrate() does
+template <int n, class Method>
+[[nodiscard]] std::vector<Solution<n>> integrate_all(std::span<const Start<n>> starts, const Method& method,
+                                                     int threads = 0) {
+  std::vector<Solution<n>> solutions(starts.size());
+  if constexpr (std::same_as<Method, Series>) {
+    check_options(method);
+    if (method.step == 0) {
+      const std::size_t wanted = detail::threads_for(starts.size(), 1, threads);
+      std::atomic<std::size_t> next = 0;
+      detail::share_out(wanted, 1, static_cast<int>(wanted), [&](std::size_t, std::size_t) {
+        detail::run_lanes<n>(starts, method, next, solutions);
+      });
+      return solutions;
+    }
+  }
+  detail::share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) solutions[i] = detail::alone(starts[i], method);
+  });
+  return solutions;
+}
+
+/// The same of one system from t0 to t1.
 template <SystemLike S, class Method>
 [[nodiscard]] std::vector<Solution<S::dimension>> integrate_all(const S& system,
                                                                 std::span<const State<S::dimension>> states,
                                                                 double t0, double t1, const Method& method,
                                                                 int threads = 0, const Limits& limits = {}) {
+  if constexpr (std::same_as<S, System<S::dimension>>) {
+    std::vector<Start<S::dimension>> starts;
+    for (const auto& x0 : states) starts.push_back({&system, x0, t0, t1, {}, limits});
+    return integrate_all<S::dimension>(std::span<const Start<S::dimension>>(starts), method, threads);
+  }
   std::vector<Solution<S::dimension>> solutions(states.size());
   detail::share_out(states.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

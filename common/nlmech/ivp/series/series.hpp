@@ -13,7 +13,7 @@
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/fixed_steps.hpp"
-#include "nlmech/ivp/series/series_expansion.hpp"
+#include "nlmech/ivp/series/series_rule.hpp"
 
 namespace nlmech::ivp {
 
@@ -56,6 +56,12 @@ struct Series {
 /// @throws std::invalid_argument naming an option out of range and its value
 void check_options(const Series& method);
 
+/// With the order that is taken.
+[[nodiscard]] inline taylor_series::Rule rule_of(const Series& method) {
+  return {method.relative_tolerance, method.absolute_tolerance, method.largest_step,
+          method.order > 0 ? method.order : series_order(method.relative_tolerance)};
+}
+
 namespace taylor_series {
 
 /// Steps of fixed length and order.
@@ -81,7 +87,7 @@ class FixedStepper : public Stepper<S::dimension> {
     if (std::exchange(is_new_, false)) expansion_.begin_segment(begin_, end_, x0);
     expansion_.expand(t, x0, power_of_two(std::abs(h)));
     statistics.right_hand_sides += order_;
-    if (!expansion_.is_finite()) return non_finite_coefficients(Series::name, t, order_);
+    if (!expansion_.tail(x0, 1, 0).is_finite()) return non_finite_coefficients(Series::name, t, order_);
     expansion_.advance(h, x0, x1);
     expansion_.accept();
     return {};
@@ -101,12 +107,11 @@ template <class S>
 class Run : public ChosenSteps<S, Run<S>> {
  public:
   /// @param task outlives the run
-  Run(const Task<S>& task, const Series& method, int order)
-      : Base(task, Series::name, {.shortest = 0, .stretch = 1, .measured = true}),
-        method_(method),
-        order_(order),
-        log2_safety_(-0.7 / (order - 1) * 1.4426950408889634),
-        expansion_(task.system, order),
+  Run(const Task<S>& task, const Rule& rule)
+      : Base(task, Series::name, Rule::steps),
+        rule_(rule),
+        log2_safety_(rule.log2_safety()),
+        expansion_(task.system, rule.order),
         next_(task.x0),
         f_(task.x0) {}
 
@@ -122,34 +127,26 @@ class Run : public ChosenSteps<S, Run<S>> {
     task_.system.rhs(expansion_.inside(now_.t), now_.x, f_);
     ++now_.statistics.right_hand_sides;
     if (!f_.allFinite()) return non_finite_rhs(Series::name, now_.t);
-    scale_ = first_scale(std::abs(end - now_.t));
+    scale_ = rule_.first_scale(now_.x, f_, std::abs(end - now_.t));
     before_ = 0;
     return {};
   }
 
-  // The time in which the state would change by its own size.
-  [[nodiscard]] double first_scale(double interval) const {
-    const double size = now_.x.template lpNorm<Eigen::Infinity>() + method_.absolute_tolerance;
-    const double rate = f_.template lpNorm<Eigen::Infinity>();
-    return power_of_two(rate * interval > size ? size / rate : interval);
-  }
-
-  // Coefficients that leave the range of double with T leave it no more with a small part of T.
-  [[nodiscard]] bool expand() {
-    for (int attempt = 0; attempt < 24; ++attempt) {
+  [[nodiscard]] bool expand(Tail& tail) {
+    for (int attempt = 0; attempt < Rule::attempts; ++attempt) {
       expansion_.expand(now_.t, now_.x, scale_);
-      now_.statistics.right_hand_sides += order_;
-      if (expansion_.is_finite()) return true;
-      scale_ = std::ldexp(scale_, -16);
+      now_.statistics.right_hand_sides += rule_.order;
+      tail = expansion_.tail(now_.x, rule_.absolute_tolerance, rule_.relative_tolerance);
+      if (tail.is_finite()) return true;
+      scale_ = Rule::smaller(scale_);
     }
     return false;
   }
   // The coefficients say how long the step is, whatever the one before was.
   Status prepare() {
-    if (!expand()) return non_finite_coefficients(Series::name, now_.t, order_);
-    double length =
-        expansion_.length(now_.x, method_.absolute_tolerance, method_.relative_tolerance, log2_safety_);
-    if (method_.largest_step > 0) length = std::min(length, method_.largest_step);
+    Tail tail;
+    if (!expand(tail)) return non_finite_coefficients(Series::name, now_.t, rule_.order);
+    const double length = rule_.length(tail, scale_, log2_safety_);
     is_tested_ = length > 2 * before_;
     control_.start(length);
     return {};
@@ -165,32 +162,21 @@ class Run : public ChosenSteps<S, Run<S>> {
     return step_underflow(Series::name, now_.t, control_.length());
   }
 
-  // Is the slope of the series at the end of the step that of the equation? The term after the last one is
-  // some tenth of the tolerance and its slope N + 1 times that; the bound leaves room for a stiff equation.
   [[nodiscard]] bool slope_agrees(double t1, double h) {
     if (!next_.allFinite()) return false;
     task_.system.rhs(expansion_.inside(t1), next_, f_);
     ++now_.statistics.right_hand_sides;
-    const double room = 100.0 * (order_ + 1), size = next_.template lpNorm<Eigen::Infinity>();
-    for (int i = 0; i < task_.system.size(); ++i) {
-      const double tolerance = method_.absolute_tolerance + method_.relative_tolerance * std::abs(next_[i]);
-      const double rounding = 1000 * std::numeric_limits<double>::epsilon() * (size + std::abs(h * f_[i]));
-      const double difference = std::abs(h * (f_[i] - expansion_.slope_at(h, i)));
-      if (!(difference <= room * tolerance + rounding)) return false;
-    }
-    return true;
+    return rule_.slope_agrees(next_, f_, h, [&](int i) { return expansion_.slope_at(h, i); });
   }
   Status accept(double t1, double /*error*/) {
     if (!next_.allFinite()) return non_finite_state(Series::name, now_.t, t1 - now_.t);
     expansion_.accept();
     before_ = control_.taken();
-    const double ratio = before_ / scale_;
-    if (ratio < 0.25 || ratio > 4) scale_ = power_of_two(before_);
+    scale_ = Rule::next_scale(scale_, before_);
     return this->take(t1, next_, expansion_);
   }
 
-  const Series& method_;
-  int order_;
+  Rule rule_;
   double log2_safety_, scale_ = 1, before_ = 0;
   bool is_tested_ = true;
   Expansion<S> expansion_;
@@ -206,12 +192,12 @@ struct Integrator<S, Series> {
   /// double alone, or with a branch that it has not announced
   static Solution<S::dimension> run(const Task<S>& task, const Series& method) {
     check_options(method);
-    const int order = method.order > 0 ? method.order : series_order(method.relative_tolerance);
+    const taylor_series::Rule rule = rule_of(method);
     if (method.step > 0) {
-      taylor_series::FixedStepper<S> stepper(task, order);
+      taylor_series::FixedStepper<S> stepper(task, rule.order);
       return walk(task, method.step, stepper);
     }
-    return taylor_series::Run<S>(task, method, order).run();
+    return taylor_series::Run<S>(task, rule).run();
   }
 };
 

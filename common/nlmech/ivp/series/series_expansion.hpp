@@ -56,6 +56,36 @@ namespace nlmech::ivp::taylor_series {
   return sum;
 }
 
+/// The last two terms in the norm max_i |e_i| / (atol + rtol |x_i|), and what tells whether all are finite.
+struct Tail {
+  double last = 0;    ///< of the order N
+  double before = 0;  ///< of the order N - 1
+  double sum = 0;     ///< of the absolute values of the first and the last coefficients
+
+  /// Takes in a component by its coefficients 0, 1, N - 1 and N.
+  void add(double x, double first, double previous, double end, double atol, double rtol) {
+    const double unit = 1 / (atol + rtol * std::abs(x));
+    last = std::max(last, unit * std::abs(end));
+    before = std::max(before, unit * std::abs(previous));
+    sum += std::abs(end) + std::abs(first);
+  }
+  /// Are all coefficients finite? The last ones tell: they are made of the others.
+  [[nodiscard]] bool is_finite() const { return sum <= std::numeric_limits<double>::max(); }
+  /// The length at which the last two terms are 1, times @p log2_safety as a power of two; positive.
+  [[nodiscard]] double length(int order, double scale, double log2_safety) const {
+    const double log2 = std::max(rough_log2(last) / order, rough_log2(before) / (order - 1));
+    return scale * rough_exp2(log2_safety - log2);
+  }
+};
+
+/// x1 = x0 + carry + @p increment of one component, and what rounding cuts off.
+inline void add_increment(double x0, double carry, double increment, double& x1, double& next_carry) {
+  const double term = carry + increment;
+  x1 = x0 + term;
+  const double taken = x1 - x0;
+  next_carry = (x0 - (x1 - taken)) + (term - taken);
+}
+
 /// The series of a step: coefficients in powers of tau = (t - t0)/T with a power of two for T.
 template <class S>
 class Expansion : public DenseOutput<S::dimension> {
@@ -77,42 +107,26 @@ class Expansion : public DenseOutput<S::dimension> {
     scale_ = scale;
     taylor_.expand(segment_(t), x, scale);
   }
-  /// Are all coefficients finite? The last ones tell: they are made of the others.
-  [[nodiscard]] bool is_finite() const {
-    double sum = 0;
-    for (int i = 0; i < size_; ++i) sum += std::abs(coefficient(i, order_)) + std::abs(coefficient(i, 1));
-    return sum <= std::numeric_limits<double>::max();
+  /// Its last terms. @param x the state at its begin
+  [[nodiscard]] Tail tail(const State<n>& x, double atol, double rtol) const {
+    Tail tail;
+    for (int i = 0; i < size_; ++i) {
+      const double* const c = taylor_.coefficients(i);
+      tail.add(x[i], c[1], c[order_ - 1], c[order_], atol, rtol);
+    }
+    return tail;
   }
   /// Coefficient @p k of component @p i, times T^k.
   [[nodiscard]] double coefficient(int i, int k) const { return taylor_.coefficients(i)[k]; }
-  /// T.
-  [[nodiscard]] double scale() const { return scale_; }
   /// Where f is asked for when @p t is meant.
   [[nodiscard]] double inside(double t) const { return segment_(t); }
-
-  /// The length at which the last two terms are 1 in the norm max_i |e_i| / (atol + rtol |x_i|), times
-  /// @p log2_safety as a power of two; positive.
-  [[nodiscard]] double length(const State<n>& x, double atol, double rtol, double log2_safety) const {
-    double last = 0, before = 0;
-    for (int i = 0; i < size_; ++i) {
-      const double* const c = taylor_.coefficients(i);
-      const double unit = 1 / (atol + rtol * std::abs(x[i]));
-      last = std::max(last, unit * std::abs(c[order_]));
-      before = std::max(before, unit * std::abs(c[order_ - 1]));
-    }
-    const double log2 = std::max(rough_log2(last) / order_, rough_log2(before) / (order_ - 1));
-    return scale_ * rough_exp2(log2_safety - log2);
-  }
 
   /// The state @p x1 at t0 + @p h. What rounding cuts off goes to a place that accept() takes over.
   void advance(double h, const State<n>& x0, State<n>& x1) {
     const double s = h / scale_;
     if constexpr (n == Eigen::Dynamic) next_carry_.resize(size_);
     for (int i = 0; i < size_; ++i) {
-      const double term = carry_[i] + increment(taylor_.coefficients(i), order_, s);
-      x1[i] = x0[i] + term;
-      const double taken = x1[i] - x0[i];
-      next_carry_[i] = (x0[i] - (x1[i] - taken)) + (term - taken);
+      add_increment(x0[i], carry_[i], increment(taylor_.coefficients(i), order_, s), x1[i], next_carry_[i]);
     }
   }
   /// Goes on from the end of the latest advance().

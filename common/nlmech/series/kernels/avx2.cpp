@@ -1,6 +1,7 @@
-#include <immintrin.h>
+#include "nlmech/support/kernels/avx2.hpp"
 
-#include "nlmech/series/kernels/replay.hpp"
+#include "nlmech/series/kernels/lanes.hpp"
+#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -38,6 +39,7 @@ struct Avx2Sum {
 
 }  // namespace
 
-const Replay avx2_replay = Replayer<Avx2Sum>::run;
+const Replay avx2_replay = Replayer<One<Avx2Sum>>::run;
+const LaneKernel avx2_lanes = lane_kernel<ManyInFours<simd::Twin<simd::Widest<simd::Avx2>>>>;
 
 }  // namespace nlmech::tape

@@ -1,6 +1,7 @@
-#include <immintrin.h>
+#include "nlmech/support/kernels/avx512.hpp"
 
-#include "nlmech/series/kernels/replay.hpp"
+#include "nlmech/series/kernels/lanes.hpp"
+#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -41,6 +42,7 @@ struct Avx512Sum {
 
 }  // namespace
 
-const Replay avx512_replay = Replayer<Avx512Sum>::run;
+const Replay avx512_replay = Replayer<One<Avx512Sum>>::run;
+const LaneKernel avx512_lanes = lane_kernel<ManyInFours<simd::Twin<simd::Widest<simd::Avx512>>>>;
 
 }  // namespace nlmech::tape

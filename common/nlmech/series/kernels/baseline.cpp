@@ -1,4 +1,7 @@
-#include "nlmech/series/kernels/replay.hpp"
+#include "nlmech/support/kernels/baseline.hpp"
+
+#include "nlmech/series/kernels/lanes.hpp"
+#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -21,6 +24,7 @@ struct BaselineSum {
 
 }  // namespace
 
-const Replay baseline_replay = Replayer<BaselineSum>::run;
+const Replay baseline_replay = Replayer<One<BaselineSum>>::run;
+const LaneKernel baseline_lanes = lane_kernel<ManyRounded<simd::Twin<simd::Widest<simd::Baseline>>>>;
 
 }  // namespace nlmech::tape

@@ -1,0 +1,274 @@
+/// @file
+/// Series for several trajectories side by side, one a lane of the processor's vectors. Each has the bits of
+/// integrate(), whatever the others do: the same sums (TapeLanes) and the same formulas for its steps (Rule).
+/// Internal to the component.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "nlmech/ivp/ensemble/start.hpp"
+#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/limits.hpp"
+#include "nlmech/ivp/series/series.hpp"
+#include "nlmech/series/tape_lanes.hpp"
+
+namespace nlmech::ivp::detail {
+
+/// One thread's lanes.
+template <int n>
+class SeriesLanes {
+ public:
+  /// @param rule of all trajectories
+  /// @param set which registers; with InstructionSet::baseline, the bits are those of a processor that has no
+  /// other
+  SeriesLanes(const taylor_series::Rule& rule, InstructionSet set)
+      : rule_(rule),
+        log2_safety_(rule.log2_safety()),
+        tapes_(set),
+        lanes_(static_cast<std::size_t>(tapes_.lanes())) {}
+
+  /// May it stand in a lane? Smooth equations without a jump on the way, whose solutions are not held to
+  /// bounds or invariants that are looked at step by step.
+  [[nodiscard]] static bool suits(const Start<n>& start) {
+    const System<n>& system = *start.system;
+    const State<n>& x0 = start.x0;
+    if (start.t0 == start.t1 || !x0.allFinite() || system.switches() > 0) return false;
+    State<n> lower = x0, upper = x0;
+    Eigen::VectorXd constant;
+    return system.discontinuities(start.t0, start.t1).empty() && !system.bounds(lower, upper) &&
+           !system.invariants(start.t0, x0, constant);
+  }
+
+  /// Lanes without a trajectory.
+  [[nodiscard]] int free() const { return tapes_.lanes() - busy_; }
+  /// Lanes with one.
+  [[nodiscard]] int busy() const { return busy_; }
+  /// Takes in a trajectory that suits, if there is a lane for its kind of equations. @param start outlives it
+  [[nodiscard]] bool take_in(std::size_t number, const Start<n>& start, std::vector<Solution<n>>& solutions) {
+    const std::size_t at = static_cast<std::size_t>(
+        std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& l) { return l.start == nullptr; }) -
+        lanes_.begin());
+    Lane& lane = lanes_[at];
+    const SmoothSegment segment(start.t0, start.t1);
+    if (lane.equations != start.system || lane.recorded != start.t0) {
+      Tape tape = start.system->record(segment(start.t0), start.x0);
+      const bool fits = order_ > 0 && tapes_.fits(tape);
+      if (!fits && busy_ > 0) return false;
+      if (!fits) load(tape);
+      tapes_.put(static_cast<int>(at), tape);
+      lane.equations = start.system;
+      lane.recorded = start.t0;
+    }
+    lane.start = &start;
+    lane.number = number;
+    lane.segment = segment;
+    lane.now = {start.t0, start.x0, {}, {}};
+    lane.carry = lane.next_carry = State<n>::Zero(start.x0.size());
+    lane.next = lane.f = start.x0;
+    lane.watch = {};
+    ++busy_;
+    begin(lane, solutions);
+    return true;
+  }
+  /// One step of each trajectory, if it is not rejected. Puts what has ended into @p solutions.
+  void run(std::vector<Solution<n>>& solutions) {
+    tapes_.expand();
+    const Tails tails = measure();
+    for (Lane& lane : lanes_) {
+      if (lane.start != nullptr) plan(lane, tails[static_cast<std::size_t>(index(lane))], solutions);
+    }
+    tapes_.add_up();
+    for (Lane& lane : lanes_) {
+      if (lane.start != nullptr && lane.planned) attempt(lane, solutions);
+    }
+  }
+
+ private:
+  struct Lane {
+    const System<n>* equations = nullptr;  // whose constants stand in the lane
+    double recorded = 0;                   // their time, on which announced branches depend
+    const Start<n>* start = nullptr;       // none: the lane is free
+    std::size_t number = 0;
+    SmoothSegment segment;
+    Solution<n> now;
+    State<n> carry, next, next_carry, f;
+    StepControl control{taylor_series::Rule::steps};
+    Stopwatch watch;
+    double scale = 1, before = 0, t1 = 0;
+    int attempts = 0;
+    bool planned = false, tested = true;
+  };
+  /// Within the latest step of a lane.
+  class Dense : public DenseOutput<n> {
+   public:
+    Dense(const SeriesLanes& lanes, const Lane& lane) : lanes_(lanes), lane_(lane) {}
+    void at(double t, State<n>& x) const override {
+      x.resize(lane_.next.size());
+      const double s = (t - lane_.now.t) / lane_.scale;
+      for (int i = 0; i < static_cast<int>(x.size()); ++i) {
+        const auto c = lanes_.series(lane_, i);
+        x[i] = c[0] + taylor_series::increment(c.data(), lanes_.rule_.order, s);
+      }
+    }
+
+   private:
+    const SeriesLanes& lanes_;
+    const Lane& lane_;
+  };
+  using Coefficients = std::array<double, 101>;
+  using Tails = std::array<taylor_series::Tail, TapeLanes::most_lanes>;
+
+  void load(const Tape& tape) {
+    order_ = rule_.order;
+    tapes_.load(tape, order_);
+    for (Lane& lane : lanes_) lane.equations = nullptr;
+  }
+  [[nodiscard]] int index(const Lane& lane) const { return static_cast<int>(&lane - lanes_.data()); }
+  [[nodiscard]] Tails measure() const {
+    Tails tails;
+    for (int i = 0; i < tapes_.size(); ++i) {
+      const double *const x = tapes_.coefficients(i, 0), *const first = tapes_.coefficients(i, 1),
+                          *const previous = tapes_.coefficients(i, order_ - 1),
+                          *const last = tapes_.coefficients(i, order_);
+      for (int l = 0; l < tapes_.lanes(); ++l)
+        tails[static_cast<std::size_t>(l)].add(x[l], first[l], previous[l], last[l], rule_.absolute_tolerance,
+                                               rule_.relative_tolerance);
+    }
+    return tails;
+  }
+  [[nodiscard]] Coefficients series(const Lane& lane, int i) const {
+    Coefficients c{};
+    for (int k = 0; k <= order_; ++k) c[static_cast<std::size_t>(k)] = tapes_.coefficients(i, k)[index(lane)];
+    return c;
+  }
+
+  void begin(Lane& lane, std::vector<Solution<n>>& solutions) {
+    Solution<n>& now = lane.now;
+    const double end = lane.start->t1;
+    lane.start->system->rhs(lane.segment(now.t), now.x, lane.f);
+    ++now.statistics.right_hand_sides;
+    if (!lane.f.allFinite()) return finish(lane, non_finite_rhs(Series::name, now.t), solutions);
+    lane.scale = rule_.first_scale(now.x, lane.f, std::abs(end - now.t));
+    lane.before = 0;
+    prepare(lane, solutions);
+  }
+  // A new step.
+  void prepare(Lane& lane, std::vector<Solution<n>>& solutions) {
+    if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
+    lane.attempts = 0;
+    set(lane);
+  }
+  void set(const Lane& lane) {
+    tapes_.set(index(lane), lane.segment(lane.now.t), lane.now.x.data(), lane.scale);
+  }
+  // A clock that is read at every step would cost as much as the step.
+  [[nodiscard]] Status limits(const Lane& lane) const {
+    Limits limits = lane.start->limits;
+    if (lane.now.statistics.steps % 64 != 0) limits.seconds = std::numeric_limits<double>::infinity();
+    return check_limits(Series::name, lane.now.t, lane.now.statistics, limits, lane.watch);
+  }
+
+  // The coefficients say how long the step is.
+  void plan(Lane& lane, const taylor_series::Tail& tail, std::vector<Solution<n>>& solutions) {
+    Solution<n>& now = lane.now;
+    lane.planned = false;
+    now.statistics.right_hand_sides += order_;
+    if (!tail.is_finite()) {
+      if (++lane.attempts == taylor_series::Rule::attempts)
+        return finish(lane, non_finite_coefficients(Series::name, now.t, order_), solutions);
+      lane.scale = taylor_series::Rule::smaller(lane.scale);
+      return set(lane);
+    }
+    const double length = rule_.length(tail, lane.scale, log2_safety_);
+    lane.tested = length > 2 * lane.before;
+    lane.control.start(length);
+    if (!aim(lane, solutions)) return;
+    lane.planned = true;
+    tapes_.set_argument(index(lane), (lane.t1 - now.t) / lane.scale);
+  }
+  // Where the next trial ends. @return false if there is none
+  bool aim(Lane& lane, std::vector<Solution<n>>& solutions) {
+    lane.t1 = lane.control.plan(lane.now.t, lane.start->t1);
+    if (lane.t1 != lane.now.t) return true;
+    finish(lane, step_underflow(Series::name, lane.now.t, lane.control.length()), solutions);
+    return false;
+  }
+  void attempt(Lane& lane, std::vector<Solution<n>>& solutions) {
+    const int size = static_cast<int>(lane.now.x.size());
+    for (int i = 0; i < size; ++i)
+      taylor_series::add_increment(lane.now.x[i], lane.carry[i], tapes_.increments(i)[index(lane)],
+                                   lane.next[i], lane.next_carry[i]);
+    while (lane.tested && !slope_agrees(lane)) {
+      ++lane.now.statistics.rejected;
+      if (!lane.control.rejected(lane.control.taken() / 2)) {
+        return finish(lane, step_underflow(Series::name, lane.now.t, lane.control.length()), solutions);
+      }
+      if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
+      if (!aim(lane, solutions)) return;
+      const double s = (lane.t1 - lane.now.t) / lane.scale;
+      for (int i = 0; i < size; ++i)
+        taylor_series::add_increment(lane.now.x[i], lane.carry[i],
+                                     taylor_series::increment(series(lane, i).data(), order_, s),
+                                     lane.next[i], lane.next_carry[i]);
+    }
+    accept(lane, solutions);
+  }
+  [[nodiscard]] bool slope_agrees(Lane& lane) const {
+    if (!lane.next.allFinite()) return false;
+    lane.start->system->rhs(lane.segment(lane.t1), lane.next, lane.f);
+    ++lane.now.statistics.right_hand_sides;
+    const double h = lane.t1 - lane.now.t, s = h / lane.scale;
+    return rule_.template slope_agrees<n>(lane.next, lane.f, h, [&](int i) {
+      return taylor_series::slope(series(lane, i).data(), order_, s) / lane.scale;
+    });
+  }
+  void accept(Lane& lane, std::vector<Solution<n>>& solutions) {
+    Solution<n>& now = lane.now;
+    if (!lane.next.allFinite())
+      return finish(lane, non_finite_state(Series::name, now.t, lane.t1 - now.t), solutions);
+    std::swap(lane.carry, lane.next_carry);
+    lane.before = lane.control.taken();
+    ++now.statistics.steps;
+    const bool goes_on = !lane.start->observer || show(lane);
+    lane.scale = taylor_series::Rule::next_scale(lane.scale, lane.before);
+    std::swap(now.x, lane.next);
+    now.t = lane.t1;
+    if (!goes_on) return finish(lane, interrupted(Series::name, now.t), solutions);
+    if (now.t == lane.start->t1) return finish(lane, {}, solutions);
+    prepare(lane, solutions);
+  }
+  [[nodiscard]] bool show(const Lane& lane) const {
+    const Nodes<n> states = lane.next;
+    const double times[] = {lane.t1};
+    return lane.start->observer({lane.now.statistics.steps, lane.now.t, lane.t1, lane.now.x, lane.next, times,
+                                 states, Dense(*this, lane)});
+  }
+
+  void finish(Lane& lane, Status status, std::vector<Solution<n>>& solutions) {
+    lane.now.status = std::move(status);
+    solutions[lane.number] = std::move(lane.now);
+    lane.start = nullptr;
+    --busy_;
+  }
+
+  taylor_series::Rule rule_;
+  double log2_safety_;
+  TapeLanes tapes_;
+  int order_ = 0, busy_ = 0;
+  std::vector<Lane> lanes_;
+};
+
+extern template class SeriesLanes<1>;
+extern template class SeriesLanes<2>;
+extern template class SeriesLanes<3>;
+extern template class SeriesLanes<4>;
+extern template class SeriesLanes<6>;
+extern template class SeriesLanes<Eigen::Dynamic>;
+
+}  // namespace nlmech::ivp::detail

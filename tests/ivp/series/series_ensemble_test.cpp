@@ -1,0 +1,236 @@
+/// Series for many trajectories at once: the bits of integrate(), whatever stands in the other lanes.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "nlmech/ivp/ensemble/integrate_all.hpp"
+#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/robertson.hpp"
+
+namespace nlmech::ivp::series_ensemble_test {
+namespace {
+
+/// x'' = c cos(w t) - sin x - 0.1 x', with a jump of the rate at t = jump if it is to.
+struct Pendulum {
+  static constexpr int dimension = 2;
+  double c = 1, w = 2, jump = 0;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    using std::cos;
+    using std::sin;
+    f[0] = x[1];
+    f[1] = c * cos(w * t) - sin(x[0]) - 0.1 * x[1];
+    if (value_of(t) < jump) f[1] += 1.0;
+  }
+  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
+    if ((t0 < jump) == (t1 < jump)) return {};
+    return {jump};
+  }
+};
+
+/// x' = x^2, infinite at 1/x(0).
+struct Pole {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    f[0] = x[0] * x[0];
+  }
+};
+
+/// Its series has gaps: the first step is tested, rejected and halved.
+struct Gap {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>&, Vector<T, 1>& f) const {
+    using std::pow;
+    f[0] = pow(t, 20);
+  }
+};
+
+/// x' = 1/x, at 0 with a slope that is not finite; from 1e-300 with coefficients that are not.
+struct Singular {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    f[0] = 1 / x[0];
+  }
+};
+
+template <int n>
+void expect_same(const Solution<n>& a, const Solution<n>& b) {
+  EXPECT_EQ(a.t, b.t);
+  ASSERT_EQ(a.x.size(), b.x.size());
+  for (Eigen::Index i = 0; i < a.x.size(); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(a.x[i]), std::bit_cast<std::uint64_t>(b.x[i]));
+  EXPECT_EQ(a.status.text(), b.status.text());
+  EXPECT_EQ(a.status.outcome(), b.status.outcome());
+  EXPECT_EQ(a.statistics.steps, b.statistics.steps);
+  EXPECT_EQ(a.statistics.rejected, b.statistics.rejected);
+  EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides);
+}
+
+/// By all widths that have the bits of this processor's single runs, and by several threads.
+template <int n>
+void expect_bits_of_one(const std::vector<Start<n>>& starts, const Series& method) {
+  std::vector<Solution<n>> alone;
+  for (const Start<n>& start : starts) alone.push_back(detail::alone(start, method));
+  const std::span<const Start<n>> all(starts);
+  for (const int threads : {1, 3}) {
+    const auto together = integrate_all<n>(all, method, threads);
+    ASSERT_EQ(together.size(), alone.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(together[i], alone[i]);
+  }
+  if (method.step > 0 || !available(InstructionSet::avx2)) return;
+  std::vector<Solution<n>> narrow(starts.size());
+  std::atomic<std::size_t> next = 0;
+  detail::run_lanes<n>(all, method, next, narrow, InstructionSet::avx2);
+  for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(narrow[i], alone[i]);
+}
+
+Series with(double tolerance, int order = 0) {
+  return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .order = order};
+}
+
+// Any states, ends, parameters, in any company: some of other equations, which do not fit beside them.
+RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
+  const auto number = [](double low, double high) {
+    return low + (high - low) * (*rc::gen::inRange(0, 1000001)) * 1e-6;
+  };
+  const std::size_t count = *rc::gen::inRange<std::size_t>(0, 60);
+  std::vector<System<3>> systems;
+  systems.emplace_back(problems::Lorenz{});
+  for (int k = 0; k < 5; ++k) {
+    problems::Lorenz other;
+    other.sigma = *rc::gen::element(1.0, 9.5, 10.25);  // with 1 it has one operation less
+    other.r = number(0.5, 60);
+    systems.emplace_back(other);
+  }
+  std::vector<Start<3>> starts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t0 = number(-1, 1);
+    starts.push_back({&systems[*rc::gen::inRange<std::size_t>(0, systems.size())],
+                      {number(-20, 20), number(-20, 20), number(-5, 40)},
+                      t0,
+                      t0 + number(-0.3, 2),
+                      {},
+                      {.steps = 200}});
+  }
+  expect_bits_of_one<3>(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
+}
+
+TEST(SeriesEnsemble, EquationsWithTheTime) {
+  const System<2> smooth(Pendulum{}), jumping(Pendulum{.jump = 1.5});
+  std::vector<Start<2>> starts;
+  for (int i = 0; i < 40; ++i) {
+    const System<2>* system = i % 3 == 0 ? &jumping : &smooth;
+    starts.push_back({system, State<2>(0.1 * i, 1), 0.1 * i, 3 + 0.2 * (i % 7), {}, {}});
+  }
+  starts[5].t1 = starts[5].t0;
+  starts[6].t1 = -2;
+  expect_bits_of_one<2>(starts, with(1e-10));
+  Series bounded = with(1e-6);
+  bounded.largest_step = 0.05;
+  expect_bits_of_one<2>(starts, bounded);
+  expect_bits_of_one<2>(starts, {.order = 8, .step = 0.1});  // by threads
+}
+
+// What ends in a failure ends as it does alone, with its sentence, and disturbs nobody.
+TEST(SeriesEnsemble, FailuresAreTheirOwn) {
+  const System<1> pole(Pole{}), gap(Gap{}), singular(Singular{});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Start<1>> poles, gaps, singulars;
+  for (int i = 0; i < 37; ++i) {
+    poles.push_back({&pole, State<1>(i % 5 == 2 ? 0.9 : 2 - 0.1 * i), 0, i % 4 == 0 ? 3. : 1., {}, {}});
+    gaps.push_back({&gap, State<1>(0.01 * i), i % 3 == 0 ? 0 : 0.01 * i, 2, {}, {}});
+    singulars.push_back({&singular, State<1>(i % 4 == 1 ? 0 : std::pow(10, -9 * i)), 0, 1, {}, {}});
+  }
+  poles[3].x0[0] = nan;
+  poles[4].limits.steps = 3;
+  poles[5].limits.seconds = 0;
+  gaps[7].limits.steps = 2;
+  expect_bits_of_one<1>(poles, with(1e-12));
+  expect_bits_of_one<1>(gaps, with(1e-9, 10));
+  expect_bits_of_one<1>(singulars, with(1e-9));
+  const auto ends = integrate_all<1>(std::span<const Start<1>>(poles), with(1e-12));
+  EXPECT_EQ(ends[0].status.outcome(), Outcome::step_underflow);
+  EXPECT_EQ(ends[3].status.outcome(), Outcome::non_finite);
+  EXPECT_EQ(ends[4].status.outcome(), Outcome::step_limit);
+  EXPECT_EQ(ends[5].status.outcome(), Outcome::time_limit);
+  EXPECT_TRUE(ends[7].status.ok());
+  EXPECT_GT(integrate_all<1>(std::span<const Start<1>>(gaps), with(1e-9, 10))[0].statistics.rejected, 0);
+}
+
+// Observers see the steps of their own trajectory, values within them too, and end it alone.
+TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
+  const System<3> system(problems::Lorenz{});
+  constexpr std::size_t count = 45;
+  std::vector<std::vector<double>> seen(count), alone(count);
+  const auto starts = [&](std::vector<std::vector<double>>& to) {
+    std::vector<Start<3>> all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Observer<3> look = [&to, i](const Step<3>& step) {
+        const State<3> x = step.at(step.t0 + 0.3 * (step.t1 - step.t0));
+        to[i].insert(to[i].end(), {step.t0, step.t1, step.times[0], step.states(2, 0), step.x0[0], x[0], x[2],
+                                   static_cast<double>(step.index)});
+        return i != 17 || step.t1 < 0.7;
+      };
+      const double k = static_cast<double>(i);
+      all.push_back({&system, State<3>(0.1 * k, 1, 20 - k), 0, 1 + 0.1 * k, look, {}});
+    }
+    return all;
+  };
+  const auto from = starts(seen);
+  const auto ends = integrate_all<3>(std::span<const Start<3>>(from), with(1e-9), 2);
+  for (const Start<3>& start : starts(alone)) (void)detail::alone(start, with(1e-9));
+  EXPECT_EQ(seen, alone);
+  EXPECT_EQ(ends[17].status.outcome(), Outcome::interrupted);
+  EXPECT_TRUE(ends[18].status.ok());
+}
+
+// Components in any number; solutions with bounds and invariants are held to them.
+TEST(SeriesEnsemble, OtherSizes) {
+  const System<Eigen::Dynamic> lorenz(problems::Lorenz{}), pendulum(Pendulum{});
+  std::vector<Start<Eigen::Dynamic>> starts;
+  for (int i = 0; i < 25; ++i) {
+    if (i % 2 == 0) {
+      starts.push_back({&lorenz, State<3>(1, i, 20), 0, 1, {}, {}});
+    } else {
+      starts.push_back({&pendulum, State<2>(1, 0.1 * i), 0, 5, {}, {}});
+    }
+  }
+  expect_bits_of_one<Eigen::Dynamic>(starts, with(1e-8));
+  const System<3> reactions(problems::Robertson{});
+  std::vector<Start<3>> cells(5, {&reactions, State<3>(1, 0, 0), 0, 0.01, {}, {}});
+  expect_bits_of_one<3>(cells, with(1e-3));
+}
+
+TEST(SeriesEnsemble, OneSystemAndManyStates) {
+  const System<3> system(problems::Lorenz{});
+  std::vector<State<3>> states;
+  for (int i = 0; i < 33; ++i) states.emplace_back(1, 0.1 * i, 20);
+  const auto ends = integrate_all(system, std::span<const State<3>>(states), 0, 3, with(1e-9), 2);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    expect_same<3>(ends[i], detail::alone<3>({&system, states[i], 0, 3, {}, {}}, with(1e-9)));
+}
+
+TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
+  const System<1> system(Pole{});
+  const auto all = [](const Start<1>& start, const Series& method) {
+    return integrate_all<1>(std::span<const Start<1>>(&start, 1), method);
+  };
+  EXPECT_THROW((void)all({&system, State<1>(1), 0, 0.5, {}, {}}, with(-1)), std::invalid_argument);
+  EXPECT_THROW((void)all({&system, State<1>(1), 0, std::nan(""), {}, {}}, with(1e-9)), std::invalid_argument);
+  EXPECT_TRUE(integrate_all<1>(std::span<const Start<1>>(), with(1e-9)).empty());
+}
+
+}  // namespace
+}  // namespace nlmech::ivp::series_ensemble_test
