@@ -1,10 +1,12 @@
 /// @file
-/// `integrators_ensemble_bench`: Rk4 on Lorenz' equations for many initial states, in registers against one
-/// by one, compiled as this program is; by Google Benchmark. Writes results/bench/integrators_ensemble.json
-/// and tables/BENCH.md under the current folder; exit code 1 if a claim is not held.
+/// `integrators_ensemble_bench`: Lorenz' equations for many initial states, in registers against one by one;
+/// Rk4 as this program is compiled, Series as the library's kernels are; by Google Benchmark. Writes
+/// results/bench/integrators_ensemble.json and tables/BENCH.md under the current folder; exit code 1 if a
+/// claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <atomic>
 #include <functional>
 #include <span>
 #include <string>
@@ -19,41 +21,94 @@ namespace {
 
 using namespace nlmech;
 
-constexpr int count = 256, steps = 1000;
-
 /// A piece of work that is measured.
 struct Work {
   std::string name;
   std::function<void()> run;
 };
 
-int bench(int argc, char** argv) {
-  chapters::begin_speed(argc, argv);
-  std::vector<ivp::State<3>> starts;
-  for (int i = 0; i < count; ++i) starts.emplace_back(0.01 * i, 1, 0.02 * i);
+std::vector<ivp::State<3>> states(int count) {
+  std::vector<ivp::State<3>> all;
+  for (int i = 0; i < count; ++i) all.emplace_back(0.01 * i, 1, 0.02 * i);
+  return all;
+}
+
+void tell(const Work& work, double steps) {
+  fmt::print("{}: {:.2f} ns a step and trajectory\n", work.name,
+             1e9 * time_repeats(work.run, 9).median / steps);
+}
+
+/// Steps of fixed length.
+void add_rk4(std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims) {
+  constexpr int count = 256, steps = 1000;
   const ivp::Rk4 method{.step = 0.01};
   const double until = method.step * steps;
-  const problems::Lorenz lorenz;
-  const std::vector<Work> all = {
-      {fmt::format("lorenz, rk4, {} starts, registers of {}", count, ivp::register_lanes),
-       [&] {
-         auto ends = ivp::integrate_all(lorenz, std::span<const ivp::State<3>>(starts), 0, until, method, 1);
-         benchmark::DoNotOptimize(ends);
-       }},
-      {fmt::format("lorenz, rk4, {} starts, one by one", count), [&] {
-         for (const ivp::State<3>& start : starts) {
-           auto end = ivp::integrate(ivp::Direct(lorenz), start, 0, until, method);
-           benchmark::DoNotOptimize(end);
-         }
-       }}};
-  for (const Work& work : all) {
-    fmt::print("{}: {:.2f} ns a step and trajectory\n", work.name,
-               1e9 * time_repeats(work.run, 9).median / count / steps);
+  const auto starts = states(count);
+  const Work together{fmt::format("lorenz, rk4, {} starts, registers of {}", count, ivp::register_lanes),
+                      [=] {
+                        auto ends = ivp::integrate_all(
+                            problems::Lorenz{}, std::span<const ivp::State<3>>(starts), 0, until, method, 1);
+                        benchmark::DoNotOptimize(ends);
+                      }};
+  const Work alone{fmt::format("lorenz, rk4, {} starts, one by one", count), [=] {
+                     const problems::Lorenz lorenz;
+                     for (const ivp::State<3>& start : starts) {
+                       auto end = ivp::integrate(ivp::Direct(lorenz), start, 0, until, method);
+                       benchmark::DoNotOptimize(end);
+                     }
+                   }};
+  for (const Work& work : {together, alone}) {
+    tell(work, count * steps);
+    all.push_back(work);
   }
-  return chapters::judge_speed(
-      "integrators_ensemble",
-      {{fmt::format("{} against one by one", all[0].name), all[0].name, all[1].name, 4}},
-      chapters::measure_speed(all));
+  claims.push_back({fmt::format("{} against one by one", together.name), together.name, alone.name, 4});
+}
+
+/// Steps of chosen length, of equations that the compiler has not seen, as typed ones.
+/// @param system outlives the measurement
+void add_series(const ivp::System<3>& system, std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims,
+                double tolerance) {
+  constexpr int count = 512;
+  constexpr double until = 5;
+  const ivp::Series method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+  std::vector<ivp::Start<3>> starts;
+  for (const auto& x0 : states(count)) starts.push_back({&system, x0, 0, until, {}, {}});
+  double steps = 0;
+  for (const auto& start : starts)
+    steps += static_cast<double>(ivp::detail::alone(start, method).statistics.steps);
+  const Work alone{fmt::format("lorenz, series to {:g}, {} starts, one by one", tolerance, count), [=] {
+                     for (const auto& start : starts) {
+                       auto end = ivp::detail::alone(start, method);
+                       benchmark::DoNotOptimize(end);
+                     }
+                   }};
+  tell(alone, steps);
+  all.push_back(alone);
+  const auto add = [&](InstructionSet set, double least) {
+    if (!available(set)) return;
+    const Work together{
+        fmt::format("lorenz, series to {:g}, {} starts, lanes of {}", tolerance, count, to_string(set)), [=] {
+          std::vector<ivp::Solution<3>> ends(starts.size());
+          std::atomic<std::size_t> next = 0;
+          ivp::detail::run_lanes<3>(starts, method, next, ends, set);
+          benchmark::DoNotOptimize(ends);
+        }};
+    tell(together, steps);
+    all.push_back(together);
+    claims.push_back({fmt::format("{} against one by one", together.name), together.name, alone.name, least});
+  };
+  add(InstructionSet::avx2, 2);
+  add(InstructionSet::avx512, 4);
+}
+
+int bench(int argc, char** argv) {
+  chapters::begin_speed(argc, argv);
+  std::vector<Work> all;
+  std::vector<scene::SpeedClaim> claims;
+  add_rk4(all, claims);
+  const ivp::System<3> system(problems::Lorenz{});
+  for (const double tolerance : {1e-6, 1e-9, 1e-12}) add_series(system, all, claims, tolerance);
+  return chapters::judge_speed("integrators_ensemble", claims, chapters::measure_speed(all));
 }
 
 }  // namespace
