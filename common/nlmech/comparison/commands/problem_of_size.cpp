@@ -54,6 +54,17 @@ std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_o
   return all;
 }
 
+/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
+/// allow.
+template <int m>
+ivp::NamedIntegrator<m> other_method(const AnyMethod& method, const ivp::Settings& settings) {
+  const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
+  const Tolerance tolerance = tolerance_of(settings);
+  return any_integrator<m>(
+      any_method(method.name == "dop853" ? "series" : "dop853"),
+      {.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
+}
+
 /// The first of them that this build has.
 void add_first(const std::vector<std::string>& names, std::vector<std::string>& to) {
   const std::vector<std::string> built = built_method_names();
@@ -174,13 +185,16 @@ template <int m>
 class ProblemOfSize<m>::Run {
  public:
   /// All outlive it. @param one the method, for a single trajectory
+  /// @param other that suffices for its verification if it agrees; may be null
   Run(const ProblemOfSize& problem, const ivp::System<m>& system, const Request& request,
-      const AnyMethod& method, const ivp::NamedIntegrator<m>& one)
+      const AnyMethod& method, const ivp::NamedIntegrator<m>& one,
+      const ivp::NamedIntegrator<m>* other = nullptr)
       : problem_(problem),
         system_(system),
         request_(request),
         way_(request),
         method_(method),
+        other_(other),
         rows_(way_, problem.state_names()),
         seen_{shown_of(problem.state_names(), system.second_order()), Samples(request.t0, request.t1), {}},
         events_(request, one, system, rows_, seen_) {
@@ -219,6 +233,8 @@ class ProblemOfSize<m>::Run {
     const Effort effort =
         effort_after(end.statistics, system_.size(), request_.limits.seconds - watch_.seconds());
     const ivp::State<m> x0 = begin<m>(request_);
+    const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps, .seconds = effort.seconds};
+    if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return "";
     const Reference truth =
         problem_.reference(x0, request_.t0, what.times, needed_for(what.tolerance), effort);
     const Verification found = verify<m>(system_, x0, request_.t0, what, truth, effort);
@@ -230,6 +246,7 @@ class ProblemOfSize<m>::Run {
   const Request& request_;
   Request way_;  // to where it has come
   const AnyMethod& method_;
+  const ivp::NamedIntegrator<m>* other_;  // or null
   Stopwatch watch_;
   Rows rows_;
   Seen seen_;
@@ -257,6 +274,7 @@ std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, 
       for (std::size_t i = first; i < last; ++i) work(i);
     });
   };
+  const ivp::NamedIntegrator<m> other = other_method<m>(method, settings);
   const ivp::System<m> usual = this->system();
   std::vector<std::optional<ivp::System<m>>> systems(posed.size());
   std::vector<std::unique_ptr<Run>> runs(posed.size());
@@ -264,7 +282,8 @@ std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, 
   each([&](std::size_t i) {
     const auto& problem = dynamic_cast<const ProblemOfSize&>(*posed[i].problem);
     if (&problem != this) systems[i] = problem.system();
-    runs[i] = std::make_unique<Run>(problem, systems[i] ? *systems[i] : usual, posed[i].request, method, one);
+    runs[i] = std::make_unique<Run>(problem, systems[i] ? *systems[i] : usual, posed[i].request, method, one,
+                                    &other);
     starts[i] = runs[i]->start();
   });
   std::vector<ivp::Solution<m>> ends =
