@@ -6,7 +6,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <atomic>
 #include <functional>
 #include <span>
 #include <string>
@@ -88,9 +87,7 @@ void add_series(const ivp::System<3>& system, std::vector<Work>& all, std::vecto
     if (!available(set)) return;
     const Work together{
         fmt::format("lorenz, series to {:g}, {} starts, lanes of {}", tolerance, count, to_string(set)), [=] {
-          std::vector<ivp::Solution<3>> ends(starts.size());
-          std::atomic<std::size_t> next = 0;
-          ivp::detail::run_lanes<3>(starts, method, next, ends, set);
+          auto ends = ivp::integrate_all<3>(std::span<const ivp::Start<3>>(starts), method, 1, set);
           benchmark::DoNotOptimize(ends);
         }};
     tell(together, steps);

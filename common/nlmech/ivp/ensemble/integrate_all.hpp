@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nlmech/ivp/direct.hpp"
@@ -65,23 +66,62 @@ template <int n, class Method>
   return solution;
 }
 
-/// One thread's work: lanes that take the next trajectory when they are free.
+/// One thread's lanes, which take the next trajectory when they are free. Those whose equations are of
+/// another kind wait until all of the present kind have ended; if there are more kinds than that pays for,
+/// lanes end what they have for each.
 template <int n>
-void run_lanes(std::span<const Start<n>> starts, const Series& method, std::atomic<std::size_t>& next,
-               std::vector<Solution<n>>& solutions, InstructionSet set = best_instruction_set()) {
-  SeriesLanes<n> lanes(rule_of(method), set);
-  for (bool more = true; more || lanes.busy() > 0;) {
-    while (more && lanes.free() > 0) {
-      const std::size_t i = next.fetch_add(1);
-      more = i < starts.size();
-      if (!more) break;
-      const Start<n>& start = starts[i];
-      check_arguments(start.t0, start.t1, start.x0.size(), start.system->size());
-      if (!lanes.suits(start) || !lanes.take_in(i, start, solutions)) solutions[i] = alone(start, method);
+class LaneWork {
+ public:
+  /// All outlive it.
+  LaneWork(std::span<const Start<n>> starts, const Series& method, InstructionSet set,
+           std::vector<Solution<n>>& solutions)
+      : starts_(starts), method_(method), solutions_(solutions), lanes_(rule_of(method), set) {}
+
+  /// Runs what @p next hands out to all threads.
+  void run(std::atomic<std::size_t>& next) {
+    run_all([&] { return next.fetch_add(1); }, starts_.size());
+    while (!waiting_.empty()) {
+      const std::vector<std::size_t> those = std::exchange(waiting_, {});
+      ++kinds_;
+      std::size_t k = 0;
+      run_all([&] { return k < those.size() ? those[k++] : starts_.size(); }, starts_.size());
     }
-    if (lanes.busy() > 0) lanes.run(solutions);
   }
-}
+
+ private:
+  static constexpr int most_kinds = 8;
+
+  /// @param next a number of a trajectory, or @p end or more after the last
+  template <class Next>
+  void run_all(const Next& next, std::size_t end) {
+    for (bool more = true; more || lanes_.busy() > 0;) {
+      while (more && lanes_.free() > 0) {
+        const std::size_t i = next();
+        more = i < end;
+        if (more) begin(i);
+      }
+      if (lanes_.busy() > 0) lanes_.run(solutions_);
+    }
+  }
+  void begin(std::size_t i) {
+    const Start<n>& start = starts_[i];
+    check_arguments(start.t0, start.t1, start.x0.size(), start.system->size());
+    if (!lanes_.suits(start)) {
+      solutions_[i] = alone(start, method_);
+    } else if (!lanes_.take_in(i, start, solutions_)) {
+      if (kinds_ < most_kinds) return waiting_.push_back(i);
+      while (lanes_.busy() > 0) lanes_.run(solutions_);
+      (void)lanes_.take_in(i, start, solutions_);  // empty lanes take anything
+    }
+  }
+
+  std::span<const Start<n>> starts_;
+  const Series& method_;
+  std::vector<Solution<n>>& solutions_;
+  SeriesLanes<n> lanes_;
+  std::vector<std::size_t> waiting_;
+  int kinds_ = 1;
+};
 
 }  // namespace detail
 
@@ -89,22 +129,25 @@ void run_lanes(std::span<const Start<n>> starts, const Series& method, std::atom
 /// has the same bits in any company, order, and number of threads. Statistics::seconds is 0.
 ///
 /// Series with chosen steps moves as many trajectories in a register as the processor allows, each with its
-/// own steps and end; those of one kind of equations, which may differ in their constants. A trajectory that
-/// is done makes room for the next. Alone go those that switch, meet a discontinuity, or name bounds or
-/// invariants.
+/// own steps and end; those of one kind of equations, which may differ in their constants, before those of
+/// another. A trajectory that is done makes room for the next. Alone go those that switch, meet a
+/// discontinuity, or name bounds or invariants.
 /// @param threads how many; 0: one a processor
+/// @param set which registers; InstructionSet::baseline rounds products by themselves, so that its bits are
+/// those of a processor that has no other
 /// @return a solution for each start, in their order
-/// @throws std::invalid_argument as integrate() does
+/// @throws std::invalid_argument as integrate() does, and if this processor does not have @p set
 template <int n, class Method>
-[[nodiscard]] std::vector<Solution<n>> integrate_all(std::span<const Start<n>> starts, const Method& method,
-                                                     int threads = 0) {
+[[nodiscard]] std::vector<Solution<n>> integrate_all(
+    std::span<const Start<n>> starts, const Method& method, int threads = 0,
+    [[maybe_unused]] InstructionSet set = best_instruction_set()) {
   std::vector<Solution<n>> solutions(starts.size());
   if constexpr (std::same_as<Method, Series>) {
     check_options(method);
     if (method.step == 0) {
       std::atomic<std::size_t> next = 0;
       in_threads(std::min(threads_for(threads), starts.size()),
-                 [&] { detail::run_lanes<n>(starts, method, next, solutions); });
+                 [&] { detail::LaneWork<n>(starts, method, set, solutions).run(next); });
       return solutions;
     }
   }
