@@ -62,6 +62,7 @@ void show_arch(const Walked& arch, scene::Show& show) {
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
     scene::Panel& panel = plot.panel(label, "load factor").key(is_named ? "top left" : "off").y_range(0, 80);
+    if (!is_named) panel.x_range(-0.0145, 0.0145).set("xtics 0.01");
     panel.curve("symmetric path", arch.points(0), x, &FramePoint::load, scene::lines(1));
     panel.curve("tilted to the left", arch.points(1), x, &FramePoint::load, scene::lines(2));
     panel.curve("tilted to the right", arch.points(2), x, &FramePoint::load, scene::lines(4));
