@@ -105,7 +105,7 @@ Row cheapest(const Porkchop& grid, const char* name, const Measure& measure) {
 std::vector<Row> put_minima(const Porkchop& grid, const std::string& unit, double time, scene::Show& show) {
   using orbit::PorkchopCell;
   const auto cell = [&](const char* name, auto measure) { return cheapest(grid, name, measure); };
-  const std::vector<Row> rows = {
+  std::vector<Row> rows = {
       cell("sum of both", [](const PorkchopCell& c) { return c.v_departure + c.v_arrival; }),
       cell("speed at the departure", [](const PorkchopCell& c) { return c.v_departure; }),
       cell("speed at the arrival", [](const PorkchopCell& c) { return c.v_arrival; })};

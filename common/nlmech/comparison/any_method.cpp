@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "nlmech/ivp/named/named_ensemble.hpp"
 #include "nlmech/ivp/switching.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -54,6 +55,13 @@ ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Setti
   };
 }
 
+template <int n>
+std::vector<ivp::Solution<n>> integrate_all(const AnyMethod& method, const ivp::Settings& settings,
+                                            std::span<const ivp::Start<n>> starts, int threads) {
+  if (!method.peer) return ivp::named_integrate_all<n>(method.name, settings, starts, threads);
+  return ivp::each_by<n>(any_integrator<n>(method, settings), starts, threads);
+}
+
 template ivp::NamedIntegrator<1> any_integrator<1>(const AnyMethod&, const ivp::Settings&);
 template ivp::NamedIntegrator<2> any_integrator<2>(const AnyMethod&, const ivp::Settings&);
 template ivp::NamedIntegrator<3> any_integrator<3>(const AnyMethod&, const ivp::Settings&);
@@ -61,5 +69,18 @@ template ivp::NamedIntegrator<4> any_integrator<4>(const AnyMethod&, const ivp::
 template ivp::NamedIntegrator<6> any_integrator<6>(const AnyMethod&, const ivp::Settings&);
 template ivp::NamedIntegrator<Eigen::Dynamic> any_integrator<Eigen::Dynamic>(const AnyMethod&,
                                                                              const ivp::Settings&);
+
+template std::vector<ivp::Solution<1>> integrate_all<1>(const AnyMethod&, const ivp::Settings&,
+                                                        std::span<const ivp::Start<1>>, int);
+template std::vector<ivp::Solution<2>> integrate_all<2>(const AnyMethod&, const ivp::Settings&,
+                                                        std::span<const ivp::Start<2>>, int);
+template std::vector<ivp::Solution<3>> integrate_all<3>(const AnyMethod&, const ivp::Settings&,
+                                                        std::span<const ivp::Start<3>>, int);
+template std::vector<ivp::Solution<4>> integrate_all<4>(const AnyMethod&, const ivp::Settings&,
+                                                        std::span<const ivp::Start<4>>, int);
+template std::vector<ivp::Solution<6>> integrate_all<6>(const AnyMethod&, const ivp::Settings&,
+                                                        std::span<const ivp::Start<6>>, int);
+template std::vector<ivp::Solution<Eigen::Dynamic>> integrate_all<Eigen::Dynamic>(
+    const AnyMethod&, const ivp::Settings&, std::span<const ivp::Start<Eigen::Dynamic>>, int);
 
 }  // namespace nlmech::comparison

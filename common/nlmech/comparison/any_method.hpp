@@ -2,10 +2,12 @@
 /// Our methods and the peers by name, side by side.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "nlmech/ivp/ensemble/start.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
@@ -33,5 +35,11 @@ struct AnyMethod {
 /// @throws std::invalid_argument for settings that cannot be meant, and for a peer that this build lacks
 template <int n>
 [[nodiscard]] ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Settings& settings);
+
+/// Many trajectories by it, each as by any_integrator(); see ivp::named_integrate_all().
+template <int n>
+[[nodiscard]] std::vector<ivp::Solution<n>> integrate_all(const AnyMethod& method,
+                                                          const ivp::Settings& settings,
+                                                          std::span<const ivp::Start<n>> starts, int threads);
 
 }  // namespace nlmech::comparison

@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
-#include <thread>
 
 #include "nlmech/orbit/lanes.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -168,14 +168,7 @@ std::vector<Solution> propagate_all(std::span<const Flight> flights, const Taylo
                     .settings = settings_of(method),
                     .solutions = std::vector<Solution>(flights.size()),
                     .watch = {}};
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t threads = method.threads > 0 ? static_cast<std::size_t>(method.threads) : processors;
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < std::min(threads, flights.size()); ++k)
-      others.emplace_back([&ensemble] { ensemble.work(); });
-    ensemble.work();
-  }
+  in_threads(std::min(threads_for(method.threads), flights.size()), [&ensemble] { ensemble.work(); });
   return std::move(ensemble.solutions);
 }
 

@@ -83,7 +83,7 @@ void TapeLanes::put(int lane, const Tape& tape) {
 
 void TapeLanes::set(int lane, double t, const double* x, double scale) {
   at(0, 0)[lane] = t;
-  at(0, 1)[lane] = scales_[lane] = scale;
+  at(0, 1)[lane] = scales_.get()[lane] = scale;
   for (int i = 0; i < tape_.size(); ++i) at(i + 1, 0)[lane] = x[i];
 }
 
@@ -120,7 +120,7 @@ void TapeLanes::first_pass() {
     const double* const slope =
         output.series < 0 ? constant(tape::output_of(program, i)) : at(output.series, 0);
     double* const next = at(i + 1, 1);
-    for (int lane = 0; lane < lanes_; ++lane) next[lane] = scales_[lane] * slope[lane];
+    for (int lane = 0; lane < lanes_; ++lane) next[lane] = scales_.get()[lane] * slope[lane];
   }
 }
 

@@ -31,7 +31,7 @@ class TapeLanes {
   void put(int lane, const Tape& tape);
 
   /// How many solutions at once.
-  [[nodiscard]] int lanes() const { return lanes_; }
+  [[nodiscard]] int lanes() const { return static_cast<int>(lanes_); }
   /// Components of the state.
   [[nodiscard]] int size() const { return tape_.size(); }
   /// Order of the series.
@@ -47,7 +47,7 @@ class TapeLanes {
   /// of the other lanes follow.
   [[nodiscard]] const double* increments(int i) const { return sums_.get() + i * lanes_; }
   /// Where the series of a lane is to be summed.
-  void set_argument(int lane, double s) { arguments_[lane] = s; }
+  void set_argument(int lane, double s) { arguments_.get()[lane] = s; }
   /// Sums the series of all lanes.
   void add_up();
 
@@ -67,7 +67,8 @@ class TapeLanes {
   void first_linear(const tape::Program& program, int j);
 
   const tape::LaneKernel* kernel_;
-  int lanes_, order_ = 0;
+  std::ptrdiff_t lanes_;  // what pointers are moved by
+  int order_ = 0;
   Tape tape_;
   Numbers memory_, constants_, scales_, arguments_, sums_;
   std::vector<double> reciprocals_;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <string>
@@ -95,6 +96,67 @@ TEST(States, FailuresAreTheirOwn) {
   EXPECT_NE(records[1].cells[4], "success");
   EXPECT_EQ(records[3].cells[4], "success");
   EXPECT_NEAR(std::stod(records[3].cells[2]), 0.5, 1e-7);  // 1/(4 - 2)
+}
+
+// Series moves several rows in a register: each is what its own run prints, with events and ends of its own,
+// and whatever stands beside; a row that fails, too.
+TEST(States, SeriesSideBySide) {
+  const TemporaryFolder folder;
+  std::string text = "x,a,until\n";
+  for (int i = 0; i < 25; ++i) text += fmt::format("{},{},{}\n", 0.5 + 0.1 * i, 1 + i % 3, 1 + 0.4 * i);
+  text += "3,-9,1\n";  // x'' + 0.1 x' = 9 x^3 is infinite near t = 0.2
+  scene::write_whole(folder / "starts.csv", text);
+  const std::string equation = "x'' + 0.1 x' + a x^3 = 0; a = 1; x(0) = 1; x'(0) = 0";
+  const Words words = {"integrate", "--equation", equation, "--states",    "starts.csv", "--method",
+                       "series",    "--event",    "x=0",    "--no-verify", "--threads"};
+  const auto by = [&](const std::string& threads) {
+    Words all = words;
+    all.push_back(threads);
+    const Finished f = integrators(all, folder.string());
+    EXPECT_EQ(f.exit_code, 1);
+    EXPECT_NE(f.errors.find("1 of the runs failed; the first is row 26"), std::string::npos) << f.errors;
+    return f.output;
+  };
+  const std::string whole = by("1");
+  EXPECT_EQ(by("3"), whole);
+  std::string rows = "row,t,x,x',event,status\n";
+  for (int i = 0; i < 25; ++i) {
+    const std::string alone =
+        output({"integrate", "--equation", equation, "--method", "series", "--event", "x=0", "--no-verify",
+                "--initial", fmt::format("x={}", 0.5 + 0.1 * i), "--set", fmt::format("a={}", 1 + i % 3),
+                "--until", fmt::format("{}", 1 + 0.4 * i)},
+               folder.string());
+    const auto lines = scene::parse_csv(alone, "output");
+    for (std::size_t k = 1; k < lines.size(); ++k)
+      rows += fmt::format("{},{},success\n", i + 1, fmt::join(lines[k].cells, ","));
+  }
+  EXPECT_EQ(whole.substr(0, rows.size()), rows);
+  EXPECT_EQ(whole.substr(rows.size()).substr(0, 7), "26,,,,,");
+}
+
+// Ends stand in the file or on the command line, not in both, and a parameter of that name is a parameter.
+TEST(States, EndsOfTheirOwn) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "ends.csv", "x,until\n1,1\n2,-1\n");
+  scene::write_whole(folder / "none.csv", "x\n1\n");
+  const Words start = {"integrate", "--equation", "x' = -x", "--initial", "x=1", "--states"};
+  const auto with = [&](Words more) {
+    more.insert(more.begin(), start.begin(), start.end());
+    return more;
+  };
+  const auto records = scene::parse_csv(output(with({"ends.csv"}), folder.string()), "output");
+  ASSERT_EQ(records.size(), 5U);
+  EXPECT_EQ(records[4].cells[1], "-1");
+  EXPECT_NEAR(std::stod(records[2].cells[2]), std::exp(-1), 1e-8);     // a tolerance of 1e-9 a step
+  EXPECT_NEAR(std::stod(records[4].cells[2]), 2 * std::exp(1), 1e-7);  // the same of 5.4
+  refused(with({"ends.csv", "--until", "2"}), folder.string(), {"--until 2", "ends.csv has a column until"});
+  refused(with({"none.csv"}), folder.string(), {"none.csv", "no column until"});
+  refused(with({"ends.csv", "--every", "1e-8"}), folder.string(), {"ends.csv: line 2", "--every 1e-08"});
+  refused({"integrate", "--equation", "x' = -x", "--initial", "x=1"}, folder.string(), {"--until"});
+  const std::string named = output({"integrate", "--equation", "x' = -until*x; until = 1", "--initial", "x=1",
+                                    "--states", "ends.csv", "--until", "3"},
+                                   folder.string());
+  EXPECT_EQ(scene::parse_csv(named, "output").at(2).cells[1], "3");
 }
 
 // What is not done in time says so in its row.

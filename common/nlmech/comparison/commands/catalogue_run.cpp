@@ -12,12 +12,15 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::comparison {
 namespace {
 
-/// Lines that are held in memory at a time.
-constexpr double most_lines = 1e5;
+/// Lines and rows that are held in memory at a time.
+constexpr double most_lines = 1e5, most_rows = 1024;
+/// The column of ends.
+constexpr const char* end_column = "until";
 
 class Runner {
  public:
@@ -27,21 +30,30 @@ class Runner {
         request_(runs.request(*base_)),
         states_(base_->state_names()),
         parameters_(names_of(base_->parameters())),
-        catalogue_(runs.file, {}, known(), [this](const auto& row) { return complaint(row); }) {
-    const auto names = known();
-    if (std::none_of(names.begin(), names.end(), [this](const auto& name) { return catalogue_.has(name); }))
+        columns_(joined(states_, parameters_)),
+        catalogue_(runs.file, {}, joined(columns_, {end_column}),
+                   [this](const auto& row) { return complaint(row); }) {
+    if (std::none_of(columns_.begin(), columns_.end(),
+                     [this](const auto& name) { return catalogue_.has(name); }))
       throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
-                        catalogue_.name(), fmt::join(names, ", "));
+                        catalogue_.name(), fmt::join(columns_, ", "));
+    const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
+    const bool has_ends = is_end && catalogue_.has(end_column);
+    if (runs.until && has_ends)
+      throw input_error("--until {}: {} has a column until", *runs.until, catalogue_.name());
+    if (!runs.until && !has_ends)
+      throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
   }
 
   [[nodiscard]] int print() {
-    const double lines = request_.every ? std::abs(request_.t1 - request_.t0) / *request_.every + 2 : 2;
+    // Rows have as many lines as --every makes of them; there are most_rows of them at a time, at most.
+    catalogue_.weigh_by([this](const auto& row) { return std::max(most_lines / most_rows, lines(row)); });
     scene::print_catalogue(
         catalogue_, {.shard = runs_.shard,
                      .options = runs_.typed,
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
-                     .portion = static_cast<std::size_t>(std::clamp(most_lines / lines, 1.0, 1024.0)),
+                     .portion = static_cast<std::size_t>(most_lines),
                      .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
     if (!remark_.empty()) scene::tell(fmt::format("{}: {}", runs_.program, remark_));
     if (failed_ == 0) return 0;
@@ -51,37 +63,50 @@ class Runner {
   }
 
  private:
-  /// What became of a row.
-  struct Run {
-    Status status;
-    std::string remark;
-  };
-
   static std::vector<std::string> names_of(const CatalogueRuns::Values& values) {
     std::vector<std::string> names;
     for (const auto& [name, value] : values) names.push_back(name);
     return names;
   }
-  [[nodiscard]] std::vector<std::string> known() const {
-    std::vector<std::string> all = states_;
-    for (const std::string& name : parameters_) {
-      if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  /// Names without those that are there already.
+  static std::vector<std::string> joined(std::vector<std::string> names,
+                                         const std::vector<std::string>& more) {
+    for (const std::string& name : more) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
-    return all;
+    return names;
   }
-  /// NaN stands where there is no column.
-  [[nodiscard]] std::unique_ptr<OwnProblem> problem_of(const std::vector<double>& row) const {
+  /// Where a row ends.
+  [[nodiscard]] double end(const std::vector<double>& row) const {
+    const bool own = row.size() > columns_.size() && !std::isnan(row.back());
+    return own ? row.back() : request_.t1;
+  }
+  [[nodiscard]] double lines(const std::vector<double>& row) const {
+    return request_.every ? std::abs(end(row) - request_.t0) / *request_.every + 2 : 2;
+  }
+  /// With the parameters of a row, NaN standing where there is no column.
+  [[nodiscard]] std::shared_ptr<const OwnProblem> problem_of(const std::vector<double>& row) const {
     CatalogueRuns::Values values;
-    const auto names = known();
-    for (std::size_t i = states_.size(); i < names.size(); ++i) {
-      if (!std::isnan(row[i])) values.emplace_back(names[i], row[i]);
+    for (std::size_t i = states_.size(); i < columns_.size(); ++i) {
+      if (!std::isnan(row[i])) values.emplace_back(columns_[i], row[i]);
     }
-    return runs_.problem(values);
+    return values.empty() ? base_ : runs_.problem(values);
+  }
+  /// What is asked of a row.
+  [[nodiscard]] Request request_of(const std::vector<double>& row,
+                                   const std::shared_ptr<const OwnProblem>& problem) const {
+    Request request = problem == base_ ? request_ : runs_.request(*problem);
+    request.t1 = end(row);
+    check_rows(request);
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      if (!std::isnan(row[k])) request.x0[k] = row[k];
+    }
+    return request;
   }
   /// Called while the catalogue is made, too: only what is before it in this class is there.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
     try {
-      (void)runs_.request(*problem_of(row));
+      (void)request_of(row, problem_of(row));
     } catch (const std::exception& error) {
       return error.what();
     }
@@ -89,56 +114,57 @@ class Runner {
   }
 
   [[nodiscard]] std::string lines_of(const scene::CatalogueRows& rows) {
-    std::vector<Run> runs(rows.numbers.size());
-    std::string text =
-        scene::lines_in_threads(rows.numbers.size(), runs_.threads, [&](std::size_t i, std::string& lines) {
-          add_run(rows.first + static_cast<std::int64_t>(i), rows.numbers[i], rows.rest[i], runs[i], lines);
-        });
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
-      if (remark_.empty() && !runs[i].remark.empty())
-        remark_ = fmt::format("row {}: {}", row, runs[i].remark);
-      if (runs[i].status.ok() || failed_++ > 0) continue;
-      first_ = row;
-      sentence_ = runs[i].status.text();
-    }
-    return text;
+    const std::size_t count = rows.numbers.size();
+    std::vector<std::shared_ptr<const OwnProblem>> problems(count);
+    std::vector<Posed> posed(count);
+    const double left = std::max(0.0, runs_.seconds - watch_.seconds());
+    share_out(count, 1, runs_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        problems[i] = problem_of(rows.numbers[i]);
+        posed[i] = {problems[i].get(), request_of(rows.numbers[i], problems[i])};
+        Request& request = posed[i].request;
+        request.limits.seconds = std::min(request.limits.seconds, left);
+      }
+    });
+    const std::vector<Ended> ends = base_->trajectories(posed, runs_.method, runs_.threads);
+    const auto row = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
+    for (std::size_t i = 0; i < count; ++i) note(row(i), ends[i]);
+    return scene::lines_in_threads(count, runs_.threads, [&](std::size_t i, std::string& lines) {
+      add_lines(row(i), rows.rest[i], ends[i], lines);
+    });
   }
 
-  void add_run(std::int64_t row, const std::vector<double>& numbers, const std::string& rest, Run& run,
-               std::string& lines) const {
-    try {
-      const auto problem = problem_of(numbers);
-      Request request = runs_.request(*problem);
-      request.limits.seconds =
-          std::min(request.limits.seconds, std::max(0.0, runs_.seconds - watch_.seconds()));
-      for (std::size_t k = 0; k < states_.size(); ++k) {
-        if (!std::isnan(numbers[k])) request.x0[k] = numbers[k];
-      }
-      Trajectory found = problem->trajectory(request, runs_.method);
-      run.remark = std::move(found.remark);
-      std::string_view text = found.rows;
-      text.remove_prefix(text.find('\n') + 1);  // its header
-      const std::string head = fmt::format("{},", row), tail = fmt::format("{},success\n", rest);
-      while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        lines.append(head).append(text.substr(0, end)).append(tail);
-        text.remove_prefix(end + 1);
-      }
-    } catch (const Failure& failure) {
-      run.status =
-          failure.status().ok() ? Status::failure(Outcome::not_converged, failure.what()) : failure.status();
+  /// Remembers the first remark and the first failure.
+  void note(std::int64_t row, const Ended& end) {
+    if (remark_.empty() && !end.trajectory.remark.empty())
+      remark_ = fmt::format("row {}: {}", row, end.trajectory.remark);
+    if (end.status.ok() || failed_++ > 0) return;
+    first_ = row;
+    sentence_ = end.status.text();
+  }
+
+  void add_lines(std::int64_t row, const std::string& rest, const Ended& end, std::string& lines) const {
+    if (!end.status.ok()) {
       const std::size_t empty = states_.size() + 1 + (request_.events.empty() ? 0 : 1);
       lines +=
-          fmt::format("{}{}{},{}\n", row, std::string(empty, ','), rest, to_string(run.status.outcome()));
+          fmt::format("{}{}{},{}\n", row, std::string(empty, ','), rest, to_string(end.status.outcome()));
+      return;
+    }
+    std::string_view text = end.trajectory.rows;
+    text.remove_prefix(text.find('\n') + 1);  // its header
+    const std::string head = fmt::format("{},", row), tail = fmt::format("{},success\n", rest);
+    while (!text.empty()) {
+      const std::size_t length = text.find('\n');
+      lines.append(head).append(text.substr(0, length)).append(tail);
+      text.remove_prefix(length + 1);
     }
   }
 
   const CatalogueRuns& runs_;
   Stopwatch watch_;
-  std::unique_ptr<OwnProblem> base_;
+  std::shared_ptr<const OwnProblem> base_;
   Request request_;
-  std::vector<std::string> states_, parameters_;
+  std::vector<std::string> states_, parameters_, columns_;
   scene::Catalogue catalogue_;
   std::int64_t failed_ = 0, first_ = 0;
   std::string sentence_, remark_;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +21,16 @@ struct CatalogueRuns {
   using Values = std::vector<std::pair<std::string, double>>;
 
   std::string program;  ///< on standard error
-  std::string file;     ///< CSV: columns are unknowns and parameters by name; others are handed on
+  std::string file;     ///< CSV: columns are unknowns and parameters by name, and `until`, if none of these
+                        ///< has that name; others are handed on
   std::string shard;    ///< "i/n", or empty
   std::string typed;    ///< what else the rows depend on, for merge
   int threads = 0;      ///< 0: one a processor
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time of all; each has its own limit
+  std::optional<double> until;  ///< the end of all rows; else they have ends of their own
   /// The problem with these parameters. @throws InputError if they cannot be meant
   std::function<std::unique_ptr<OwnProblem>(const Values&)> problem;
-  /// What is asked of it; the initial state is that of a row without columns.
+  /// What is asked of it; the initial state and the end are those of a row without columns.
   std::function<Request(const OwnProblem&)> request;
   AnyMethod method;  ///< the same for all rows
 };

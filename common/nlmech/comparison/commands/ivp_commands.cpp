@@ -29,8 +29,7 @@ namespace {
 /// What was typed.
 struct Words {
   std::string problem, equation, file, initial, method, tolerances, plot;
-  double until = 0;
-  std::optional<double> from, every;
+  std::optional<double> until, from, every;
   ivp::Settings settings;
   std::optional<double> limit;
   std::vector<std::string> set, events;
@@ -101,7 +100,7 @@ std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& pr
 Request understand(const Words& words, const OwnProblem& problem) {
   Request r{.x0 = problem.initial_state(words.initial),
             .t0 = words.from.value_or(problem.initial_time()),
-            .t1 = words.until,
+            .t1 = 0,
             .settings = words.settings,
             .every = words.every,
             .limits = {.seconds = words.limit.value_or(scene::Options::usual_limit)},
@@ -109,8 +108,8 @@ Request understand(const Words& words, const OwnProblem& problem) {
   if (r.settings.step && r.settings.tolerance)
     throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
                       *r.settings.tolerance);
-  if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
-    throw input_error("--every {}: more than 10 million rows", *r.every);
+  r.t1 = words.until.value_or(r.t0);
+  check_rows(r);
   for (const std::string& text : words.events) r.events.push_back(event_of("--event", text, problem));
   r.section = !words.section.empty();
   if (r.section && (!r.events.empty() || r.every))
@@ -139,6 +138,7 @@ int integrate_all(const Words& words, const OwnProblems& problems, const std::st
   runs.shard = words.shard;
   runs.threads = words.threads.value_or(0);
   runs.seconds = words.limit.value_or(runs.seconds);
+  runs.until = words.until;
   runs.problem = [&](const CatalogueRuns::Values& values) {
     return problem_of(words, problems, equations, values);
   };
@@ -158,6 +158,7 @@ int integrate(const Words& words, const OwnProblems& problems, const std::string
   if (!words.states.empty()) return integrate_all(words, problems, program);
   if (words.threads) throw input_error("--threads {}: is about --states", *words.threads);
   if (!words.shard.empty()) throw input_error("--shard {}: is about --states", words.shard);
+  if (!words.until) throw InputError("--until: is required without --states");
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
@@ -200,7 +201,7 @@ std::vector<std::string> run_of(const Words& words, const Ranked& first, const s
   all.insert(all.end(), words.set.begin(), words.set.end());
   add("--initial", words.initial);
   if (words.from) add("--from", fmt::format("{}", *words.from));
-  add("--until", fmt::format("{}", words.until));
+  add("--until", fmt::format("{}", *words.until));
   add("--method", first.method);
   add("--tolerance", fmt::format("{:.1e}", first.tolerance));
   if (words.settings.absolute_tolerance)
@@ -219,7 +220,8 @@ void choose(const Words& words, const OwnProblems& problems, const std::string& 
   scene::tell(shell_line(run_of(words, found.ranked.front(), program)));
 }
 
-void declare_problem(scene::Options& options, Words& words) {
+/// @param many the option with which it may take as long as it takes, and ends may stand in a file; or empty
+void declare_problem(scene::Options& options, Words& words, const std::string& many = {}) {
   options.add("--problem", words.problem, "one of the problems below");
   options.add("--equation", words.equation,
               "an equation, or several with ; between: \"x'' + 0.1 x' + x + a x^3 = cos(t); a = 3\"");
@@ -229,12 +231,17 @@ void declare_problem(scene::Options& options, Words& words) {
       "--initial", words.initial,
       "initial state: \"x=1, x'=0\", or numbers in the order of the columns; the problem's own without it");
   options.add("--from", words.from, "time at which it begins; the problem's own without it");
-  options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
+  if (many.empty())
+    options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
+  else
+    options.add("--until", words.until,
+                fmt::format("time at which it ends; earlier runs backwards. Required but where {} has a "
+                            "column until",
+                            many));
 }
 
-/// @param many the option of integrate with which it may take as long as it takes
 void declare_common(scene::Options& options, Words& words, const std::string& many = {}) {
-  declare_problem(options, words);
+  declare_problem(options, words, many);
   ivp::Settings& s = words.settings;
   options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
   options

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -25,6 +26,11 @@ std::string Choice::setting() const {
   if (settings.order) text += fmt::format(" order {}", *settings.order);
   if (settings.points) text += fmt::format(" points {}", *settings.points);
   return text;
+}
+
+void check_rows(const Request& r) {
+  if (r.every && std::abs(r.t1 - r.t0) / *r.every > 1e7)
+    throw input_error("--every {}: more than 10 million rows", *r.every);
 }
 
 std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::string& name) {

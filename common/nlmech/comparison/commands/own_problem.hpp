@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
 
@@ -63,11 +65,28 @@ struct Request {
   bool draw = false;                     ///< keep what a picture shows
 };
 
+/// @throws InputError naming `--every` for more rows than anybody reads: ten million
+void check_rows(const Request& request);
+
 /// A run as it is printed.
 struct Trajectory {
   std::string rows;    ///< CSV
   std::string remark;  ///< of its verification, for standard error; may be empty
   Seen seen;           ///< for a picture, if Request::draw
+};
+
+class OwnProblem;
+
+/// One of many runs, as it is asked for.
+struct Posed {
+  const OwnProblem* problem;  ///< of the kind of all others; may be the same for many
+  Request request;            ///< of its run
+};
+
+/// One of many runs, as it has ended.
+struct Ended {
+  Status status;          ///< a failure, whose run has no rows, leaves the others alone
+  Trajectory trajectory;  ///< of a success
 };
 
 /// Methods side by side.
@@ -127,6 +146,10 @@ class OwnProblem {
   /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot
   /// be meant
   [[nodiscard]] virtual Trajectory trajectory(const Request& request, const AnyMethod& method) const = 0;
+  /// The same for many runs of problems of this kind, side by side where the method can; what trajectory()
+  /// throws as Failure is their status. @param threads how many; 0: one a processor
+  [[nodiscard]] virtual std::vector<Ended> trajectories(std::span<const Posed> posed, const AnyMethod& method,
+                                                        int threads) const = 0;
   /// Rows as ComparisonTable makes them. Methods that fail, and those that are not for the problem or the
   /// settings, keep their row and say why, also on standard error after the name of the @p program. Wall time
   /// is shared: each method gets its part of what those before it have left.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::comparison {
 namespace {
@@ -50,6 +52,17 @@ std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_o
     if (rate < size) shown.rate = static_cast<int>(rate);
   }
   return all;
+}
+
+/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
+/// allow.
+template <int m>
+ivp::NamedIntegrator<m> other_method(const AnyMethod& method, const ivp::Settings& settings) {
+  const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
+  const Tolerance tolerance = tolerance_of(settings);
+  return any_integrator<m>(
+      any_method(method.name == "dop853" ? "series" : "dop853"),
+      {.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
 }
 
 /// The first of them that this build has.
@@ -167,34 +180,125 @@ std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const
   return names;
 }
 
+/// A run from its request to its rows. Its parts refer to each other, so it stays where it is.
+template <int m>
+class ProblemOfSize<m>::Run {
+ public:
+  /// All outlive it. @param one the method, for a single trajectory
+  /// @param other that suffices for its verification if it agrees; may be null
+  Run(const ProblemOfSize& problem, const ivp::System<m>& system, const Request& request,
+      const AnyMethod& method, const ivp::NamedIntegrator<m>& one,
+      const ivp::NamedIntegrator<m>* other = nullptr)
+      : problem_(problem),
+        system_(system),
+        request_(request),
+        way_(request),
+        method_(method),
+        other_(other),
+        rows_(way_, problem.state_names()),
+        seen_{shown_of(problem.state_names(), system.second_order()), Samples(request.t0, request.t1), {}},
+        events_(request, one, system, rows_, seen_) {
+    const ivp::State<m> x0 = begin<m>(request);
+    rows_.add(request.t0, x0);
+    if (request.draw && request.t1 != request.t0) seen_.path.add(request.t0, x0);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// What is to be integrated. Refers to this.
+  [[nodiscard]] ivp::Start<m> start() {
+    ivp::Start<m> start{&system_, begin<m>(request_), request_.t0, request_.t1, {}, request_.limits};
+    if (request_.every || request_.draw || !request_.events.empty())
+      start.observer = [this](const ivp::Step<m>& step) { return events_.see(step); };
+    return start;
+  }
+  /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
+  [[nodiscard]] Trajectory finish(ivp::Solution<m> end) {
+    events_.finish(end);
+    if (!end.status.ok()) throw Failure(end.status);
+    way_.t1 = end.t;
+    if (events_.ended())
+      rows_.keep(end.t, end.x);
+    else
+      rows_.add(end.t, end.x);
+    if (!request_.verify || request_.t0 == request_.t1) return {rows_.text(), "", std::move(seen_)};
+    std::string word = verified(end);
+    return {rows_.text(), std::move(word), std::move(seen_)};
+  }
+
+ private:
+  [[nodiscard]] std::string verified(const ivp::Solution<m>& end) const {
+    const Verified what = rows_.verified(tolerance_of(request_.settings));
+    const scene::Doing doing("verifying the run by integration");
+    const Effort effort =
+        effort_after(end.statistics, system_.size(), request_.limits.seconds - watch_.seconds());
+    const ivp::State<m> x0 = begin<m>(request_);
+    const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps, .seconds = effort.seconds};
+    if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return "";
+    const Reference truth =
+        problem_.reference(x0, request_.t0, what.times, needed_for(what.tolerance), effort);
+    const Verification found = verify<m>(system_, x0, request_.t0, what, truth, effort);
+    return remark(found, truth, method_, request_.settings, problem_.state_names());
+  }
+
+  const ProblemOfSize& problem_;
+  const ivp::System<m>& system_;
+  const Request& request_;
+  Request way_;  // to where it has come
+  const AnyMethod& method_;
+  const ivp::NamedIntegrator<m>* other_;  // or null
+  Stopwatch watch_;
+  Rows rows_;
+  Seen seen_;
+  LookOut<m> events_;
+};
+
 template <int m>
 Trajectory ProblemOfSize<m>::trajectory(const Request& r, const AnyMethod& method) const {
-  const Stopwatch watch;
-  const auto run = about("--method", [&] { return any_integrator<m>(method, r.settings); });
+  const auto one = about("--method", [&] { return any_integrator<m>(method, r.settings); });
   const ivp::System<m> system = this->system();
-  const ivp::State<m> x0 = begin<m>(r);
-  Request way = r;
-  Rows rows(way, state_names());
-  rows.add(r.t0, x0);
-  Seen seen{shown_of(state_names(), system.second_order()), Samples(r.t0, r.t1), {}};
-  if (r.draw && r.t1 != r.t0) seen.path.add(r.t0, x0);
-  LookOut<m> events(r, run, system, rows, seen);
-  ivp::Observer<m> observer;
-  if (r.every || r.draw || !r.events.empty())
-    observer = [&events](const ivp::Step<m>& step) { return events.see(step); };
-  ivp::Solution<m> end = about("--method", [&] { return run(system, x0, r.t0, r.t1, observer, r.limits); });
-  events.finish(end);
-  if (!end.status.ok()) throw Failure(end.status);
-  way.t1 = end.t;
-  if (!events.ended()) rows.add(end.t, end.x);
-  if (events.ended()) rows.keep(end.t, end.x);
-  if (!r.verify || r.t0 == r.t1) return {rows.text(), "", std::move(seen)};
-  const Verified what = rows.verified(tolerance_of(r.settings));
-  const scene::Doing doing("verifying the run by integration");
-  const Effort effort = effort_after(end.statistics, system.size(), r.limits.seconds - watch.seconds());
-  const Reference truth = reference(x0, r.t0, what.times, needed_for(what.tolerance), effort);
-  const Verification found = verify<m>(system, x0, r.t0, what, truth, effort);
-  return {rows.text(), remark(found, truth, method, r.settings, state_names()), std::move(seen)};
+  Run run(*this, system, r, method, one);
+  const ivp::Start<m> start = run.start();
+  return run.finish(about(
+      "--method", [&] { return one(system, start.x0, start.t0, start.t1, start.observer, start.limits); }));
+}
+
+template <int m>
+std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, const AnyMethod& method,
+                                                  int threads) const {
+  if (posed.empty()) return {};
+  const ivp::Settings& settings = posed.front().request.settings;
+  const auto one = about("--method", [&] { return any_integrator<m>(method, settings); });
+  const auto each = [&](const std::function<void(std::size_t)>& work) {
+    share_out(posed.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) work(i);
+    });
+  };
+  const ivp::NamedIntegrator<m> other = other_method<m>(method, settings);
+  const ivp::System<m> usual = this->system();
+  std::vector<std::optional<ivp::System<m>>> systems(posed.size());
+  std::vector<std::unique_ptr<Run>> runs(posed.size());
+  std::vector<ivp::Start<m>> starts(posed.size());
+  each([&](std::size_t i) {
+    const auto& problem = dynamic_cast<const ProblemOfSize&>(*posed[i].problem);
+    if (&problem != this) systems[i] = problem.system();
+    runs[i] = std::make_unique<Run>(problem, systems[i] ? *systems[i] : usual, posed[i].request, method, one,
+                                    &other);
+    starts[i] = runs[i]->start();
+  });
+  std::vector<ivp::Solution<m>> ends =
+      about("--method", [&] { return integrate_all<m>(method, settings, starts, threads); });
+  std::vector<Ended> all(posed.size());
+  each([&](std::size_t i) {
+    try {
+      all[i].trajectory = runs[i]->finish(std::move(ends[i]));
+    } catch (const Failure& failure) {
+      all[i].status =
+          failure.status().ok() ? Status::failure(Outcome::not_converged, failure.what()) : failure.status();
+    }
+    runs[i].reset();
+  });
+  return all;
 }
 
 template <int m>

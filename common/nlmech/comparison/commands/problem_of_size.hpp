@@ -2,6 +2,7 @@
 /// What methods make of a problem of one size: everything but the equations themselves, compiled once a size.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "nlmech/comparison/commands/own_problem.hpp"
@@ -28,10 +29,14 @@ class ProblemOfSize : public OwnProblem {
   /// See OwnProblem.
   [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;
   /// See OwnProblem.
+  [[nodiscard]] std::vector<Ended> trajectories(std::span<const Posed> posed, const AnyMethod& method,
+                                                int threads) const override;
+  /// See OwnProblem.
   [[nodiscard]] Comparison comparison(const Request& request, const std::vector<Choice>& methods,
                                       std::string_view program) const override;
 
  private:
+  class Run;
   [[nodiscard]] bool is_stiff(const Request& request) const;
   [[nodiscard]] Reference reference(const ivp::State<m>& x0, double t0, const std::vector<double>& times,
                                     const Needed& needed, const Effort& effort) const;

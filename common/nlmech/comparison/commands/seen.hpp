@@ -110,7 +110,7 @@ struct Seen {
     std::vector<double> x;  ///< state
   };
   std::vector<Shown> components;  ///< of the state
-  Samples path;                   ///< the way, for runs without section
+  Samples path{0, 0};             ///< the way, for runs without section
   std::vector<Moment> events;     ///< where they took place, points of the section among them
 };
 

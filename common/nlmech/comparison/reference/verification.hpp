@@ -9,6 +9,7 @@
 
 #include "nlmech/comparison/amplification.hpp"
 #include "nlmech/comparison/reference/reference.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
 
 namespace nlmech::comparison {
 
@@ -58,5 +59,14 @@ inline constexpr int most_verified = 48;
 template <int n>
 [[nodiscard]] Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
                                   const Verified& run, const Reference& reference, const Effort& effort);
+
+/// Does another method, begun anew at each row of the run, come to the same within most_tolerances? Two
+/// computations agree then that share nothing but the problem: for one run of many, whose reference would
+/// cost more than all else. Where it is false, nothing is known.
+/// @param other at a tolerance below that of the run
+/// @param limits of the other
+template <int n>
+[[nodiscard]] bool agrees(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+                          const Verified& run, const ivp::NamedIntegrator<n>& other, ivp::Limits limits);
 
 }  // namespace nlmech::comparison

@@ -7,10 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <exception>
-#include <mutex>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "nlmech/ivp/direct.hpp"
@@ -19,6 +16,7 @@
 #include "nlmech/ivp/ensemble/start.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::ivp {
 
@@ -31,39 +29,6 @@ concept TakesPack = Problem::dimension >
               Vector<Number, Problem::dimension>& f) {
   problem(t, x, f);
 };
-
-/// How many threads have something to do. @param threads asked for; 0: one a processor
-[[nodiscard]] inline std::size_t threads_for(std::size_t count, std::size_t portion, int threads) {
-  const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : processors;
-  return std::min(wanted, (count + portion - 1) / portion);
-}
-
-/// Calls @p work with portions of the numbers up to @p count, by several threads. The first exception is
-/// thrown again at the end.
-/// @param threads 0: one a processor
-template <class Work>
-void share_out(std::size_t count, std::size_t portion, int threads, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto run = [&] {
-    try {
-      for (std::size_t i = next.fetch_add(portion); i < count; i = next.fetch_add(portion))
-        work(i, std::min(count, i + portion));
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      next = count;
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < threads_for(count, portion, threads); ++k) others.emplace_back(run);
-    run();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 /// All steps of an explicit method for several trajectories: the sums of ExplicitStepper in their order.
 template <ExplicitMethod M, class Problem, class Number>
@@ -137,15 +102,13 @@ template <int n, class Method>
   if constexpr (std::same_as<Method, Series>) {
     check_options(method);
     if (method.step == 0) {
-      const std::size_t wanted = detail::threads_for(starts.size(), 1, threads);
       std::atomic<std::size_t> next = 0;
-      detail::share_out(wanted, 1, static_cast<int>(wanted), [&](std::size_t, std::size_t) {
-        detail::run_lanes<n>(starts, method, next, solutions);
-      });
+      in_threads(std::min(threads_for(threads), starts.size()),
+                 [&] { detail::run_lanes<n>(starts, method, next, solutions); });
       return solutions;
     }
   }
-  detail::share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+  share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) solutions[i] = detail::alone(starts[i], method);
   });
   return solutions;
@@ -163,7 +126,7 @@ template <SystemLike S, class Method>
     return integrate_all<S::dimension>(std::span<const Start<S::dimension>>(starts), method, threads);
   }
   std::vector<Solution<S::dimension>> solutions(states.size());
-  detail::share_out(states.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+  share_out(states.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       solutions[i] = integrate(system, states[i], t0, t1, method, {}, limits);
       solutions[i].statistics.seconds = 0;
@@ -193,7 +156,7 @@ requires(!SystemLike<Problem>) [[nodiscard]] std::vector<Solution<Problem::dimen
       const bool moves = grid.begin + grid.step != grid.begin && grid.end - grid.step != grid.end;
       if (moves && grid.count <= limits.steps) {
         std::vector<Solution<n>> solutions(states.size());
-        detail::share_out(states.size(), lanes, threads, [&](std::size_t begin, std::size_t end) {
+        share_out(states.size(), lanes, threads, [&](std::size_t begin, std::size_t end) {
           Vector<Pack<lanes>, n> x;
           for (int lane = 0; lane < lanes; ++lane) {
             const State<n>& from = states[std::min(begin + static_cast<std::size_t>(lane), end - 1)];

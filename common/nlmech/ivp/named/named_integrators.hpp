@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/named/step_search.hpp"
+#include "nlmech/ivp/series/series.hpp"
 
 namespace nlmech::ivp::named {
 
@@ -52,13 +54,24 @@ NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, 
   return searching<n>(search, of_step, rate, rate && !settings.shape);
 }
 
-/// A method that chooses its steps; @p method has all else.
-template <int n, class Method>
-NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
+/// A method that chooses its steps, with the tolerances set; @p method has all else.
+template <class Method>
+[[nodiscard]] Method with_tolerances_of(const Settings& settings, Method method) {
   method.relative_tolerance = settings.tolerance.value_or(default_tolerance);
   method.absolute_tolerance = settings.absolute_tolerance.value_or(method.relative_tolerance);
   check_options(method);
-  return with_options<n>(method);
+  return method;
+}
+/// The same, ready to run.
+template <int n, class Method>
+NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
+  return with_options<n>(with_tolerances_of(settings, std::move(method)));
+}
+
+/// Taylor series.
+[[nodiscard]] inline Series series_of(const Settings& settings) {
+  const int order = settings.order.value_or(settings.step ? published_order : 0);
+  return with_tolerances_of(settings, Series{.order = order, .step = settings.step.value_or(0)});
 }
 
 }  // namespace nlmech::ivp::named

@@ -94,9 +94,7 @@ constexpr auto with_operators = []<int n>(const MethodInfo& /*info*/, const Sett
 };
 
 constexpr auto series = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
-  const double step = settings.step.value_or(0);
-  const int order = settings.order.value_or(settings.step ? published_order : 0);
-  return by_tolerance<n, Series>(settings, {.order = order, .step = step});
+  return with_options<n>(named::series_of(settings));
 };
 
 constexpr auto transversal = []<int n>(const MethodInfo& info, const Settings& settings) {

@@ -7,13 +7,13 @@
 #include <limits>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/orbit/transfer/lambert_core.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -147,11 +147,7 @@ class Search {
     total.evaluations += search.counts().evaluations;
     total.lost += search.counts().lost;
   };
-  {
-    std::vector<std::jthread> others;
-    for (int k = 1; k < threads; ++k) others.emplace_back(work);
-    work();
-  }
+  in_threads(threads_for(threads), work);
   return total;
 }
 
@@ -174,8 +170,7 @@ Porkchop porkchop(const PorkchopProblem& problem, const PorkchopWork& work) {
   }
   if (!grid.status.ok()) return grid;
   grid.cells.resize(left.size() * reached.size());
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const Counts counts = fill(problem, work.threads > 0 ? work.threads : processors, left, reached, grid);
+  const Counts counts = fill(problem, work.threads, left, reached, grid);
   grid.statistics.steps = counts.arcs;
   grid.statistics.right_hand_sides = counts.evaluations;
   grid.statistics.seconds = watch.seconds();

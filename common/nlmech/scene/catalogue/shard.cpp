@@ -3,24 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <sstream>
 #include <system_error>
-#include <thread>
 
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -183,30 +180,11 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
 
 std::string lines_in_threads(std::size_t count, int threads,
                              const std::function<void(std::size_t task, std::string& lines)>& add) {
-  const std::size_t wanted =
-      threads > 0 ? static_cast<std::size_t>(threads) : std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t portion = std::clamp<std::size_t>(count / (8 * wanted), 1, 64);
+  const std::size_t portion = std::clamp<std::size_t>(count / (8 * threads_for(threads)), 1, 64);
   std::vector<std::string> pieces((count + portion - 1) / portion);
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < pieces.size(); k = next++) {
-        for (std::size_t i = k * portion; i < std::min(count, (k + 1) * portion); ++i) add(i, pieces[k]);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      next = pieces.size();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < std::min(wanted, pieces.size()); ++k) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  share_out(count, portion, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) add(i, pieces[begin / portion]);
+  });
   std::string lines;
   for (const std::string& piece : pieces) lines += piece;
   return lines;
