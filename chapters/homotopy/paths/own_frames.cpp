@@ -100,7 +100,7 @@ void show_deep(const std::vector<Walked>& all, scene::Show& show) {
   const Walked& fine = all.back();
   scene::Plot& plot = show.plots("A deep arch, pinned at one end alone, leans over and falls");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
-  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R^2/EI");
+  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R²/{/:Italic EI}");
   path.key("bottom right").x_range(0, 4.5).y_range(-2, 10);
   const double radius = 100;
   const auto down = fine.motion("crown.y", -1 / radius);
@@ -129,7 +129,7 @@ void show_deep(const std::vector<Walked>& all, scene::Show& show) {
   };
   std::vector<Line> lines;
   for (std::size_t i = 0; i < limits.size(); ++i) lines.push_back({20 << i, limits[i]});
-  show.table(lines, {{"elements", &Line::elements}, {"limit load times R^2/EI", &Line::limit, 12}});
+  show.table(lines, {{"elements", &Line::elements}, {"limit load times R²/EI", &Line::limit, 12}});
 }
 
 // ------------------------------------------------------------------------------------------- cantilever
