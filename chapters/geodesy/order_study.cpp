@@ -71,11 +71,11 @@ void draw(const std::vector<Order>& orders, scene::Show& show) {
         .columns("corrected, extended", by_order + "_extended_" + unit, {"linespoints", 3});
   };
   panel("latitude", "deg")
-      .set("margins screen 0.125, screen 0.49, screen 0.13, screen 0.83")
-      .key("at screen 0.5, screen 0.93 center top maxrows 2 samplen 3")
+      .set("margins screen 0.125, screen 0.49, screen 0.13, screen 0.815")
+      .key("at screen 0.5, screen 0.935 center top maxrows 2 samplen 3 spacing 1.1")
       .also("keyentry with linespoints linestyle 2 title 'height by projection'");
   panel("height", "m")
-      .set("margins screen 0.615, screen 0.98, screen 0.13, screen 0.83")
+      .set("margins screen 0.615, screen 0.98, screen 0.13, screen 0.815")
       .key("off")
       .columns("", "order:height_projected_m", {"linespoints", 2});
   scene::ColumnsOf<std::vector<Order>> columns;

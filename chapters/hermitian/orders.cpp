@@ -71,7 +71,7 @@ constexpr std::array curves = {Curve{"laier", "Laier", 1, 0.8}, Curve{"newmark",
                                Curve{"argyris", "Argyris", 5, 0.8}};
 
 void draw(const std::vector<Error>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Orders 4, 4 and 2").size(900, 520);
+  scene::Plot& plot = show.plots("Laier and Argyris are of order 4, the others of order 2").size(900, 520);
   plot.data(scene::table_of(all, {{"problem", &Error::problem},
                                   {"operators", &Error::row},
                                   {"step", &Error::step},

@@ -94,8 +94,7 @@ void draw(const std::vector<Search>& all, scene::Show& show) {
         .set("logscale x")
         .x_range(first ? 5 : 0.5, 1000)
         .y_range(0, 1);
-    panel.key(first ? "at screen 0.53, screen 0.02 center bottom horizontal maxrows 1 width 1 samplen 3"
-                    : "off");
+    panel.key(first ? "at screen 0.53, screen 0.01 center bottom maxrows 1 width -2 samplen 3" : "off");
     const auto curve = [&](const char* name, const char* of, const char* look, int style) {
       panel.columns(name,
                     fmt::format("(strcol('table') eq '{}' && strcol('of') eq '{}' ? column('miss') : "

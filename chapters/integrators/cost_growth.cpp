@@ -85,7 +85,7 @@ double slope(const std::vector<Point>& p) {
 }
 
 void put(const std::vector<Growth>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("What a longer way and more masses cost, at a tolerance of 10^{-9}");
+  scene::Plot& plot = show.plots("Tolerance 1e-9: time is in proportion to the interval");
   scene::Panel& time = plot.panel("end of the interval, free Duffing oscillator", "median run time (s)");
   scene::Panel& masses = plot.panel("masses of a Duffing chain, to {/:Italic t} = 10", "");
   // Two decades below the curves for the key.

@@ -53,7 +53,7 @@ void duffing_attractor(const Course& c, scene::Show& show) {
   const auto after = [](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + 20, all.end());
   };
-  show.plot("Duffing's attractor, once a period of the force", "{/:Italic x}", "{/:Italic x}'")
+  show.plot("Once a period the state falls on folded layers", "{/:Italic x}", "{/:Italic x}'")
       .curve("", after(c["x"]), after(c["x'"]), {"points pointtype 7 pointsize 0.2", 1});
   show.figure().size(620, 480);
   const auto [low, high] = std::ranges::minmax(after(c["x"]));
@@ -63,7 +63,8 @@ void duffing_attractor(const Course& c, scene::Show& show) {
 }
 
 void three_bodies(const Course& c, scene::Show& show) {
-  show.plot("Arenstorf's orbit about Earth and Moon", "{/:Italic x}, distances of the Moon", "{/:Italic y}")
+  show.plot("Arenstorf's orbit closes after one period", "{/:Italic x}, distances of the Moon",
+            "{/:Italic y}")
       .set("size ratio -1")
       .x_range(-1.5, 2)
       .y_range(-1.4, 1.4)
@@ -81,7 +82,7 @@ void three_bodies(const Course& c, scene::Show& show) {
 void robertson(const Course& c, scene::Show& show) {
   std::vector<double> scaled = c["b"];
   for (double& b : scaled) b *= 1e4;
-  show.plot("Robertson's reaction over sixteen decades of time", "time", "concentration")
+  show.plot("Robertson: b rises at once, a turns to c over ten decades", "time", "concentration")
       .log_x()
       .key("at graph 0.03, graph 0.9 left")
       .curve("{/:Italic a}", c.t, c["a"])
@@ -93,7 +94,9 @@ void robertson(const Course& c, scene::Show& show) {
 }
 
 void impact(const Course& c, scene::Show& show) {
-  show.plot("A shaken mass meets a stiff stop", "time", "position").level(1, "stop").curve("", c.t, c["x"]);
+  show.plot("A shaken mass turns back at its stop", "time", "position")
+      .level(1, "stop")
+      .curve("", c.t, c["x"]);
   show.between("greatest position", *std::ranges::max_element(c["x"]), 1.0, 1.5,
                "the stop gives way a little");
   agree(c, 1e-8, show);
@@ -119,7 +122,7 @@ void van_der_pol(const Course& c, scene::Show& show) {
 }
 
 void lorenz(const Course& c, scene::Show& show) {
-  show.plot("Lorenz's attractor", "{/:Italic u}", "{/:Italic w}")
+  show.plot("Lorenz's attractor: two wings, and no period", "{/:Italic u}", "{/:Italic w}")
       .curve("", c["u"], c["w"], scene::thin_lines());
   show.figure().size(620, 480);
   agree(c, 1e-4, show);

@@ -51,8 +51,8 @@ void draw(const Histories& all, scene::Show& show) {
   plot.stacked().size(760, 620).columns({"series", "t", "x"});
   for (const Pair& pair : all.pairs) {
     scene::Panel& panel = plot.panel("time (periods of the force)", "{/:Italic x}");
-    panel.x_range(0, 8).y_range(-3, 3).set("ytics 1").key(pair.step == 0.05 ? "bottom right horizontal"
-                                                                            : "off");
+    panel.x_range(0, 8).y_range(-3, 3).set("ytics 1").key(
+        pair.step == 0.05 ? "at graph 1, graph 1 right top horizontal samplen 3" : "off");
     panel.note(fmt::format("{{/:Italic h}} = {}", pair.step), 0.1, -2.6);
     curve(panel, "solution", all.truth, {"lines linewidth 4", 8});
     curve(panel, "RK6", pair.rk6.points, {"linespoints linewidth 1.3 pointsize 0.5", 5});

@@ -21,9 +21,9 @@ array caption[4] = ["Table 2.2: Williams, 0.32 in, 27.11 lb; printed 30", \
 array first[4] = [0, 1, 2, 4]
 array printed[4] = [30, 345, 160, 500]
 do for [p = 1:4] {
-  left = p % 2 == 1 ? 0.105 : 0.59
+  left = p % 2 == 1 ? 0.11 : 0.595
   bottom = p <= 2 ? 0.57 : 0.10
-  set margins screen left, screen left + 0.39, screen bottom, screen bottom + 0.335
+  set margins screen left, screen left + 0.385, screen bottom, screen bottom + 0.335
   set label 1 caption[p] at graph 0.02, graph 1.05 left textcolor rgb ink
   if (p > 2) { set xlabel "step of fictitious time" } else { unset xlabel }
   if (p % 2 == 1) { set ylabel "iterations" offset 0.5,0 } else { unset ylabel }

@@ -12,6 +12,8 @@ if (!exists("heading")) heading = "Every method on stiff problems"
 
 of(name) = strcol("panel") eq name ? column("column") : NaN
 small = "sans-serif,11"
+# White on the dark half of the palette.
+shade(c, low, high) = c != c || (c - low) / (high - low) > 0.45 ? 0x222222 : 0xffffff
 
 set multiplot title heading font sprintf("%s:Bold,%d", font_family, font_size + 1) textcolor rgb ink
 unset key
@@ -33,10 +35,12 @@ do for [panel in "fixed adaptive"] {
   set yrange [rows + 0.5 : 0.5]
   set title (panel eq "fixed" ? "fixed step: largest of use × rate" : "tolerance 10^{−6}: digits") \
       font sprintf("%s,%d", font_family, font_size) offset 0,0
+  low = panel eq "fixed" ? -2 : 0
+  high = panel eq "fixed" ? 4 : 8
   if (panel eq "fixed") { set cbrange [-2:4]; set cbtics 2; set format cb "10^{%.0f}" } else { set cbrange [0:8]; set cbtics 2; set format cb "%.0f" }
   set colorbox horizontal user origin screen left,screen 0.115 size screen 0.32,screen 0.02
   plot data using (of(panel)):"row":(0.5):(0.5):"colour" with boxxyerror fillcolor palette fillstyle solid, \
-       data using (of(panel)):"row":5 with labels font small, \
+       data using (of(panel)):"row":5:(shade(column("colour"), low, high)) with labels font small textcolor rgb variable, \
        data using (column("column") == 1 && of(panel) > 0 ? 0.5 : NaN):"row":6 with labels right offset -1,0 font small
 }
 unset multiplot

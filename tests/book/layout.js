@@ -13,12 +13,11 @@
   // A table scrolls in a box of its own where it must; what it says of a row, a verdict or an effect, is seen without.
   const folds = all("details:not([open])");
   folds.forEach((fold) => { fold.open = true; });
-  const most_columns = 11; // a table with more of them may scroll
   for (const box of all(".scroll")) {
     const headings = [...box.querySelectorAll("th")], edges = box.getBoundingClientRect();
     const name = headings.map((heading) => heading.textContent.trim()).join(" | ").slice(0, 80);
     const width = Math.max(...[box, ...box.querySelectorAll("table, tbody")].map((e) => e.scrollWidth)); // each can scroll
-    if (wide && headings.length <= most_columns && width > box.clientWidth + 1) findings.push(["table", `${width} px in ${box.clientWidth}: ${name}`]);
+    if (wide && width > box.clientWidth + 1) findings.push(["table", `${width} px in ${box.clientWidth}: ${name}`]);
     for (const heading of headings.filter((h) => /^(verdict|effect)$/.test(h.textContent.trim()))) {
       const place = heading.getBoundingClientRect();
       if (place.right > edges.right + 1 || place.left < edges.left - 1)

@@ -56,16 +56,27 @@ void put(const Figure& f, const TimeResponse& response, scene::Show& show) {
   const auto modes = [&](double t) { return by_modes(model, shapes, h, t); };
   const double end = h.hub ? 10 : 5;
   const std::vector<double> times = equidistant(0, end, 1001);
-  scene::Panel& panel = show.plot(h.hub ? "The hub turns as a rigid body would, and ripples a little"
-                                        : "The appendages bend back and ring on: nothing damps them",
-                                  "{/:Italic t} (s)", h.label);
-  panel.x_range(0, end).key(h.hub ? "top left" : "bottom right");
+  const auto off = [&](double t) { return modes(t) - exact(t); };
+  double difference = 0;
+  for (const double t : times) difference = std::max(difference, std::abs(off(t)));
+  scene::Plot& plot = show.plots(h.hub ? "The hub turns as a rigid body would, and ripples a little"
+                                       : "The appendages bend back and ring on: nothing damps them");
+  plot.stacked({0.64, 0.36}).columns({"curve", "panel", "x", "y"});
+  scene::Panel& panel = plot.panel("", h.label);
+  panel.x_range(0, end).key(h.hub ? "top left" : "bottom right maxrows 1");
   if (!h.hub) panel.y_range(h.rate ? -0.06 : -0.0125, h.rate ? 0.04 : 0.001);
-  show.figure().columns({"curve", "panel", "x", "y"});
   panel.curve("exact", times, std::identity(), exact);
   panel.curve("ten assumed modes", times, std::identity(), modes, scene::lines(5));
-  double difference = 0;
-  for (const double t : times) difference = std::max(difference, std::abs(exact(t) - modes(t)));
+  // In a unit of a power of ten, which the label names.
+  const int power = static_cast<int>(std::floor(std::log10(difference)));
+  const double unit = std::pow(10, power), most = std::ceil(difference / unit);
+  plot.panel("{/:Italic t} (s)", fmt::format("difference (10^{{{}}} {})", power, h.unit))
+      .x_range(0, end)
+      .y_range(-most, most)
+      .key("off")
+      .level(0)
+      .curve(
+          "", times, std::identity(), [&](double t) { return off(t) / unit; }, scene::lines(5));
   show.at_most("distance of the residue sum from the Bromwich integral",
                {distance_from_inversion(h.of(response), h, plant), h.unit}, f.bound,
                "aliasing e^(-30), and the integral's rest beyond 1.2e4 rad/s");

@@ -65,16 +65,23 @@ void compare(bool tip, double x, scene::Show& show) {
   std::vector<double> both = exact_poles.omega;
   for (const double w : model.omega) both.push_back(w);
   const std::vector<double> omega = frequencies(both, 1, axis_end);
-  scene::Panel& panel = show.plot(
-      fmt::format("{} at {} ft: ten assumed modes miss the upper modes", tip ? "With tips," : "No tips,", x),
-      "{/:Italic ω} (rad/s)", fmt::format("|{{/:Italic y}}({} ft)/{{/:Italic u}}| (ft per ft lb)", x));
-  panel.log_x(1, axis_end).log_y(1e-9, 1).key("bottom left");
-  show.figure().columns({"curve", "panel", "x", "y"});
-  panel.curve("exact", omega, std::identity(),
-              [&](double w) { return std::abs(plant.at_frequency(w, x).deflection); });
-  panel.curve(
-      "ten assumed modes", omega, std::identity(),
-      [&](double w) { return std::abs(modes.at_frequency(w).deflection); }, scene::lines(5));
+  scene::Plot& plot = show.plots(
+      fmt::format("{} at {} ft: ten assumed modes miss the upper modes", tip ? "With tips," : "No tips,", x));
+  plot.stacked().size(760, 620).columns({"curve", "panel", "x", "y"});
+  const auto add = [&](const char* caption, auto response, int style) {
+    scene::Panel& panel = plot.panel("{/:Italic ω} (rad/s)",
+                                     fmt::format("|{{/:Italic y}}({} ft)/{{/:Italic u}}| (ft per ft lb)", x));
+    panel.log_x(1, axis_end).log_y(1e-9, 1).caption(caption).key("off");
+    for (const double pole : exact_poles.omega)
+      if (pole < axis_end) panel.mark(pole);
+    panel.curve("", omega, std::identity(), response, scene::lines(style));
+  };
+  add(
+      "exact; grey lines: its poles", [&](double w) { return std::abs(plant.at_frequency(w, x).deflection); },
+      1);
+  add(
+      "ten assumed modes; the same lines",
+      [&](double w) { return std::abs(modes.at_frequency(w).deflection); }, 5);
   for (const Known& k : tip ? with_tip : without)
     show.near(fmt::format("y/u at {} rad/s", k.omega), {plant.at_frequency(k.omega, x).deflection, "1/lb"},
               x == 2 ? k.middle : k.tip, fourteen_digits, sixty_digits);

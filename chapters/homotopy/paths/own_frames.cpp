@@ -62,6 +62,7 @@ void show_arch(const Walked& arch, scene::Show& show) {
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
     scene::Panel& panel = plot.panel(label, "load factor").key(is_named ? "top left" : "off").y_range(0, 80);
+    if (!is_named) panel.x_range(-0.0145, 0.0145).set("xtics 0.01");
     panel.curve("symmetric path", arch.points(0), x, &FramePoint::load, scene::lines(1));
     panel.curve("tilted to the left", arch.points(1), x, &FramePoint::load, scene::lines(2));
     panel.curve("tilted to the right", arch.points(2), x, &FramePoint::load, scene::lines(4));
@@ -99,7 +100,7 @@ void show_deep(const std::vector<Walked>& all, scene::Show& show) {
   const Walked& fine = all.back();
   scene::Plot& plot = show.plots("A deep arch, pinned at one end alone, leans over and falls");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
-  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R^2/EI");
+  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R²/{/:Italic EI}");
   path.key("bottom right").x_range(0, 4.5).y_range(-2, 10);
   const double radius = 100;
   const auto down = fine.motion("crown.y", -1 / radius);
@@ -128,7 +129,7 @@ void show_deep(const std::vector<Walked>& all, scene::Show& show) {
   };
   std::vector<Line> lines;
   for (std::size_t i = 0; i < limits.size(); ++i) lines.push_back({20 << i, limits[i]});
-  show.table(lines, {{"elements", &Line::elements}, {"limit load times R^2/EI", &Line::limit, 12}});
+  show.table(lines, {{"elements", &Line::elements}, {"limit load times R²/EI", &Line::limit, 12}});
 }
 
 // ------------------------------------------------------------------------------------------- cantilever

@@ -127,8 +127,7 @@ void put_table(const Study& s, scene::Show& show) {
   std::vector<Census> all;
   for (const auto* list : {&s.steps, &s.window, &s.starts}) all.insert(all.end(), list->begin(), list->end());
   show.table(all,
-             {{"table", [](const Census& c) { return c.row.table.substr(6); }},
-              {"method", [](const Census& c) { return c.row.method; }},
+             {{"table, method", [](const Census& c) { return c.row.table.substr(6) + ", " + c.row.method; }},
               {"Jacobian", &Census::jacobian},
               {"varied", &Census::varied},
               {"printed", [](const Census& c) { return c.row.printed; }},

@@ -107,11 +107,13 @@ struct Line {
   std::vector<Jump> all = jumps(steps, up);
 
   [[nodiscard]] const std::vector<LoadPoint>& loads() const { return up ? steps.up : steps.down; }
-  [[nodiscard]] double height() const { return steps.how.height; }
-  [[nodiscard]] const char* model() const { return is_williams(steps) ? "Williams" : "element"; }
+  [[nodiscard]] std::string toggle() const {
+    return fmt::format("{} in, {}", steps.how.height, is_williams(steps) ? "Williams" : "element");
+  }
   [[nodiscard]] std::string iteration() const { return name_of(steps.how); }
-  [[nodiscard]] double step() const { return steps.how.step; }
-  [[nodiscard]] const char* way() const { return up ? "up" : "down"; }
+  [[nodiscard]] std::string way() const {
+    return fmt::format("{} lb {}", steps.how.step, up ? "up" : "down");
+  }
   [[nodiscard]] std::size_t count() const { return loads().size(); }
   [[nodiscard]] int missed() const { return unsolved(loads()); }
   [[nodiscard]] int falling() const { return points_on(loads(), Branch::falling); }
@@ -135,11 +137,9 @@ void put_table(const std::vector<Stepped>& all, scene::Show& show) {
   for (const Stepped& steps : all) {
     for (const bool up : {true, false}) lines.push_back({steps, up});
   }
-  show.table(lines, {{"height (in)", &Line::height},
-                     {"model", &Line::model},
+  show.table(lines, {{"height, model", &Line::toggle},
                      {"iteration", &Line::iteration},
-                     {"load step (lb)", &Line::step},
-                     {"way", &Line::way},
+                     {"load steps", &Line::way},
                      {"loads", &Line::count},
                      {"not solved", &Line::missed},
                      {"on the falling branch", &Line::falling},

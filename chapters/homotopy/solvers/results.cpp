@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/program/files.hpp"
@@ -77,36 +78,22 @@ void put_table(const Results& all, scene::Show& show) {
                      {"cause or reading", &Line::reading}});
 }
 
+/// The first iterates of a run: residuals of elements, deflections of Williams' equation.
 void draw(scene::Panel& panel, const History& h, const Row& row, const Ran& ran, const std::string& name,
-          int style) {
+          int style, const char* look) {
   std::vector<double> k, value;
   for (const Trace& t : ran.trace) {
     if (k.size() > static_cast<std::size_t>(h.shown)) break;
     k.push_back(static_cast<double>(k.size()));
     value.push_back(row.printed.model == Model::element ? t.residual / ran.scale : t.deflection);
   }
-  panel.curve(name, k, value, scene::linespoints(style));
+  panel.curve(name, k, value, {look, style});
 }
 
-/// @param other null if only the iteration with the derivative of F is shown
-void put_history(const History& h, const Row& row, const Ran& exact, const Ran* other, scene::Show& show) {
-  const bool element = row.printed.model == Model::element;
+const char* const marked = "linespoints linewidth 1.2";
+
+void check_history(const History& h, const Row& row, const Ran& exact, const Ran* other, scene::Show& show) {
   const double tolerance = row.printed.iteration.tolerance;
-  scene::Panel& panel =
-      show.plot(h.heading, "iteration",
-                element ? "|{/:Italic F}|/|{/:Italic F}(0)|" : "deflection of the apex {/:Italic δ} (in)");
-  panel.x_range(0, h.shown);
-  if (element) panel.log_y().set("ytics 100");
-  if (!element && other != nullptr) panel.y_range(-0.6, 1.6);
-  panel.key(other != nullptr ? "below" : "bottom right");
-  const double level = element ? tolerance / exact.scale : h.root;
-  panel.curve(element ? "tolerance" : "root", {0, static_cast<double>(h.shown)}, {level, level},
-              scene::lines(13));
-  if (other != nullptr)
-    draw(panel, h, row, *other,
-         element ? "{/:Italic A}_{nd} as printed" : "{/:Italic d}_{5} held constant in the Jacobian", 5);
-  const char* name = element ? "consistent tangent" : "derivative of {/:Italic F}";
-  draw(panel, h, row, exact, other != nullptr ? name : "iterates", 1);
   show.at_most("|F| of the last iterate", {exact.count.residual, "lb"}, tolerance, "the tolerance");
   show.at_most("error of the last deflection", {std::abs(exact.trace.back().deflection - h.root), "in"},
                tolerance / h.stiffness + 1e-9,
@@ -115,6 +102,103 @@ void put_history(const History& h, const Row& row, const Ran& exact, const Ran* 
   if (h.scheme == Scheme::newton && other != nullptr)
     show.equals("iterations with the other Jacobian", other->count.iterations, 1000,
                 "it does not converge (misprint-study); printed: 1000");
+}
+
+/// What is drawn of a run: the level that its iterates should come to, and they.
+const char* label_of(const Row& row) {
+  return row.printed.model == Model::element ? "|{/:Italic F}|/|{/:Italic F}(0)|"
+                                             : "deflection {/:Italic δ} (in)";
+}
+
+double level_of(const History& h, const Row& row, const Ran& ran) {
+  return row.printed.model == Model::element ? row.printed.iteration.tolerance / ran.scale : h.root;
+}
+
+const char* level_name(const Row& row) { return row.printed.model == Model::element ? "tolerance" : "root"; }
+
+/// Names of the iteration with the derivative of F, and of that with the other Jacobian.
+std::pair<const char*, const char*> names_of(const Row& row) {
+  if (row.printed.model == Model::element) return {"consistent tangent", "{/:Italic A}_{nd} as printed"};
+  return {"derivative of {/:Italic F}", "{/:Italic d}_{5} held constant in the Jacobian"};
+}
+
+void put_alone(const History& h, const Row& row, const Ran& exact, scene::Show& show) {
+  const double level = level_of(h, row, exact);
+  scene::Panel& panel = show.plot(h.heading, "iteration", label_of(row));
+  panel.x_range(0, h.shown).key("bottom right");
+  panel.curve(level_name(row), {0, static_cast<double>(h.shown)}, {level, level}, scene::lines(13));
+  draw(panel, h, row, exact, "iterates", 1, marked);
+  check_history(h, row, exact, nullptr, show);
+}
+
+/// Two iterations, one above the other.
+void put_both(const History& h, const Row& row, const Ran& exact, const Ran& other, scene::Show& show) {
+  scene::Plot& plot = show.plots(h.heading);
+  plot.stacked();
+  const auto add = [&](const Ran& ran, const char* caption, int style) {
+    scene::Panel& panel = plot.panel("iteration", label_of(row));
+    panel.x_range(0, h.shown).caption(caption).key("off").level(level_of(h, row, ran), level_name(row));
+    if (row.printed.model == Model::element)
+      panel.log_y(1e-9, 1e3).set("ytics 1000");
+    else
+      panel.y_range(-0.6, 1.6);
+    draw(panel, h, row, ran, "", style, marked);
+  };
+  const auto [derivative, another] = names_of(row);
+  add(exact, derivative, 1);
+  add(other, another, 5);
+  check_history(h, row, exact, &other, show);
+}
+
+/// "fixed-point homotopy" of "Scalar fixed-point homotopy".
+std::string short_name(const Row& row) {
+  const std::string scalar = "Scalar ", &method = row.printed.method;
+  return method.starts_with(scalar) ? method.substr(scalar.size()) : method;
+}
+
+/// A panel a run on common axes: a line of them an iteration, left with the consistent tangent and right with
+/// the printed one.
+void put_all(const std::vector<History>& all, const std::vector<Row>& rows,
+             const std::vector<const Ran*>& exact, const std::vector<const Ran*>& other, scene::Show& show) {
+  constexpr int shown = 200;
+  const auto late = [](const std::vector<const Ran*>& runs) {
+    return std::ranges::count_if(runs, [](const Ran* ran) { return ran->count.iterations >= 1000; });
+  };
+  const auto count = std::ssize(rows);
+  scene::Plot& plot = show.plots(fmt::format("Consistent tangent (left): {} of {} arrive; as printed: {}",
+                                             count - late(exact), count, count - late(other)));
+  const int lines = static_cast<int>(rows.size()), top = 56, foot = 70, height = 92, gap = 24;
+  const int whole = top + lines * (height + gap) + foot - gap;
+  plot.size(760, whole).columns({"panel", "curve", "iteration", "residual"});
+  for (int i = 0; i < 2 * lines; ++i) {
+    const auto k = static_cast<std::size_t>(i / 2);
+    const bool left = i % 2 == 0, last = i / 2 + 1 == lines;
+    const Ran& ran = left ? *exact[k] : *other[k];
+    const double above = 1 - double(top + i / 2 * (height + gap)) / whole;
+    scene::Panel& panel = plot.panel(last ? "iteration" : "", left ? "|{/:Italic F}|/|{/:Italic F}(0)|" : "");
+    panel.place(left ? 0.115 : 0.57, left ? 0.525 : 0.98, above - double(height) / whole, above)
+        .caption(left ? fmt::format("{}, {} lb", short_name(rows[k]), rows[k].printed.load)
+                      : names_of(rows[k]).second)
+        .x_range(0, shown)
+        .log_y(1e-9, 1e3)
+        .set("ytics 1e-6, 1e3, 1")
+        .set(left ? "format y power_of_ten" : "format y ''")
+        .level(level_of(all[k], rows[k], ran));
+    if (!last) panel.set("format x ''");
+    History whole_way = all[k];
+    whole_way.shown = shown;
+    draw(panel, whole_way, rows[k], ran, "", left ? 1 : 5, "linespoints linewidth 1 pointsize 0.25");
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    show.at_most(
+        fmt::format("|F| of the last iterate of {}, {} lb", rows[k].printed.method, rows[k].printed.load),
+        {exact[k]->count.residual, "lb"}, rows[k].printed.iteration.tolerance, "the tolerance");
+}
+
+/// The row of a table that a figure shows.
+Row row_of(const History& h) {
+  const std::vector<Row> rows = rows_of(h.table);
+  return *std::ranges::find(rows, h.scheme, [](const Row& r) { return r.printed.iteration.scheme; });
 }
 
 }  // namespace
@@ -141,19 +225,29 @@ scene::Scene result_table(const std::string& table, const std::string& title,
 }
 
 scene::Scene history(const History& h) {
-  const std::vector<Row> rows = rows_of(h.table);
-  const Row row = *std::ranges::find(rows, h.scheme, [](const Row& r) { return r.printed.iteration.scheme; });
+  const Row row = row_of(h);
   const auto with_other = [h, row](const Ran& exact, const Ran& other, scene::Show& show) {
-    put_history(h, row, exact, &other, show);
+    put_both(h, row, exact, other, show);
   };
-  const auto alone = [h, row](const Ran& exact, scene::Show& show) {
-    put_history(h, row, exact, nullptr, show);
-  };
+  const auto alone = [h, row](const Ran& exact, scene::Show& show) { put_alone(h, row, exact, show); };
   return {.name = h.name,
           .title = h.title,
           .place = "Figure " + h.name.substr(4),
           .content = h.other ? scene::Content(with_other, row.exact, row.misprinted)
                              : scene::Content(alone, row.exact)};
+}
+
+scene::Scene histories(const std::string& name, const std::string& title, const std::vector<History>& all) {
+  std::vector<Row> rows;
+  std::vector<scene::Result<Ran>> exact, misprinted;
+  for (const History& h : all) {
+    rows.push_back(row_of(h));
+    exact.push_back(rows.back().exact);
+    misprinted.push_back(rows.back().misprinted);
+  }
+  const auto put = [all, rows](const std::vector<const Ran*>& ours, const std::vector<const Ran*>& other,
+                               scene::Show& show) { put_all(all, rows, ours, other, show); };
+  return {.name = name, .title = title, .content = scene::Content(put, exact, misprinted)};
 }
 
 }  // namespace nlmech::chapters::homotopy

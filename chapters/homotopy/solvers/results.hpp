@@ -38,4 +38,8 @@ struct History {
 };
 [[nodiscard]] scene::Scene history(const History& h);
 
+/// The residuals of several rows of elements on common axes, a panel for each Jacobian.
+[[nodiscard]] scene::Scene histories(const std::string& name, const std::string& title,
+                                     const std::vector<History>& all);
+
 }  // namespace nlmech::chapters::homotopy

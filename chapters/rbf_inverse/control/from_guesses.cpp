@@ -25,21 +25,22 @@ void tabulate(const std::vector<Row>& rows, scene::Show& show) {
   const auto cost = [](const Row& r) {
     return r.any() ? scene::Cell(r.all->drawn().extremal.cost) : scene::Cell();
   };
-  show.table(rows,
-             {{"T", [](const Row& r) { return r.all->final_time; }},
-              {"case", [](const Row& r) { return r.all->subject->title; }},
-              {"extremals, of 11", [](const Row& r) { return r.counts.good; }},
-              {"the cheapest", [](const Row& r) { return r.counts.cheapest; }},
-              {"roots that are no solutions", [](const Row& r) { return r.counts.spurious; }},
-              {"failures", [](const Row& r) { return r.counts.failed; }},
-              {"different extremals", [](const Row& r) { return r.found.size(); }},
-              {"the first is from", first},
-              {"its cost", cost, 5},
-              {"highest cost",
-               [](const Row& r) { return r.any() ? scene::Cell(r.found.back()->cost) : scene::Cell(); }, 5},
-              {"cheapest known",
-               [](const Row& r) { return known_extremal(r.all->subject->which, r.all->final_time).cost; }, 5},
-              {"least error at the nodes", [](const Row& r) { return finite(r.all->least_error()); }, 2}});
+  show.table(
+      rows,
+      {{"case",
+        [](const Row& r) { return fmt::format("T = {}, {}", r.all->final_time, r.all->subject->title); }},
+       {"extremals, of 11", [](const Row& r) { return r.counts.good; }},
+       {"the cheapest", [](const Row& r) { return r.counts.cheapest; }},
+       {"roots that are no solutions", [](const Row& r) { return r.counts.spurious; }},
+       {"failures", [](const Row& r) { return r.counts.failed; }},
+       {"different extremals", [](const Row& r) { return r.found.size(); }},
+       {"the first is from", first},
+       {"its cost", cost, 5},
+       {"highest cost",
+        [](const Row& r) { return r.any() ? scene::Cell(r.found.back()->cost) : scene::Cell(); }, 5},
+       {"cheapest known",
+        [](const Row& r) { return known_extremal(r.all->subject->which, r.all->final_time).cost; }, 5},
+       {"least error at the nodes", [](const Row& r) { return finite(r.all->least_error()); }, 2}});
 }
 
 void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {

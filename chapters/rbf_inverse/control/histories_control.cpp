@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -136,7 +137,7 @@ void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Sho
 
 /// The greatest |error| of some components at the nodes.
 void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalResult& r, Eigen::Index first,
-                Eigen::Index count, int style) {
+                Eigen::Index count, int style, const char* look = "linespoints linewidth 1.2") {
   if (!is_extremal(r)) return;
   const Eigen::MatrixXd error =
       (r.extremal.solution.node_values() - r.integrated).cwiseAbs().middleRows(first, count);
@@ -148,7 +149,7 @@ void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalR
     t.push_back(times[j]);
     worst.push_back(e);
   }
-  panel.curve(name, t, worst, scene::linespoints(style));
+  panel.curve(name, t, worst, {look, style});
 }
 
 void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, scene::Show& show) {
@@ -176,10 +177,66 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
       1, "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 is a lottery");
 }
 
+/// Greatest errors of states and of co-states: a row of panels a case, a column a derivative matrix, on
+/// common axes.
+void put_all_errors(const std::vector<const std::vector<bvp::GlobalResult>*>& cases, scene::Show& show) {
+  struct Matrix {
+    const char* name;
+    std::size_t variant;  ///< of global_variants()
+    std::ptrdiff_t good = 0;
+  };
+  constexpr double text = 1e-7;  // what the text states
+  std::array<Matrix, 3> matrices = {
+      {{"Gaussians as printed", 0}, {"{/:Italic c T} = 7.5", 1}, {"polynomials", 3}}};
+  const auto worst = [](const bvp::GlobalResult& r) {
+    const NodeErrors e = node_errors(r);
+    return is_extremal(r) ? std::max(e.states, e.costates) : HUGE_VAL;
+  };
+  for (Matrix& m : matrices)
+    m.good = std::ranges::count_if(cases, [&](const auto* of) { return worst((*of)[m.variant]) <= text; });
+  scene::Plot& plot =
+      show.plots(fmt::format("Below 1e-7 in {} of {} cases as printed, {} and {} otherwise", matrices[0].good,
+                             cases.size(), matrices[1].good, matrices[2].good));
+  const int rows = static_cast<int>(cases.size()), top = 84, foot = 96, height = 88, gap = 24;
+  const int whole = top + rows * (height + gap) + foot - gap;
+  plot.size(760, whole).columns({"panel", "curve", "x", "y"});
+  for (int row = 0; row < rows; ++row) {
+    const double above = 1 - double(top + row * (height + gap)) / whole;
+    const bool last = row + 1 == rows;
+    for (std::size_t k = 0; k < matrices.size(); ++k) {
+      const double left = 0.125 + 0.292 * static_cast<double>(k);
+      scene::Panel& panel = plot.panel(last ? "time (s)" : "", k == 0 ? "error" : "");
+      panel.place(left, left + 0.265, above - double(height) / whole, above)
+          .caption(k == 0 ? duffing_subjects()[static_cast<std::size_t>(row)].row : "")
+          .x_range(0, inferred)
+          .log_y(1e-17, 1)
+          .set("ytics 1e-16, 1e4, 1")
+          .set(k == 0 ? "format y power_of_ten" : "format y ''")
+          .level(text)
+          .key(last && k == 1 ? "at screen 0.55, screen 0.005 center bottom maxrows 1 samplen 3" : "off");
+      if (!last) panel.set("format x ''");
+      if (row == 0)
+        panel.set(fmt::format("label 900 '{}' at screen {:.3f}, screen {:.4f} center", matrices[k].name,
+                              left + 0.1325, 1 - 52.0 / whole));
+      const bvp::GlobalResult& r = (*cases[static_cast<std::size_t>(row)])[matrices[k].variant];
+      draw_error(panel, "states", r, 0, 2, 1, "lines linewidth 1.6");
+      draw_error(panel, "co-states", r, 2, 2, 2, "lines linewidth 1.6");
+    }
+  }
+  for (const Matrix& m : matrices)
+    show.between(fmt::format("cases with errors below 1e-7, {}", global_variants()[m.variant].name), m.good,
+                 0, static_cast<double>(cases.size()), "some of the six");
+}
+
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
+  std::vector<scene::Result<std::vector<bvp::GlobalResult>>> of_cases;
+  for (const DuffingSubject& subject : duffing_subjects()) of_cases.push_back(variants(subject));
+  all.push_back({.name = "histories-errors",
+                 .title = "Errors of states and co-states in time, six cases by three derivative matrices",
+                 .content = scene::Content(put_all_errors, of_cases)});
   for (const DuffingSubject& subject : duffing_subjects()) {
     all.push_back(
         {.name = fmt::format("fig-5.{}", subject.figure),

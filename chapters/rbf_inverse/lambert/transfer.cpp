@@ -138,7 +138,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   scene::Panel& panel = show.plot("Lambert's problem: two positions and a time make an orbit",
                                   "in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
-  panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("top left");
+  panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("below");
   const auto curve = [&](const std::string& name, const Course& course, int style) {
     const auto along = [](const Vector3<double>& axis) {
       return [axis](const Sample& s) { return s.state.position.dot(axis) / 1e6; };

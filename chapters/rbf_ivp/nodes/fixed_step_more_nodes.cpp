@@ -67,7 +67,7 @@ void draw(const std::vector<Row>& rows, scene::Show& show) {
   };
   add("free Duffing, step P", 85, "RMS error of {/:Italic x}_1", 0)
       .place(0.135, 0.53, 0.13, 0.80)
-      .key("at screen 0.53, screen 0.925 center top maxrows 1 samplen 3");
+      .key("at screen 0.53, screen 0.925 center top maxrows 1 samplen 3 width -5");
   add("three masses, step 20 s", 65, "", 1).place(0.575, 0.97, 0.13, 0.80).set("format y ''");
   scene::Table data({{"problem", 3, true}, {"nodes"}, {"rbf"}, {"lgl"}, {"radau"}});
   for (const Row& r : rows) data.add({r.problem, r.nodes, r.rbf, r.lgl, r.radau});

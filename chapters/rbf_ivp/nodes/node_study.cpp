@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
@@ -199,24 +201,43 @@ constexpr std::array variants = {Variant{equal, "LGL, equal shapes", 3},
                                  Variant{flat_radau, "Radau polynomials", 8},
                                  Variant{split, "the same, split", 5}};
 
+/// "end / largest" of a variant; empty where it was not tried.
+scene::Cell errors_cell(const Comparison& c, const char* variant) {
+  const auto found = c.errors.find(variant);
+  if (found == c.errors.end()) return {};
+  if (!std::isfinite(found->second.largest)) return "fails";
+  return fmt::format("{} / {}", scene::format_number(found->second.end, 2),
+                     scene::format_number(found->second.largest, 2));
+}
+
+/// A row a variant, a column a number of nodes; above those of an interval its length and shape.
 scene::Table table_of(const Study& study) {
-  std::vector<scene::Column> heads = {{"interval"}, {"N"}, {"h (s)"}, {"c h", 4}};
-  for (const Variant& v : variants) heads.push_back({v.name});
-  scene::Table table(heads);
+  std::map<std::string, std::map<int, const Comparison*>> intervals;
+  std::vector<std::string> names;  // in their order
+  std::set<int> counts;
   for (const Comparison& c : study.table) {
-    std::vector<scene::Cell> row = {c.problem, c.nodes, c.h, c.shape};
-    for (const Variant& v : variants) {
-      const auto found = c.errors.find(v.name);
-      if (found == c.errors.end()) {
-        row.push_back({});
-      } else if (!std::isfinite(found->second.largest)) {
-        row.push_back("fails");
-      } else {
-        row.push_back(fmt::format("{} / {}", scene::format_number(found->second.end, 2),
-                                  scene::format_number(found->second.largest, 2)));
-      }
+    if (!intervals.contains(c.problem)) names.push_back(c.problem);
+    intervals[c.problem][c.nodes] = &c;
+    counts.insert(c.nodes);
+  }
+  std::vector<scene::Column> heads = {{"interval"}, {"variant"}};
+  for (const int n : counts) heads.push_back({fmt::format("N = {}", n)});
+  scene::Table table(heads);
+  const auto add = [&](const std::string& interval, const std::string& what, auto cell) {
+    std::vector<scene::Cell> row = {interval, what};
+    bool tried = false;
+    for (const int n : counts) {
+      row.push_back(cell(*intervals.at(interval).at(n)));
+      tried = tried || !std::holds_alternative<std::monostate>(row.back());
     }
-    table.add(std::move(row));
+    if (tried) table.add(std::move(row));
+  };
+  for (const std::string& interval : names) {
+    add(interval, "length h (s); shape c h", [](const Comparison& c) -> scene::Cell {
+      return fmt::format("{}; {}", scene::format_number(c.h, 3), scene::format_number(c.shape, 4));
+    });
+    for (const Variant& v : variants)
+      add(interval, v.name, [&v](const Comparison& c) { return errors_cell(c, v.name); });
   }
   return table;
 }
@@ -235,7 +256,7 @@ std::array<Shown, 3> shape_panels(scene::Plot& plot) {
                               Shown{"three masses", "three masses, 5 s", nullptr, nullptr},
                               Shown{"impact inside", "impact inside, 1.6 s", nullptr, nullptr}};
   const auto add = [&](std::size_t i, double top, const char* x_label, const char* y_label) {
-    const double left = 0.11 + static_cast<double>(i) * 0.30;
+    const double left = 0.125 + static_cast<double>(i) * 0.295;
     scene::Panel& panel = plot.panel(x_label, i == 0 ? y_label : "");
     panel.place(left, left + 0.265, top - 0.215, top).log_x(0.8, 12).log_y(1e-17, 10).set("ytics 1e4");
     panel.set("xtics (1, 2, 5, 10)").set(*x_label == 0 ? "format x ''" : "format x '%g'").key("off");
@@ -251,7 +272,7 @@ std::array<Shown, 3> shape_panels(scene::Plot& plot) {
 /// Ways of refinement; the second of the panels has the key of all.
 scene::Panel& growth_panel(scene::Plot& plot, const Shown& shown, bool first) {
   scene::Panel& panel = plot.panel("number of nodes", first ? "largest error" : "").caption(shown.label);
-  const double left = first ? 0.11 : 0.38;
+  const double left = first ? 0.125 : 0.385;
   panel.place(left, left + 0.235, 0.07, 0.32).x_range(6, 34).set("xtics (8, 16, 24, 32)");
   panel.log_y(1e-14, 10).set("ytics 1e4").key("off");
   panel.set("xlabel offset 0,0.5");

@@ -138,7 +138,7 @@ std::vector<Study> studies(bool quick) {
 
 /// Errors above, and the condition below them.
 void draw_setting(const Setting& setting, int i, scene::Plot& plot) {
-  const double left = 0.11 + i * 0.222;
+  const double left = 0.12 + i * 0.22;
   const auto part = [&](const char* x_label, const char* y_label) -> scene::Panel& {
     scene::Panel& panel = plot.panel(x_label, i == 0 ? y_label : "");
     return panel.log_x(0.05, 30).set("xtics (0.1, 1, 10)").set("format x '%g'").set("mytics 1");

@@ -129,22 +129,27 @@ scene::Cell iterations_cell(const Row& row, std::size_t solver, std::int64_t lim
   return why;
 }
 
+/// Two lines a row: iterations, and for some solvers the time of an interval.
 scene::Table table_of(const std::vector<Row>& rows, bool quick) {
-  std::vector<scene::Column> columns = {{"problem"}, {"N"}, {"trial functions"}, {"h (s)"}, {"intervals"}};
+  std::vector<scene::Column> columns = {{"problem"}, {"nodes, functions"}, {"h (s), intervals"}, {"what"}};
   for (const Solver s : all_solvers) columns.push_back({std::string(to_string(s))});
   constexpr std::array timed = {Solver::newton, Solver::picard, Solver::newton_flow_printed,
                                 Solver::newton_flow_integrated};
-  for (const Solver s : timed) columns.push_back({fmt::format("time_ms {}", to_string(s))});
   scene::Table table(columns);
   for (const Row& row : rows) {
-    std::vector<scene::Cell> cells = {row.problem, row.nodes, row.functions, row.h, row.count};
-    for (std::size_t i = 0; i < all_solvers.size(); ++i)
-      cells.push_back(iterations_cell(row, i, quick ? 500 : 10'000));
-    for (const Solver s : timed) {
-      const Cost& cost = row.costs[static_cast<std::size_t>(s)];
-      cells.push_back(cost.converged ? scene::Cell(1e3 * cost.seconds / row.count) : scene::Cell());
+    const std::vector<scene::Cell> begin = {row.problem, fmt::format("{} {}", row.nodes, row.functions),
+                                            fmt::format("{}, {}", scene::format_number(row.h, 3), row.count)};
+    std::vector<scene::Cell> counts = begin, times = begin;
+    counts.push_back("iterations");
+    times.push_back("time (ms)");
+    for (std::size_t i = 0; i < all_solvers.size(); ++i) {
+      counts.push_back(iterations_cell(row, i, quick ? 500 : 10'000));
+      const bool shown =
+          std::ranges::find(timed, all_solvers.at(i)) != timed.end() && row.costs.at(i).converged;
+      times.push_back(shown ? scene::Cell(1e3 * row.costs.at(i).seconds / row.count) : scene::Cell());
     }
-    table.add(std::move(cells));
+    table.add(std::move(counts));
+    table.add(std::move(times));
   }
   return table;
 }
@@ -188,9 +193,9 @@ void add_trials(const Shown& shown, scene::Table& data, int& block) {
 void draw(const Trials& trials, scene::Show& show) {
   scene::Plot& plot = show.plots("Homotopies: tens to thousands of times Newton's iterations");
   scene::Table data({{"panel"}, {"solver", 3, true}, {"abscissa"}, {"ordinate"}, {"time_s"}});
-  scene::Panel& history = plot.panel("iteration", "|F|, relative").place(0.115, 0.475, 0.53, 0.77);
+  scene::Panel& history = plot.panel("iteration", "|F|, relative").place(0.115, 0.475, 0.545, 0.785);
   history.caption("N = 7, h = P/10").log_x(1, 3000).set("format x '%g'").log_y(1e-12, 30).set("ytics 1e3");
-  history.key("at screen 0.5, screen 0.95 center top maxrows 4 samplen 4 spacing 1.05");
+  history.key("at screen 0.5, screen 0.96 center top maxrows 4 samplen 4 spacing 1.05");
   int block = 0;
   for (const Trial& t : trials.history) {
     const std::vector<double>& norms = t.cost.history;
@@ -203,15 +208,15 @@ void draw(const Trials& trials, scene::Show& show) {
     scene::Panel& panel = plot.panel(x_label, "iterations").place(left, left + 0.36, bottom, top);
     return panel.caption(caption).log_y(1, 1e6).set("ytics 10").key("off");
   };
-  scene::Panel& nodes = counts("h = P/2, Radau nodes", "number of nodes N", 0.615, 0.53, 0.77);
+  scene::Panel& nodes = counts("h = P/2, Radau nodes", "number of nodes N", 0.615, 0.545, 0.785);
   nodes.log_x(6.3, 40).set("xtics (7, 10, 14, 20, 28, 35)").set("format x '%g'");
   add_trials({"nodes", trials.nodes, nodes, "linespoints"}, data, block);
   scene::Panel& length = counts("60 Radau nodes; no line: no solution found",
-                                "length of the interval (periods)", 0.115, 0.09, 0.37);
+                                "length of the interval (periods)", 0.115, 0.105, 0.385);
   length.x_range(0, 4.1).set("xtics 1");
   add_trials({"length", trials.length, length, "linespoints"}, data, block);
   scene::Panel& step =
-      counts("N = 7, h = P/10; at 0: chosen steps", "step of fictitious time", 0.615, 0.09, 0.37);
+      counts("N = 7, h = P/10; at 0: chosen steps", "step of fictitious time", 0.615, 0.105, 0.385);
   step.x_range(-0.2, 3.7).set("xtics 1");
   add_trials({"step", trials.step, step, "linespoints"}, data, block);
   add_trials({"chosen", trials.chosen, step, "points"}, data, block);

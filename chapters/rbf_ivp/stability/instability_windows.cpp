@@ -147,8 +147,8 @@ std::vector<double> frequencies(const std::vector<Window>& windows, int count) {
 
 void draw(const std::vector<Extent>& extents, const std::vector<Growth>& growths, scene::Show& show) {
   scene::Plot& plot = show.plots("Lobatto nodes amplify some oscillations; Radau nodes none");
-  scene::Panel& step = plot.panel("{/Symbol w} h", "").place(0.09, 0.49, 0.42, 0.86);
-  step.caption("growth in a step: |R(i{/Symbol w}h)|").log_x(1, 300).log_y(0.05, 100);
+  scene::Panel& step = plot.panel("ω h", "").place(0.09, 0.49, 0.42, 0.86);
+  step.caption("growth in a step: |R(iωh)|").log_x(1, 300).log_y(0.05, 100);
   step.set("xtics (1, 10, 100)").set("ytics (0.1, 1, 10, 100)").set("format '%g'");
   step.key("at screen 0.05, screen 0.29 left top maxrows 8 samplen 3 spacing 1.1 font 'sans-serif,12'");
   step.set("arrow 1 from 1, 1 to 300, 1 nohead linestyle 13");

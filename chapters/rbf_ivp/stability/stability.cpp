@@ -137,6 +137,10 @@ std::string words(const Ending& f) {
 
 /// A few characters for a cell of the figure.
 std::string mark(const Ending& f) {
+  if (f.usable && f.fixed_step && f.stiffness >= 100) {  // 1e13 is as wide as a cell
+    const int power = static_cast<int>(std::floor(std::log10(f.stiffness)));
+    return fmt::format("{:.0f}e{}", f.stiffness / std::pow(10, power), power);
+  }
   if (f.usable && f.fixed_step) return scene::format_number(f.stiffness, 2);
   if (f.usable) return fmt::format("{:.1f}", f.digits);
   switch (f.outcome) {
@@ -179,7 +183,7 @@ void draw(const std::vector<Ending>& endings, scene::Show& show) {
     }
   }
   show.draw(std::move(data), "rbf_ivp-stability",
-            {{"heading", "Leaps defeat fixed steps; only implicit control passes all"},
+            {{"heading", "Jumps defeat fixed steps; only implicit control passes all"},
              {"rows_fixed", std::to_string(fixed_rows)},
              {"rows_adaptive", std::to_string(adaptive_rows)},
              {"height", "620"}});

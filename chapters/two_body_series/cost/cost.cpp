@@ -158,10 +158,15 @@ scene::Table data_of(const Outcome& m) {
 }
 
 void draw(const Outcome& m, scene::Show& show) {
-  scene::Plot& plot = show.plots("Time of a step by its order, and of a run by its orbits");
+  scene::Plot& plot = show.plots("Unrolled steps: time grows nearly in proportion to the order");
   plot.size(1000, 460).data(data_of(m));
   scene::Panel& left = plot.panel("order", "time of a step (ns)");
-  left.x_range(5, 41).y_range(0, 2500).set("xtics 5").set("ytics 500").key("top left");
+  left.x_range(5, 41)
+      .y_range(0, 2500)
+      .set("xtics 5")
+      .set("ytics 500")
+      .set("ylabel offset 1.2,0")
+      .key("top left");
   int line = 0;
   for (const Way& way : ways()) left.columns(way.name, "x:(1e9*column('time_s'))", {"linespoints"}, line++);
   scene::Panel& right = plot.panel("orbits", "time of a run");

@@ -99,24 +99,34 @@ Outcome measure(bool quick) {
   return m;
 }
 
+/// A line of the table: errors after one step, or after an orbit.
+struct Line {
+  const Choice* choice;
+  const char* after;
+  std::vector<double> Choice::*errors;
+};
+
 void tabulate(const std::vector<Choice>& choices, scene::Show& show) {
-  scene::ColumnsOf<std::vector<Choice>> columns = {{"e", &Choice::eccentricity},
-                                                   {"steps an orbit", &Choice::steps},
-                                                   {"remark", &Choice::remark},
-                                                   {"h over radius", &Choice::ratio}};
-  const auto add = [&](const char* heading, std::vector<double> Choice::*errors) {
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-      const auto cell = [=](const Choice& c) {
-        // Far away from the orbit one number is as good as another.
-        const double error = (c.*errors)[i];
-        return error < 100 ? scene::Cell(error) : scene::Cell("> 100");
-      };
-      columns.emplace_back(fmt::format("{}, order {}", heading, orders[i]), cell, 2);
-    }
-  };
-  add("one step", &Choice::first);
-  add("an orbit", &Choice::orbit);
-  show.table(choices, columns);
+  std::vector<Line> lines;
+  for (const Choice& c : choices) {
+    lines.push_back({&c, "one step", &Choice::first});
+    lines.push_back({&c, "an orbit", &Choice::orbit});
+  }
+  scene::ColumnsOf<std::vector<Line>> columns = {
+      {"e", [](const Line& l) { return l.choice->eccentricity; }},
+      {"steps an orbit", [](const Line& l) { return l.choice->steps; }},
+      {"remark", [](const Line& l) { return l.choice->remark; }},
+      {"h over radius", [](const Line& l) { return l.choice->ratio; }},
+      {"error after", &Line::after}};
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const auto cell = [i](const Line& l) {
+      // Far away from the orbit one number is as good as another.
+      const double error = (l.choice->*l.errors)[i];
+      return error < 100 ? scene::Cell(error) : scene::Cell("> 100");
+    };
+    columns.emplace_back(fmt::format("order {}", orders[i]), cell, 2);
+  }
+  show.table(lines, columns);
 }
 
 /// Marks are radii from the coefficients.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -112,20 +113,31 @@ std::vector<Study> studies() {
   return all;
 }
 
+/// A column an orbit.
 void tabulate(const std::vector<Study>& all, scene::Show& show) {
-  using S = Study;
-  show.table(all, {{"orbit", &S::name},
-                   {"x after a day (m)", [](const S& s) { return s.end()[0]; }, 15},
-                   {"y (m)", [](const S& s) { return s.end()[1]; }, 15},
-                   {"z (m)", [](const S& s) { return s.end()[2]; }, 15},
-                   {"error in double (m)", [](const S& s) { return s.in_double.position; }, 2},
-                   {"error in quadruple (m)", [](const S& s) { return s.in_extended.position; }, 2},
-                   {"energy change in double", [](const S& s) { return s.in_double.energy; }, 2},
-                   {"energy change in quadruple", [](const S& s) { return s.in_extended.energy; }, 2},
-                   {"J2: distance from Kepler (km)", &S::from_kepler_km, 4},
-                   {"J3 to J6: further (km)", &S::further_km},
-                   {"J2 to J6: distance from rkn1210 (m)", &S::by_rkn_j6, 2},
-                   {"steps, J2 to J6", &S::steps}});
+  std::vector<scene::Column> orbits = {{"after a day"}};
+  for (const Study& s : all) orbits.push_back({s.name(), 15});
+  scene::Table table(orbits);
+  const auto add = [&](const char* what, int digits, auto get) {
+    std::vector<scene::Cell> row = {what};
+    for (const Study& s : all) row.emplace_back(scene::format_number(get(s), digits));
+    table.add(std::move(row));
+  };
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    constexpr std::array names = {"x (m)", "y (m)", "z (m)"};
+    std::vector<scene::Cell> row = {names.at(static_cast<std::size_t>(k))};
+    for (const Study& s : all) row.emplace_back(s.end()[k]);
+    table.add(std::move(row));
+  }
+  add("error in double (m)", 2, [](const Study& s) { return s.in_double.position; });
+  add("error in quadruple (m)", 2, [](const Study& s) { return s.in_extended.position; });
+  add("energy change in double", 2, [](const Study& s) { return s.in_double.energy; });
+  add("energy change in quadruple", 2, [](const Study& s) { return s.in_extended.energy; });
+  add("J2: distance from Kepler (km)", 4, [](const Study& s) { return s.from_kepler_km(); });
+  add("J3 to J6: further (km)", 3, [](const Study& s) { return s.further_km(); });
+  add("J2 to J6: distance from rkn1210 (m)", 2, [](const Study& s) { return s.by_rkn_j6; });
+  add("steps, J2 to J6", 6, [](const Study& s) { return static_cast<double>(s.steps); });
+  show.table(std::move(table));
 }
 
 scene::Table data_of(const std::vector<Study>& all) {
@@ -155,7 +167,7 @@ void draw_orbit(scene::Panel& panel, double orbit_hours) {
   panel.set("xtics 3").set("ytics 3").set("size ratio -1");
   panel.set("margins screen 0.075, screen 0.44, screen 0.17, screen 0.86");
   panel.set("label 3 'Earth' at 0,0 center front textcolor rgb soft_ink " + small);
-  panel.key("at graph 0.99, graph 0.13 right Right noreverse samplen 3 " + small);
+  panel.key("at graph 0.01, graph 0.99 left top Left reverse samplen 3 " + small);
   panel.also(
       "'+' using (0):(0):(6.378137) every ::::0 with circles fillcolor rgb pale fillstyle solid 1 noborder");
   const auto where = [](const std::string& condition) {

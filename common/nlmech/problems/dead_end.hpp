@@ -12,7 +12,7 @@
 namespace nlmech::problems {
 
 /// y' = -s/(2 y), whose solution sqrt(y0^2 - s t) from y(0) = y0 > 0 ends at t = y0^2/s for s > 0, where its
-/// slope is infinite. There is none beyond, but a step may leap across. State (y).
+/// slope is infinite. There is none beyond, but a step may jump across. State (y).
 struct DeadEnd {
   static constexpr int dimension = 1;                   ///< y alone
   static constexpr std::string_view name = "dead-end";  ///< on command lines and in tables

@@ -14,12 +14,12 @@ namespace nlmech::problems {
 /// 978-992). State (x, v).
 ///
 /// For large mu the solution creeps along v = x/(mu (1 - x^2)), where the second eigenvalue is close to
-/// mu (1 - x^2), and leaps at |x| = 1 to the other side: half a period takes about (3/2 - ln 2) mu.
+/// mu (1 - x^2), and jumps at |x| = 1 to the other side: half a period takes about (3/2 - ln 2) mu.
 struct VanDerPol {
   static constexpr int dimension = 2;                      ///< position and velocity
   static constexpr std::string_view name = "van-der-pol";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                ///< t_0
-  static constexpr double final_time = 20;                 ///< four leaps for mu = 10 lie in between
+  static constexpr double final_time = 20;                 ///< four jumps for mu = 10 lie in between
   double mu = 10;                                          ///< strength of the damping; 0 or more
 
   /// The equation as one types it.

@@ -28,7 +28,7 @@ struct Verification {
     wrong,         ///< beyond it
     undetermined,  ///< the problem multiplies one tolerance to the size of the solution: no digit is
                    ///< determined
-    ended,         ///< the solution seems to end on the way, and the run to have leapt across: see reason
+    ended,         ///< the solution seems to end on the way, and the run to have jumped across: see reason
     unknown        ///< there is no reference that could tell: see reason
   };
   Verdict verdict = Verdict::unknown;  ///< how it ended

@@ -26,7 +26,7 @@ namespace nlmech::ivp {
 /// steps are. What it costs is not in the statistics.
 ///
 /// Tests hold sweeps to the tolerance in every step at the orders that the method chooses, Newton's steps
-/// through transients and the leaps of van der Pol's oscillator to 3 tolerances, ends of stiff problems to 30
+/// through transients and the jumps of van der Pol's oscillator to 3 tolerances, ends of stiff problems to 30
 /// (HIRES, Robertson, van der Pol to mu = 1e4, linear systems with known solutions), and polynomials of
 /// degree 2 s - 2 in time to 16 eps.
 struct AdaptiveCollocation {

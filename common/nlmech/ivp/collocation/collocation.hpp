@@ -24,7 +24,7 @@ inline constexpr algebraic::Newton collocation_newton = {.tolerance = 1e-12, .no
 /// RBF-Coll (Elgohary 2015, section 4.2, Eqs 4.12-4.16): in each step the state is a sum of radial basis
 /// functions centred at N nodes; the equations hold at all nodes but the first, where the state is known. All
 /// unknowns at once by Newton's iteration with exact Jacobian, from the constant state.
-/// A fixed step has no error estimate: past a pole of the solution, or across a leap much shorter than the
+/// A fixed step has no error estimate: past a pole of the solution, or across a jump much shorter than the
 /// step, Newton's iteration may find a root of the step's equations that is no solution of the problem. The
 /// truncation error and the condition of the basis pull the shape in opposite directions: in double precision
 /// errors below about 1e-8 are not to be had; PolynomialCollocation has no such floor.

@@ -35,7 +35,7 @@ namespace nlmech::ivp::adaptive {
 /// see is how far nodes miss in the integral of a solution that bends on its own: of coefficients that decay
 /// geometrically, a share r_0/f of r_0, of which a tenth is added (in tests the whole is 10 to 100 times too
 /// much). Errors of steps of which a tenth of the tolerance can be checked are at most 1.4 times the estimate
-/// in HIRES and through the leaps of van der Pol's oscillator, on average a quarter of it.
+/// in HIRES and through the jumps of van der Pol's oscillator, on average a quarter of it.
 template <SystemLike S, int s>
 class NewtonSteps : public DenseOutput<S::dimension> {
  public:

@@ -46,7 +46,7 @@ namespace nlmech::ivp {
 /// more.
 ///
 /// Tests hold every row to its order (observed within 0.15), runs there and back to 1e-11, the linear
-/// oscillator to no growth for h omega up to 1e6, chosen steps to 2000 tolerances, and van der Pol's leaps to
+/// oscillator to no growth for h omega up to 1e6, chosen steps to 2000 tolerances, and van der Pol's jumps to
 /// a status wherever an end is wrong.
 struct Hermitian {
   static constexpr std::string_view name = "hermitian";  ///< the family; a run's messages name the operators
