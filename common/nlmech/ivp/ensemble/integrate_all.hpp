@@ -13,9 +13,11 @@
 
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/ivp/ensemble/pack.hpp"
+#include "nlmech/ivp/ensemble/pair_lanes.hpp"
 #include "nlmech/ivp/ensemble/series_lanes.hpp"
 #include "nlmech/ivp/ensemble/start.hpp"
 #include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/support/threads.hpp"
 
@@ -56,6 +58,83 @@ void pack_steps(const Problem& problem, const StepGrid& grid, Vector<Number, Pro
     }
   }
 }
+
+/// Neither switches nor bounds nor invariants, which single steps would have to be held to.
+template <class Problem>
+inline constexpr bool is_plain = !GivesSwitches<Problem> && !GivesInvariants<Problem> &&
+                                 !GivesLowerBounds<Problem> && !GivesUpperBounds<Problem>;
+
+/// Do equal steps move the time, and are they not too many?
+[[nodiscard]] inline bool has_grid(double t0, double t1, double step, const Limits& limits) {
+  const StepGrid grid = make_step_grid(t0, t1, step);
+  return grid.begin + grid.step != grid.begin && grid.end - grid.step != grid.end &&
+         grid.count <= limits.steps;
+}
+
+/// Many states of one problem that is smooth on the way.
+template <class Problem>
+struct Ensemble {
+  static constexpr int n = Problem::dimension;
+  const Problem& problem;
+  const Direct<Problem>& system;
+  std::span<const State<n>> states;
+  double t0, t1;
+  int threads;
+  const Limits& limits;
+
+  /// One by itself.
+  template <class Method>
+  [[nodiscard]] Solution<n> alone(std::size_t i, const Method& method) const {
+    Solution<n> solution = integrate(system, states[i], t0, t1, method, {}, limits);
+    solution.statistics.seconds = 0;
+    return solution;
+  }
+
+  /// By an explicit method of fixed step.
+  template <class Method, int lanes>
+  [[nodiscard]] std::vector<Solution<n>> by_equal_steps(const Method& method) const {
+    const StepGrid grid = make_step_grid(t0, t1, method.step);
+    std::vector<Solution<n>> solutions(states.size());
+    share_out(states.size(), lanes, threads, [&](std::size_t begin, std::size_t end) {
+      Vector<Pack<lanes>, n> x;
+      for (int lane = 0; lane < lanes; ++lane) {
+        const State<n>& from = states[std::min(begin + static_cast<std::size_t>(lane), end - 1)];
+        for (int c = 0; c < n; ++c) x[c].v[lane] = from[c];
+      }
+      pack_steps<Method>(problem, grid, x);
+      for (std::size_t i = begin; i < end; ++i) {
+        Solution<n>& s = solutions[i];
+        s.t = t1;
+        s.statistics.steps = grid.count;
+        s.statistics.right_hand_sides = grid.count * static_cast<std::int64_t>(Method::tableau.stages);
+        for (int c = 0; c < n; ++c) s.x[c] = x[c].v[static_cast<int>(i - begin)];
+        if (!s.x.allFinite()) s = alone(i, method);
+      }
+    });
+    return solutions;
+  }
+
+  /// By Ode45.
+  template <int lanes>
+  [[nodiscard]] std::vector<Solution<n>> by_chosen_steps(const Ode45& method) const {
+    std::vector<Solution<n>> solutions(states.size());
+    std::atomic<std::size_t> next = 0;
+    in_threads(std::min(threads_for(threads), states.size()), [&] {
+      PairLanes<Problem, lanes> pair(problem, t0, t1, method, limits.steps);
+      std::vector<std::size_t> failed;
+      for (bool more = true; more || pair.busy() > 0;) {
+        while (more && pair.free() > 0) {
+          const std::size_t i = next.fetch_add(1);
+          more = i < states.size();
+          if (more && !pair.take_in(i, states[i])) failed.push_back(i);
+        }
+        if (pair.busy() > 0) pair.run(solutions, failed);
+      }
+      for (const std::size_t i : failed) solutions[i] = alone(i, method);
+    });
+    return solutions;
+  }
+};
 
 /// One trajectory by itself.
 template <int n, class Method>
@@ -179,46 +258,27 @@ template <SystemLike S, class Method>
 }
 
 /// The same of a problem itself, a callable as Direct takes it. Explicit methods of fixed step (Rk4, Euler,
-/// Rk6, a user's own) move several trajectories in a register, if the problem has neither switches nor
-/// discontinuities on the way: compile for the processor (-march=native) to have registers of that width.
-/// Their sums are those of a single run in the same order, so the bits are too, unless the compiler fuses
-/// products and sums (-ffp-contract=off keeps it from it). What becomes infinite or NaN is run again alone,
-/// for its status.
+/// Rk6, a user's own) and Ode45 move several trajectories in a register, if the problem has neither switches,
+/// bounds and invariants nor discontinuities on the way: compile for the processor (-march=native) to have
+/// registers of that width. Their sums are those of a single run in the same order, so the bits are too,
+/// unless the compiler fuses products and sums (-ffp-contract=off keeps it from it). What fails, or becomes
+/// infinite or NaN, is run again alone, for its status.
 template <class Problem, class Method, int lanes = register_lanes>
 requires(!SystemLike<Problem>) [[nodiscard]] std::vector<Solution<Problem::dimension>> integrate_all(
     const Problem& problem, std::span<const State<Problem::dimension>> states, double t0, double t1,
     const Method& method, int threads = 0, const Limits& limits = {}) {
-  constexpr int n = Problem::dimension;
   const Direct<Problem> system(problem);
-  if constexpr (ExplicitMethod<Method> && detail::TakesPack<Problem, Pack<lanes>> &&
-                !detail::GivesSwitches<Problem>) {
-    require_step(Method::name, method.step);
-    if (std::isfinite(t0) && std::isfinite(t1) && t0 != t1 && !std::isfinite(limits.seconds) &&
-        system.discontinuities(t0, t1).empty()) {
-      const StepGrid grid = make_step_grid(t0, t1, method.step);
-      const bool moves = grid.begin + grid.step != grid.begin && grid.end - grid.step != grid.end;
-      if (moves && grid.count <= limits.steps) {
-        std::vector<Solution<n>> solutions(states.size());
-        share_out(states.size(), lanes, threads, [&](std::size_t begin, std::size_t end) {
-          Vector<Pack<lanes>, n> x;
-          for (int lane = 0; lane < lanes; ++lane) {
-            const State<n>& from = states[std::min(begin + static_cast<std::size_t>(lane), end - 1)];
-            for (int c = 0; c < n; ++c) x[c].v[lane] = from[c];
-          }
-          detail::pack_steps<Method>(problem, grid, x);
-          for (std::size_t i = begin; i < end; ++i) {
-            Solution<n>& s = solutions[i];
-            s.t = t1;
-            s.statistics.steps = grid.count;
-            s.statistics.right_hand_sides = grid.count * static_cast<std::int64_t>(Method::tableau.stages);
-            for (int c = 0; c < n; ++c) s.x[c] = x[c].v[static_cast<int>(i - begin)];
-            if (s.x.allFinite()) continue;
-            s = integrate(system, states[i], t0, t1, method, {}, limits);
-            s.statistics.seconds = 0;
-          }
-        });
-        return solutions;
-      }
+  if constexpr (detail::TakesPack<Problem, Pack<lanes>> && detail::is_plain<Problem>) {
+    const bool smooth = std::isfinite(t0) && std::isfinite(t1) && t0 != t1 &&
+                        !std::isfinite(limits.seconds) && system.discontinuities(t0, t1).empty();
+    const detail::Ensemble<Problem> ensemble{problem, system, states, t0, t1, threads, limits};
+    if constexpr (ExplicitMethod<Method>) {
+      require_step(Method::name, method.step);
+      if (smooth && detail::has_grid(t0, t1, method.step, limits))
+        return ensemble.template by_equal_steps<Method, lanes>(method);
+    } else if constexpr (std::same_as<Method, Ode45>) {
+      check_options(method);
+      if (smooth) return ensemble.template by_chosen_steps<lanes>(method);
     }
   }
   return integrate_all(system, states, t0, t1, method, threads, limits);
