@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/floor.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/problems/lorenz.hpp"
@@ -97,6 +98,12 @@ void add_series(const ivp::System<3>& system, std::vector<Work>& all, std::vecto
         }};
     tell(together, steps);
     all.push_back(together);
+    // Two products of series, and some ten multiply-adds an order besides.
+    const double n = ivp::series_order(tolerance), operations = steps * (n * n + 10 * n);
+    all.push_back({together.name + ", multiply-adds alone", [set, operations] {
+                     double sum = chapters::multiply_adds(set, operations);
+                     benchmark::DoNotOptimize(sum);
+                   }});
     claims.push_back({fmt::format("{} against one by one", together.name), together.name, alone.name, least});
   };
   add(InstructionSet::avx2, 2);
