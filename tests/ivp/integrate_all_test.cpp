@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -65,6 +66,7 @@ void expect_same(const Problem& problem, const Method& method, double t0, double
         EXPECT_EQ(ends[i].t, alone.t);
         EXPECT_EQ(ends[i].status.outcome(), alone.status.outcome());
         EXPECT_EQ(ends[i].statistics.steps, alone.statistics.steps);
+        EXPECT_EQ(ends[i].statistics.rejected, alone.statistics.rejected);
         EXPECT_EQ(ends[i].statistics.right_hand_sides, alone.statistics.right_hand_sides);
         EXPECT_EQ(ends[i].statistics.seconds, 0);
       }
@@ -78,7 +80,25 @@ TEST(IntegrateAll, HasTheBitsOfOne) {
   expect_same(Pendulum{}, Euler{.step = 0.01}, 0, 2);
   expect_same(Pendulum{}, Rk4{.step = 0.05}, 0.5, 7);
   expect_same(Pendulum{.jump = 1}, Rk4{.step = 0.03}, 0, 2);  // one by one: steps land on the jump
-  expect_same(problems::Lorenz{}, Ode45{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6}, 0, 2);
+}
+
+// Steps that are chosen, in both directions of time, with trials that are rejected, with a first and a
+// largest step of the user's; one by one over a jump.
+TEST(IntegrateAll, Ode45HasTheBitsOfOne) {
+  for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+    const Ode45 method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
+    expect_same(problems::Lorenz{}, method, 0, 4);
+    expect_same(problems::Lorenz{}, method, 0.5, 0.1);
+    expect_same(Pendulum{}, method, -3, 20);
+    expect_same(Pendulum{.jump = 1}, method, 0, 2);
+  }
+  expect_same(Pendulum{}, Ode45{.initial_step = 0.01, .largest_step = 0.05}, 0, 3);
+  const auto from = starts<problems::Lorenz>(40);
+  const Ode45 loose{.relative_tolerance = 1e-4, .absolute_tolerance = 1e-4};
+  std::int64_t rejected = 0;
+  for (const auto& end : integrate_all(problems::Lorenz{}, std::span(from), 0, 10, loose))
+    rejected += end.statistics.rejected;
+  EXPECT_GT(rejected, 0);
 }
 
 // The compiled system too, which knows no other numbers than doubles.
@@ -110,6 +130,26 @@ TEST(IntegrateAll, FailuresAreTheirOwn) {
   }
   const auto few = integrate_all(Riccati{}, std::span<const State<1>>(from), 0, 1, method, 1, {.steps = 5});
   EXPECT_EQ(few[0].status.outcome(), Outcome::step_limit);
+}
+
+TEST(IntegrateAll, FailuresOfOde45AreTheirOwn) {
+  std::vector<State<1>> from(9);
+  for (std::size_t i = 0; i < 9; ++i) from[i][0] = 0.1 * static_cast<double>(i);
+  from[1][0] = 50;
+  from[4][0] = std::numeric_limits<double>::quiet_NaN();
+  for (const std::int64_t steps : {std::int64_t{1'000'000}, std::int64_t{12}}) {
+    const auto ends =
+        integrate_all(Riccati{}, std::span<const State<1>>(from), 0, 1, Ode45{}, 2, {.steps = steps});
+    for (std::size_t i = 0; i < 9; ++i) {
+      const auto alone = integrate(Direct(Riccati{}), from[i], 0, 1, Ode45{}, {}, {.steps = steps});
+      EXPECT_EQ(ends[i].status.text(), alone.status.text()) << i;
+      EXPECT_EQ(ends[i].t, alone.t);
+      if (i == 4) continue;
+      EXPECT_EQ(ends[i].x, alone.x);
+    }
+    EXPECT_EQ(ends[1].status.ok(), false);
+    EXPECT_EQ(ends[8].status.ok(), steps > 12);
+  }
 }
 
 TEST(IntegrateAll, RefusesWhatOneRefuses) {

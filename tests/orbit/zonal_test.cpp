@@ -2,9 +2,12 @@
 /// end where extrapolation of the midpoint rule ends.
 #include <gtest/gtest.h>
 
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/ensemble.hpp"
 #include "nlmech/orbit/extended.hpp"
 #include "nlmech/series/dual.hpp"
 #include "nlmech/support/extended_real.hpp"
@@ -86,6 +89,20 @@ TEST(Zonal, DayInDoublePrecision) {
   }
 }
 
+// The same in lanes, all beside each other.
+TEST(Zonal, DayInLanes) {
+  std::vector<Flight> flights;
+  for (const Day& d : days) flights.push_back({state_from<double>(d.start), day, earth(2)});
+  const auto ends = propagate_all(flights);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    ASSERT_TRUE(ends[k].status.ok()) << ends[k].status.text();
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(ends[k].x.position[i], std::stod(days[k].end[i]), 1e-5);
+      EXPECT_NEAR(ends[k].x.velocity[i], std::stod(days[k].end[3 + i]), 1e-8);
+    }
+  }
+}
+
 // All harmonics: double against quadruple precision, and the energy of the field is kept.
 TEST(Zonal, AllHarmonics) {
   const Gravity g = earth(6);
@@ -96,6 +113,10 @@ TEST(Zonal, AllHarmonics) {
   ASSERT_TRUE(c.status.ok());
   const Vector3<Quad> d = c.x.position.cast<Quad>() - exact.position;
   EXPECT_LT(length(d), Quad(1e-5));
+  const Flight flight{start, day / 4, g};
+  const Vector3<Quad> in_lanes =
+      propagate_all(std::span(&flight, 1))[0].x.position.cast<Quad>() - exact.position;
+  EXPECT_LT(length(in_lanes), Quad(1e-5));
   const Quad before = energy(as<Quad>(start), g.as<Quad>()), after = energy(exact, g.as<Quad>());
   EXPECT_LT(abs(Quad(after / before - 1)), Quad(1e-17));
   // A quarter of a day is some forty steps; each rounds the state.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "nlmech/orbit/lanes.hpp"
+#include "nlmech/orbit/zonal_lanes.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -83,34 +84,12 @@ struct Ensemble {
   const kernels::EnsembleKernel& kernel;
   kernels::LaneSettings settings;
   std::vector<Solution> solutions;
+  std::vector<char> is_zonal;  // by flight; bytes, which threads write side by side
   Stopwatch watch;
   std::atomic<std::size_t> next = 0;
 
   [[nodiscard]] bool out_of_time() const {
     return std::isfinite(limits.seconds) && watch.seconds() > limits.seconds;
-  }
-
-  /// With zonal terms.
-  [[nodiscard]] Solution alone(std::size_t number) const {
-    const Flight& flight = flights[number];
-    std::int64_t count = 1;
-    const double sign = flight.until < 0 ? -1 : 1, until = std::abs(flight.until);
-    Observer observer;
-    if (rows.sink) {
-      observer = [&](const Step& step) {
-        for (;; ++count) {
-          const double t = static_cast<double>(count) * rows.every;
-          if (!(t <= std::abs(step.t1) && until - t > 1e-9 * rows.every)) return true;
-          rows.sink(number, sign * t, step.at(sign * t));
-        }
-      };
-    }
-    Limits own = limits;
-    own.seconds = std::max(0.0, limits.seconds - watch.seconds());
-    Solution solution = propagate(flight.start, 0, flight.until, flight.gravity,
-                                  AnalyticContinuation{.tolerance = method.tolerance}, observer, own);
-    solution.statistics.seconds = 0;
-    return solution;
   }
 
   /// Of one thread.
@@ -137,7 +116,49 @@ struct Ensemble {
     }
   }
 
+  /// What work() has left: flights with zonal terms. One that fails is repeated by AnalyticContinuation, for
+  /// a sentence in the user's units, and because it may arrive.
+  void fly_the_rest() {
+    std::vector<std::size_t> rest;
+    for (std::size_t i = 0; i < is_zonal.size(); ++i) {
+      if (is_zonal[i] != 0) rest.push_back(i);
+    }
+    if (rest.empty()) return;
+    detail::fly_in_zonal_fields(flights, rest, method, rows, {limits.steps, left()}, solutions);
+    share_out(rest.size(), 1, method.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Solution& solution = solutions[rest[i]];
+        if (!solution.status.ok()) solution = alone(rest[i], std::abs(solution.t));
+      }
+    });
+  }
+
  private:
+  [[nodiscard]] double left() const { return std::max(0.0, limits.seconds - watch.seconds()); }
+  /// @param shown up to where rows have been given already
+  [[nodiscard]] Solution alone(std::size_t number, double shown) const {
+    const Flight& flight = flights[number];
+    auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(shown / rows.every));
+    while (static_cast<double>(count) * rows.every <= shown) ++count;
+    const double sign = flight.until < 0 ? -1 : 1, until = std::abs(flight.until);
+    Observer observer;
+    if (rows.sink) {
+      observer = [&](const Step& step) {
+        for (;; ++count) {
+          const double t = static_cast<double>(count) * rows.every;
+          if (!(t <= std::abs(step.t1) && until - t > 1e-9 * rows.every)) return true;
+          rows.sink(number, sign * t, step.at(sign * t));
+        }
+      };
+    }
+    Limits own = limits;
+    own.seconds = left();
+    Solution solution = propagate(flight.start, 0, flight.until, flight.gravity,
+                                  AnalyticContinuation{.tolerance = method.tolerance}, observer, own);
+    solution.statistics.seconds = 0;
+    return solution;
+  }
+
   void begin(std::size_t number, detail::Lanes& lanes) {
     const Flight& flight = flights[number];
     Solution& solution = solutions[number];
@@ -148,7 +169,7 @@ struct Ensemble {
       solution.status = failed_with(Outcome::time_limit, "{}: {} seconds were used up; allow more",
                                     TaylorEnsemble::name, limits.seconds);
     } else if (flight.gravity.degree() > 0) {
-      solution = alone(number);
+      is_zonal[number] = 1;
     } else {
       lanes.take_in(number, flight);
     }
@@ -167,8 +188,10 @@ std::vector<Solution> propagate_all(std::span<const Flight> flights, const Taylo
                     .kernel = kernel_for(method.instructions.value_or(best_instruction_set())),
                     .settings = settings_of(method),
                     .solutions = std::vector<Solution>(flights.size()),
+                    .is_zonal = std::vector<char>(flights.size()),
                     .watch = {}};
   in_threads(std::min(threads_for(method.threads), flights.size()), [&ensemble] { ensemble.work(); });
+  ensemble.fly_the_rest();
   return std::move(ensemble.solutions);
 }
 

@@ -21,8 +21,9 @@ struct Flight {
   Gravity gravity;   ///< of its centre
 };
 
-/// Taylor series of many orbits about point masses, in lanes. Every orbit has steps of its own, chosen like
-/// those of AnalyticContinuation, and an orbit that has arrived makes room for the next.
+/// Taylor series of many orbits, in lanes. Every orbit has steps of its own, and an orbit that has arrived
+/// makes room for the next. About point masses the steps are chosen like those of AnalyticContinuation, in
+/// zonal fields like those of ivp::Series.
 ///
 /// An orbit gives the same bits whatever its neighbours, their number and order, and the number of threads;
 /// with AVX-512 and with AVX2 also the same as with the other. Without a fused multiply-add, in the baseline,
@@ -51,8 +52,8 @@ struct InnerRows {
 
 /// Moves every flight from its start at t = 0 to its end. Never throws for what a flight is or does: a start
 /// that is none is `non_finite`, a body in the centre `collision`, a field that is none `outside_validity`,
-/// and what happens on the way as for propagate(); the others are not touched by it. Flights with zonal terms
-/// are propagated one by one, by AnalyticContinuation with the same tolerance. Statistics::seconds stays 0.
+/// and what happens on the way as for propagate(); the others are not touched by it. A flight with zonal
+/// terms that fails is repeated by AnalyticContinuation. Statistics::seconds stays 0.
 /// @param limits steps of each flight; seconds of the whole
 /// @return a solution for each flight, in their order
 /// @throws std::invalid_argument for options out of range

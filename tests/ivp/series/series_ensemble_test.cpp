@@ -90,9 +90,7 @@ void expect_bits_of_one(const std::vector<Start<n>>& starts, const Series& metho
     for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(together[i], alone[i]);
   }
   if (method.step > 0 || !available(InstructionSet::avx2)) return;
-  std::vector<Solution<n>> narrow(starts.size());
-  std::atomic<std::size_t> next = 0;
-  detail::run_lanes<n>(all, method, next, narrow, InstructionSet::avx2);
+  const auto narrow = integrate_all<n>(all, method, 1, InstructionSet::avx2);
   for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(narrow[i], alone[i]);
 }
 
@@ -125,6 +123,35 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
                       {.steps = 200}});
   }
   expect_bits_of_one<3>(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
+}
+
+/// x' = -x^p, an operation more for every factor.
+struct Decay {
+  static constexpr int dimension = 1;
+  int power = 1;
+  template <class T>
+  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
+    T product = x[0];
+    for (int k = 1; k < power; ++k) product = product * x[0];
+    f[0] = -product;
+  }
+};
+
+// A dozen kinds of equations in turn, more than may wait for each other: the bits of one, and of narrow
+// registers in any company.
+TEST(SeriesEnsemble, ManyKinds) {
+  std::vector<System<1>> systems;
+  for (int power = 1; power <= 12; ++power) systems.emplace_back(Decay{power});
+  std::vector<Start<1>> starts;
+  for (int i = 0; i < 100; ++i)
+    starts.push_back(
+        {&systems[static_cast<std::size_t>(i) % 12], State<1>(0.3 + 0.01 * i), 0, 1.0 + i, {}, {}});
+  expect_bits_of_one<1>(starts, with(1e-10));
+  const std::span<const Start<1>> all(starts);
+  const auto together = integrate_all<1>(all, with(1e-10), 2, InstructionSet::baseline);
+  for (std::size_t i = 0; i < starts.size(); i += 7)
+    expect_same<1>(integrate_all<1>(all.subspan(i, 1), with(1e-10), 1, InstructionSet::baseline)[0],
+                   together[i]);
 }
 
 TEST(SeriesEnsemble, EquationsWithTheTime) {

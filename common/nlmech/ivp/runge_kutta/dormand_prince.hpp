@@ -151,19 +151,44 @@ class Pair : public DenseOutput<S::dimension> {
   double t0_ = 0, h_ = 1;
 };
 
+/// How lengths follow each other on the way from @p t0 to @p t1.
+[[nodiscard]] inline StepRule step_rule(double t0, double t1, const Ode45& method) {
+  const double interval = std::abs(t1 - t0);
+  // A tenth of a very short interval may be less than the shortest step.
+  const double largest = method.largest_step > 0
+                             ? std::min(interval, method.largest_step)
+                             : std::max(interval / 10, 16 * spacing(std::max(std::abs(t0), std::abs(t1))));
+  return {.largest = largest, .stretch = 1.1, .again = 0.5, .least_change = 1, .measured = true};
+}
+/// Of the first step of a stretch that is @p left long, from the state @p x with the slope @p f.
+template <int n>
+[[nodiscard]] double first_length(const Ode45& method, double largest, double left, const State<n>& x,
+                                  const State<n>& f) {
+  const double length = std::min(largest, left);
+  if (method.initial_step > 0) return std::min(length, method.initial_step);
+  const double threshold = method.absolute_tolerance / method.relative_tolerance;
+  double rate = 0;  // of relative change
+  for (int i = 0; i < static_cast<int>(x.size()); ++i)
+    rate = std::max(rate, std::abs(f[i]) / std::max(std::abs(x[i]), threshold));
+  rate /= 0.8 * std::pow(method.relative_tolerance, 0.2);
+  return length * rate > 1 ? 1 / rate : length;
+}
+/// After a step of length @p taken with the error @p error, in tolerances.
+[[nodiscard]] inline double next_length(double taken, double error) {
+  return taken / std::max(0.2, 1.25 * std::pow(error, 0.2));
+}
+/// After the first rejection; a tenth for an error that is NaN.
+[[nodiscard]] inline double shorter_length(double taken, double error) {
+  return taken * std::max(0.1, 0.8 * std::pow(error, -0.2));
+}
+
 /// One integration from begin to end.
 template <SystemLike S>
 class Run : public ChosenSteps<S, Run<S>> {
  public:
   /// @param task outlives the run
   Run(const Task<S>& task, const Ode45& method)
-      : Base(task, Ode45::name,
-             {.largest = largest_length(task, method),
-              .stretch = 1.1,
-              .again = 0.5,
-              .least_change = 1,
-              .measured = true},
-             method.refine),
+      : Base(task, Ode45::name, step_rule(task.t0, task.t1, method), method.refine),
         method_(method),
         threshold_(method.absolute_tolerance / method.relative_tolerance),
         pair_(task.system) {}
@@ -178,26 +203,9 @@ class Run : public ChosenSteps<S, Run<S>> {
     pair_.begin_segment(now_.t, end, now_.x);
     ++now_.statistics.right_hand_sides;
     if (!pair_.begin_derivative().allFinite()) return non_finite_rhs(Ode45::name, now_.t);
-    control_.start(first_length(std::abs(end - now_.t)));
+    control_.start(first_length<S::dimension>(method_, control_.rule().largest, std::abs(end - now_.t),
+                                              now_.x, pair_.begin_derivative()));
     return {};
-  }
-
-  // A tenth of a very short interval may be less than the shortest step.
-  [[nodiscard]] static double largest_length(const Task<S>& task, const Ode45& method) {
-    const double interval = std::abs(task.t1 - task.t0);
-    if (method.largest_step > 0) return std::min(interval, method.largest_step);
-    return std::max(interval / 10, 16 * spacing(std::max(std::abs(task.t0), std::abs(task.t1))));
-  }
-
-  [[nodiscard]] double first_length(double left) const {
-    const double length = std::min(control_.rule().largest, left);
-    if (method_.initial_step > 0) return std::min(length, method_.initial_step);
-    double rate = 0;  // of relative change
-    for (int i = 0; i < now_.x.size(); ++i)
-      rate =
-          std::max(rate, std::abs(pair_.begin_derivative()[i]) / std::max(std::abs(now_.x[i]), threshold_));
-    rate /= 0.8 * std::pow(method_.relative_tolerance, 0.2);
-    return length * rate > 1 ? 1 / rate : length;
   }
 
   double attempt(double t1) {
@@ -205,12 +213,9 @@ class Run : public ChosenSteps<S, Run<S>> {
     now_.statistics.right_hand_sides += stages - 1;
     return pair_.end_is_finite() ? pair_.error_of(threshold_) / method_.relative_tolerance : nan;
   }
-  [[nodiscard]] double shorter(double error) const {
-    // 0.1 for a NaN.
-    return control_.taken() * std::max(0.1, 0.8 * std::pow(error, -0.2));
-  }
+  [[nodiscard]] double shorter(double error) const { return shorter_length(control_.taken(), error); }
   Status accept(double t1, double error) {
-    control_.accepted(control_.taken() / std::max(0.2, 1.25 * std::pow(error, 0.2)));
+    control_.accepted(next_length(control_.taken(), error));
     Status status = this->take(t1, pair_.end_state(), pair_);
     pair_.accept();
     return status;

@@ -1,0 +1,98 @@
+#include "nlmech/orbit/zonal_lanes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <deque>
+
+#include "nlmech/ivp/ensemble/integrate_all.hpp"
+#include "nlmech/orbit/acceleration.hpp"
+#include "nlmech/orbit/scaled.hpp"
+
+namespace nlmech::orbit::detail {
+namespace {
+
+/// dr/dt = v, dv/dt = acceleration(r).
+struct Motion {
+  static constexpr int dimension = 6;
+  Gravity gravity;
+
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 6>& x, Vector<T, 6>& dxdt) const {
+    const Vector3<T> a = acceleration<T>({x[0], x[1], x[2]}, gravity);
+    for (int i = 0; i < 3; ++i) {
+      dxdt[i] = x[i + 3];
+      dxdt[i + 3] = a[i];
+    }
+  }
+};
+
+/// A flight in its own units, in which |r| and mu are near 1 at the start.
+class Leg {
+ public:
+  Leg(std::size_t number, const Flight& flight, const InnerRows& rows)
+      : number_(number),
+        flight_(flight),
+        rows_(rows),
+        units_(extent(flight.start.position), flight.gravity.mu),
+        system_(Motion{own(flight.gravity)}) {}
+  Leg(const Leg&) = delete;
+  Leg& operator=(const Leg&) = delete;
+
+  /// What is to be integrated; refers to this.
+  [[nodiscard]] ivp::Start<6> start(const Limits& limits) {
+    const State s = units_.own(flight_.start);
+    ivp::Start<6> start{&system_, {}, 0, std::ldexp(flight_.until, -units_.time), {}, limits};
+    start.x0 << s.position, s.velocity;
+    if (rows_.sink) start.observer = [this](const ivp::Step<6>& step) { return see(step); };
+    return start;
+  }
+  /// In the user's units.
+  [[nodiscard]] Solution users(const ivp::Solution<6>& end) const {
+    return {end.status.ok() ? flight_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
+            end.statistics};
+  }
+
+ private:
+  [[nodiscard]] Gravity own(Gravity gravity) const {
+    gravity.mu = units_.own_mu(gravity.mu);
+    gravity.radius = std::ldexp(gravity.radius, -units_.length);
+    return gravity;
+  }
+  [[nodiscard]] State users(const ivp::State<6>& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
+  /// The rows within a step, but none so near the end that rounding alone parts them.
+  bool see(const ivp::Step<6>& step) {
+    const double sign = flight_.until < 0 ? -1 : 1, until = std::abs(flight_.until);
+    for (;; ++next_row_) {
+      const double t = static_cast<double>(next_row_) * rows_.every, there = std::ldexp(t, -units_.time);
+      if (!(there <= std::abs(step.t1) && until - t > 1e-9 * rows_.every)) return true;
+      rows_.sink(number_, sign * t, users(step.at(sign * there)));
+    }
+  }
+
+  std::size_t number_;
+  const Flight& flight_;
+  const InnerRows& rows_;
+  PowerUnits units_;
+  ivp::System<6> system_;
+  std::int64_t next_row_ = 1;
+};
+
+}  // namespace
+
+void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std::size_t>& which,
+                         const TaylorEnsemble& method, const InnerRows& rows, const Limits& limits,
+                         std::vector<Solution>& solutions) {
+  std::deque<Leg> legs;
+  std::vector<ivp::Start<6>> starts;
+  for (const std::size_t number : which)
+    starts.push_back(legs.emplace_back(number, flights[number], rows).start(limits));
+  // Position and velocity are near 1 at the start; a small absolute part lets a component pass through 0.
+  const ivp::Series series{.relative_tolerance = method.tolerance,
+                           .absolute_tolerance = method.tolerance / 32,
+                           .order = method.order};
+  const auto ends = ivp::integrate_all<6>(std::span<const ivp::Start<6>>(starts), series, method.threads,
+                                          method.instructions.value_or(best_instruction_set()));
+  for (std::size_t i = 0; i < which.size(); ++i) solutions[which[i]] = legs[i].users(ends[i]);
+}
+
+}  // namespace nlmech::orbit::detail
