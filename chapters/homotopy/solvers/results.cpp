@@ -171,10 +171,11 @@ void put_all(const std::vector<History>& all, const std::vector<Row>& rows,
   const int whole = top + lines * (height + gap) + foot - gap;
   plot.size(760, whole).columns({"panel", "curve", "iteration", "residual"});
   for (int i = 0; i < 2 * lines; ++i) {
-    const auto k = static_cast<std::size_t>(i / 2);
-    const bool left = i % 2 == 0, last = i / 2 + 1 == lines;
+    const int line = i / 2;
+    const auto k = static_cast<std::size_t>(line);
+    const bool left = i % 2 == 0, last = line + 1 == lines;
     const Ran& ran = left ? *exact[k] : *other[k];
-    const double above = 1 - double(top + i / 2 * (height + gap)) / whole;
+    const double above = 1 - double(top + line * (height + gap)) / whole;
     scene::Panel& panel = plot.panel(last ? "iteration" : "", left ? "|{/:Italic F}|/|{/:Italic F}(0)|" : "");
     panel.place(left ? 0.115 : 0.57, left ? 0.525 : 0.98, above - double(height) / whole, above)
         .caption(left ? fmt::format("{}, {} lb", short_name(rows[k]), rows[k].printed.load)

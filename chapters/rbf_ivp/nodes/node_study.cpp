@@ -308,7 +308,7 @@ void draw(const Study& study, scene::Show& show) {
       ++block;
     }
   }
-  for (const std::size_t i : {0, 2}) {
+  for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) {
     const Shown& shown = problems.at(i);
     scene::Panel& panel = growth_panel(plot, shown, i == 0);
     for (const auto& [way, style] : {std::pair("LGL", 3), {"inserted", 4}, {"least squares", 1}}) {

@@ -225,7 +225,7 @@ void check(const std::vector<Study>& all, scene::Show& show) {
                "some 200 steps, each eps/2 or so, and what the default tolerance leaves out");
   show.at_most("change of the energy in quadruple precision, CIRC", all[2].in_extended.energy, 1e-18,
                "tolerance 1e-21 in some hundred steps");
-  for (const std::size_t i : {1, 2})
+  for (const std::size_t i : {std::size_t{1}, std::size_t{2}})
     show.near("turn of the node, " + all[i].name(), {all[i].node, "deg"}, all[i].node_rate, 0.05,
               "first-order theory; oscillations within an orbit are some hundredths of the sum");
 }

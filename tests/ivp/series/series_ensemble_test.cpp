@@ -244,9 +244,13 @@ TEST(SeriesEnsemble, OneSystemAndManyStates) {
   const System<3> system(problems::Lorenz{});
   std::vector<State<3>> states;
   for (int i = 0; i < 33; ++i) states.emplace_back(1, 0.1 * i, 20);
-  const auto ends = integrate_all(system, std::span<const State<3>>(states), 0, 3, with(1e-9), 2);
-  for (std::size_t i = 0; i < states.size(); ++i)
+  const std::span<const State<3>> all(states);
+  const auto ends = integrate_all(system, all, 0, 3, with(1e-9), 2);
+  const auto same = integrate_all(problems::Lorenz{}, all, 0, 3, with(1e-9), 1);
+  for (std::size_t i = 0; i < states.size(); ++i) {
     expect_same<3>(ends[i], detail::alone<3>({&system, states[i], 0, 3, {}, {}}, with(1e-9)));
+    expect_same<3>(same[i], ends[i]);
+  }
 }
 
 TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
