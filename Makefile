@@ -135,4 +135,4 @@ pages: figures
 
 clean:
 	@rm -rf $(BUILD) results book
-	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published ! -name errata ! -name reference -exec rm -rf {} +
+	@find figures tables -mindepth 1 -maxdepth 1 -type d ! -name templates ! -name published ! -name errata ! -name frames ! -name reference -exec rm -rf {} +

@@ -27,16 +27,19 @@ const times = (pattern, text) => [...text.matchAll(pattern)].length;
 // Lists of evidence hold every word of the chapters: they come after the pages that explain.
 const lists = /^(reproduction|completeness|claims|errata|bench|ratios|adversary)\.html/;
 
-// Sections in which every word begins another one, best first: what stands in a title counts most, then the words in their order.
+// Sections in which every word begins another one, best first: what stands in a title counts most, then the words in their order;
+// rows of a table repeat a word without saying more of it.
 function find_sections(sections, query) {
   const whole = beginning(query), words = query.split(/\s+/).map(beginning);
   const found = [];
-  for (const [href, page, title, text] of sections) {
-    const titles = `${title}\n${page}`, all = `${titles}\n${text}`;
+  for (const [href, page, title, text, rows] of sections) {
+    const titles = `${title}\n${page}`, all = `${titles}\n${text}\n${rows}`;
     if (!words.every((word) => times(word, all) > 0)) continue;
     const score = 30 * (times(whole, title) > 0) + 20 * (times(whole, page) > 0) + 3 * words.filter((word) => times(word, titles)).length +
       6 * Math.min(times(whole, text), 3) + Math.log(1 + times(words[0], text));
-    found.push({ href, page, title, text, score: lists.test(href) ? score / 4 : score, pattern: times(whole, text) > 0 ? whole : words[0] });
+    const seen = [whole, words[0]].map((pattern) => [text, rows].map((part) => [pattern, part])).flat()
+      .find(([pattern, part]) => times(pattern, part) > 0) ?? [words[0], text];
+    found.push({ href, page, title, text: seen[1], score: lists.test(href) ? score / 4 : score, pattern: seen[0] });
   }
   found.sort((a, b) => b.score - a.score);
   const of_page = new Map();

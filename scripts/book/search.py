@@ -16,28 +16,30 @@ APART = ("p", "li", "td", "th", "tr", "div", "br", "h1", "h2", "h3", "figcaption
 
 
 class Sections(html.parser.HTMLParser):
-    """The text of a page's contents, in pieces that begin at headings: [place, heading, text]."""
+    """The text of a page's contents, in pieces that begin at headings: [place, heading, text, text of tables]."""
 
     def __init__(self):
         super().__init__()
-        self.found = [["", "", ""]]
-        self.silent = 0
+        self.found = [["", "", "", ""]]
+        self.silent = self.tables = 0
         self.in_heading = False
 
     def handle_starttag(self, tag, attributes):
         if tag in ("h1", "h2", "h3"):
-            self.found.append(["", "", ""])
+            self.found.append(["", "", "", ""])
             self.in_heading = True
         place = dict(attributes).get("id")
         if self.in_heading and place:
             self.found[-1][0] = place
         self.silent += tag in SILENT
+        self.tables += tag == "table"
         self.part(tag)
 
     def handle_endtag(self, tag):
         if tag in ("h1", "h2", "h3"):
             self.in_heading = False
         self.silent -= tag in SILENT
+        self.tables -= tag == "table"
         self.part(tag)
 
     def part(self, tag):
@@ -46,7 +48,7 @@ class Sections(html.parser.HTMLParser):
 
     def handle_data(self, data):
         if not self.silent:
-            self.found[-1][1 if self.in_heading else 2] += data
+            self.found[-1][1 if self.in_heading else 3 if self.tables else 2] += data
 
 
 def one_line(text):
@@ -60,12 +62,12 @@ def with_places(page):
 
 
 def sections_of(page):
-    """Place, heading and text of each section that has any."""
+    """Place, heading, text and text of tables of each section that has any."""
     contents = CONTENTS.search(page)
     parser = Sections()
     parser.feed(LIST_OF_SECTIONS.sub("", contents[1]) if contents else "")
     parser.close()
-    return [(place, one_line(heading), one_line(text)) for place, heading, text in parser.found if one_line(heading + text)]
+    return [(place, *map(one_line, words)) for place, *words in parser.found if one_line("".join(words))]
 
 
 def title_of(page):
@@ -92,7 +94,7 @@ def write_index(folder, pages):
         page = with_places((folder / name).read_text(encoding="utf-8"))
         (folder / name).write_text(page, encoding="utf-8")
         title = title_of(page)
-        sections += [(f"{name}#{place}" if place else name, title, heading, text) for place, heading, text in sections_of(page)]
+        sections += [(f"{name}#{place}" if place else name, title, *words) for place, *words in sections_of(page)]
     for script in sorted((folder / "search").glob("all_*.js")):
         names += names_in(script.read_text(encoding="utf-8"), pages)
     index = {"sections": sections, "names": list(dict.fromkeys(names))}

@@ -265,8 +265,8 @@ class Search(unittest.TestCase):
     def test_sections(self):
         page = search.with_places(self.PAGE)
         self.assertEqual(search.title_of(page), "A & B")
-        self.assertEqual(search.sections_of(page), [("", "", "First word."), ("auto_1", "One", "of it 1 2"),
-                                                    ("section_2", "Two", "end")])
+        self.assertEqual(search.sections_of(page), [("", "", "First word.", ""), ("auto_1", "One", "of it", "1 2"),
+                                                    ("section_2", "Two", "end", "")])
 
     def test_names(self):
         script = ("var searchData=\n[\n  ['b_0',['b&lt;',['../a.html#x',1,'n::A::b()'],['../page.html#y',1,'']]],\n"

@@ -83,6 +83,17 @@ TEST_F(PageCheck, FindsEachKindOfFailureAndNoOther) {
   EXPECT_EQ(summary(found), summary(expected));
 }
 
+TEST_F(PageCheck, FindsWordsThatThePictureCutsOff) {
+  fs::create_directories(pages_ / "figures");
+  for (const char* name : {"cut.svg", "a picture.svg"})
+    fs::copy_file(fs::path(NLMECH_SOURCE_DIR) / "tests/book/fixture" / name, pages_ / "figures" / name);
+  const std::set<Finding> found = findings();
+  ASSERT_EQ(found.size(), 1u) << summary(found);
+  EXPECT_EQ(found.begin()->kind, "picture");
+  EXPECT_EQ(found.begin()->page, "figures/cut.svg");
+  EXPECT_EQ(found.begin()->text.substr(0, 6), "below:");
+}
+
 /// The second page is shown in the frame of the first, and judged as if it were loaded.
 TEST_F(PageCheck, JudgesPagesThatAreShownInTheFrameOfAnother) {
   copy("frame 1.html");

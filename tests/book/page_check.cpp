@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -74,6 +75,18 @@ std::vector<std::string> pages_under(const fs::path& folder) {
   return pages;
 }
 
+/// Pictures of the chapters, each of which can be opened by itself.
+std::vector<std::string> pictures_under(const fs::path& folder) {
+  std::vector<std::string> pictures;
+  if (!fs::exists(folder / "figures")) return pictures;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "figures")) {
+    if (entry.path().extension() == ".svg")
+      pictures.push_back(entry.path().lexically_relative(folder).string());
+  }
+  std::sort(pictures.begin(), pictures.end());
+  return pictures;
+}
+
 /// What surrounds a page's contents: what comes before them, without the page's title and its place in the
 /// tree. Pages with the same frame differ in their contents alone, and those of such pages need no script of
 /// their own. Nothing for pages without a frame, with formulas, or with figures or tables, which scripts
@@ -105,7 +118,8 @@ class Reader {
       : how_(how),
         browser_(program),
         script_(read(NLMECH_SOURCE_DIR "/tests/book/probe.js")),
-        layout_(read(NLMECH_SOURCE_DIR "/tests/book/layout.js")) {
+        layout_(read(NLMECH_SOURCE_DIR "/tests/book/layout.js")),
+        picture_(read(NLMECH_SOURCE_DIR "/tests/book/picture.js")) {
     const Deadline deadline = in_seconds(60);  // a cold start on a busy machine
     const json target = browser_.call("Target.createTarget", {{"url", "about:blank"}}, "", deadline);
     const json session = browser_.call("Target.attachToTarget",
@@ -125,10 +139,7 @@ class Reader {
     const bool framed = frame && frame == frame_;
     std::vector<json> events;
     if (!framed) {
-      frame_.reset();
-      browser_.call("Page.navigate", {{"url", address}}, session_, deadline);
-      while (events.empty() || events.back()["method"] != "Page.loadEventFired")
-        events.push_back(browser_.next_event(deadline));
+      events = open(address, deadline);
       frame_ = frame;
     }
     const json page = framed ? json(text) : json();
@@ -145,7 +156,25 @@ class Reader {
             (*found)["friends"].get<std::vector<std::string>>()};
   }
 
+  /// Opens a picture by itself and adds what its frame cuts off. @throws BrowserLost
+  void look_at_picture(const fs::path& file, const std::string& name, std::set<Finding>& findings) {
+    const Deadline deadline = in_seconds(how_.seconds);
+    (void)browser_.take_events();
+    open("file://" + encoded(file.string()), deadline);
+    if (const auto found = run(picture_, name, findings, deadline)) add(*found, name, findings);
+  }
+
  private:
+  /// Loads what is at the address. @return what happened meanwhile
+  std::vector<json> open(const std::string& address, Deadline deadline) {
+    std::vector<json> events;
+    frame_.reset();
+    browser_.call("Page.navigate", {{"url", address}}, session_, deadline);
+    while (events.empty() || events.back()["method"] != "Page.loadEventFired")
+      events.push_back(browser_.next_event(deadline));
+    return events;
+  }
+
   /// The value of a script; nothing, and a finding, if it failed.
   std::optional<json> run(const std::string& script, const std::string& page, std::set<Finding>& findings,
                           Deadline deadline) {
@@ -205,7 +234,7 @@ class Reader {
 
   Checking how_;
   Browser browser_;
-  std::string session_, script_, layout_;
+  std::string session_, script_, layout_, picture_;
   std::optional<std::string> frame_;  // of the page that is loaded, if other pages can be shown in it
 };
 
@@ -243,7 +272,7 @@ struct Seen {
   double slowest_seconds = 0;
 };
 
-/// Takes page after page until none is left.
+/// Takes page after page, and picture after picture, until none is left.
 Seen look_at(const std::vector<std::string>& names, std::atomic<std::size_t>& next,
              const std::string& program, const fs::path& folder, const Checking& how) {
   Seen seen;
@@ -253,7 +282,10 @@ Seen look_at(const std::vector<std::string>& names, std::atomic<std::size_t>& ne
     const auto begin = std::chrono::steady_clock::now();
     if (!reader) reader = std::make_unique<Reader>(program, how);
     try {
-      seen.pages[name] = reader->look(folder / name, name, seen.findings);
+      if (name.ends_with(".svg"))
+        reader->look_at_picture(folder / name, name, seen.findings);
+      else
+        seen.pages[name] = reader->look(folder / name, name, seen.findings);
     } catch (const BrowserLost& lost) {
       seen.findings.insert({name, "time", lost.what()});
       reader.reset();
@@ -272,11 +304,13 @@ Seen look_at(const std::vector<std::string>& names, std::atomic<std::size_t>& ne
 Checked check_pages(const std::string& program, const fs::path& given, const Checking& how) {
   const fs::path folder = fs::canonical(given);
   Checked checked{.pages = pages_under(folder), .findings = {}, .slowest = {}};
+  std::vector<std::string> names = checked.pages;
+  std::ranges::move(pictures_under(folder), std::back_inserter(names));
   std::atomic<std::size_t> next = 0;
   std::vector<std::future<Seen>> readers;
   for (int i = 0; i < how.browsers; ++i) {
     readers.push_back(
-        std::async(std::launch::async, [&] { return look_at(checked.pages, next, program, folder, how); }));
+        std::async(std::launch::async, [&] { return look_at(names, next, program, folder, how); }));
   }
   std::map<std::string, Page> pages;
   for (auto& reader : readers) {

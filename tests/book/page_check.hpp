@@ -14,7 +14,7 @@ namespace nlmech::tests {
 struct Finding {
   std::string page;  ///< file, relative to the book's folder
   /// "link", "image", "formula", "number", "summary", "alternative", "table", "length", "error", "network",
-  /// "width" or "time"
+  /// "width", "picture" or "time"
   std::string kind;
   std::string text;  ///< what it is
 

@@ -5,6 +5,7 @@
 
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
+#include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/two_body.hpp"
 #include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
@@ -35,7 +36,25 @@ TEST(Examples, EveryIntegratorBringsThePendulumBackOrSaysWhyNot) {
   }
 }
 
-/// Every printed velocity, flown by an integrator of equations, arrives. Velocities are printed to 5e-7 m/s,
+/// Another method comes to the printed ends. An error grows by some e^9 to t = 10, and tolerances of 1e-12 by
+/// that to 1e-8.
+TEST(Examples, ManyStartsEndWhereAnotherMethodEnds) {
+  using namespace ivp;
+  const System<3> lorenz(problems::Lorenz{});
+  const std::vector<State<3>> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
+  const auto lines = lines_in(output_of("many_starts"));
+  ASSERT_EQ(lines.size(), starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const auto end = named_integrator<3>("dop853", {.tolerance = 1e-13})(lorenz, starts[i], 0, 10, {}, {});
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    const Read printed = read(lines[i]);
+    ASSERT_EQ(printed.numbers.size(), 3U) << lines[i];
+    for (Eigen::Index k = 0; k < 3; ++k)
+      EXPECT_NEAR(printed.numbers[static_cast<std::size_t>(k)], end.x[k], 2e-6) << lines[i];
+  }
+}
+
+/// Every printed velocity, integrated as an equation of motion, arrives. Velocities are printed to 5e-7 m/s,
 /// which is at most a few mm after 4320 s: the growth of an error over less than a revolution or two is some
 /// ten times t.
 TEST(Examples, LambertsArcsArrive) {

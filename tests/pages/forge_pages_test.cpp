@@ -63,8 +63,8 @@ std::set<std::string> parts(const fs::path& page) {
 }
 
 std::vector<std::string> pages() {
-  std::vector<std::string> found = {"README.md", "CONTRIBUTING.md", "CHANGELOG.md", "KNOWN_ISSUES.md",
-                                    "docs/glossary.md"};
+  std::vector<std::string> found = {"README.md",       "CONTRIBUTING.md",      "CHANGELOG.md",
+                                    "KNOWN_ISSUES.md", "docs/architecture.md", "docs/glossary.md"};
   for (const char* folder : {"docs/chapters", "tables"}) {
     for (const auto& file : fs::directory_iterator(source / folder)) {
       if (file.path().extension() == ".md")

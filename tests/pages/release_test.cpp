@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
@@ -32,6 +34,23 @@ TEST(Release, IsTheNewestOfTheChangelog) {
 TEST(Release, IsWhatReadmeTellsToLookFor) {
   const std::string asked = "find_package(nlmech " + version.substr(0, version.rfind('.')) + " ";
   EXPECT_NE(line_of(source / "README.md", asked), "") << asked;
+}
+
+/// An image is built of what .dockerignore lets through, and `make clean` leaves what git tracks.
+TEST(Release, KeepsTheFoldersThatGitTracks) {
+  const scene::Finished listed = scene::run_program({"git", "ls-files", "figures", "tables"}, source);
+  std::set<std::string> folders;
+  for (const std::string& file : lines_in(listed.output)) {
+    if (std::count(file.begin(), file.end(), '/') > 1) folders.insert(file.substr(0, file.rfind('/')));
+  }
+  const std::string ignored = text_of(source / ".dockerignore"), makefile = text_of(source / "Makefile"),
+                    clean = makefile.substr(makefile.find("\nclean:"));
+  for (const std::string& folder : folders) {
+    const std::string top = folder.substr(0, folder.find('/', folder.find('/') + 1));
+    EXPECT_NE(("\n" + ignored).find("\n!" + top + "\n"), std::string::npos) << ".dockerignore: " << top;
+    EXPECT_NE(clean.find(" ! -name " + top.substr(top.find('/') + 1) + " "), std::string::npos)
+        << "clean: " << top;
+  }
 }
 
 TEST(Release, HasALicenceThatTheCitationNames) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -212,32 +212,22 @@ scene::Cell errors_cell(const Comparison& c, const char* variant) {
 
 /// A row a variant, a column a number of nodes; above those of an interval its length and shape.
 scene::Table table_of(const Study& study) {
-  std::map<std::string, std::map<int, const Comparison*>> intervals;
-  std::vector<std::string> names;  // in their order
-  std::set<int> counts;
-  for (const Comparison& c : study.table) {
-    if (!intervals.contains(c.problem)) names.push_back(c.problem);
-    intervals[c.problem][c.nodes] = &c;
-    counts.insert(c.nodes);
-  }
+  const std::span all(study.table);
+  const std::size_t counts = all.size() / 4;  // of nodes, on each of four intervals
   std::vector<scene::Column> heads = {{"interval"}, {"variant"}};
-  for (const int n : counts) heads.push_back({fmt::format("N = {}", n)});
+  for (const Comparison& c : all.first(counts)) heads.push_back({fmt::format("N = {}", c.nodes)});
   scene::Table table(heads);
-  const auto add = [&](const std::string& interval, const std::string& what, auto cell) {
-    std::vector<scene::Cell> row = {interval, what};
-    bool tried = false;
-    for (const int n : counts) {
-      row.push_back(cell(*intervals.at(interval).at(n)));
-      tried = tried || !std::holds_alternative<std::monostate>(row.back());
-    }
-    if (tried) table.add(std::move(row));
-  };
-  for (const std::string& interval : names) {
-    add(interval, "length h (s); shape c h", [](const Comparison& c) -> scene::Cell {
+  for (std::size_t first = 0; first < all.size(); first += counts) {
+    const auto add = [&](const char* what, auto cell) {
+      std::vector<scene::Cell> row = {all[first].problem, what};
+      for (const Comparison& c : all.subspan(first, counts)) row.push_back(cell(c));
+      if (!std::holds_alternative<std::monostate>(row.back())) table.add(std::move(row));
+    };
+    add("length h (s); shape c h", [](const Comparison& c) -> scene::Cell {
       return fmt::format("{}; {}", scene::format_number(c.h, 3), scene::format_number(c.shape, 4));
     });
     for (const Variant& v : variants)
-      add(interval, v.name, [&v](const Comparison& c) { return errors_cell(c, v.name); });
+      add(v.name, [&v](const Comparison& c) { return errors_cell(c, v.name); });
   }
   return table;
 }

@@ -232,6 +232,7 @@ Figure drawn(Diagram d) {
         .set("ytics 3");
     panel.place(axes.left / layout.width, axes.right / layout.width, 1 - axes.bottom / layout.height,
                 1 - axes.top / layout.height);
+    if (layout.axes.size() == 1) panel.set("title offset 0,-0.5");  // else it touches the edge
     panel.caption(d.problems[axes.problem].problem);
     if (what.rounding > 0) put_rounding(d, axes, low, high, panel);
     if (what.least_time && over_time) panel.mark(what.least_time->first, what.least_time->second);
