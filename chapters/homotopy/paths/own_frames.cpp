@@ -100,7 +100,8 @@ void show_deep(const std::vector<Walked>& all, scene::Show& show) {
   const Walked& fine = all.back();
   scene::Plot& plot = show.plots("A deep arch, pinned at one end alone, leans over and falls");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
-  scene::Panel& path = plot.panel("displacement of the crown, downwards, over R", "load times R²/{/:Italic EI}");
+  scene::Panel& path =
+      plot.panel("displacement of the crown, downwards, over R", "load times R²/{/:Italic EI}");
   path.key("bottom right").x_range(0, 4.5).y_range(-2, 10);
   const double radius = 100;
   const auto down = fine.motion("crown.y", -1 / radius);

@@ -262,8 +262,8 @@ template <SystemLike S, class Method>
 /// bounds and invariants nor discontinuities on the way: compile for the processor (-march=native) to have
 /// registers of that width. Their sums are those of a single run in the same order, so the bits are too,
 /// unless the compiler fuses products and sums (-ffp-contract=off keeps it from it). What fails, or becomes
-/// infinite or NaN, is run again alone, for its status. Series with chosen steps takes the problem as a System,
-/// and has the bits of that.
+/// infinite or NaN, is run again alone, for its status. Series with chosen steps takes the problem as a
+/// System, and has the bits of that.
 template <class Problem, class Method, int lanes = register_lanes>
 requires(!SystemLike<Problem>) [[nodiscard]] std::vector<Solution<Problem::dimension>> integrate_all(
     const Problem& problem, std::span<const State<Problem::dimension>> states, double t0, double t1,
