@@ -173,7 +173,7 @@ std::vector<Row> rows() {
       at_place({"half-shallow-arch", "crown.y", -1, 0, 50}, 2, 5),
       limit(Kind::maximum, {"deep-arch", "crown.y", -105, -120, 60}, 2, 5),
       at_place({"deep-arch", "crown.y", -50, 0, 30}, 2, 4),
-      limit(Kind::maximum, {"portal", "B.x", 0.756, 0.768, 125, "B.x", 0.002}, 4, 5),
+      limit(Kind::maximum, {"portal", "B.x", 0.756, 0.768, 125, "B.x", 0.002}, 6, 5),
       closed("truss", "first maximum", {Kind::maximum, 1, "apex.y", 0}, 1, 2, truss),
       closed("truss", "first minimum", {Kind::minimum, 1, "apex.y", 0}, 1, 2, -truss),
       closed("cantilever", "load at the displacement", {Kind::place, 1, "tip.y", 2 / std::numbers::pi}, 2, 4,
