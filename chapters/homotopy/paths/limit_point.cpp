@@ -50,7 +50,7 @@ Status LimitPoint::put_derivative(const Column<T>& z, Eigen::SparseMatrix<T>& b)
     x[i].partial[0] = z[n + i];
   }
   Eigen::SparseMatrix<D> k;
-  const Status status = frame_.tangent<D>(x, k);
+  Status status = frame_.tangent<D>(x, k);
   const T unit(load_.norm()), stiffness(stiffness_);
   const auto add_column = [&](Index column, Index top, const auto& value) {
     for (typename Eigen::SparseMatrix<D>::InnerIterator it(k, column % n); it; ++it)
