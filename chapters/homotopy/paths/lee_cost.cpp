@@ -204,9 +204,8 @@ std::vector<scene::Scene> scenes() {
       "lee-limit-cost",
       "Lee's frame, chapters/homotopy/frames/lee.toml, 10 elements a member, from rest to the upper limit "
       "load: by a walk along the path with four turns a step; and by solvers for the limit point as a root "
-      "(Moore and Spence 1980) from the equilibrium under a load of 1.5, tolerances on |F|, 500 iterations "
-      "at "
-      "most; error against Newton's iteration in extended precision; one thread, median of repeats",
+      "(Moore and Spence 1980) from the equilibrium under a load of 1.8, tolerances on |F|, 300 iterations "
+      "at most; error against Newton's iteration in extended precision; one thread, median of repeats",
       measure);
   return {{.name = "error-vs-time-lee",
            .title = "Digits of Lee's limit load against time and factorisations, all solvers",
