@@ -5,6 +5,7 @@ namespace nlmech::chapters::rbf_inverse {
 void commands(scene::Commands& all) {
   add_duffing_command(all);
   add_lambert_commands(all);
+  add_bvp_command(all);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

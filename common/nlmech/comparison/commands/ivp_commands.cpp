@@ -14,7 +14,6 @@
 #include "nlmech/comparison/commands/choices.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
-#include "nlmech/expression/syntax.hpp"
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/files.hpp"
@@ -55,18 +54,6 @@ WantedEvent event_of(const std::string& option, const std::string& typed, const 
   event.text = text;
   event.value = problem.expression(option, text);
   return event;
-}
-
-/// A file of equations: not one that never ends, and not one that nobody has typed.
-std::string read_equations(const std::string& name) {
-  namespace fs = std::filesystem;
-  std::error_code none;
-  const fs::file_status what = fs::status(name, none);
-  if (fs::is_character_file(what) || fs::is_block_file(what))
-    throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
-  if (fs::is_regular_file(what) && fs::file_size(name, none) > expression::most_bytes)
-    throw input_error("--file {}: more than {} bytes", echoed_path(name), expression::most_bytes);
-  return scene::read_whole(name);
 }
 
 /// The problem by name, or the equations that were typed or stand in a file.

@@ -1,5 +1,6 @@
 #include "nlmech/comparison/commands/typed_problem.hpp"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,6 +8,10 @@
 #include "nlmech/comparison/commands/problem_of_size.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/expression/problem.hpp"
+#include "nlmech/expression/syntax.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
 namespace {
@@ -63,6 +68,17 @@ std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
     case 6: return std::make_unique<TypedProblem<6>>(std::move(equations), settings);
     default: return std::make_unique<TypedProblem<Eigen::Dynamic>>(std::move(equations), settings);
   }
+}
+
+std::string read_equations(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::file_status what = fs::status(name, none);
+  if (fs::is_character_file(what) || fs::is_block_file(what))
+    throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
+  if (fs::is_regular_file(what) && fs::file_size(name, none) > expression::most_bytes)
+    throw input_error("--file {}: more than {} bytes", echoed_path(name), expression::most_bytes);
+  return scene::read_whole(name);
 }
 
 }  // namespace nlmech::comparison

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "nlmech/comparison/commands/own_problem.hpp"
 #include "nlmech/expression/equations.hpp"
@@ -12,5 +13,9 @@ namespace nlmech::comparison {
 /// @throws InputError that points at a mistake in the text
 [[nodiscard]] std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
                                                         const expression::Settings& settings);
+
+/// The text of a file of equations; - is standard input.
+/// @throws InputError naming `--file` for a device, a file that cannot be read, or one that nobody has typed
+[[nodiscard]] std::string read_equations(const std::string& name);
 
 }  // namespace nlmech::comparison

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/rbf_inverse/commands/commands.hpp"
+#include "chapters/rbf_inverse/commands/typed_boundary.hpp"
+#include "nlmech/bvp/solve.hpp"
+#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/commands/run_figure.hpp"
+#include "nlmech/comparison/commands/typed_problem.hpp"
+#include "nlmech/scene/picture.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/table.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::chapters::rbf_inverse {
+namespace {
+
+/// What was typed.
+struct Words {
+  std::string equation, file, begin, end, guess, plot;
+  std::vector<std::string> set;
+  double from = 0, until = 0, tolerance = 1e-9;
+  std::optional<double> every;
+};
+
+void declare(scene::Options& options, Words& words) {
+  options.add("--equation", words.equation,
+              "an equation, or several with ; between: \"x'' + a exp(x) = 0; a = 1\". A constant that is not "
+              "known is an unknown of its own: k' = 0");
+  options.add("--file", words.file, "a file of equations and definitions");
+  options.add("--set", words.set, "name=value of a parameter; more of them with blanks between");
+  options.add("--begin", words.begin, "conditions where it begins, commas between: \"x = 0, x' + 2 x = 1\"");
+  options.add("--end", words.end, "conditions where it ends");
+  options.add("--from", words.from, "time at which it begins");
+  options.add("--until", words.until, "time at which it ends, later").required();
+  options.add(
+      "--guess", words.guess,
+      "functions of t to begin with: \"x = sin(pi t), k = 10\". What is left out is the derivative of "
+      "what is not, or 0; without it zeros, then cubics at random, the same each time");
+  options.add("--tolerance", words.tolerance, "of x' - f, relative to 1 and the largest f").range(1e-13, 0.1);
+  options
+      .add("--every", words.every,
+           "rows at this distance in time; without it at the nodes of the collocation")
+      .positive();
+  options.add("--plot", words.plot,
+              "draws the unknowns against time: a name.svg, over an older such picture alone");
+}
+
+TypedBoundary problem_of(const Words& words) {
+  if (words.equation.empty() == words.file.empty())
+    throw InputError("give one of --equation TEXT and --file NAME.ode");
+  if (!(words.until > words.from))
+    throw input_error("--until {}: must be later than --from {}", words.until, words.from);
+  expression::SourceText source =
+      words.file.empty() ? expression::SourceText("--equation", words.equation)
+                         : expression::SourceText(words.file, comparison::read_equations(words.file));
+  return {expression::Equations(std::move(source), comparison::settings_of(words.set)), words.from,
+          words.until, words.begin, words.end};
+}
+
+bvp::Options options_of(const Words& words) {
+  bvp::Options options;
+  options.tolerance = words.tolerance;
+  options.verification = bvp::Verification::pieces;
+  options.verification_tolerance = std::max(1e-10, 100 * words.tolerance);
+  return options;
+}
+
+/// On shorter intervals and by a smaller residual where integration does not follow the solution through the
+/// longer ones: across a boundary layer neighbours of a solution part within a part of the time.
+bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, const bvp::Start& start,
+                                    const Words& words) {
+  bvp::Options options = options_of(words);
+  bvp::Solution solution = solve(problem, start, options);
+  for (const int intervals : {40, 160, 640}) {
+    if (solution.status.outcome() != Outcome::spurious_root) break;
+    options.intervals = intervals;
+    options.tolerance = std::max(1e-13, options.tolerance / 10);
+    solution = solve(problem, start, options);
+  }
+  return solution;
+}
+
+/// From the guess, or without one from zeros and then from cubics of growing size.
+bvp::Solution solve_from_guesses(const TypedBoundary& problem, const Words& words, std::string& remark) {
+  bvp::Solution first = solve_on_finer_meshes(problem, problem.guess(words.guess), words);
+  if (first.status.ok()) return first;
+  if (words.guess.empty()) {
+    unsigned seed = 0;
+    for (const double size : {0.1, 1., 10., 100.}) {
+      for (int i = 0; i < 5; ++i) {
+        const Eigen::VectorXd amplitudes = Eigen::VectorXd::Constant(problem.states(), size);
+        bvp::Solution next = solve_on_finer_meshes(
+            problem, bvp::random_start(amplitudes, words.from, words.until, ++seed), words);
+        if (!next.status.ok()) continue;
+        remark = fmt::format(
+            "zeros led to no solution, cubic number {} of size {} did; there may be others: --guess", seed,
+            size);
+        return next;
+      }
+    }
+  }
+  throw Failure(Status::failure(
+      first.status.outcome(),
+      fmt::format("{}; {}", first.status.sentence(),
+                  words.guess.empty() ? "20 cubics at random lead to none either; try a --guess"
+                                      : "try another --guess")));
+}
+
+/// Integrated from its begin alone, as far as that can be told: nothing if it comes to the end, else how far.
+std::string whole_way(const TypedBoundary& problem, const Words& words, const bvp::Solution& solution) {
+  bvp::Options options = options_of(words);
+  options.verification = bvp::Verification::whole;
+  bvp::Solution copy = solution;
+  verify_by_integration(problem, options, copy);
+  if (copy.status.ok()) return {};
+  return fmt::format(
+      "verified by integration of each of {} intervals; integrated from its begin alone it is lost ({:.1g} "
+      "off), "
+      "since rounding grows on the way: both ends hold this solution",
+      solution.mesh().size() - 1, copy.integration_error);
+}
+
+std::vector<double> times_of(const Words& words, const bvp::Solution& solution) {
+  if (!words.every) return solution.node_times();
+  const double way = words.until - words.from, count = std::ceil(way / *words.every - 1e-9);
+  if (count > 1e6) throw input_error("--every {}: more than a million rows", *words.every);
+  std::vector<double> times;
+  for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(words.from + i * *words.every);
+  times.push_back(words.until);
+  return times;
+}
+
+comparison::Seen seen_of(const TypedBoundary& problem, const Words& words, const bvp::Solution& solution) {
+  comparison::Seen seen;
+  for (const std::string& name : problem.names()) seen.components.push_back({name, !name.ends_with('\'')});
+  seen.path = comparison::Samples(words.from, words.until);
+  constexpr int samples = 1000;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = words.from + (words.until - words.from) * i / samples;
+    seen.path.add(t, solution.at(t));
+  }
+  return seen;
+}
+
+void boundary_values(const Words& words) {
+  const TypedBoundary problem = problem_of(words);
+  const scene::Picture picture(words.plot);
+  std::string remark;
+  const bvp::Solution solution = solve_from_guesses(problem, words, remark);
+  const std::string way = whole_way(problem, words, solution);
+  std::string text = "t";
+  for (const std::string& name : problem.names()) text.append(",").append(scene::csv_field(name));
+  text += "\n";
+  const Eigen::VectorXd sizes = solution.node_values().cwiseAbs().rowwise().maxCoeff();
+  for (const double t : times_of(words, solution)) {
+    text += fmt::format("{:.17g}", t);
+    const Eigen::VectorXd x = solution.at(t);
+    // A value that is prescribed to be 0 comes out with the rounding of the solve.
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      text += fmt::format(",{:.17g}", std::abs(x[i]) < 1e-18 * sizes[i] ? 0 : x[i]);
+    text += "\n";
+  }
+  for (const std::string& said : {remark, way}) {
+    if (!said.empty()) scene::tell("rbf_inverse: " + said);
+  }
+  scene::print_result(text);
+  if (picture.wanted())
+    picture.draw([&] {
+      return run_figure(
+          seen_of(problem, words, solution),
+          echoed(words.file.empty() ? words.equation : std::filesystem::path(words.file).filename().string(),
+                 60));
+    });
+}
+
+}  // namespace
+
+void add_bvp_command(scene::Commands& all) {
+  all.add(
+      "bvp",
+      "A boundary value problem of your own: equations between two times, with conditions at both, as CSV: "
+      "t,x,x',...; by collocation on a mesh that follows the residual, and verified by integration",
+      declare, boundary_values);
+}
+
+}  // namespace nlmech::chapters::rbf_inverse

@@ -1,0 +1,175 @@
+#include "chapters/rbf_inverse/commands/typed_boundary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "nlmech/comparison/commands/choices.hpp"
+#include "nlmech/series/dual.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::chapters::rbf_inverse {
+namespace {
+
+using comparison::trimmed;
+using expression::Program;
+
+/// What stands between commas or semicolons that are in no bracket.
+std::vector<std::string> pieces_of(const char* option, const std::string& text) {
+  std::vector<std::string> pieces(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '(') - (c == ')');
+    if (depth == 0 && (c == ',' || c == ';'))
+      pieces.emplace_back();
+    else
+      pieces.back() += c;
+  }
+  for (std::string& piece : pieces) {
+    piece = trimmed(piece);
+    if (piece.empty()) throw input_error("{} {}: nothing stands between two commas", option, echoed(text));
+  }
+  return pieces;
+}
+
+/// The derivatives of all outputs by the state, four at a time: put(output, component, value).
+template <class Put>
+void differentiate(const Program& program, double t, const Eigen::VectorXd& x, const Put& put) {
+  constexpr int lanes = 4;
+  using D = Dual<double, lanes>;
+  const int n = static_cast<int>(x.size());
+  Vector<D, Eigen::Dynamic> at(n);
+  for (int first = 0; first < n; first += lanes) {
+    for (int i = 0; i < n; ++i) {
+      const int lane = i - first;
+      at[i] = lane >= 0 && lane < lanes ? D::variable(x[i], lane) : D(x[i]);
+    }
+    program.run(D(t), at, 0, program.outputs(), [&](int output, const D& value) {
+      for (int lane = 0; lane < std::min(lanes, n - first); ++lane)
+        put(output, first + lane, value.partial[static_cast<std::size_t>(lane)]);
+    });
+  }
+}
+
+/// A function of the time at a time, and its derivative.
+Dual<double, 1> value_of_time(const Program& program, double t, const Eigen::VectorXd& x) {
+  using D = Dual<double, 1>;
+  const Vector<D, Eigen::Dynamic> at = x.cast<D>();
+  D value;
+  program.run(D::variable(t, 0), at, 0, 1, [&](int, const D& v) { value = v; });
+  return value;
+}
+
+/// Does it change with the state? What is not a number shows.
+bool depends_on_state(const Program& program, double t, int n) {
+  const auto plain = [&](double x) {
+    double value = 0;
+    program.run(t, Eigen::VectorXd(Eigen::VectorXd::Constant(n, x)), 0, 1, [&](int, double v) { value = v; });
+    return value;
+  };
+  return std::isnan(plain(std::numeric_limits<double>::quiet_NaN())) && !std::isnan(plain(0.5));
+}
+
+}  // namespace
+
+TypedBoundary::TypedBoundary(expression::Equations equations, double from, double until,
+                             const std::string& begin, const std::string& end)
+    : equations_(std::move(equations)), from_(from), until_(until) {
+  if (equations_.initial_time())
+    throw InputError("--equation: values at a time, as x(0) = 1, are given by --begin and --end here");
+  slopes_ = Program(equations_.graph(), equations_.slopes());
+  begin_ = conditions_of("--begin", begin);
+  end_ = conditions_of("--end", end);
+  const std::size_t given = begin_.outputs() + end_.outputs(), needed = names().size();
+  if (given != needed)
+    throw input_error("--begin, --end: {} conditions; as many are needed as the state has components, {}: {}",
+                      given, needed, echoed(fmt::format("{}", fmt::join(names(), ", ")), 200));
+}
+
+Program TypedBoundary::conditions_of(const char* option, const std::string& text) {
+  std::vector<expression::NodeId> all;
+  if (!trimmed(text).empty()) {
+    for (const std::string& piece : pieces_of(option, text)) {
+      if (piece.find('=') == std::string::npos)
+        throw input_error("{} {}: is no condition; an equation is needed, as x = 0", option, echoed(piece));
+      all.push_back(equations_.expression(option, piece));
+    }
+  }
+  return {equations_.graph(), all};
+}
+
+bvp::Start TypedBoundary::guess(const std::string& text) const {
+  const int n = states();
+  expression::Equations equations = equations_;
+  auto known = std::make_shared<std::vector<std::optional<Program>>>(names().size());
+  if (!trimmed(text).empty()) {
+    for (const std::string& piece : pieces_of("--guess", text)) {
+      const std::size_t equals = piece.find('=');
+      const auto at = std::ranges::find(names(), trimmed(piece.substr(0, equals)));
+      if (equals == std::string::npos || at == names().end())
+        throw input_error("--guess {}: begins with no component and =; there are {}", echoed(piece),
+                          echoed(fmt::format("{}", fmt::join(names(), ", ")), 200));
+      std::optional<Program>& one = (*known)[static_cast<std::size_t>(at - names().begin())];
+      if (one) throw input_error("--guess {}: {} is given a second time", echoed(piece), *at);
+      const expression::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
+      one = Program(equations.graph(), {node});
+      if (depends_on_state(*one, from_, n))
+        throw input_error("--guess {}: is to be a function of the time t alone", echoed(piece));
+    }
+  }
+  // Of each component that is left out the one whose derivative it is.
+  std::vector<std::optional<std::size_t>> integral(names().size());
+  for (std::size_t i = 0; i < names().size(); ++i) {
+    for (std::size_t j = 0; j < names().size(); ++j) {
+      if ((*known)[j] && names()[j] + "'" == names()[i]) integral[i] = j;
+    }
+  }
+  return {[known, integral](double t, Eigen::VectorXd& x) {
+            const Eigen::VectorXd zero = Eigen::VectorXd::Zero(x.size());
+            for (std::size_t i = 0; i < known->size(); ++i) {
+              double& value = x[static_cast<Eigen::Index>(i)];
+              value = (*known)[i]   ? value_of_time(*(*known)[i], t, zero).value
+                      : integral[i] ? value_of_time(*(*known)[*integral[i]], t, zero).partial[0]
+                                    : 0;
+            }
+          },
+          {},
+          {}};
+}
+
+void TypedBoundary::rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd&,
+                        Eigen::VectorXd& dxdt) const {
+  slopes_.run(t, x, 0, slopes_.outputs(), [&](int i, double value) { dxdt[i] = value; });
+}
+
+void TypedBoundary::jacobian(double t, const Eigen::VectorXd& x, const Eigen::VectorXd&,
+                             Eigen::MatrixXd& by_state, Eigen::MatrixXd&) const {
+  differentiate(slopes_, t, x, [&](int i, int j, double value) { by_state(i, j) = value; });
+}
+
+void TypedBoundary::conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd&,
+                               Eigen::VectorXd& r) const {
+  const auto first = static_cast<int>(begin_.outputs());
+  begin_.run(from_, Eigen::VectorXd(ends.col(0)), 0, begin_.outputs(),
+             [&](int i, double value) { r[i] = value; });
+  end_.run(until_, Eigen::VectorXd(ends.col(1)), 0, end_.outputs(),
+           [&](int i, double value) { r[first + i] = value; });
+}
+
+void TypedBoundary::condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd&,
+                                       Eigen::MatrixXd& by_ends, Eigen::MatrixXd&) const {
+  const int n = states(), first = static_cast<int>(begin_.outputs());
+  by_ends.setZero();
+  differentiate(begin_, from_, ends.col(0), [&](int i, int j, double value) { by_ends(i, j) = value; });
+  differentiate(end_, until_, ends.col(1),
+                [&](int i, int j, double value) { by_ends(first + i, n + j) = value; });
+}
+
+}  // namespace nlmech::chapters::rbf_inverse
