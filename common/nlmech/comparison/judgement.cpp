@@ -41,7 +41,8 @@ Effort effort_after(const Statistics& work, int components, double left) {
   // 1e7 numbers of right-hand sides take a second or so.
   const double done =
       static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
-  return {std::min(1 + 4 * done, 100.0), std::min(left, 2 + 5 * work.seconds)};
+  // The clock ends it only on a machine that is far slower than that, or busy.
+  return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
 }
 
 std::string remark(const Verification& found, const Reference& reference, const AnyMethod& method,

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -11,7 +12,6 @@
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
-#include "nlmech/support/stopwatch.hpp"
 #include "nlmech/support/threads.hpp"
 
 namespace nlmech::comparison {
@@ -22,6 +22,13 @@ constexpr double most_lines = 1e5, most_rows = 1024;
 /// The column of ends.
 constexpr const char* end_column = "until";
 
+std::chrono::steady_clock::time_point deadline_after(double seconds) {
+  using std::chrono::steady_clock;
+  if (!(seconds < 1e9)) return steady_clock::time_point::max();
+  return steady_clock::now() +
+         std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
+}
+
 class Runner {
  public:
   explicit Runner(const CatalogueRuns& runs)
@@ -31,8 +38,10 @@ class Runner {
         states_(base_->state_names()),
         parameters_(names_of(base_->parameters())),
         columns_(joined(states_, parameters_)),
+        farthest_(request_.t1),
         catalogue_(runs.file, {}, joined(columns_, {end_column}),
-                   [this](const auto& row) { return complaint(row); }) {
+                   [this](const auto& row) { return complaint(row); }),
+        method_(method_of_all()) {
     if (std::none_of(columns_.begin(), columns_.end(),
                      [this](const auto& name) { return catalogue_.has(name); }))
       throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
@@ -50,12 +59,17 @@ class Runner {
     catalogue_.weigh_by([this](const auto& row) { return std::max(most_lines / most_rows, lines(row)); });
     scene::print_catalogue(
         catalogue_, {.shard = runs_.shard,
-                     .options = runs_.typed,
+                     .options = fmt::format("{} {} {}", runs_.typed, method_.name,
+                                            Choice{method_, request_.settings}.setting()),
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
                      .portion = static_cast<std::size_t>(most_lines),
                      .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
-    if (!remark_.empty()) scene::tell(fmt::format("{}: {}", runs_.program, remark_));
+    if (open_ > 1)
+      scene::tell(
+          fmt::format("{}: {} of the runs are not verified; the first is {}", runs_.program, open_, remark_));
+    else if (!remark_.empty())
+      scene::tell(fmt::format("{}: {}", runs_.program, remark_));
     if (failed_ == 0) return 0;
     scene::tell(fmt::format("{}: {} of the runs failed; the first is row {}: {}", runs_.program, failed_,
                             first_, sentence_));
@@ -104,29 +118,35 @@ class Runner {
     return request;
   }
   /// Called while the catalogue is made, too: only what is before it in this class is there.
-  [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
+  [[nodiscard]] std::string complaint(const std::vector<double>& row) {
     try {
-      (void)request_of(row, problem_of(row));
+      static_cast<void>(request_of(row, problem_of(row)));
     } catch (const std::exception& error) {
       return error.what();
     }
+    if (first_row_.empty()) first_row_ = row;
+    if (std::abs(end(row) - request_.t0) > std::abs(farthest_ - request_.t0)) farthest_ = end(row);
     return {};
+  }
+  [[nodiscard]] AnyMethod method_of_all() const {
+    const auto problem = first_row_.empty() ? base_ : problem_of(first_row_);
+    Request request = first_row_.empty() ? request_ : request_of(first_row_, problem);
+    request.t1 = farthest_;
+    return runs_.method(*problem, request);
   }
 
   [[nodiscard]] std::string lines_of(const scene::CatalogueRows& rows) {
     const std::size_t count = rows.numbers.size();
     std::vector<std::shared_ptr<const OwnProblem>> problems(count);
     std::vector<Posed> posed(count);
-    const double left = std::max(0.0, runs_.seconds - watch_.seconds());
     share_out(count, 1, runs_.threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         problems[i] = problem_of(rows.numbers[i]);
         posed[i] = {problems[i].get(), request_of(rows.numbers[i], problems[i])};
-        Request& request = posed[i].request;
-        request.limits.seconds = std::min(request.limits.seconds, left);
+        posed[i].request.deadline = deadline_;
       }
     });
-    const std::vector<Ended> ends = base_->trajectories(posed, runs_.method, runs_.threads);
+    const std::vector<Ended> ends = base_->trajectories(posed, method_, runs_.threads);
     const auto row = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     for (std::size_t i = 0; i < count; ++i) note(row(i), ends[i]);
     return scene::lines_in_threads(count, runs_.threads, [&](std::size_t i, std::string& lines) {
@@ -134,10 +154,12 @@ class Runner {
     });
   }
 
-  /// Remembers the first remark and the first failure.
+  /// Remembers the first remark, which is that of a run that is not verified if there is one, and the first
+  /// failure.
   void note(std::int64_t row, const Ended& end) {
-    if (remark_.empty() && !end.trajectory.remark.empty())
-      remark_ = fmt::format("row {}: {}", row, end.trajectory.remark);
+    const Trajectory& run = end.trajectory;
+    if ((run.is_open && open_++ == 0) || (remark_.empty() && !run.remark.empty()))
+      remark_ = fmt::format("row {}: {}", row, run.remark);
     if (end.status.ok() || failed_++ > 0) return;
     first_ = row;
     sentence_ = end.status.text();
@@ -161,12 +183,15 @@ class Runner {
   }
 
   const CatalogueRuns& runs_;
-  Stopwatch watch_;
+  std::chrono::steady_clock::time_point deadline_ = deadline_after(runs_.seconds);
   std::shared_ptr<const OwnProblem> base_;
   Request request_;
   std::vector<std::string> states_, parameters_, columns_;
+  std::vector<double> first_row_;
+  double farthest_;
   scene::Catalogue catalogue_;
-  std::int64_t failed_ = 0, first_ = 0;
+  AnyMethod method_;
+  std::int64_t failed_ = 0, first_ = 0, open_ = 0;
   std::string sentence_, remark_;
 };
 

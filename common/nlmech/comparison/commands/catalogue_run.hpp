@@ -24,7 +24,7 @@ struct CatalogueRuns {
   std::string file;     ///< CSV: columns are unknowns and parameters by name, and `until`, if none of these
                         ///< has that name; others are handed on
   std::string shard;    ///< "i/n", or empty
-  std::string typed;    ///< what else the rows depend on, for merge
+  std::string typed;    ///< what else the rows depend on, beside the method and its settings, for merge
   int threads = 0;      ///< 0: one a processor
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time of all; each has its own limit
   std::optional<double> until;  ///< the end of all rows; else they have ends of their own
@@ -32,7 +32,8 @@ struct CatalogueRuns {
   std::function<std::unique_ptr<OwnProblem>(const Values&)> problem;
   /// What is asked of it; the initial state and the end are those of a row without columns.
   std::function<Request(const OwnProblem&)> request;
-  AnyMethod method;  ///< the same for all rows
+  /// The method of all rows. The request is that of the first row, to the farthest end of all.
+  std::function<AnyMethod(const OwnProblem&, const Request&)> method;
 };
 
 /// Prints `row,t,...,status` in the order of the file, `...` the unknowns, `event` if events were asked for,

@@ -106,6 +106,12 @@ Request understand(const Words& words, const OwnProblem& problem) {
   return r;
 }
 
+/// The one that was typed, or else the usual one.
+AnyMethod method_of(const Words& words, const OwnProblem& problem, const Request& r) {
+  return about("--method",
+               [&] { return any_method(words.method.empty() ? problem.usual_method(r) : words.method); });
+}
+
 /// Above a picture: what was typed, if it fits.
 std::string heading_of(const Words& words) {
   constexpr std::size_t most = 60;
@@ -130,14 +136,11 @@ int integrate_all(const Words& words, const OwnProblems& problems, const std::st
     return problem_of(words, problems, equations, values);
   };
   runs.request = [&](const OwnProblem& problem) { return understand(words, problem); };
-  const auto problem = runs.problem({});
-  const Request r = runs.request(*problem);
-  runs.method = about(
-      "--method", [&] { return any_method(words.method.empty() ? problem->usual_method(r) : words.method); });
-  runs.typed = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(),
-                           fmt::join(words.set, " "), words.initial, r.t0, r.t1, runs.method.name,
-                           Choice{runs.method, words.settings}.setting(), words.every.value_or(0),
-                           fmt::join(words.events, " "), words.section);
+  runs.method = [&](const OwnProblem& problem, const Request& r) { return method_of(words, problem, r); };
+  const Request r = runs.request(*runs.problem({}));
+  runs.typed = fmt::format("{} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(),
+                           fmt::join(words.set, " "), words.initial, r.t0, r.t1, r.verify,
+                           words.every.value_or(0), fmt::join(words.events, " "), words.section);
   return print_runs(runs);
 }
 
@@ -149,8 +152,7 @@ int integrate(const Words& words, const OwnProblems& problems, const std::string
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
-  const AnyMethod method = about(
-      "--method", [&] { return any_method(words.method.empty() ? problem->usual_method(r) : words.method); });
+  const AnyMethod method = method_of(words, *problem, r);
   const Trajectory run = problem->trajectory(r, method);
   if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
   scene::print_result(run.rows);

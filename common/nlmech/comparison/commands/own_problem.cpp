@@ -17,12 +17,12 @@
 namespace nlmech::comparison {
 
 std::string Choice::setting() const {
-  std::string text =
-      settings.step ? fmt::format("step {:.6g}", *settings.step)
-                    : fmt::format("tolerance {:.6g}", settings.tolerance.value_or(ivp::default_tolerance));
-  if (settings.absolute_tolerance) text += fmt::format(" absolute {:.6g}", *settings.absolute_tolerance);
+  std::string text = settings.step
+                         ? fmt::format("step {}", *settings.step)
+                         : fmt::format("tolerance {}", settings.tolerance.value_or(ivp::default_tolerance));
+  if (settings.absolute_tolerance) text += fmt::format(" absolute {}", *settings.absolute_tolerance);
   if (settings.nodes) text += fmt::format(" nodes {}", *settings.nodes);
-  if (settings.shape) text += fmt::format(" shape {:.6g}", *settings.shape);
+  if (settings.shape) text += fmt::format(" shape {}", *settings.shape);
   if (settings.order) text += fmt::format(" order {}", *settings.order);
   if (settings.points) text += fmt::format(" points {}", *settings.points);
   return text;

@@ -2,6 +2,7 @@
 /// A problem that a user names on the command line, with parameters and initial state of his own.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -63,6 +64,8 @@ struct Request {
   bool section = false;                  ///< rows of events alone
   bool verify = false;                   ///< hold the run to a reference: for runs by a tolerance
   bool draw = false;                     ///< keep what a picture shows
+  /// Of many runs: when all of them are to be over, their verifications too.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 };
 
 /// @throws InputError naming `--every` for more rows than anybody reads: ten million
@@ -70,9 +73,10 @@ void check_rows(const Request& request);
 
 /// A run as it is printed.
 struct Trajectory {
-  std::string rows;    ///< CSV
-  std::string remark;  ///< of its verification, for standard error; may be empty
-  Seen seen;           ///< for a picture, if Request::draw
+  std::string rows;      ///< CSV
+  std::string remark;    ///< of its verification, for standard error; may be empty
+  bool is_open = false;  ///< was it to be verified, and could it not be?
+  Seen seen;             ///< for a picture, if Request::draw
 };
 
 class OwnProblem;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "nlmech/comparison/rows.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 #include "nlmech/support/threads.hpp"
 
@@ -180,6 +182,16 @@ std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const
   return names;
 }
 
+/// Of the processors' time that many runs took together the share of each, by its right-hand sides: no clock
+/// is read within lanes. Verifications ask for it.
+template <int m>
+void share_seconds(double all, std::vector<ivp::Solution<m>>& ends) {
+  double sum = 0;
+  for (const ivp::Solution<m>& end : ends) sum += static_cast<double>(end.statistics.right_hand_sides);
+  for (ivp::Solution<m>& end : ends)
+    end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
+}
+
 /// A run from its request to its rows. Its parts refer to each other, so it stays where it is.
 template <int m>
 class ProblemOfSize<m>::Run {
@@ -207,7 +219,8 @@ class ProblemOfSize<m>::Run {
 
   /// What is to be integrated. Refers to this.
   [[nodiscard]] ivp::Start<m> start() {
-    ivp::Start<m> start{&system_, begin<m>(request_), request_.t0, request_.t1, {}, request_.limits};
+    ivp::Start<m> start{&system_, begin<m>(request_), request_.t0,      request_.t1,
+                        {},       request_.limits,    request_.deadline};
     if (request_.every || request_.draw || !request_.events.empty())
       start.observer = [this](const ivp::Step<m>& step) { return events_.see(step); };
     return start;
@@ -221,24 +234,40 @@ class ProblemOfSize<m>::Run {
       rows_.keep(end.t, end.x);
     else
       rows_.add(end.t, end.x);
-    if (!request_.verify || request_.t0 == request_.t1) return {rows_.text(), "", std::move(seen_)};
-    std::string word = verified(end);
-    return {rows_.text(), std::move(word), std::move(seen_)};
+    if (!request_.verify || request_.t0 == request_.t1) return {rows_.text(), "", false, std::move(seen_)};
+    const auto [word, is_open] = verified(end);
+    return {rows_.text(), word, is_open, std::move(seen_)};
   }
 
  private:
-  [[nodiscard]] std::string verified(const ivp::Solution<m>& end) const {
+  /// What is left of the time for the verification of a run.
+  [[nodiscard]] double left_after(const ivp::Solution<m>& end) const {
+    using std::chrono::steady_clock;
+    const double own = request_.limits.seconds - end.statistics.seconds;
+    if (request_.deadline == steady_clock::time_point::max()) return own;
+    const std::chrono::duration<double> all = request_.deadline - steady_clock::now();
+    if (all.count() <= 0)
+      throw Failure(
+          failed_with(Outcome::time_limit,
+                      "{}: the run came to its end, but the time of all was over before it could be "
+                      "verified; allow more, or --no-verify",
+                      method_.name));
+    return std::min(own, all.count());
+  }
+  /// What its verification says, and whether it came to no verdict.
+  [[nodiscard]] std::pair<std::string, bool> verified(const ivp::Solution<m>& end) const {
     const Verified what = rows_.verified(tolerance_of(request_.settings));
     const scene::Doing doing("verifying the run by integration");
-    const Effort effort =
-        effort_after(end.statistics, system_.size(), request_.limits.seconds - watch_.seconds());
+    const Effort effort = effort_after(end.statistics, system_.size(), left_after(end));
     const ivp::State<m> x0 = begin<m>(request_);
     const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps, .seconds = effort.seconds};
-    if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return "";
+    if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return {"", false};
     const Reference truth =
         problem_.reference(x0, request_.t0, what.times, needed_for(what.tolerance), effort);
     const Verification found = verify<m>(system_, x0, request_.t0, what, truth, effort);
-    return remark(found, truth, method_, request_.settings, problem_.state_names());
+    const bool is_open = found.verdict == Verification::Verdict::unknown;
+    if (is_open) static_cast<void>(left_after(end));  // if for want of time
+    return {remark(found, truth, method_, request_.settings, problem_.state_names()), is_open};
   }
 
   const ProblemOfSize& problem_;
@@ -247,7 +276,6 @@ class ProblemOfSize<m>::Run {
   Request way_;  // to where it has come
   const AnyMethod& method_;
   const ivp::NamedIntegrator<m>* other_;  // or null
-  Stopwatch watch_;
   Rows rows_;
   Seen seen_;
   LookOut<m> events_;
@@ -286,8 +314,10 @@ std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, 
                                     &other);
     starts[i] = runs[i]->start();
   });
+  const Stopwatch watch;
   std::vector<ivp::Solution<m>> ends =
       about("--method", [&] { return integrate_all<m>(method, settings, starts, threads); });
+  share_seconds<m>(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<Ended> all(posed.size());
   each([&](std::size_t i) {
     try {

@@ -66,6 +66,7 @@ class SeriesLanes {
       lane.recorded = start.t0;
     }
     lane.start = &start;
+    lane.limits = start.limits_from_now();
     lane.number = number;
     lane.segment = segment;
     lane.now = {start.t0, start.x0, {}, {}};
@@ -94,6 +95,7 @@ class SeriesLanes {
     const System<n>* equations = nullptr;  // whose constants stand in the lane
     double recorded = 0;                   // their time, on which announced branches depend
     const Start<n>* start = nullptr;       // none: the lane is free
+    Limits limits;
     std::size_t number = 0;
     SmoothSegment segment;
     Solution<n> now;
@@ -169,7 +171,7 @@ class SeriesLanes {
   }
   // A clock that is read at every step would cost as much as the step.
   [[nodiscard]] Status limits(const Lane& lane) const {
-    Limits limits = lane.start->limits;
+    Limits limits = lane.limits;
     if (lane.now.statistics.steps % 64 != 0) limits.seconds = std::numeric_limits<double>::infinity();
     return check_limits(Series::name, lane.now.t, lane.now.statistics, limits, lane.watch);
   }

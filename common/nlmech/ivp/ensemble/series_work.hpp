@@ -18,7 +18,7 @@ namespace nlmech::ivp::detail {
 template <int n, class Method>
 [[nodiscard]] Solution<n> alone(const Start<n>& start, const Method& method) {
   Solution<n> solution =
-      integrate(*start.system, start.x0, start.t0, start.t1, method, start.observer, start.limits);
+      integrate(*start.system, start.x0, start.t0, start.t1, method, start.observer, start.limits_from_now());
   solution.statistics.seconds = 0;
   return solution;
 }

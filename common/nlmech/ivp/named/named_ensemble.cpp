@@ -13,7 +13,7 @@ std::vector<Solution<n>> each_by(const NamedIntegrator<n>& method, std::span<con
   share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Start<n>& s = starts[i];
-      solutions[i] = method(*s.system, s.x0, s.t0, s.t1, s.observer, s.limits);
+      solutions[i] = method(*s.system, s.x0, s.t0, s.t1, s.observer, s.limits_from_now());
       solutions[i].statistics.seconds = 0;
     }
   });
