@@ -177,7 +177,7 @@ TEST(States, LimitEndsWhatIsNotDone) {
 }
 
 // A run of many is held to what a single run is held to, with as much time for it. Robertson's reactions by
-// series come to 0.33687370, where four other methods agree on 0.33687453.
+// series come to 0.33687370, where four other methods agree on 0.3368745.
 TEST(States, VerifiedAsSingleRunsAre) {
   const TemporaryFolder folder;
   scene::write_whole(folder / "starts.csv", "a\n1\n");
@@ -188,6 +188,20 @@ TEST(States, VerifiedAsSingleRunsAre) {
   EXPECT_EQ(row.exit_code, 1);
   EXPECT_NE(row.errors.find("not_converged: series: verified by integration"), std::string::npos)
       << row.errors;
+}
+
+// An initial state is asked for if an unknown has no column.
+TEST(States, NoInitialStateWhereAllUnknownsHaveColumns) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "starts.csv", "v,x,a\n1,2,1\n0,1,3\n");
+  const Words words = {"integrate", "--equation", "x' = -a*x; v' = 0; a = 2", "--states", "starts.csv",
+                       "--until",   "1"};
+  const auto rows = scene::parse_csv(output(words, folder.string()), "output");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_NEAR(std::stod(rows[2].cells[2]), 2 * std::exp(-1), 1e-8);  // a tolerance of 1e-9 a step
+  EXPECT_NEAR(std::stod(rows[4].cells[2]), std::exp(-3), 1e-8);
+  scene::write_whole(folder / "starts.csv", "x\n2\n");
+  refused(words, folder.string(), {"an initial value is missing", "v="});
 }
 
 // Without --method: what suits the first row to the farthest end, not a run of no length.

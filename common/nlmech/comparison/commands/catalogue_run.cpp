@@ -34,8 +34,8 @@ class Runner {
   explicit Runner(const CatalogueRuns& runs)
       : runs_(runs),
         base_(runs.problem({})),
-        request_(runs.request(*base_)),
         states_(base_->state_names()),
+        request_(runs.request(*base_, initial_state(*base_))),
         parameters_(names_of(base_->parameters())),
         columns_(joined(states_, parameters_)),
         farthest_(request_.t1),
@@ -46,6 +46,9 @@ class Runner {
                      [this](const auto& name) { return catalogue_.has(name); }))
       throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
                         catalogue_.name(), fmt::join(columns_, ", "));
+    if (!missing_.empty() && !std::all_of(states_.begin(), states_.end(),
+                                          [this](const auto& name) { return catalogue_.has(name); }))
+      throw InputError(missing_);
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
     const bool has_ends = is_end && catalogue_.has(end_column);
     if (runs.until && has_ends)
@@ -77,6 +80,16 @@ class Runner {
   }
 
  private:
+  /// That of a row without columns; if one is missing and nothing was said of it, zeros and why.
+  [[nodiscard]] std::vector<double> initial_state(const OwnProblem& problem) {
+    try {
+      return runs_.initial_state(problem);
+    } catch (const InputError& error) {
+      if (runs_.is_initial_given) throw;
+      missing_ = error.what();
+      return std::vector<double>(states_.size());
+    }
+  }
   static std::vector<std::string> names_of(const CatalogueRuns::Values& values) {
     std::vector<std::string> names;
     for (const auto& [name, value] : values) names.push_back(name);
@@ -109,7 +122,10 @@ class Runner {
   /// What is asked of a row.
   [[nodiscard]] Request request_of(const std::vector<double>& row,
                                    const std::shared_ptr<const OwnProblem>& problem) const {
-    Request request = problem == base_ ? request_ : runs_.request(*problem);
+    Request request = request_;
+    if (problem != base_)
+      request = runs_.request(
+          *problem, missing_.empty() ? runs_.initial_state(*problem) : std::vector<double>(states_.size()));
     request.t1 = end(row);
     check_rows(request);
     for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -185,8 +201,10 @@ class Runner {
   const CatalogueRuns& runs_;
   std::chrono::steady_clock::time_point deadline_ = deadline_after(runs_.seconds);
   std::shared_ptr<const OwnProblem> base_;
+  std::string missing_;  // why there is no initial state
+  std::vector<std::string> states_;
   Request request_;
-  std::vector<std::string> states_, parameters_, columns_;
+  std::vector<std::string> parameters_, columns_;
   std::vector<double> first_row_;
   double farthest_;
   scene::Catalogue catalogue_;

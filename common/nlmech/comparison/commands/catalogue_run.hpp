@@ -30,8 +30,11 @@ struct CatalogueRuns {
   std::optional<double> until;  ///< the end of all rows; else they have ends of their own
   /// The problem with these parameters. @throws InputError if they cannot be meant
   std::function<std::unique_ptr<OwnProblem>(const Values&)> problem;
-  /// What is asked of it; the initial state and the end are those of a row without columns.
-  std::function<Request(const OwnProblem&)> request;
+  /// The initial state of a row without columns. @throws InputError if a component has none
+  std::function<std::vector<double>(const OwnProblem&)> initial_state;
+  bool is_initial_given = false;  ///< by the user; else it is not asked for if all unknowns have columns
+  /// What is asked of it; initial state and end are those of a row without columns.
+  std::function<Request(const OwnProblem&, std::vector<double>)> request;
   /// The method of all rows. The request is that of the first row, to the farthest end of all.
   std::function<AnyMethod(const OwnProblem&, const Request&)> method;
 };

@@ -84,8 +84,8 @@ std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& pr
   return problem_of(words, problems, equations_of(words), {});
 }
 
-Request understand(const Words& words, const OwnProblem& problem) {
-  Request r{.x0 = problem.initial_state(words.initial),
+Request understand(const Words& words, const OwnProblem& problem, std::vector<double> x0) {
+  Request r{.x0 = std::move(x0),
             .t0 = words.from.value_or(problem.initial_time()),
             .t1 = 0,
             .settings = words.settings,
@@ -104,6 +104,10 @@ Request understand(const Words& words, const OwnProblem& problem) {
   if (r.section) r.events.push_back(event_of("--section", words.section, problem));
   r.draw = !words.plot.empty();
   return r;
+}
+
+Request understand(const Words& words, const OwnProblem& problem) {
+  return understand(words, problem, problem.initial_state(words.initial));
 }
 
 /// The one that was typed, or else the usual one.
@@ -135,12 +139,17 @@ int integrate_all(const Words& words, const OwnProblems& problems, const std::st
   runs.problem = [&](const CatalogueRuns::Values& values) {
     return problem_of(words, problems, equations, values);
   };
-  runs.request = [&](const OwnProblem& problem) { return understand(words, problem); };
+  runs.initial_state = [&](const OwnProblem& problem) { return problem.initial_state(words.initial); };
+  runs.is_initial_given = !words.initial.empty();
+  runs.request = [&](const OwnProblem& problem, std::vector<double> x0) {
+    return understand(words, problem, std::move(x0));
+  };
   runs.method = [&](const OwnProblem& problem, const Request& r) { return method_of(words, problem, r); };
-  const Request r = runs.request(*runs.problem({}));
-  runs.typed = fmt::format("{} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(),
-                           fmt::join(words.set, " "), words.initial, r.t0, r.t1, r.verify,
-                           words.every.value_or(0), fmt::join(words.events, " "), words.section);
+  const double from = words.from.value_or(runs.problem({})->initial_time());
+  runs.typed =
+      fmt::format("{} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(), fmt::join(words.set, " "),
+                  words.initial, from, words.until.value_or(from), words.no_verify, words.every.value_or(0),
+                  fmt::join(words.events, " "), words.section);
   return print_runs(runs);
 }
 
