@@ -75,17 +75,29 @@ bvp::Options options_of(const Words& words) {
   return options;
 }
 
-/// On shorter intervals and by a smaller residual where integration does not follow the solution through the
-/// longer ones: across a boundary layer neighbours of a solution part within a part of the time.
+/// Times with three more between each two.
+std::vector<double> quartered(const std::vector<double>& times) {
+  std::vector<double> finer;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    for (int k = 0; k < 4; ++k) finer.push_back(times[i] + (times[i + 1] - times[i]) * k / 4);
+  }
+  finer.push_back(times.back());
+  return finer;
+}
+
+/// On shorter and shorter intervals as long as integration does not follow the solution through one of them:
+/// across a boundary layer, and behind it, neighbours of a solution part within a part of the time.
 bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, const bvp::Start& start,
                                     const Words& words) {
   bvp::Options options = options_of(words);
+  options.most_intervals = 20'000;
   bvp::Solution solution = solve(problem, start, options);
-  for (const int intervals : {40, 160, 640}) {
-    if (solution.status.outcome() != Outcome::spurious_root) break;
-    options.intervals = intervals;
-    options.tolerance = std::max(1e-13, options.tolerance / 10);
-    solution = solve(problem, start, options);
+  options.refine = false;
+  for (int i = 0; i < 5 && solution.status.outcome() == Outcome::spurious_root; ++i) {
+    bvp::Start finer = start_from(solution);
+    finer.mesh = quartered(solution.mesh());
+    if (finer.mesh.size() > static_cast<std::size_t>(options.most_intervals)) break;
+    solution = solve(problem, finer, options);
   }
   return solution;
 }
@@ -123,11 +135,11 @@ std::string whole_way(const TypedBoundary& problem, const Words& words, const bv
   bvp::Solution copy = solution;
   verify_by_integration(problem, options, copy);
   if (copy.status.ok()) return {};
+  const double off = copy.integration_error;
   return fmt::format(
-      "verified by integration of each of {} intervals; integrated from its begin alone it is lost ({:.1g} "
-      "off), "
-      "since rounding grows on the way: both ends hold this solution",
-      solution.mesh().size() - 1, copy.integration_error);
+      "verified by integration of each of {} intervals; integrated from its begin alone it is lost{}, since "
+      "rounding grows on the way: both ends hold this solution",
+      solution.mesh().size() - 1, std::isfinite(off) ? fmt::format(" ({:.1g} off)", off) : "");
 }
 
 std::vector<double> times_of(const Words& words, const bvp::Solution& solution) {

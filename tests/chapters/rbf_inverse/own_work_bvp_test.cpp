@@ -98,6 +98,17 @@ TEST(BoundaryValues, BoundaryLayers) {
     EXPECT_NEAR(row[1], std::exp(-100 * row[0]) + 2 * std::exp(100 * (row[0] - 1)), 1e-8) << row[0];
 }
 
+// Neighbours part by exp(1000 t), so that the intervals on which the residual is small are still too long to
+// be verified. The solution is k/(k + 1) sin(t) to its end.
+TEST(BoundaryValues, IntervalsShortEnoughToBeVerified) {
+  const auto rows = solved({"--equation", "x'' = k*(x - sin(t)); k = 1e6", "--begin", "x=0", "--end", "x=0",
+                            "--until", "10", "--every", "1"});
+  ASSERT_EQ(rows.size(), 11U);
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_NEAR(rows[i][1], 1e6 / (1e6 + 1) * std::sin(rows[i][0]), 1e-12) << i;
+  EXPECT_EQ(rows[10][1], 0);
+}
+
 // Troesch's problem with the constant 5: x'(0) = 0.0457504614, x'(1) = 12.1004954 (Roberts and
 // Shipman 1972, to the digits printed there).
 TEST(BoundaryValues, TroeschsProblem) {
