@@ -46,9 +46,11 @@ class OrbitCatalogue {
                                             fmt::join(request_.field.zonal, ","), request_.field.radius),
                      .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
                      .portion = most_lines,
-                     .work = [this](const scene::CatalogueRows& rows) {
-                       return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
-                     }});
+                     .work =
+                         [this](const scene::CatalogueRows& rows) {
+                           return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
+                         },
+                     .failed = [this] { return failed_; }});
     if (failed_ == 0) return 0;
     scene::tell(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}", failed_,
                             first_failed_, first_sentence_));

@@ -201,5 +201,72 @@ TEST_F(StatesCommand, MergeRefusesWhatIsNotWhole) {
   refused({"merge", "orbits.csv"}, {"orbits.csv, line 1", "--shard"});
 }
 
+// With several lines a row their numbers alone do not tell what is missing.
+TEST_F(StatesCommand, MergeCountsAndComparesLines) {
+  write("orbits.csv", ellipses(4));
+  const auto part = [&](const std::string& shard, const std::string& file = "orbits.csv") {
+    return output({"propagate", "--states", file, "--every", "2", "--shard", shard});
+  };
+  write("1.csv", part("1/2"));
+  const std::string second = part("2/2");
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < second.size(); at = second.find('\n', at) + 1)
+    lines.push_back(second.substr(at, second.find('\n', at) + 1 - at));
+  ASSERT_GT(lines.size(), 20U);
+  const auto refused_with = [&](const std::vector<std::string>& of) {
+    std::string text;
+    for (const std::string& line : of) text += line;
+    write("2.csv", text);
+    refused({"merge", "1.csv", "2.csv"}, {"2.csv, line", "missing, doubled, changed or of another run"});
+  };
+  auto changed = lines;
+  changed.erase(changed.begin() + 5, changed.begin() + 8);
+  refused_with(changed);
+  changed = lines;
+  changed.insert(changed.begin() + 3, lines[3]);
+  refused_with(changed);
+  changed = lines;
+  std::swap(changed[4], changed[5]);
+  refused_with(changed);
+  changed = lines;
+  changed[6][changed[6].find('.') + 3] ^= 1;
+  refused_with(changed);
+  // The lines of another run under the first line of this one.
+  std::string other = ellipses(4);
+  other.replace(other.find("body, 3"), 7, "body, 9");
+  write("others.csv", other);
+  const std::string foreign = part("2/2", "others.csv");
+  refused_with({lines[0], foreign.substr(foreign.find('\n') + 1)});
+  write("2.csv", second + second);
+  refused({"merge", "1.csv", "2.csv"}, {"2.csv, line", "behind the end"});
+  write("2.csv", second);
+  EXPECT_EQ(output({"merge", "2.csv", "1.csv"}),
+            output({"propagate", "--states", "orbits.csv", "--every", "2"}));
+  // A pipe gives its lines once only.
+  const Finished f =
+      scene::run_program({"bash", "-c", program_ + " merge <(cat 1.csv) <(cat 2.csv)"}, folder_);
+  EXPECT_EQ(f.exit_code, 2);
+  EXPECT_TRUE(f.output.empty());
+  EXPECT_NE(f.errors.find("/dev/fd/"), std::string::npos) << f.errors;
+  EXPECT_NE(f.errors.find("is no file"), std::string::npos) << f.errors;
+}
+
+// Rows that failed make the exit code of one run, and all is printed.
+TEST_F(StatesCommand, MergeEndsAsOneRunDoes) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,0,0\n1,0,0,0,1.1,0\n");
+  const std::vector<std::string> words = {"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "5"};
+  for (const char* k : {"1", "2", "3"}) {
+    auto part = words;
+    part.insert(part.end(), {"--shard", std::string(k) + "/3"});
+    const Finished f = run(part);
+    EXPECT_EQ(f.exit_code, *k == '2' ? 1 : 0);
+    write(std::string(k) + ".csv", f.output);
+  }
+  const Finished f = run({"merge", "1.csv", "2.csv", "3.csv"});
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_EQ(f.output, run(words).output);
+  EXPECT_NE(f.errors.find("1 of the rows failed"), std::string::npos) << f.errors;
+}
+
 }  // namespace
 }  // namespace nlmech::catalogue_test

@@ -54,7 +54,8 @@ class Runner {
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
                      .portion = static_cast<std::size_t>(most_lines),
-                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
+                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
+                     .failed = [this] { return failed_; }});
     if (!remark_.empty()) scene::tell(fmt::format("{}: {}", runs_.program, remark_));
     if (failed_ == 0) return 0;
     scene::tell(fmt::format("{}: {} of the runs failed; the first is row {}: {}", runs_.program, failed_,
