@@ -100,6 +100,9 @@ TEST_F(StatesCommand, EveryGivesRowsBetween) {
     EXPECT_NEAR(std::stod(cells[2]), std::cos(t), 1e-13);
     EXPECT_NEAR(std::stod(cells[3]), std::sin(t), 1e-13);
   }
+  const std::string closed = output({"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "-5",
+                                     "--every", "2", "--method", "kepler"});
+  EXPECT_NE(closed.find("\n1,0,1,0,"), std::string::npos) << closed;
 }
 
 // A fall into the centre ends where it does, and the rest goes on.
@@ -115,6 +118,25 @@ TEST_F(StatesCommand, FailuresAreTheirOwn) {
   EXPECT_EQ(records[2].cells[8], "collision");
   EXPECT_NEAR(std::stod(records[2].cells[1]), std::acos(-1.) / std::sqrt(8.), 1e-6);
   EXPECT_EQ(records[3].cells[8], "success");
+}
+
+// So many revolutions that no digit is left end the closed form, at the last row that had one.
+TEST_F(StatesCommand, ClosedFormKeepsTheTimeThatItReached) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n");
+  for (const std::string sign : {"", "-"}) {
+    const Finished f = run({"propagate", "--states", "orbits.csv", "--mu", "1", "--until", sign + "1e14",
+                            "--every", "1e12", "--method", "kepler"});
+    EXPECT_EQ(f.exit_code, 1);
+    const auto records = scene::parse_csv(f.output, "output");
+    ASSERT_GT(records.size(), 4U);
+    ASSERT_LT(records.size(), 90U);
+    auto good = records[records.size() - 2].cells, last = records.back().cells;
+    EXPECT_EQ(last.back(), "outside_validity");
+    EXPECT_EQ(good.back(), "success");
+    EXPECT_GT(std::abs(std::stod(last[1])), 1e12);
+    good.back() = last.back();
+    EXPECT_EQ(last, good);
+  }
 }
 
 // What is not done in time says so in its row; a minute is no bound for a catalogue.
