@@ -150,6 +150,16 @@ TEST_F(StatesCommand, LimitEndsWhatIsNotDone) {
     ASSERT_EQ(records.size(), 2001U);
     for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells[9], "time_limit");
   }
+  // Zonal orbits of more than 1e8 revolutions each.
+  std::string forever = "x,y,z,vx,vy,vz\n";
+  for (int i = 0; i < 400; ++i) forever += "1,0,0,0,1.1,0.1\n";
+  write("forever.csv", forever);
+  const Finished f = run({"propagate", "--states", "forever.csv", "--mu", "1", "--until", "1e9", "--zonal",
+                          "1e-3", "--radius", "0.1", "--limit", "0.3", "--threads", "1"});
+  EXPECT_EQ(f.exit_code, 1);
+  const auto records = scene::parse_csv(f.output, "output");
+  ASSERT_EQ(records.size(), 401U) << f.errors;
+  for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells[8], "time_limit");
   EXPECT_NE(output({"propagate", "--help"}).find("as long as it takes"), std::string::npos);
 }
 
