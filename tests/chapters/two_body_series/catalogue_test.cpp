@@ -24,7 +24,7 @@ class StatesCommand : public tests::ProgramInFolder {
   StatesCommand() : ProgramInFolder(NLMECH_BINARY_DIR "/bin/two_body_series") {}
   /// Ellipses about mu = 1, with a name that has a comma, columns in an order of its own, and a comment.
   [[nodiscard]] static std::string ellipses(int count) {
-    std::string text = "name,vx,vy,vz,until,x,y,z,mu\n# a comment\n\n";
+    std::string text = "# a comment\n\nname,vx,vy,vz,until,x,y,z,mu\n\n";
     for (int i = 0; i < count; ++i) {
       const double e = 0.8 * i / count;
       text += fmt::format("\"body, {}\",0,{:.17g},0,{:.17g},{:.17g},0,0,1\n", i, std::sqrt((1 + e) / (1 - e)),
@@ -183,6 +183,8 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   bad("x,y,z,vx,vy,until\n" + row, {"line 1", "no column vz"});
   bad("x,y,z,vx,vy,vz,x,until\n", {"line 1", "two columns are called x"});
   bad("", {"is empty"});
+  bad(head + row + "# a comment, late\n" + row,
+      {"line 3", "# a comment", "comments stand before the header"});
   bad("x,y,z,vx,vy,vz\n1,0,0,0,1,0\n", {"no column until"});
   bad(head + row, {"--until 3", "has a column until"}, {"--until", "3"});
   bad(head + row, {"until = 5", "10 million"}, {"--every", "1e-9"});
