@@ -66,6 +66,7 @@ void declare_propagation(scene::Options& options, Propagation& p) {
   options.add(
       "--states", p.states,
       "CSV in their place: columns x,y,z,vx,vy,vz, and mu and until if they differ; others are handed on. "
+      "Comments, # at the begin of a line, stand before the header. "
       "- is standard input");
   options.add("--mu", p.mu, fmt::format("gravitational parameter; the Earth's, {}, without it", earth_mu))
       .positive();

@@ -201,7 +201,9 @@ TEST(Ensemble, FailuresAreTheirOwn) {
 
 // In its own units the end is beyond the range of doubles.
 TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
+  const Gravity zonal{.radius = 1e-300, .zonal = {1e-3}};
   const std::vector<Flight> flights = {{{{1e-300, 0, 0}, {0, 1, 0}}, 86400, {}},
+                                       {{{1e-300, 0, 0}, {0, 1, 0}}, 86400, zonal},
                                        {{{1, 0, 0}, {1e200, 0, 0}}, 1e300, {}}};
   for (const Solution& end : propagate_all(flights)) {
     EXPECT_FALSE(end.status.ok());
@@ -242,6 +244,36 @@ TEST(Ensemble, AZonalFlightThatFails) {
   ASSERT_EQ(times.size(), static_cast<std::size_t>(alone.t / 50));
   for (std::size_t k = 0; k < times.size(); ++k) EXPECT_EQ(times[k], 50.0 * static_cast<double>(k + 1));
   EXPECT_EQ(propagate_all(std::span(&f, 1), {}, {}, {.steps = 3})[0].status.outcome(), Outcome::step_limit);
+}
+
+// So long a time that every step is lost in it: as by AnalyticContinuation and about a point mass, at once.
+TEST(Ensemble, ZonalStepsMoveTheTime) {
+  for (const double until : {1e40, -1e40}) {
+    std::vector<Flight> flights(2, Flight{low_orbit, until, earth(2)});
+    flights[1].gravity = earth();
+    for (const Solution& end : propagate_all(flights)) {
+      EXPECT_EQ(end.status.outcome(), Outcome::step_underflow) << end.status.text();
+      EXPECT_EQ(end.t, 0);
+      EXPECT_EQ(end.x.position, low_orbit.position);
+    }
+  }
+}
+
+// The seconds are those of the whole: they end flights under way where they are, and others at their start.
+TEST(Ensemble, SecondsAreOfTheWhole) {
+  for (const int degree : {0, 2}) {
+    const std::vector<Flight> flights(200, Flight{low_orbit, 1e10, earth(degree)});
+    std::vector<double> shown(flights.size());
+    const InnerRows rows{3600, [&](std::size_t i, double t, const State&) { shown[i] = t; }};
+    const auto ends = propagate_all(flights, {.threads = 1}, rows, {.seconds = 0.1});
+    EXPECT_GT(ends[0].t, 3600);
+    EXPECT_LT(ends[199].t, ends[0].t);
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+      EXPECT_EQ(ends[i].status.outcome(), Outcome::time_limit) << ends[i].status.text();
+      EXPECT_GE(ends[i].t, shown[i]);
+      EXPECT_LT(ends[i].t, 1e10);
+    }
+  }
 }
 
 TEST(Ensemble, RefusesOptions) {

@@ -46,9 +46,11 @@ class OrbitCatalogue {
                                             fmt::join(request_.field.zonal, ","), request_.field.radius),
                      .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
                      .portion = most_lines,
-                     .work = [this](const scene::CatalogueRows& rows) {
-                       return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
-                     }});
+                     .work =
+                         [this](const scene::CatalogueRows& rows) {
+                           return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
+                         },
+                     .failed = [this] { return failed_; }});
     if (failed_ == 0) return 0;
     scene::tell(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}", failed_,
                             first_failed_, first_sentence_));
@@ -87,12 +89,13 @@ class OrbitCatalogue {
     return f;
   }
 
+  /// Adding 0 turns a time -0, as 0 times -1 is, into 0.
   static void add_line(std::string& lines, std::int64_t row, double t, const orbit::State& s,
                        const std::string& rest, std::string_view status) {
     const auto &p = s.position, &v = s.velocity;
     fmt::format_to(std::back_inserter(lines),
-                   "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}{},{}\n", row, t, p[0], p[1],
-                   p[2], v[0], v[1], v[2], rest, status);
+                   "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}{},{}\n", row, t + 0., p[0],
+                   p[1], p[2], v[0], v[1], v[2], rest, status);
   }
 
   /// The lines between are there already; the first and the last are not.
@@ -145,21 +148,28 @@ class OrbitCatalogue {
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
           const orbit::Flight f = flight(rows.numbers[i]);
           const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
+          // A row that fails has the time that was reached, and the state then.
+          double reached = 0;
+          orbit::State state = f.start;
           const auto add = [&](double t) {
-            if (!statuses[i].ok()) return;
             const auto there = moved(f, t);
             statuses[i] = there.status;
-            add_line(lines, rows.first + static_cast<std::int64_t>(i), there.status.ok() ? t : 0,
-                     there.status.ok() ? there.state : f.start, rows.rest[i],
+            if (there.status.ok()) {
+              reached = t;
+              state = there.state;
+            }
+            add_line(lines, rows.first + static_cast<std::int64_t>(i), reached, state, rows.rest[i],
                      to_string(there.status.outcome()));
+            return there.status.ok();
           };
           if (request_.every && f.until != 0) {
             // The end has its own row; rounding of k DT makes no second one.
             for (std::int64_t k = 0; end - static_cast<double>(k) * *request_.every > 1e-9 * *request_.every;
-                 ++k)
-              add(sign * static_cast<double>(k) * *request_.every);
+                 ++k) {
+              if (!add(sign * static_cast<double>(k) * *request_.every)) return;
+            }
           }
-          add(f.until);
+          (void)add(f.until);
         });
     for (std::size_t i = 0; i < statuses.size(); ++i)
       note(rows.first + static_cast<std::int64_t>(i), statuses[i]);

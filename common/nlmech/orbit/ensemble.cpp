@@ -91,6 +91,10 @@ struct Ensemble {
   [[nodiscard]] bool out_of_time() const {
     return std::isfinite(limits.seconds) && watch.seconds() > limits.seconds;
   }
+  [[nodiscard]] Status too_late() const {
+    return failed_with(Outcome::time_limit, "{}: {:g} seconds were used up; allow more", TaylorEnsemble::name,
+                       limits.seconds);
+  }
 
   /// Of one thread.
   void work() {
@@ -109,10 +113,7 @@ struct Ensemble {
       }
       if (lanes.busy() == 0) continue;
       lanes.run(solutions);
-      if (out_of_time())
-        lanes.stop(failed_with(Outcome::time_limit, "{}: {} seconds were used up; allow more",
-                               TaylorEnsemble::name, limits.seconds),
-                   solutions);
+      if (out_of_time()) lanes.stop(too_late(), solutions);
     }
   }
 
@@ -124,17 +125,30 @@ struct Ensemble {
       if (is_zonal[i] != 0) rest.push_back(i);
     }
     if (rest.empty()) return;
-    detail::fly_in_zonal_fields(flights, rest, method, rows, {limits.steps, left()}, solutions);
+    detail::fly_in_zonal_fields(
+        flights, rest, method, rows, limits.steps, [this] { return out_of_time(); }, solutions);
     share_out(rest.size(), 1, method.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Solution& solution = solutions[rest[i]];
-        if (!solution.status.ok()) solution = alone(rest[i], std::abs(solution.t));
+        if (!solution.status.ok()) repeat(rest[i], solution);
       }
     });
   }
 
  private:
   [[nodiscard]] double left() const { return std::max(0.0, limits.seconds - watch.seconds()); }
+  /// By itself, if there is time; else it stays where it is.
+  void repeat(std::size_t number, Solution& solution) const {
+    if (!out_of_time()) {
+      Solution again = alone(number, std::abs(solution.t));
+      const bool is_behind = std::abs(again.t) < std::abs(solution.t);
+      if (again.status.outcome() != Outcome::time_limit || !is_behind) {
+        solution = std::move(again);
+        return;
+      }
+    }
+    solution.status = too_late();
+  }
   /// @param shown up to where rows have been given already
   [[nodiscard]] Solution alone(std::size_t number, double shown) const {
     const Flight& flight = flights[number];
@@ -166,8 +180,7 @@ struct Ensemble {
     solution.status = refusal(flight);
     if (!solution.status.ok() || flight.until == 0) return;
     if (out_of_time()) {
-      solution.status = failed_with(Outcome::time_limit, "{}: {} seconds were used up; allow more",
-                                    TaylorEnsemble::name, limits.seconds);
+      solution.status = too_late();
     } else if (flight.gravity.degree() > 0) {
       is_zonal[number] = 1;
     } else {

@@ -54,7 +54,8 @@ struct InnerRows {
 /// that is none is `non_finite`, a body in the centre `collision`, a field that is none `outside_validity`,
 /// and what happens on the way as for propagate(); the others are not touched by it. A flight with zonal
 /// terms that fails is repeated by AnalyticContinuation. Statistics::seconds stays 0.
-/// @param limits steps of each flight; seconds of the whole
+/// @param limits steps of each flight; seconds of the whole: then a flight under way stays where it is, and
+/// one that has not begun at its start
 /// @return a solution for each flight, in their order
 /// @throws std::invalid_argument for options out of range
 [[nodiscard]] std::vector<Solution> propagate_all(std::span<const Flight> flights,

@@ -24,7 +24,7 @@ class StatesCommand : public tests::ProgramInFolder {
   StatesCommand() : ProgramInFolder(NLMECH_BINARY_DIR "/bin/two_body_series") {}
   /// Ellipses about mu = 1, with a name that has a comma, columns in an order of its own, and a comment.
   [[nodiscard]] static std::string ellipses(int count) {
-    std::string text = "name,vx,vy,vz,until,x,y,z,mu\n# a comment\n\n";
+    std::string text = "# a comment\n\nname,vx,vy,vz,until,x,y,z,mu\n\n";
     for (int i = 0; i < count; ++i) {
       const double e = 0.8 * i / count;
       text += fmt::format("\"body, {}\",0,{:.17g},0,{:.17g},{:.17g},0,0,1\n", i, std::sqrt((1 + e) / (1 - e)),
@@ -100,6 +100,9 @@ TEST_F(StatesCommand, EveryGivesRowsBetween) {
     EXPECT_NEAR(std::stod(cells[2]), std::cos(t), 1e-13);
     EXPECT_NEAR(std::stod(cells[3]), std::sin(t), 1e-13);
   }
+  const std::string closed = output({"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "-5",
+                                     "--every", "2", "--method", "kepler"});
+  EXPECT_NE(closed.find("\n1,0,1,0,"), std::string::npos) << closed;
 }
 
 // A fall into the centre ends where it does, and the rest goes on.
@@ -117,6 +120,25 @@ TEST_F(StatesCommand, FailuresAreTheirOwn) {
   EXPECT_EQ(records[3].cells[8], "success");
 }
 
+// So many revolutions that no digit is left end the closed form, at the last row that had one.
+TEST_F(StatesCommand, ClosedFormKeepsTheTimeThatItReached) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n");
+  for (const std::string sign : {"", "-"}) {
+    const Finished f = run({"propagate", "--states", "orbits.csv", "--mu", "1", "--until", sign + "1e14",
+                            "--every", "1e12", "--method", "kepler"});
+    EXPECT_EQ(f.exit_code, 1);
+    const auto records = scene::parse_csv(f.output, "output");
+    ASSERT_GT(records.size(), 4U);
+    ASSERT_LT(records.size(), 90U);
+    auto good = records[records.size() - 2].cells, last = records.back().cells;
+    EXPECT_EQ(last.back(), "outside_validity");
+    EXPECT_EQ(good.back(), "success");
+    EXPECT_GT(std::abs(std::stod(last[1])), 1e12);
+    good.back() = last.back();
+    EXPECT_EQ(last, good);
+  }
+}
+
 // What is not done in time says so in its row; a minute is no bound for a catalogue.
 TEST_F(StatesCommand, LimitEndsWhatIsNotDone) {
   write("orbits.csv", ellipses(2000));
@@ -128,6 +150,16 @@ TEST_F(StatesCommand, LimitEndsWhatIsNotDone) {
     ASSERT_EQ(records.size(), 2001U);
     for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells[9], "time_limit");
   }
+  // Zonal orbits of more than 1e8 revolutions each.
+  std::string forever = "x,y,z,vx,vy,vz\n";
+  for (int i = 0; i < 400; ++i) forever += "1,0,0,0,1.1,0.1\n";
+  write("forever.csv", forever);
+  const Finished f = run({"propagate", "--states", "forever.csv", "--mu", "1", "--until", "1e9", "--zonal",
+                          "1e-3", "--radius", "0.1", "--limit", "0.3", "--threads", "1"});
+  EXPECT_EQ(f.exit_code, 1);
+  const auto records = scene::parse_csv(f.output, "output");
+  ASSERT_EQ(records.size(), 401U) << f.errors;
+  for (std::size_t i = 1; i < records.size(); ++i) EXPECT_EQ(records[i].cells[8], "time_limit");
   EXPECT_NE(output({"propagate", "--help"}).find("as long as it takes"), std::string::npos);
 }
 
@@ -151,6 +183,8 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   bad("x,y,z,vx,vy,until\n" + row, {"line 1", "no column vz"});
   bad("x,y,z,vx,vy,vz,x,until\n", {"line 1", "two columns are called x"});
   bad("", {"is empty"});
+  bad(head + row + "# a comment, late\n" + row,
+      {"line 3", "# a comment", "comments stand before the header"});
   bad("x,y,z,vx,vy,vz\n1,0,0,0,1,0\n", {"no column until"});
   bad(head + row, {"--until 3", "has a column until"}, {"--until", "3"});
   bad(head + row, {"until = 5", "10 million"}, {"--every", "1e-9"});
@@ -199,6 +233,73 @@ TEST_F(StatesCommand, MergeRefusesWhatIsNotWhole) {
   write("torn.csv", second.substr(0, second.find("\n8,") + 1) + second.substr(second.find("\n10,") + 1));
   refused({"merge", "1.csv", "torn.csv", "3.csv"}, {"torn.csv, line 4", "row"});
   refused({"merge", "orbits.csv"}, {"orbits.csv, line 1", "--shard"});
+}
+
+// With several lines a row their numbers alone do not tell what is missing.
+TEST_F(StatesCommand, MergeCountsAndComparesLines) {
+  write("orbits.csv", ellipses(4));
+  const auto part = [&](const std::string& shard, const std::string& file = "orbits.csv") {
+    return output({"propagate", "--states", file, "--every", "2", "--shard", shard});
+  };
+  write("1.csv", part("1/2"));
+  const std::string second = part("2/2");
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < second.size(); at = second.find('\n', at) + 1)
+    lines.push_back(second.substr(at, second.find('\n', at) + 1 - at));
+  ASSERT_GT(lines.size(), 20U);
+  const auto refused_with = [&](const std::vector<std::string>& of) {
+    std::string text;
+    for (const std::string& line : of) text += line;
+    write("2.csv", text);
+    refused({"merge", "1.csv", "2.csv"}, {"2.csv, line", "missing, doubled, changed or of another run"});
+  };
+  auto changed = lines;
+  changed.erase(changed.begin() + 5, changed.begin() + 8);
+  refused_with(changed);
+  changed = lines;
+  changed.insert(changed.begin() + 3, lines[3]);
+  refused_with(changed);
+  changed = lines;
+  std::swap(changed[4], changed[5]);
+  refused_with(changed);
+  changed = lines;
+  changed[6][changed[6].find('.') + 3] ^= 1;
+  refused_with(changed);
+  // The lines of another run under the first line of this one.
+  std::string other = ellipses(4);
+  other.replace(other.find("body, 3"), 7, "body, 9");
+  write("others.csv", other);
+  const std::string foreign = part("2/2", "others.csv");
+  refused_with({lines[0], foreign.substr(foreign.find('\n') + 1)});
+  write("2.csv", second + second);
+  refused({"merge", "1.csv", "2.csv"}, {"2.csv, line", "behind the end"});
+  write("2.csv", second);
+  EXPECT_EQ(output({"merge", "2.csv", "1.csv"}),
+            output({"propagate", "--states", "orbits.csv", "--every", "2"}));
+  // A pipe gives its lines once only.
+  const Finished f =
+      scene::run_program({"bash", "-c", program_ + " merge <(cat 1.csv) <(cat 2.csv)"}, folder_);
+  EXPECT_EQ(f.exit_code, 2);
+  EXPECT_TRUE(f.output.empty());
+  EXPECT_NE(f.errors.find("/dev/fd/"), std::string::npos) << f.errors;
+  EXPECT_NE(f.errors.find("is no file"), std::string::npos) << f.errors;
+}
+
+// Rows that failed make the exit code of one run, and all is printed.
+TEST_F(StatesCommand, MergeEndsAsOneRunDoes) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,0,0\n1,0,0,0,1.1,0\n");
+  const std::vector<std::string> words = {"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "5"};
+  for (const char* k : {"1", "2", "3"}) {
+    auto part = words;
+    part.insert(part.end(), {"--shard", std::string(k) + "/3"});
+    const Finished f = run(part);
+    EXPECT_EQ(f.exit_code, *k == '2' ? 1 : 0);
+    write(std::string(k) + ".csv", f.output);
+  }
+  const Finished f = run({"merge", "1.csv", "2.csv", "3.csv"});
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_EQ(f.output, run(words).output);
+  EXPECT_NE(f.errors.find("1 of the rows failed"), std::string::npos) << f.errors;
 }
 
 }  // namespace

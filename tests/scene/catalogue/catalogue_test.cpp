@@ -20,7 +20,7 @@ using tests::TemporaryFolder;
 TEST(Catalogue, RowsByName) {
   const TemporaryFolder folder;
   write_whole(folder.path() / "a.csv",
-              "\xEF\xBB\xBF name , b,a\r\n#x\r\n\r\n\"p, q\", 2 , 1\r\n,4,3\n\"\",-6,+5");
+              "\xEF\xBB\xBF#x, y\r\n # z\r\n\r\n name , b,a\r\n\r\n\"p, q\", 2 , 1\r\n,4,3\n\"\",-6,+5");
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {"b", "c"}, {});
   EXPECT_TRUE(catalogue.has("b"));
   EXPECT_FALSE(catalogue.has("c"));
@@ -28,7 +28,7 @@ TEST(Catalogue, RowsByName) {
   EXPECT_EQ(catalogue.rows(), 3);
   const CatalogueRows two = catalogue.next(2, 99);
   ASSERT_EQ(two.line.size(), 2U);
-  EXPECT_EQ(two.line[0], 4U);
+  EXPECT_EQ(two.line[0], 6U);
   EXPECT_EQ(two.rest[0], ",\"p, q\"");
   EXPECT_EQ(two.rest[1], ",");
   EXPECT_EQ(two.numbers[1][0], 3);
@@ -39,6 +39,26 @@ TEST(Catalogue, RowsByName) {
   ASSERT_EQ(one.line.size(), 1U);
   EXPECT_EQ(one.numbers[0][0], 5);
   EXPECT_TRUE(catalogue.next(2, 99).line.empty());
+}
+
+// Behind the header '#' begins no comment: such a line is a row, or it is refused.
+TEST(Catalogue, NoRowVanishesBehindASharp) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "a.csv").string();
+  write_whole(file, "# comment\nname,a\n#1,5\n#2,6\n\n3,7\n");
+  Catalogue catalogue(file, {"a"}, {}, {});
+  const CatalogueRows rows = catalogue.next(9, 99);
+  EXPECT_EQ(rows.rest, (std::vector<std::string>{",#1", ",#2", ",3"}));
+  EXPECT_EQ(rows.numbers[2][0], 7);
+  for (const char* line : {"# comment\n", "#, much, too, long\n", "#4, 8 # nine\n"}) {
+    write_whole(file, std::string("name,a\n3,7\n") + line);
+    try {
+      const Catalogue refused(file, {"a"}, {}, {});
+      ADD_FAILURE() << line;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("a.csv: line 3"), std::string::npos) << error.what();
+    }
+  }
 }
 
 // A portion ends with the row that makes it weigh enough, so that what is held at a time is bounded.

@@ -67,7 +67,8 @@ class Runner {
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
                      .portion = static_cast<std::size_t>(most_lines),
-                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
+                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
+                     .failed = [this] { return failed_; }});
     if (open_ > 1)
       scene::tell(
           fmt::format("{}: {} of the runs are not verified; the first is {}", runs_.program, open_, remark_));

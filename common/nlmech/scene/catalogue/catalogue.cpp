@@ -118,7 +118,9 @@ bool Catalogue::read_line(Line& line) {
 bool Catalogue::read_row(Line& line) {
   while (read_line(line)) {
     line.text = trim(line.text);
-    if (line.text.empty() || line.text.front() == '#') continue;
+    if (line.number == 1 && line.text.starts_with("\xEF\xBB\xBF")) line.text = trim(line.text.substr(3));
+    // Behind the header '#' is a character like others: a row that begins with it must not vanish.
+    if (line.text.empty() || (names_.empty() && line.text.front() == '#')) continue;
     if (rows_) return true;  // read through already
     for (const char c : line.text) digest_ = (digest_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     digest_ = (digest_ ^ '\n') * 0x100000001b3U;
@@ -135,7 +137,6 @@ void Catalogue::read_header() {
   next_row_ = 1;
   if (!read_row(line))
     throw input_error("{}: is empty; a header with {} is needed", name_, fmt::join(known_, ","));
-  if (line.number == 1 && line.text.starts_with("\xEF\xBB\xBF")) line.text.remove_prefix(3);
   std::string_view rest = line.text, cell;
   for (bool more = true; more;) {
     if (!next_cell(rest, cell, more))
@@ -160,21 +161,23 @@ void Catalogue::understand(const Line& line, std::vector<double>& numbers, std::
   numbers.assign(known_.size(), nan);
   rest.clear();
   std::string_view text = line.text, cell;
+  const char* const hint = text.starts_with('#') ? "; comments stand before the header" : "";
   bool more = true;
   for (std::size_t i = 0; i < column_.size(); ++i) {
-    if (!more) throw input_error("{}: line {}: {} of {} cells", name_, line.number, i, column_.size());
+    if (!more)
+      throw input_error("{}: line {}: {} of {} cells{}", name_, line.number, i, column_.size(), hint);
     if (!next_cell(text, cell, more))
       throw input_error("{}: line {}: a quote is never closed", name_, line.number);
     if (column_[i] < 0) {
       rest.append(",").append(cell);
     } else if (!parse_number(unquoted(cell), numbers[static_cast<std::size_t>(column_[i])])) {
-      throw input_error("{}: line {}, column {} ({}): '{}' is not a finite number", name_, line.number, i + 1,
-                        echoed(names_[i]), echoed(cell));
+      throw input_error("{}: line {}, column {} ({}): '{}' is not a finite number{}", name_, line.number,
+                        i + 1, echoed(names_[i]), echoed(cell), hint);
     }
   }
   if (more)
-    throw input_error("{}: line {}, column {}: '{}' is beyond the {} columns", name_, line.number,
-                      column_.size() + 1, echoed(text), column_.size());
+    throw input_error("{}: line {}, column {}: '{}' is beyond the {} columns{}", name_, line.number,
+                      column_.size() + 1, echoed(text), column_.size(), hint);
   const std::string wrong = check_ ? check_(numbers) : std::string();
   if (!wrong.empty()) throw input_error("{}: line {}: {}", name_, line.number, wrong);
 }

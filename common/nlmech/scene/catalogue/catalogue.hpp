@@ -31,7 +31,8 @@ using RowCheck = std::function<std::string(const std::vector<double>& numbers)>;
 using RowWeight = std::function<double(const std::vector<double>& numbers)>;
 
 /// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
-/// in any order, and the others are handed on. Blank lines and lines that begin with '#' are skipped.
+/// in any order, and the others are handed on. Blank lines are skipped, and before the header lines that
+/// begin with '#'; behind it '#' is a character like others.
 ///
 /// A file is read through once beforehand: rows() and digest() are known then, and whatever is wrong with any
 /// of its rows is said before the first is worked on. Standard input cannot be read twice, and complaints of

@@ -6,10 +6,12 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "nlmech/scene/program/this_process.hpp"
@@ -24,13 +26,35 @@ namespace {
 
 constexpr int most_shards = 1'000'000;
 
-std::string end_mark(const Shard& shard) {
-  return fmt::format("# end of shard {} / {}", shard.part, shard.parts);
-}
-
 std::uint64_t digest_of(std::string_view text, std::uint64_t hash) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return hash;
+}
+
+/// What the lines of a part add up to, its first two among them: so lines that were lost, doubled, changed or
+/// taken from another run are noticed.
+struct Tally {
+  std::int64_t lines = 0;
+  std::uint64_t digest = 0xcbf29ce484222325U;
+  void add(std::string_view text) {
+    lines += std::count(text.begin(), text.end(), '\n');
+    digest = digest_of(text, digest);
+  }
+};
+
+constexpr std::string_view end_begins = "# end of shard ";
+
+std::string end_mark(const Shard& shard, const Tally& tally, std::int64_t failed) {
+  return fmt::format("{}{} / {} lines {} digest {:016x} failed {}", end_begins, shard.part, shard.parts,
+                     tally.lines, tally.digest, failed);
+}
+
+/// The number that an end mark ends with; -1 if it does not.
+std::int64_t failed_in(const std::string& mark) {
+  const std::string_view number = std::string_view(mark).substr(mark.rfind(' ') + 1);
+  std::int64_t failed = -1;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), failed);
+  return error == std::errc{} && end == number.data() + number.size() ? failed : -1;
 }
 
 /// A part, as its first line describes it.
@@ -40,9 +64,16 @@ struct Part {
   std::int64_t first = 0, last = 0;
   std::string whole;   ///< "1000 run 9f86d081884c7d65": rows of the catalogue, and what they were made of
   std::string header;  ///< its second line
+  std::string end;     ///< its last line
+  std::int64_t failed = 0;
 };
 
 std::ifstream opened(const Part& part) {
+  std::error_code unknown;
+  const bool is_there = std::filesystem::exists(part.path, unknown);
+  if (is_there && !std::filesystem::is_regular_file(part.path, unknown))
+    throw input_error("{}: is no file; merge reads each part twice, which a pipe or a folder does not allow",
+                      part.name);
   errno = 0;
   std::ifstream in(part.path, std::ios::binary);
   if (!in)
@@ -56,8 +87,8 @@ std::ifstream opened(const Part& part) {
       part.name, echoed(line));
 }
 
-/// Understands the first two lines.
-void read_label(Part& part, std::istream& in) {
+/// Understands the first two lines. @return the first
+std::string read_label(Part& part, std::istream& in) {
   std::string line, mark, shard, slash, rows, to, of, run, digest, rest;
   std::getline(in, line);
   std::istringstream words(line.substr(0, 200));
@@ -71,20 +102,34 @@ void read_label(Part& part, std::istream& in) {
   if (!fine) refuse_label(part, line);
   part.whole = echoed(fmt::format("{} run {}", all, digest));
   std::getline(in, part.header);
+  return line;
 }
 
-/// Reads a part through: its rows are there in order, and so is its end.
+/// Reads a part through: its rows are there in order, and so is its end, which agrees with them.
 Part checked(const std::string& path) {
   Part part;
   part.path = path;
   part.name = echoed_path(path);
   std::ifstream in = opened(part);
-  read_label(part, in);
+  const std::string first = read_label(part, in);
+  Tally tally;
+  for (const std::string& head : {first, part.header}) tally.add(head + '\n');
   std::string line;
   std::int64_t row = part.first - 1;
-  for (std::size_t number = 3; std::getline(in, line); ++number) {
-    if (line == end_mark(part.shard) && row == part.last && in.peek() == std::ifstream::traits_type::eof())
+  while (std::getline(in, line)) {
+    const auto number = tally.lines + 1;
+    if (line.starts_with(end_begins)) {
+      part.failed = failed_in(line);
+      part.end = end_mark(part.shard, tally, part.failed);
+      if (line != part.end || row != part.last || part.failed < 0)
+        throw input_error(
+            "{}, line {}: '{}' does not fit the {} lines above, of which the last is of row {} of {} to {}: "
+            "lines are missing, doubled, changed or of another run; compute the part again",
+            part.name, number, echoed(line), tally.lines, row, part.first, part.last);
+      if (in.peek() != std::ifstream::traits_type::eof())
+        throw input_error("{}, line {}: a line stands behind the end of the part", part.name, number + 1);
       return part;
+    }
     std::int64_t here = 0;
     const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), here);
     const bool fine = error == std::errc{} && end != line.data() + line.size() && *end == ',';
@@ -92,9 +137,12 @@ Part checked(const std::string& path) {
       throw input_error("{}, line {}: '{}' is no line of row {} or {}", part.name, number, echoed(line), row,
                         row + 1);
     row = here;
+    tally.add(line);
+    tally.add("\n");
   }
-  throw input_error("{}: ends with row {} of {} to {}, without the line '{}': the file is not whole",
-                    part.name, row, part.first, part.last, end_mark(part.shard));
+  throw input_error(
+      "{}: ends with row {} of {} to {}, without the line '{}{} / {} ...': the file is not whole", part.name,
+      row, part.first, part.last, end_begins, part.shard.part, part.shard.parts);
 }
 
 /// All parts in order, each there once.
@@ -150,7 +198,8 @@ Shard typed_shard(const std::string& option, const std::string& text) {
 }
 
 void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
-  std::string text = run.header + '\n', end;
+  std::string text = run.header + '\n';
+  std::optional<Shard> part;
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
   if (!run.shard.empty()) {
     const Shard shard = typed_shard("--shard", run.shard);
@@ -161,11 +210,12 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
     text = fmt::format("# shard {} / {} rows {} to {} of {} run {:016x}\n", shard.part, shard.parts, from, to,
                        *catalogue.rows(), digest_of(run.options, catalogue.digest())) +
            text;
-    end = end_mark(shard) + '\n';
+    part = shard;
     last = to;
     catalogue.skip_to(from);
   }
   const std::string of = catalogue.rows() ? fmt::format(" of {}", *catalogue.rows()) : std::string();
+  Tally tally;
   for (;;) {
     const CatalogueRows rows = catalogue.next(run.portion, last);
     if (rows.line.empty()) break;
@@ -173,9 +223,14 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
     // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
     text += run.work(rows);
     print_result(text);
+    if (part) tally.add(text);
     text.clear();
   }
-  print_result(text + end);
+  if (part) {
+    tally.add(text);
+    text += end_mark(*part, tally, run.failed()) + '\n';
+  }
+  print_result(text);
 }
 
 std::string lines_in_threads(std::size_t count, int threads,
@@ -192,19 +247,28 @@ std::string lines_in_threads(std::size_t count, int threads,
 
 void print_merged(const std::vector<std::string>& paths) {
   const std::vector<Part> parts = in_order(paths);
+  std::int64_t failed = 0;
   print_result(parts.at(0).header + '\n');
   for (const Part& part : parts) {
     std::ifstream in = opened(part);
     std::string line, text;
-    for (int k = 0; k < 2; ++k) std::getline(in, line);
-    while (std::getline(in, line) && !line.starts_with('#')) {
+    Tally tally;
+    for (int k = 0; k < 2 && std::getline(in, line); ++k) tally.add(line + '\n');
+    while (std::getline(in, line) && !line.starts_with(end_begins)) {
       text.append(line).append("\n");
       if (text.size() < std::size_t{1} << 18U) continue;
       print_result(text);
+      tally.add(text);
       text.clear();
     }
     print_result(text);
+    tally.add(text);
+    if (line != part.end || end_mark(part.shard, tally, part.failed) != part.end)
+      throw Failure(
+          fmt::format("{}: was changed while it was being read; what is printed is not whole", part.name));
+    failed += part.failed;
   }
+  if (failed > 0) throw Failure(fmt::format("{} of the rows failed; their status says how", failed));
 }
 
 }  // namespace nlmech::scene

@@ -32,6 +32,8 @@ struct CatalogueRun {
   std::size_t portion;  ///< rows at a time
   /// The lines of some rows.
   std::function<std::string(const CatalogueRows&)> work;
+  /// How many rows have failed so far; a shard says so at its end.
+  std::function<std::int64_t()> failed;
 };
 
 /// @throws InputError for a shard of standard input, whose end is not known, and as the catalogue does
@@ -44,7 +46,10 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run);
     std::size_t count, int threads, const std::function<void(std::size_t task, std::string& lines)>& add);
 
 /// Prints what one run without --shard prints, from the files of all shards in any order. Nothing is printed
-/// before all are known to be whole. @throws InputError naming the file and what is wrong with it
+/// before all are known to be whole: the last line of a part says how many lines stand above it, a digest of
+/// them, and how many rows failed.
+/// @throws InputError naming the file and what is wrong with it; a part is a file, which can be read twice
+/// @throws Failure if rows failed, once all is printed: the exit code is that of one run
 void print_merged(const std::vector<std::string>& paths);
 
 }  // namespace nlmech::scene
