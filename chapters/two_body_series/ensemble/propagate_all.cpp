@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "chapters/two_body_series/orbits/orbits.hpp"
@@ -22,8 +23,8 @@ namespace {
 
 enum Column : std::size_t { x, y, z, vx, vy, vz, mu, until };
 
-/// Lines that are worked on and held in memory at a time, but for those of a single orbit.
-constexpr std::size_t most_lines = 16384;
+/// Lines that are worked on at a time, if that makes work for all lanes and threads.
+constexpr double lines_at_a_time = 16384;
 
 class OrbitCatalogue {
  public:
@@ -45,7 +46,7 @@ class OrbitCatalogue {
                                             shown(request_.mu), shown(request_.every), request_.tolerance,
                                             fmt::join(request_.field.zonal, ","), request_.field.radius),
                      .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
-                     .portion = most_lines,
+                     .portion = scene::portion_for(lines_at_a_time, request_.threads),
                      .work =
                          [this](const scene::CatalogueRows& rows) {
                            return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
@@ -129,7 +130,7 @@ class OrbitCatalogue {
       if (request_.every) {
         if (flights[i].until != 0)
           add_line(lines, row, 0, flights[i].start, rows.rest[i], to_string(Outcome::success));
-        lines += between[i];
+        lines += std::exchange(between[i], {});
       }
       add_line(lines, row, ends[i].t, ends[i].x, rows.rest[i], to_string(ends[i].status.outcome()));
     });

@@ -99,10 +99,12 @@ struct Ensemble {
   /// Of one thread.
   void work() {
     detail::Lanes lanes(kernel, settings, rows, limits.steps);
-    constexpr std::size_t portion = 16;
+    // Few flights are shared among all threads, and leave lanes idle: the first thread would take them all.
+    const std::size_t threads = threads_for(method.threads),
+                      portion = std::clamp<std::size_t>((flights.size() + threads - 1) / threads, 1, 16);
     std::size_t number = 0, end = 0;
     for (bool more = true; more || lanes.busy() > 0;) {
-      while (more && lanes.free() > 0) {
+      while (more && lanes.free() > 0 && static_cast<std::size_t>(lanes.busy()) < portion) {
         if (number == end) {
           number = std::min(next.fetch_add(portion), flights.size());
           end = std::min(number + portion, flights.size());

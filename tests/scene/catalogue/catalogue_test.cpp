@@ -26,7 +26,7 @@ TEST(Catalogue, RowsByName) {
   EXPECT_FALSE(catalogue.has("c"));
   EXPECT_EQ(catalogue.rest_names(), ",name");
   EXPECT_EQ(catalogue.rows(), 3);
-  const CatalogueRows two = catalogue.next(2, 99);
+  const CatalogueRows two = catalogue.next({2}, 99);
   ASSERT_EQ(two.line.size(), 2U);
   EXPECT_EQ(two.line[0], 6U);
   EXPECT_EQ(two.rest[0], ",\"p, q\"");
@@ -34,11 +34,11 @@ TEST(Catalogue, RowsByName) {
   EXPECT_EQ(two.numbers[1][0], 3);
   EXPECT_EQ(two.numbers[1][1], 4);
   EXPECT_TRUE(std::isnan(two.numbers[1][2]));
-  const CatalogueRows one = catalogue.next(2, 99);
+  const CatalogueRows one = catalogue.next({2}, 99);
   EXPECT_EQ(one.first, 3);
   ASSERT_EQ(one.line.size(), 1U);
   EXPECT_EQ(one.numbers[0][0], 5);
-  EXPECT_TRUE(catalogue.next(2, 99).line.empty());
+  EXPECT_TRUE(catalogue.next({2}, 99).line.empty());
 }
 
 // Behind the header '#' begins no comment: such a line is a row, or it is refused.
@@ -47,7 +47,7 @@ TEST(Catalogue, NoRowVanishesBehindASharp) {
   const std::string file = (folder.path() / "a.csv").string();
   write_whole(file, "# comment\nname,a\n#1,5\n#2,6\n\n3,7\n");
   Catalogue catalogue(file, {"a"}, {}, {});
-  const CatalogueRows rows = catalogue.next(9, 99);
+  const CatalogueRows rows = catalogue.next({9}, 99);
   EXPECT_EQ(rows.rest, (std::vector<std::string>{",#1", ",#2", ",3"}));
   EXPECT_EQ(rows.numbers[2][0], 7);
   for (const char* line : {"# comment\n", "#, much, too, long\n", "#4, 8 # nine\n"}) {
@@ -67,7 +67,13 @@ TEST(Catalogue, PortionsAreWeighed) {
   write_whole(folder.path() / "a.csv", "a\n3\n4\n9\n1\n1\n");
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {}, {});
   catalogue.weigh_by([](const std::vector<double>& row) { return row[0]; });
-  for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next(5, 99).line.size(), rows);
+  for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next({5}, 99).line.size(), rows);
+  // Heavy rows, too, are several, up to a weight at which they are too much.
+  Catalogue heavy((folder.path() / "a.csv").string(), {"a"}, {}, {});
+  heavy.weigh_by([](const std::vector<double>& row) { return 10 * row[0]; });
+  for (const std::size_t rows : {3U, 2U, 0U})
+    EXPECT_EQ(heavy.next({.weight = 5, .rows = 4, .most = 150}, 99).line.size(), rows);
+  EXPECT_EQ(portion_for(100, 3).rows, 48U);
 }
 
 // Lines across the portions in which a file is read, and the digest of what they say.
@@ -83,7 +89,7 @@ TEST(Catalogue, LongFiles) {
       b((folder.path() / "b.csv").string(), {"a"}, {}, {});
   EXPECT_NE(a.digest(), b.digest());
   a.skip_to(4001);
-  const CatalogueRows rows = a.next(9999, 4900);
+  const CatalogueRows rows = a.next({9999}, 4900);
   EXPECT_EQ(rows.first, 4001);
   ASSERT_EQ(rows.line.size(), 900U);
   EXPECT_EQ(rows.numbers[899][0], 4899);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <new>
 
+#include "nlmech/scene/program/command.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene::options_test {
@@ -87,6 +89,21 @@ TEST(Options, HelpSaysRangeAndDefault) {
   EXPECT_EQ(b.default_text(), "");
   EXPECT_TRUE(b.is_required());
   EXPECT_EQ(options.add("--side", word, "side").one_of({"left", "right"}).help(), "side: left, right");
+}
+
+void declare_nothing(Options& /*options*/, int& /*typed*/) {}
+
+// The library's own word, std::bad_alloc, tells a user nothing.
+TEST(Options, ACommandWithoutMemorySaysWhatToChange) {
+  Commands commands("program");
+  commands.add("work", "takes much", declare_nothing,
+               [](int /*typed*/) -> std::string { throw std::bad_alloc(); });
+  const char* const argv[] = {"program", "work"};
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run_command(commands, "a program", 2, argv), 1);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(said.starts_with("program: there is not enough memory")) << said;
+  EXPECT_NE(said.find("--every"), std::string::npos) << said;
 }
 
 }  // namespace

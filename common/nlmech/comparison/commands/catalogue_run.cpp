@@ -17,8 +17,8 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Lines and rows that are held in memory at a time.
-constexpr double most_lines = 1e5, most_rows = 1024;
+/// Lines and rows that are worked on at a time, if they make work for all lanes and threads.
+constexpr double lines_at_a_time = 1e5, most_rows = 1024;
 /// The column of ends.
 constexpr const char* end_column = "until";
 
@@ -58,15 +58,16 @@ class Runner {
   }
 
   [[nodiscard]] int print() {
-    // Rows have as many lines as --every makes of them; there are most_rows of them at a time, at most.
-    catalogue_.weigh_by([this](const auto& row) { return std::max(most_lines / most_rows, lines(row)); });
+    // Rows have as many lines as --every makes of them, and count for so many that most_rows make a portion.
+    catalogue_.weigh_by(
+        [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     scene::print_catalogue(
         catalogue_, {.shard = runs_.shard,
                      .options = fmt::format("{} {} {}", runs_.typed, method_.name,
                                             Choice{method_, request_.settings}.setting()),
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
-                     .portion = static_cast<std::size_t>(most_lines),
+                     .portion = scene::portion_for(lines_at_a_time, runs_.threads),
                      .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
                      .failed = [this] { return failed_; }});
     if (open_ > 1)

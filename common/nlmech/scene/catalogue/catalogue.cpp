@@ -182,12 +182,15 @@ void Catalogue::understand(const Line& line, std::vector<double>& numbers, std::
   if (!wrong.empty()) throw input_error("{}: line {}: {}", name_, line.number, wrong);
 }
 
-CatalogueRows Catalogue::next(std::size_t most, std::int64_t last) {
+CatalogueRows Catalogue::next(const Portion& portion, std::int64_t last) {
   CatalogueRows rows;
   rows.first = next_row_;
   Line line;
   double sum = 0;
-  while (sum < static_cast<double>(most) && next_row_ <= last && read_row(line)) {
+  const auto is_full = [&] {
+    return sum >= portion.weight && (rows.line.size() >= portion.rows || sum >= portion.most);
+  };
+  while (!is_full() && next_row_ <= last && read_row(line)) {
     understand(line, rows.numbers.emplace_back(), rows.rest.emplace_back());
     rows.line.push_back(line.number);
     sum += weight_ ? weight_(rows.numbers.back()) : 1;

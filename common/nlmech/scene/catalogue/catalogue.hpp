@@ -30,6 +30,13 @@ using RowCheck = std::function<std::string(const std::vector<double>& numbers)>;
 /// What a row counts for in a portion, as the lines that its output has.
 using RowWeight = std::function<double(const std::vector<double>& numbers)>;
 
+/// How many rows at a time: until they weigh `weight` and are `rows`, or, being fewer, weigh `most`.
+struct Portion {
+  double weight = 1;
+  std::size_t rows = 1;
+  double most = 0;
+};
+
 /// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
 /// in any order, and the others are handed on. Blank lines are skipped, and before the header lines that
 /// begin with '#'; behind it '#' is a character like others.
@@ -58,9 +65,9 @@ class Catalogue {
 
   /// Rows are counted by their weight from now on, not by their number.
   void weigh_by(RowWeight weight) { weight_ = std::move(weight); }
-  /// The next rows up to number @p last, until they count for @p most or more; none at the end.
+  /// The next rows, a portion or fewer, up to number @p last; none at the end.
   /// @throws InputError as above
-  [[nodiscard]] CatalogueRows next(std::size_t most, std::int64_t last);
+  [[nodiscard]] CatalogueRows next(const Portion& portion, std::int64_t last);
   /// Leaves out rows up to number @p row. @throws InputError as above
   void skip_to(std::int64_t row);
 

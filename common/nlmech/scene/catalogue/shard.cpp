@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -221,7 +222,12 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
     if (rows.line.empty()) break;
     const Doing doing(fmt::format("at row {}{}", rows.first, of));
     // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
-    text += run.work(rows);
+    std::string lines = run.work(rows);
+    if (text.empty()) {
+      text = std::move(lines);  // they may be many
+    } else {
+      text += lines;
+    }
     print_result(text);
     if (part) tally.add(text);
     text.clear();
@@ -233,6 +239,12 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
   print_result(text);
 }
 
+Portion portion_for(double lines, int threads) {
+  constexpr std::size_t lanes = 16, lines_of_thread = std::size_t{1} << 18U;
+  const std::size_t count = threads_for(threads);
+  return {lines, count * lanes, static_cast<double>(count * lines_of_thread)};
+}
+
 std::string lines_in_threads(std::size_t count, int threads,
                              const std::function<void(std::size_t task, std::string& lines)>& add) {
   const std::size_t portion = std::clamp<std::size_t>(count / (8 * threads_for(threads)), 1, 64);
@@ -240,8 +252,11 @@ std::string lines_in_threads(std::size_t count, int threads,
   share_out(count, portion, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) add(i, pieces[begin / portion]);
   });
+  std::size_t size = 0;
+  for (const std::string& piece : pieces) size += piece.size();
   std::string lines;
-  for (const std::string& piece : pieces) lines += piece;
+  lines.reserve(size);
+  for (std::string& piece : pieces) lines += std::exchange(piece, {});
   return lines;
 }
 

@@ -29,7 +29,7 @@ struct CatalogueRun {
   std::string shard;    ///< "i/n", or empty for all of it
   std::string options;  ///< what else the output depends on, for merge to compare
   std::string header;   ///< of the output, without the end of the line
-  std::size_t portion;  ///< rows at a time
+  Portion portion;      ///< rows at a time
   /// The lines of some rows.
   std::function<std::string(const CatalogueRows&)> work;
   /// How many rows have failed so far; a shard says so at its end.
@@ -38,6 +38,11 @@ struct CatalogueRun {
 
 /// @throws InputError for a shard of standard input, whose end is not known, and as the catalogue does
 void print_catalogue(Catalogue& catalogue, const CatalogueRun& run);
+
+/// Rows that make @p lines lines or more, and that are enough for the lanes of all threads, unless those would
+/// make more than a quarter of a million lines a thread: lines of a portion are held in memory.
+/// @param threads 0: one a processor
+[[nodiscard]] Portion portion_for(double lines, int threads);
 
 /// The lines of @p count tasks, made by several threads and joined in order. @p add appends those of one
 /// task.

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <functional>
 #include <list>
+#include <new>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "nlmech/scene/build_info.hpp"
@@ -169,17 +171,19 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   for (const Commands::Command& command : commands.all()) all.emplace_back(app, command);
   std::optional<TimeLimit> limit;
   // Nobody speaks but who has found the error: the watch ends first.
-  const auto end = [&](int exit_code, const std::exception& error) {
+  const auto end = [&](int exit_code, std::string_view sentence) {
     limit.reset();
-    tell(fmt::format("{}: {}", app.get_name(), error.what()));
+    tell(fmt::format("{}: {}", app.get_name(), sentence));
     return exit_code;
   };
   try {
     return run(app, all, argc, argv, limit);
   } catch (const InputError& error) {
-    return end(wrong_usage, error);
+    return end(wrong_usage, error.what());
+  } catch (const std::bad_alloc&) {
+    return end(failed, "there is not enough memory for it; ask for less at a time, as fewer rows (--every)");
   } catch (const std::exception& error) {
-    return end(failed, error);
+    return end(failed, error.what());
   }
 }
 
