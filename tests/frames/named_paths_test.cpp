@@ -201,6 +201,17 @@ TEST(NamedPaths, EulersLoads) {
   }
 }
 
+// Straight, the column has a negative eigenvalue for each of Euler's loads k^2 (1 + k^2 pi^2/EA) below its own,
+// also where a walk ends within a step that goes on past the next of them.
+TEST(NamedPaths, TheEndCountsItsOwnNegativeEigenvalues) {
+  const NamedFrame f = build(models::column(1e6), 4);
+  for (const auto& [until, below] : {std::pair{1.5, 1}, {2., 1}, {3., 1}, {3.99, 1}, {6., 2}, {9.5, 3}}) {
+    const FramePoint last = paths_of(f, {.until = until}).points.back();
+    EXPECT_EQ(last.load, until);
+    EXPECT_EQ(last.negative, below) << until;
+  }
+}
+
 // Behind the bifurcation: P/P_1 = (2 K(sin(a/2))/pi)^2 with the rotation a of the ends (Euler 1744).
 TEST(NamedPaths, TheBentColumnIsEulersElastica) {
   double errors[2] = {};

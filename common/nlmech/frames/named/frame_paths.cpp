@@ -197,7 +197,7 @@ class Walk {
     if (std::abs(to.load) < end) return false;
     PathPoint last;
     if (path_.crossing(to.load < 0 ? -end : end, from, to, last) != Outcome::success) last = to;
-    add(FramePoint::Kind::step, last, to.negative);
+    add(FramePoint::Kind::step, last, last.negative);
     return true;
   }
 
