@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/system.hpp"
@@ -33,14 +34,16 @@ LoadHistory history_of(const DynamicWords& words) {
     throw InputError("--duration: a step has none; say --history ramp or pulse");
   if (kind != LoadHistory::Kind::step && !words.duration)
     throw InputError("--history " + words.history + " needs a --duration");
-  return {kind, words.factor, words.duration.value_or(0)};
+  return {kind, words.factor.value_or(1), words.duration.value_or(0)};
 }
+
+std::string method_of(const DynamicWords& words) { return words.method.empty() ? "newmark" : words.method; }
 
 /// A step or a tolerance for the method; without one of both a step of a two-thousandth of the time, for
 /// `explicit` one within which it is stable.
 ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
   if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
-  const ivp::MethodInfo& method = ivp::method_info(words.method);
+  const ivp::MethodInfo& method = ivp::method_info(method_of(words));
   if (!method.fixed_step()) {
     if (words.step && method.steps == ivp::Steps::chosen)
       throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
@@ -68,20 +71,32 @@ Moment moment_of(const frames::FrameMotion& motion, double t, const Eigen::Vecto
 
 void declare_dynamic(scene::Options& options, DynamicWords& words) {
   options.add("--dynamic", words.is_wanted, "the motion in time instead; members need a mass");
-  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0")
+  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0; without it step")
       .one_of({"step", "ramp", "pulse"});
-  options.add("--factor", words.factor, "with --dynamic: the greatest load factor");
+  options.add("--factor", words.factor, "with --dynamic: the greatest load factor; without it 1");
   options
       .add("--duration", words.duration, "with --dynamic: in which a ramp rises, or after which a pulse ends")
       .positive();
   options.add("--time", words.time, "with --dynamic: end of the motion").positive();
-  options.add("--method", words.method, "with --dynamic: the integrator")
+  options.add("--method", words.method, "with --dynamic: the integrator; without it newmark")
       .one_of({methods.begin(), methods.end()});
   options.add("--step", words.step, "with --dynamic: time step; without it a two-thousandth of the time")
       .positive();
   options.add("--tolerance", words.tolerance, "with --dynamic: instead of a step").positive();
   options.add("--every", words.every, "with --dynamic: time between two rows; without it each step has one")
       .positive();
+}
+
+void require_none(const DynamicWords& words) {
+  const std::array typed = {
+      std::pair{"--history", !words.history.empty()},        std::pair{"--factor", words.factor.has_value()},
+      std::pair{"--duration", words.duration.has_value()},   std::pair{"--time", words.time.has_value()},
+      std::pair{"--method", !words.method.empty()},          std::pair{"--step", words.step.has_value()},
+      std::pair{"--tolerance", words.tolerance.has_value()}, std::pair{"--every", words.every.has_value()}};
+  for (const auto& [option, is_typed] : typed) {
+    if (is_typed)
+      throw InputError(fmt::format("{}: of a motion in time alone; say --dynamic, or leave it out", option));
+  }
 }
 
 FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words) {
@@ -97,7 +112,7 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
       throw InputError(
           fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
                       *words.time / *settings.step, most_rows));
-    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(words.method, settings);
+    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(method_of(words), settings);
     frames::FrameEnergies energies(motion);
     FrameRun run;
     run.moments.push_back(moment_of(motion, 0, motion.rest(), energies));
@@ -124,7 +139,7 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
           fmt::format(
               "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
               "step, a smaller tolerance, or newmark, which does not dissipate",
-              words.method, run.imbalance, most_imbalance));
+              method_of(words), run.imbalance, most_imbalance));
     return run;
   } catch (const frames::ModelError& error) {
     complain_of(file, error);

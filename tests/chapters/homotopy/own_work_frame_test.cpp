@@ -215,6 +215,31 @@ TEST(OwnFrame, CasesDisplacementsAndMotionsInTimeAreNamedWhereTheyAreWrong) {
   expect(toggle, {"--dynamic", "--time", "1", "--every", "1e-7"}, {"--every", "1000000"});
 }
 
+// An option that the mode does not heed changes nothing, which its user cannot see: it is refused.
+TEST(OwnFrame, OptionsOfTheOtherModeAreNamed) {
+  const auto expect = [](const std::string& file, const std::vector<std::string>& words) {
+    const Finished f = frame(file, words);
+    EXPECT_EQ(f.exit_code, 2) << words[words.size() - 2];
+    EXPECT_TRUE(f.output.empty()) << f.output;
+    EXPECT_NE(f.errors.find(words[words.size() - 2] + ":"), std::string::npos) << f.errors;
+  };
+  const std::string toggle = shipped("toggle");
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--history", "step"},
+                                                                                      {"--factor", "1"},
+                                                                                      {"--duration", "1"},
+                                                                                      {"--time", "1"},
+                                                                                      {"--method", "newmark"},
+                                                                                      {"--step", "0.1"},
+                                                                                      {"--tolerance", "0.1"},
+                                                                                      {"--every", "1"}})
+    expect(toggle, {option, value});
+  for (const char* option : {"--until", "--branches", "--steps"})
+    expect(toggle, {"--dynamic", "--time", "0.01", option, "2"});
+  // The steps are those on the way to the shape of an imperfection.
+  EXPECT_NE(frame(shipped("level-brace"), {"--dynamic", "--time", "1", "--steps", "100"}).errors.find("mass"),
+            std::string::npos);
+}
+
 TEST(OwnFrame, EnergiesOfAMotionBalance) {
   const Finished f = frame(shipped("toggle"), {"--dynamic", "--factor", "30", "--time", "0.2"});
   ASSERT_EQ(f.exit_code, 0) << f.errors;
