@@ -201,6 +201,14 @@ TEST(OwnFrame, CasesDisplacementsAndMotionsInTimeAreNamedWhereTheyAreWrong) {
   expect(cases, {}, {"[loads]", "--case", "lift, twist, weight"});
   expect(cases, {"--case", "nothing"}, {"no case nothing", "lift, twist, weight"});
   expect(toggle, {"--case", "weight"}, {"no case weight"});
+  // Mistakes of a case that is not asked for.
+  const std::string two = with(beam, "[loads]\nB", "[loads.down]\nB");
+  for (const auto& [other, word] :
+       std::vector<std::pair<std::string, std::string>>{{"Z = { y = 1 }", "no node Z"},
+                                                        {"A = { x = 2 }", "A.x, which is held"},
+                                                        {"B = { y = 0 }", "no load"}})
+    expect(written(two + "[loads.other]\n" + other + "\n"), {"--case", "down"}, {"line 13", word});
+  expect(written(two + "[displacements.other]\nA = { y = 1 }\n"), {"--case", "down"}, {"line 13", "A.y"});
   expect(written(std::string(beam) + "[displacements]\nZ = { y = 1 }\n"), {}, {"line 13", "no node Z"});
   expect(written(std::string(beam) + "[displacements]\nA = { y = 1 }\n"), {}, {"line 13", "held"});
   expect(written(std::string(beam) + "[imperfection]\nmode = 0\namplitude = 1\n"), {}, {"line 13", "mode"});
