@@ -201,8 +201,8 @@ TEST(NamedPaths, EulersLoads) {
   }
 }
 
-// Straight, the column has a negative eigenvalue for each of Euler's loads k^2 (1 + k^2 pi^2/EA) below its own,
-// also where a walk ends within a step that goes on past the next of them.
+// Straight, the column has a negative eigenvalue for each of Euler's loads k^2 (1 + k^2 pi^2/EA) below its
+// own, also where a walk ends within a step that goes on past the next of them.
 TEST(NamedPaths, TheEndCountsItsOwnNegativeEigenvalues) {
   const NamedFrame f = build(models::column(1e6), 4);
   for (const auto& [until, below] : {std::pair{1.5, 1}, {2., 1}, {3., 1}, {3.99, 1}, {6., 2}, {9.5, 3}}) {
@@ -210,6 +210,29 @@ TEST(NamedPaths, TheEndCountsItsOwnNegativeEigenvalues) {
     EXPECT_EQ(last.load, until);
     EXPECT_EQ(last.negative, below) << until;
   }
+}
+
+// Two equal columns side by side, which nothing joins: both buckle at once.
+TEST(NamedPaths, AtADoubleBifurcationTwoEigenvaluesVanishAndNoBranchIsFollowed) {
+  FrameModel m = models::column(1e6);
+  const FrameModel other = m;
+  for (const NamedNode& n : other.nodes) m.nodes.push_back({"other " + n.name, n.x + 3, n.y});
+  for (NamedMember member : other.members) {
+    member.first = "other " + member.first;
+    member.second = "other " + member.second;
+    m.members.push_back(member);
+  }
+  for (const NamedSupport& s : other.supports) m.supports.push_back({"other " + s.node, s.motion});
+  for (const NamedLoad& l : other.loads) m.loads.push_back({"other " + l.node, l.motion, l.value});
+  const FramePaths paths = paths_of(build(m, 4), {.until = 2, .branches = 4});
+  const auto forks = only(paths, Kind::bifurcation);
+  ASSERT_EQ(forks.size(), 1u);
+  EXPECT_NEAR(forks[0].load, 1, 2e-5);  // pi^2/EA and m^-2
+  EXPECT_EQ(forks[0].vanishing, 2);
+  EXPECT_EQ(forks[0].negative, 0);
+  EXPECT_EQ(paths.points.back().negative, 2);
+  EXPECT_EQ(paths.branches, 0);
+  EXPECT_EQ(paths.unfollowed, 0);
 }
 
 // Behind the bifurcation: P/P_1 = (2 K(sin(a/2))/pi)^2 with the rotation a of the ends (Euler 1744).

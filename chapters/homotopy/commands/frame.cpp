@@ -108,6 +108,28 @@ frames::NamedFrame frame_of(const FrameFile& file, const Words& words) {
   return made.frame;
 }
 
+/// Says what leaves the paths and is not followed.
+void tell_of_unfollowed(const frames::FramePaths& paths) {
+  const frames::FramePoint* first = nullptr;
+  int multiple = 0;
+  for (const frames::FramePoint& p : paths.points) {
+    if (p.kind != frames::FramePoint::Kind::bifurcation || p.vanishing < 2) continue;
+    if (multiple++ == 0) first = &p;
+  }
+  if (first != nullptr)
+    scene::tell(fmt::format(
+        "frame: {} eigenvalues vanish at the bifurcation at load factor {:.10g}{}; branches from such a "
+        "point "
+        "are not followed, whatever --branches: a small difference between what buckles there parts it",
+        first->vanishing, first->load,
+        multiple > 1 ? fmt::format(", and several at {} others", multiple - 1) : ""));
+  if (paths.unfollowed > 0)
+    scene::tell(
+        fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
+                    "follows more",
+                    paths.unfollowed, paths.branches + paths.unfollowed));
+}
+
 void move(const Words& words, const FrameFile& file, const frames::NamedFrame& frame,
           const scene::Picture& picture) {
   const FrameRun run = run_frame(file, frame, words.dynamic);
@@ -135,11 +157,7 @@ void work(const Words& words) {
         paths.status.outcome(), fmt::format("frame: all points found are printed, and a path did not get to "
                                             "its end: {}",
                                             paths.status.sentence())));
-  if (paths.unfollowed > 0)
-    scene::tell(
-        fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
-                    "follows more",
-                    paths.unfollowed, paths.branches + paths.unfollowed));
+  tell_of_unfollowed(paths);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ struct Crossing {
   Eigen::VectorXd mode;       ///< as of FramePoint
   Eigen::Index negative;      ///< as of FramePoint
   int branch;                 ///< on which it was met
-  bool is_simple;             ///< does one eigenvalue vanish?
+  Eigen::Index vanishing;     ///< as of FramePoint
   bool is_open[2] = {true, true};
 };
 
@@ -106,7 +106,8 @@ class Walk {
 
   void follow_half(std::size_t i, int half) {
     if (!crossings_[i].is_open[half]) return;
-    if (!crossings_[i].is_simple || out_.branches >= how_.branches) {
+    if (crossings_[i].vanishing > 1) return;
+    if (out_.branches >= how_.branches) {
       ++out_.unfollowed;
       return;
     }
@@ -124,7 +125,7 @@ class Walk {
     }
     if (status.ok()) {
       out_.branches = branch_ = branch;
-      add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode);
+      add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode, from.vanishing);
       status = along(branch);
     }
     note(status);
@@ -169,10 +170,10 @@ class Walk {
       }
       const Eigen::Index next = negative + way * c.vanishing,
                          least = way != 0 ? std::min(negative, next) : std::min(negative, c.point.negative);
-      add(kind_of(c.kind), c.point, least, c.direction);
+      add(kind_of(c.kind), c.point, least, c.direction, c.vanishing);
       greatest_ = std::max(greatest_, std::abs(c.point.load));
       if (c.kind == CriticalPoint::Kind::bifurcation)
-        crossings_.push_back({c.point, c.point.tangent.y, c.direction, least, branch_, c.vanishing == 1});
+        crossings_.push_back({c.point, c.point.tangent.y, c.direction, least, branch_, c.vanishing});
       if (branch_ == 0 && ++criticals_ == how_.critical) return true;
       before = c.point;
       negative = way != 0 ? next : c.point.negative;
@@ -201,10 +202,10 @@ class Walk {
     return true;
   }
 
-  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative,
-           const Eigen::VectorXd& mode = {}) {
+  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative, const Eigen::VectorXd& mode = {},
+           Eigen::Index vanishing = 0) {
     out_.points.push_back({branch_, kind, p.load, structure_.whole(p.x, p.load), negative,
-                           mode.size() > 0 ? structure_.shape(mode) : mode});
+                           mode.size() > 0 ? structure_.shape(mode) : mode, vanishing});
   }
 
   static double distance(const PathPoint& a, const PathPoint& b) {
@@ -213,7 +214,7 @@ class Walk {
 
   /// Ends the branch at a branch point of another one, whose half by which the walk came needs no walk.
   void arrive(Crossing& met) {
-    add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode);
+    add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode, met.vanishing);
     met.is_open[path_.before().tangent.y.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
