@@ -48,7 +48,9 @@ struct Moment {
 struct FrameRun {
   std::vector<Moment> moments;  ///< rows of the result, rest first
   double imbalance = 0;         ///< the most energy that was too much or missing, over the greatest energy
-  Status status;  ///< of the integrator; a failure, too, for an imbalance of more than a hundredth
+  /// Of the integrator; a failure, too, for an imbalance of more than a hundredth, or if displacements with a
+  /// fixed step and with half of it differ by more than a hundredth of the largest.
+  Status status;
 };
 
 /// Moves the frame from rest.

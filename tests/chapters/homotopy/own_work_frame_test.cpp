@@ -271,6 +271,47 @@ TEST(OwnFrame, EnergiesOfAMotionBalance) {
   EXPECT_NE(blown.errors.find("of the greatest energy"), std::string::npos) << blown.errors;
 }
 
+// A rod of stiffness k = EA/l with a mass m at its end, under a sudden load P: P/k (1 - cos(w t)) with w^2 =
+// k/m, here 1, as long as strains are small.
+TEST(OwnFrame, AStepIsHeldToHalfOfIt) {
+  const std::string rod = R"([nodes]
+A = [0, 0]
+B = [0, 1]
+[[members]]
+nodes = ["A", "B"]
+elements = 1
+EA = 1e6
+EI = 1
+mass = 1e-9
+[supports]
+A = ["x", "y", "rotation"]
+B = ["x", "rotation"]
+[masses]
+B = { mass = 1e6 }
+[loads]
+B = { y = -1 }
+)";
+  const auto end_of = [](const Finished& f) {
+    const Rows rows = scene::parse_csv(f.output, "output");
+    return number(rows.back().cells[column(rows, "B.y")]);
+  };
+  const std::vector<std::string> words = {"--dynamic", "--time", "100", "--elements", "1", "--every", "1"};
+  const auto with_step = [&](const std::string& step) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--step", step});
+    return frame(written(rod), all);
+  };
+  const double exact = -1e-6 * (1 - std::cos(100.));
+  const Finished chosen = frame(written(rod), words);
+  EXPECT_EQ(chosen.exit_code, 0) << chosen.errors;
+  EXPECT_NEAR(end_of(chosen), exact, 2e-8);
+  // A period of 2 pi in 12 steps: the phase lags by (w h)^2/12 a radian, 2 rad in all.
+  const Finished coarse = with_step("0.5");
+  EXPECT_EQ(coarse.exit_code, 1) << end_of(coarse);
+  for (const char* word : {"newmark", "half the step of 0.5", "--step", "dop853"})
+    EXPECT_NE(coarse.errors.find(word), std::string::npos) << coarse.errors;
+}
+
 TEST(OwnFrame, DrawsThePaths) {
   const std::string picture = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".svg";
   std::filesystem::remove(picture);
