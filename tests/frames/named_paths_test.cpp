@@ -299,6 +299,36 @@ TEST(NamedPaths, ThePortalSways) {
   EXPECT_GT(std::abs(bent.back().x[unknown_of(soft, "b.x")]), 0.1);
 }
 
+// A rigid column on a foot that a level spring of stiffness 1 holds: leaning at an angle a it bears cos a.
+// Its branch goes all the way round, through the fork of the column that hangs, and ends where it began.
+TEST(NamedPaths, ABranchThatReturnsFindsTheForksOnItsWay) {
+  FrameModel m;
+  m.nodes = {{"foot", 0, 0}, {"top", 0, 1}, {"anchor", 2, 0}};
+  m.members = {models::bar("foot", "top"), models::bar("foot", "anchor")};
+  m.members[0].ea = 1e6;
+  m.members[1].ea = 2;
+  m.supports = {{"foot", Motion::y}, {"top", Motion::x}};
+  models::pin(m, "anchor");
+  m.loads = {{"top", Motion::y, -1}};
+  const NamedFrame f = build(m, 1);
+  const FramePaths paths = paths_of(f, {.branches = 1});
+  ASSERT_EQ(paths.branches, 1);
+  const auto forks = only(paths, Kind::bifurcation, 1);
+  ASSERT_EQ(forks.size(), 3u);
+  const double limit = (1 - 1e-6);  // cos a but for the column's compression, P/EA
+  for (const std::size_t i : {0u, 1u, 2u}) {
+    EXPECT_NEAR(forks[i].load, i == 1 ? -limit : limit, 1e-9);  // rounding of EA
+    EXPECT_EQ(forks[i].negative, 0);
+    EXPECT_EQ(forks[i].vanishing, 1);
+  }
+  EXPECT_NEAR(forks[1].x[unknown_of(f, "top.y")], -2, 2e-6);
+  EXPECT_EQ(paths.unfollowed, 2);  // both ways of the column that hangs
+  EXPECT_TRUE(only(paths, Kind::maximum, 1).empty());
+  EXPECT_TRUE(only(paths, Kind::minimum, 1).empty());
+  for (const FramePoint& p : only(paths, Kind::step, 1))
+    EXPECT_NEAR(p.load, 1 + p.x[unknown_of(f, "top.y")], 3e-6);
+}
+
 // The same frame with nodes, members, and the ends of members in another order.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);
