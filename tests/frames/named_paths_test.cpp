@@ -329,6 +329,30 @@ TEST(NamedPaths, ABranchThatReturnsFindsTheForksOnItsWay) {
     EXPECT_NEAR(p.load, 1 + p.x[unknown_of(f, "top.y")], 3e-6);
 }
 
+// Columns of 1, 1.9, 3.6 and 6.9 times the stiffness that nothing joins buckle one after the other, each
+// before twice the load of the one before: the end is that of the second, the last within twice the first.
+TEST(NamedPaths, TheEndIsNotPutOffByEachFurtherFork) {
+  FrameModel m = models::column(1e6);
+  const FrameModel other = m;
+  double place = 0;
+  for (const double stiffness : {1.9, 3.6, 6.9}) {
+    const std::string name = std::to_string(stiffness) + ' ';
+    place += 3;
+    for (const NamedNode& n : other.nodes) m.nodes.push_back({name + n.name, n.x + place, n.y});
+    for (NamedMember member : other.members) {
+      member.first = name + member.first;
+      member.second = name + member.second;
+      member.ei *= stiffness;
+      m.members.push_back(member);
+    }
+    for (const NamedSupport& s : other.supports) m.supports.push_back({name + s.node, s.motion});
+    for (const NamedLoad& l : other.loads) m.loads.push_back({name + l.node, l.motion, l.value});
+  }
+  const FramePaths paths = paths_of(build(m, 2));
+  EXPECT_NEAR(paths.points.back().load, 3.8, 1e-2);  // pi^2/EA and m^-2
+  EXPECT_EQ(paths.points.back().negative, 3);
+}
+
 // The same frame with nodes, members, and the ends of members in another order.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);

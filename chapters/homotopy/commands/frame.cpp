@@ -34,9 +34,10 @@ void declare(scene::Options& options, Words& words) {
   options.add("file", words.file, "the frame, TOML; - is standard input").required();
   options.add("--steps", words.steps, "along each branch, at most; without it 200").range(1, 100'000);
   options
-      .add("--until", words.until,
-           "load factor of either sign at which a branch ends; without it twice the greatest of a limit or "
-           "branch point on it, if it has one")
+      .add(
+          "--until", words.until,
+          "load factor of either sign at which a branch ends; without it twice the greatest of its limit and "
+          "branch points up to twice the first, if it has one")
       .positive();
   options.add("--elements", words.elements, "beam-columns a member, times its own number of elements")
       .range(1, 100'000);

@@ -145,6 +145,8 @@ class Walk {
     }
     if (status.ok()) {
       out_.branches = branch_ = branch;
+      foremost_ = greatest_ = 0;
+      reckon_with(from.point.load);
       add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode, from.vanishing);
       status = along(branch);
     }
@@ -155,7 +157,6 @@ class Walk {
   Status along(int branch) {
     branch_ = branch;
     listed_ = 0;
-    greatest_ = 0;
     met_.clear();
     begin_ = out_.points.size();
     Status status = follow(
@@ -177,6 +178,14 @@ class Walk {
     return greatest_ > 0 && how_.critical == 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
   }
 
+  /// Takes the load of a limit or branch point into account for the end. Those beyond twice the first do not
+  /// count: a slender frame has others without end. A load of less than a thousandth of a first step is none.
+  void reckon_with(double load) {
+    const double size = std::abs(load);
+    if (foremost_ == 0 && size > 1e-3 * first_) foremost_ = size;
+    if (size <= 2 * foremost_) greatest_ = std::max(greatest_, size);
+  }
+
   /// Lists what the last step brought. Is it the end?
   bool list() {
     PathPoint before = path_.before();
@@ -195,7 +204,7 @@ class Walk {
                                                   : std::min(negative, c.point.negative);
       const Eigen::Index vanishing = std::max<Eigen::Index>(c.vanishing, 1);
       add(kind_of(c.kind), c.point, least, c.direction, vanishing);
-      greatest_ = std::max(greatest_, std::abs(c.point.load));
+      reckon_with(c.point.load);
       if (c.kind == CriticalPoint::Kind::bifurcation)
         crossings_.push_back({c.point, c.across, c.direction, least, branch_, vanishing});
       if (branch_ == 0 && ++criticals_ == how_.critical) return true;
@@ -288,7 +297,7 @@ class Walk {
   std::vector<Crossing> crossings_;
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0, begin_ = 0;
-  double greatest_ = 0;
+  double foremost_ = 0, greatest_ = 0;
   Status lost_;
   int branch_ = 0, criticals_ = 0;
 };

@@ -65,7 +65,8 @@ struct FramePaths {
 ///
 /// A branch ends at a load factor of `until`; where it meets a branch point that is known; or after its
 /// steps, which is a success unless `until` was given. Without `until` it ends at twice the greatest load
-/// factor of a limit or branch point on it.
+/// factor of a limit or branch point on it, its first one included; those of more than twice the first do not
+/// count.
 ///
 /// Tests hold limit and branch points to those of tests/frames/structures_test.cpp and to closed forms (a
 /// two-bar truss, Euler's loads, a cantilever that rolls up to a circle).
