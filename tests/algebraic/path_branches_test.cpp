@@ -109,6 +109,36 @@ struct TwoPitchforks : Pitchfork {
   double apart = 0, k22 = 0;
 };
 
+// Along x^2 = load and through the fork, where the load has a minimum and no eigenvalue changes its sign.
+TEST(Path, FindsAForkFromTheBranchThatLeavesIt) {
+  for (const double start : {1., 0.7, 0.31}) {
+    Pitchfork pitchfork;
+    VectorXd x(2);
+    x << start, start * start;
+    Path path({.first = 0.1, .turn = 0.15}, pitchfork, x, start * start);
+    ASSERT_TRUE(path.start(false).ok());
+    std::vector<CriticalPoint> found;
+    const Status status = follow(
+        path, [](const Path& p) { return p.now().x[0] < -0.5; }, 200, found);
+    ASSERT_TRUE(status.ok()) << status.text();
+    EXPECT_EQ(path.now().negative, 0);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, CriticalPoint::Kind::bifurcation);
+    EXPECT_NEAR(found[0].point.load, 0, 1e-13);
+    EXPECT_NEAR(found[0].point.x.norm(), 0, 1e-13);
+    EXPECT_EQ(found[0].vanishing, 0);
+    EXPECT_EQ(found[0].point.negative, 0);
+    EXPECT_NEAR(std::abs(found[0].direction[0]), 1, 1e-12);
+    // The other branch is x = 0, y = load.
+    for (const double length : {0.05, -0.05}) {
+      ASSERT_TRUE(path.switch_branch(found[0].point, found[0].across, length).ok());
+      EXPECT_NEAR(path.now().x[0], 0, 1e-13);
+      EXPECT_GT(length * path.now().load, 0);
+      EXPECT_EQ(path.now().negative, length > 0 ? 1 : 0);
+    }
+  }
+}
+
 TEST(Path, ListsCriticalPoints) {
   Cubic cubic;
   Path path({.first = 0.1}, cubic, VectorXd::Constant(1, -1.2), 0.5);

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/homotopy/commands/commands.hpp"
@@ -21,7 +23,8 @@ namespace {
 /// What was typed.
 struct Words {
   std::string file, plot;
-  int steps = 200, elements = 4, branches = 0;
+  int elements = 4;
+  std::optional<int> steps, branches;
   std::optional<double> until;
   std::string load_case;
   DynamicWords dynamic;
@@ -29,22 +32,36 @@ struct Words {
 
 void declare(scene::Options& options, Words& words) {
   options.add("file", words.file, "the frame, TOML; - is standard input").required();
-  options.add("--steps", words.steps, "along each branch, at most").range(1, 100'000);
+  options.add("--steps", words.steps, "along each branch, at most; without it 200").range(1, 100'000);
   options
-      .add("--until", words.until,
-           "load factor of either sign at which a branch ends; without it twice the greatest of a limit or "
-           "branch point on it, if it has one")
+      .add(
+          "--until", words.until,
+          "load factor of either sign at which a branch ends; without it twice the greatest of its limit and "
+          "branch points up to twice the first, if it has one")
       .positive();
   options.add("--elements", words.elements, "beam-columns a member, times its own number of elements")
       .range(1, 100'000);
   options
       .add("--branches", words.branches,
            "so many branches are followed besides the path from rest, both ways from a bifurcation, in the "
-           "order in which they are met; with a column branch")
+           "order in which they are met; with a column branch; without it none")
       .range(0, 1000);
   options.add("--case", words.load_case, "which load case, of a file with several");
   options.add("--plot", words.plot, "FILE.svg: load factor against the largest displacement, and shapes");
   declare_dynamic(options, words.dynamic);
+}
+
+int steps_of(const Words& words) { return words.steps.value_or(frames::FrameWalk{}.steps); }
+
+/// No option is typed that the mode does not heed. The shape of an imperfection is that of a path, in steps.
+void require_heeded(const Words& words, const FrameFile& file) {
+  if (!words.dynamic.is_wanted) return require_none(words.dynamic);
+  const std::array typed = {std::pair{"--until", words.until.has_value()},
+                            std::pair{"--branches", words.branches.has_value()},
+                            std::pair{"--steps", words.steps && !file.model.imperfection}};
+  for (const auto& [option, is_typed] : typed) {
+    if (is_typed) throw InputError(fmt::format("{}: of a path alone; leave it or --dynamic out", option));
+  }
 }
 
 /// Forces on the given motions, a row for each point.
@@ -84,12 +101,34 @@ std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& pa
 frames::NamedFrame frame_of(const FrameFile& file, const Words& words) {
   frames::NamedFrame perfect = build_frame(file, words.elements);
   if (!file.model.imperfection) return perfect;
-  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, {.steps = words.steps});
+  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, {.steps = steps_of(words)});
   if (!made.status.ok()) throw Failure(made.status);
   scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
                           file.model.imperfection->amplitude, to_string(made.buckled.kind),
                           made.buckled.load));
   return made.frame;
+}
+
+/// Says what leaves the paths and is not followed.
+void tell_of_unfollowed(const frames::FramePaths& paths) {
+  const frames::FramePoint* first = nullptr;
+  int multiple = 0;
+  for (const frames::FramePoint& p : paths.points) {
+    if (p.kind != frames::FramePoint::Kind::bifurcation || p.vanishing < 2) continue;
+    if (multiple++ == 0) first = &p;
+  }
+  if (first != nullptr)
+    scene::tell(fmt::format(
+        "frame: {} eigenvalues vanish at the bifurcation at load factor {:.10g}{}; branches from such a "
+        "point "
+        "are not followed, whatever --branches: a small difference between what buckles there parts it",
+        first->vanishing, first->load,
+        multiple > 1 ? fmt::format(", and several at {} others", multiple - 1) : ""));
+  if (paths.unfollowed > 0)
+    scene::tell(
+        fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
+                    "follows more",
+                    paths.unfollowed, paths.branches + paths.unfollowed));
 }
 
 void move(const Words& words, const FrameFile& file, const frames::NamedFrame& frame,
@@ -105,23 +144,21 @@ void work(const Words& words) {
   const scene::Picture picture(words.plot);
   const FrameFile file =
       read_frame(words.file, words.load_case.empty() ? std::nullopt : std::optional(words.load_case));
+  require_heeded(words, file);
   const frames::NamedFrame frame = frame_of(file, words);
   if (words.dynamic.is_wanted) return move(words, file, frame, picture);
+  const int branches = words.branches.value_or(0);
   const frames::FramePaths paths =
-      equilibrium_paths(frame, {.steps = words.steps, .until = words.until, .branches = words.branches});
+      equilibrium_paths(frame, {.steps = steps_of(words), .until = words.until, .branches = branches});
   if (paths.points.empty()) throw Failure(paths.status);
-  scene::print_result(csv_of(frame, paths, words.branches > 0));
+  scene::print_result(csv_of(frame, paths, branches > 0));
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
   if (!paths.status.ok())
     throw Failure(Status::failure(
         paths.status.outcome(), fmt::format("frame: all points found are printed, and a path did not get to "
                                             "its end: {}",
                                             paths.status.sentence())));
-  if (paths.unfollowed > 0)
-    scene::tell(
-        fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
-                    "follows more",
-                    paths.unfollowed, paths.branches + paths.unfollowed));
+  tell_of_unfollowed(paths);
 }
 
 }  // namespace

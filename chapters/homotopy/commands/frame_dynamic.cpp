@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/system.hpp"
@@ -18,6 +19,8 @@ namespace {
 using frames::LoadHistory;
 
 constexpr double most_imbalance = 0.01;
+constexpr double most_difference = 0.01;  // of the largest displacement, from those with half the step
+constexpr int most_halvings = 6;  // of a step that nobody asked for: 64 times its work, and twice that
 constexpr std::size_t most_rows = 1'000'000;
 
 /// Those that ask for no derivative of the frame's forces beyond the tangent.
@@ -33,14 +36,16 @@ LoadHistory history_of(const DynamicWords& words) {
     throw InputError("--duration: a step has none; say --history ramp or pulse");
   if (kind != LoadHistory::Kind::step && !words.duration)
     throw InputError("--history " + words.history + " needs a --duration");
-  return {kind, words.factor, words.duration.value_or(0)};
+  return {kind, words.factor.value_or(1), words.duration.value_or(0)};
 }
 
-/// A step or a tolerance for the method; without one of both a step of a two-thousandth of the time, for
-/// `explicit` one within which it is stable.
+std::string method_of(const DynamicWords& words) { return words.method.empty() ? "newmark" : words.method; }
+
+/// A step or a tolerance for the method; without one of both a step of a two-thousandth of the time, to begin
+/// with, for `explicit` one within which it is stable.
 ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
   if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
-  const ivp::MethodInfo& method = ivp::method_info(words.method);
+  const ivp::MethodInfo& method = ivp::method_info(method_of(words));
   if (!method.fixed_step()) {
     if (words.step && method.steps == ivp::Steps::chosen)
       throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
@@ -64,24 +69,137 @@ Moment moment_of(const frames::FrameMotion& motion, double t, const Eigen::Vecto
           energies.dissipated};
 }
 
+/// The unknowns by which two motions are compared: translations of nodes; where there are none, all.
+std::vector<Eigen::Index> compared_of(const frames::Frame& frame) {
+  std::vector<Eigen::Index> some;
+  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
+    for (const frames::Motion motion : {frames::Motion::x, frames::Motion::y}) {
+      if (const Eigen::Index at = frame.unknown(node, motion); at >= 0) some.push_back(at);
+    }
+  }
+  for (Eigen::Index i = 0; some.empty() && i < frame.size(); ++i) some.push_back(i);
+  return some;
+}
+
+/// Runs of one motion with several steps.
+class Runs {
+ public:
+  Runs(const frames::FrameMotion& motion, const DynamicWords& words)
+      : motion_(motion), system_(motion), words_(words), compared_(compared_of(motion.frame().frame)) {}
+
+  /// A run. @param coarse another one, from which its displacements differ by difference()
+  FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr) {
+    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(method_of(words_), settings);
+    frames::FrameEnergies energies(motion_);
+    FrameRun run;
+    run.moments.push_back(moment_of(motion_, 0, motion_.rest(), energies));
+    double next = words_.every.value_or(0), most = 0, apart = 0;
+    std::size_t compared = 0;
+    const auto see = [&](const ivp::Step<Eigen::Dynamic>& step) {
+      energies.take(step);
+      const bool is_last = step.t1 == *words_.time;
+      for (; coarse != nullptr && compared < coarse->moments.size(); ++compared) {
+        const Moment& other = coarse->moments[compared];
+        if (other.time > step.t1 && !is_last) break;
+        const Eigen::VectorXd here = step.at(std::min(other.time, step.t1));
+        most = std::max(most, here(compared_).cwiseAbs().maxCoeff());
+        apart = std::max(apart, (here(compared_) - other.x(compared_)).cwiseAbs().maxCoeff());
+      }
+      // A row between is that of the first step that ends there or later.
+      if (step.t1 < next && !is_last) return true;
+      if (run.moments.size() > most_rows)
+        throw InputError(
+            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
+                        "say --every",
+                        most_rows, step.t1));
+      run.moments.push_back(moment_of(motion_, step.t1, step.x1, energies));
+      if (words_.every) next = (std::floor(step.t1 / *words_.every) + 1) * *words_.every;
+      return true;
+    };
+    run.status = integrate(system_, motion_.rest(), 0, *words_.time, see, {}).status;
+    difference_ = most > 0 ? apart / most : 0;
+    run.imbalance = energies.greatest > 0 ? energies.imbalance / energies.greatest : 0;
+    if (run.status.ok() && !(run.imbalance <= most_imbalance))
+      run.status = Status::failure(
+          Outcome::not_converged,
+          fmt::format(
+              "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
+              "step, a smaller tolerance, or newmark, which does not dissipate",
+              method_of(words_), run.imbalance, most_imbalance));
+    return run;
+  }
+
+  /// The run with a step that is held to one with half of it. A step that nobody asked for is halved until
+  /// both agree.
+  FrameRun held(ivp::Settings settings) {
+    FrameRun coarse = run(settings);
+    for (int halving = 0; settings.step; ++halving) {
+      const bool is_free = !words_.step && halving < most_halvings;
+      if (!coarse.status.ok() && !is_free) break;
+      const double step = *settings.step;
+      settings.step = step / 2;
+      FrameRun fine = run(settings, &coarse);
+      if (coarse.status.ok() && fine.status.ok() && difference_ <= most_difference) break;
+      if (is_free) {
+        coarse = std::move(fine);
+        continue;
+      }
+      if (coarse.status.ok())
+        coarse.status =
+            fine.status.ok()
+                ? Status::failure(
+                      Outcome::not_converged,
+                      fmt::format("{}: with half the step of {:.3g} displacements differ by {:.2g} of the "
+                                  "largest, more than {}; take a shorter --step, or --method dop853 with a "
+                                  "--tolerance",
+                                  method_of(words_), step, difference_, most_difference))
+                : fine.status;
+      break;
+    }
+    return coarse;
+  }
+
+ private:
+  const frames::FrameMotion& motion_;
+  ivp::System<Eigen::Dynamic> system_;
+  const DynamicWords& words_;
+  std::vector<Eigen::Index> compared_;
+  double difference_ = 0;
+};
+
 }  // namespace
 
 void declare_dynamic(scene::Options& options, DynamicWords& words) {
   options.add("--dynamic", words.is_wanted, "the motion in time instead; members need a mass");
-  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0")
+  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0; without it step")
       .one_of({"step", "ramp", "pulse"});
-  options.add("--factor", words.factor, "with --dynamic: the greatest load factor");
+  options.add("--factor", words.factor, "with --dynamic: the greatest load factor; without it 1");
   options
       .add("--duration", words.duration, "with --dynamic: in which a ramp rises, or after which a pulse ends")
       .positive();
   options.add("--time", words.time, "with --dynamic: end of the motion").positive();
-  options.add("--method", words.method, "with --dynamic: the integrator")
+  options.add("--method", words.method, "with --dynamic: the integrator; without it newmark")
       .one_of({methods.begin(), methods.end()});
-  options.add("--step", words.step, "with --dynamic: time step; without it a two-thousandth of the time")
+  options
+      .add("--step", words.step,
+           "with --dynamic: time step; without it a two-thousandth of the time, halved until half of it "
+           "changes no displacement by more than a hundredth of the largest")
       .positive();
   options.add("--tolerance", words.tolerance, "with --dynamic: instead of a step").positive();
   options.add("--every", words.every, "with --dynamic: time between two rows; without it each step has one")
       .positive();
+}
+
+void require_none(const DynamicWords& words) {
+  const std::array typed = {
+      std::pair{"--history", !words.history.empty()},        std::pair{"--factor", words.factor.has_value()},
+      std::pair{"--duration", words.duration.has_value()},   std::pair{"--time", words.time.has_value()},
+      std::pair{"--method", !words.method.empty()},          std::pair{"--step", words.step.has_value()},
+      std::pair{"--tolerance", words.tolerance.has_value()}, std::pair{"--every", words.every.has_value()}};
+  for (const auto& [option, is_typed] : typed) {
+    if (is_typed)
+      throw InputError(fmt::format("{}: of a motion in time alone; say --dynamic, or leave it out", option));
+  }
 }
 
 FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words) {
@@ -91,41 +209,12 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
     throw InputError(fmt::format("--every {}: more than {} rows", *words.every, most_rows));
   try {
     const frames::FrameMotion motion(frame, history);
-    const ivp::System<Eigen::Dynamic> system(motion);
     const ivp::Settings settings = settings_of(words, motion, *words.time);
     if (!words.every && settings.step && *words.time / *settings.step > static_cast<double>(most_rows))
       throw InputError(
           fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
                       *words.time / *settings.step, most_rows));
-    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(words.method, settings);
-    frames::FrameEnergies energies(motion);
-    FrameRun run;
-    run.moments.push_back(moment_of(motion, 0, motion.rest(), energies));
-    double next = words.every.value_or(0);
-    const auto see = [&](const ivp::Step<Eigen::Dynamic>& step) {
-      energies.take(step);
-      const bool is_last = step.t1 == *words.time;
-      // A row between is that of the first step that ends there or later.
-      if (step.t1 < next && !is_last) return true;
-      if (run.moments.size() > most_rows)
-        throw InputError(
-            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
-                        "say --every",
-                        most_rows, step.t1));
-      run.moments.push_back(moment_of(motion, step.t1, step.x1, energies));
-      if (words.every) next = (std::floor(step.t1 / *words.every) + 1) * *words.every;
-      return true;
-    };
-    run.status = integrate(system, motion.rest(), 0, *words.time, see, {}).status;
-    run.imbalance = energies.greatest > 0 ? energies.imbalance / energies.greatest : 0;
-    if (run.status.ok() && !(run.imbalance <= most_imbalance))
-      run.status = Status::failure(
-          Outcome::not_converged,
-          fmt::format(
-              "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
-              "step, a smaller tolerance, or newmark, which does not dissipate",
-              words.method, run.imbalance, most_imbalance));
-    return run;
+    return Runs(motion, words).held(settings);
   } catch (const frames::ModelError& error) {
     complain_of(file, error);
   }

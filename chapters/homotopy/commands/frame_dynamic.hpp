@@ -17,11 +17,11 @@ namespace nlmech::chapters::homotopy {
 /// What was typed of a motion in time.
 struct DynamicWords {
   bool is_wanted = false;           ///< --dynamic
-  std::string history = "step";     ///< --history
-  double factor = 1;                ///< --factor
+  std::string history;              ///< --history; empty: `step`
+  std::optional<double> factor;     ///< --factor; without it 1
   std::optional<double> duration;   ///< --duration
   std::optional<double> time;       ///< --time
-  std::string method = "newmark";   ///< --method
+  std::string method;               ///< --method; empty: `newmark`
   std::optional<double> step;       ///< --step
   std::optional<double> tolerance;  ///< --tolerance
   std::optional<double> every;      ///< --every
@@ -29,6 +29,9 @@ struct DynamicWords {
 
 /// Its options.
 void declare_dynamic(scene::Options& options, DynamicWords& words);
+
+/// @throws InputError naming an option of a motion that was typed without --dynamic
+void require_none(const DynamicWords& words);
 
 /// A moment of a motion.
 struct Moment {
@@ -45,7 +48,9 @@ struct Moment {
 struct FrameRun {
   std::vector<Moment> moments;  ///< rows of the result, rest first
   double imbalance = 0;         ///< the most energy that was too much or missing, over the greatest energy
-  Status status;  ///< of the integrator; a failure, too, for an imbalance of more than a hundredth
+  /// Of the integrator; a failure, too, for an imbalance of more than a hundredth, or if displacements with a
+  /// fixed step and with half of it differ by more than a hundredth of the largest.
+  Status status;
 };
 
 /// Moves the frame from rest.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -59,7 +60,10 @@ class Reader {
                  "imperfection");
     }
   }
-  [[nodiscard]] FrameFile take() { return std::move(file_); }
+  [[nodiscard]] FrameFile take() {
+    for (auto& [name, other] : others_) file_.others.push_back(std::move(other));
+    return std::move(file_);
+  }
 
  private:
   using Entry = std::pair<std::string, const toml::node*>;
@@ -127,11 +131,18 @@ class Reader {
     if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
   }
 
-  /// Forgets what was read last.
+  /// Hands what was read last over to another case.
   template <class Entries>
-  void shorten(Entries& entries, ModelPart part, std::size_t size) {
-    entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(size), entries.end());
-    file_.lines[static_cast<std::size_t>(part)].resize(size);
+  void hand_over(Entries frames::FrameModel::*list, ModelPart part, std::size_t kept, FrameFile& to) {
+    Entries& entries = file_.model.*list;
+    auto &lines = file_.lines[static_cast<std::size_t>(part)],
+         &other = to.lines[static_cast<std::size_t>(part)];
+    for (std::size_t i = kept; i < entries.size(); ++i) {
+      (to.model.*list).push_back(std::move(entries[i]));
+      other.push_back(lines[i]);
+    }
+    entries.resize(kept);
+    lines.resize(kept);
   }
 
   /// Entries of loads or displacements, of the case that is meant. All cases are read, so that a mistake in
@@ -143,8 +154,9 @@ class Reader {
       const std::size_t loads = file_.model.loads.size(), moves = file_.model.displacements.size();
       for_entries(key + '.' + name, entries, use);
       if (name == case_) return;
-      shorten(file_.model.loads, ModelPart::loads, loads);
-      shorten(file_.model.displacements, ModelPart::displacements, moves);
+      FrameFile& other = others_[name];
+      hand_over(&frames::FrameModel::loads, ModelPart::loads, loads, other);
+      hand_over(&frames::FrameModel::displacements, ModelPart::displacements, moves, other);
     });
   }
 
@@ -323,6 +335,7 @@ class Reader {
   FrameFile file_;
   std::optional<std::string> case_;
   std::set<std::string> cases_;
+  std::map<std::string, FrameFile> others_;
 };
 
 std::string_view name_of(ModelPart part) {
@@ -363,11 +376,24 @@ void complain_of(const FrameFile& file, const frames::ModelError& error) {
 }
 
 frames::NamedFrame build_frame(const FrameFile& file, int elements) {
-  try {
-    return build(file.model, elements);
-  } catch (const frames::ModelError& error) {
-    complain_of(file, error);
+  const auto built = [](const FrameFile& one, int count) {
+    try {
+      return build(one.model, count);
+    } catch (const frames::ModelError& error) {
+      complain_of(one, error);
+    }
+  };
+  frames::NamedFrame frame = built(file, elements);
+  // Whether a case fits the frame does not depend on what members are divided into.
+  for (const FrameFile& other : file.others) {
+    FrameFile whole = file;
+    whole.model.loads = other.model.loads;
+    whole.model.displacements = other.model.displacements;
+    for (const ModelPart part : {ModelPart::loads, ModelPart::displacements})
+      whole.lines[static_cast<std::size_t>(part)] = other.lines[static_cast<std::size_t>(part)];
+    static_cast<void>(built(whole, 1));
   }
+  return frame;
 }
 
 }  // namespace nlmech::chapters::homotopy

@@ -18,6 +18,8 @@ struct FrameFile {
   std::string name;          ///< of the file, as complaints call it
   /// Of each entry of the model's lists, by frames::ModelPart.
   std::array<std::vector<int>, frames::model_parts> lines;
+  /// Load cases that are not asked for: names, loads, displacements and their lines alone.
+  std::vector<FrameFile> others = {};
 };
 
 /// Reads the tables `nodes`, `members`, `supports`, `loads`, `displacements`, `masses`, `damping` and
@@ -34,7 +36,8 @@ struct FrameFile {
 [[nodiscard]] FrameFile read_frame(const std::string& path, const std::optional<std::string>& load_case = {});
 
 /// The frame of the file. @param elements beam-columns a member, times the member's own number
-/// @throws InputError naming file, line and what is wrong, as of frames::build()
+/// @throws InputError naming file, line and what is wrong, as of frames::build(); also of cases that are not
+/// asked for
 [[nodiscard]] frames::NamedFrame build_frame(const FrameFile& file, int elements);
 
 /// Names file and line of what a model was refused for.

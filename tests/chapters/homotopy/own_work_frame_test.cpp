@@ -201,6 +201,14 @@ TEST(OwnFrame, CasesDisplacementsAndMotionsInTimeAreNamedWhereTheyAreWrong) {
   expect(cases, {}, {"[loads]", "--case", "lift, twist, weight"});
   expect(cases, {"--case", "nothing"}, {"no case nothing", "lift, twist, weight"});
   expect(toggle, {"--case", "weight"}, {"no case weight"});
+  // Mistakes of a case that is not asked for.
+  const std::string two = with(beam, "[loads]\nB", "[loads.down]\nB");
+  for (const auto& [other, word] :
+       std::vector<std::pair<std::string, std::string>>{{"Z = { y = 1 }", "no node Z"},
+                                                        {"A = { x = 2 }", "A.x, which is held"},
+                                                        {"B = { y = 0 }", "no load"}})
+    expect(written(two + "[loads.other]\n" + other + "\n"), {"--case", "down"}, {"line 13", word});
+  expect(written(two + "[displacements.other]\nA = { y = 1 }\n"), {"--case", "down"}, {"line 13", "A.y"});
   expect(written(std::string(beam) + "[displacements]\nZ = { y = 1 }\n"), {}, {"line 13", "no node Z"});
   expect(written(std::string(beam) + "[displacements]\nA = { y = 1 }\n"), {}, {"line 13", "held"});
   expect(written(std::string(beam) + "[imperfection]\nmode = 0\namplitude = 1\n"), {}, {"line 13", "mode"});
@@ -213,6 +221,31 @@ TEST(OwnFrame, CasesDisplacementsAndMotionsInTimeAreNamedWhereTheyAreWrong) {
   expect(toggle, {"--dynamic", "--time", "1", "--step", "1e-3", "--tolerance", "1e-6"}, {"one of both"});
   expect(toggle, {"--dynamic", "--time", "1", "--step", "1e-7"}, {"--every", "1000000"});
   expect(toggle, {"--dynamic", "--time", "1", "--every", "1e-7"}, {"--every", "1000000"});
+}
+
+// An option that the mode does not heed changes nothing, which its user cannot see: it is refused.
+TEST(OwnFrame, OptionsOfTheOtherModeAreNamed) {
+  const auto expect = [](const std::string& file, const std::vector<std::string>& words) {
+    const Finished f = frame(file, words);
+    EXPECT_EQ(f.exit_code, 2) << words[words.size() - 2];
+    EXPECT_TRUE(f.output.empty()) << f.output;
+    EXPECT_NE(f.errors.find(words[words.size() - 2] + ":"), std::string::npos) << f.errors;
+  };
+  const std::string toggle = shipped("toggle");
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--history", "step"},
+                                                                                      {"--factor", "1"},
+                                                                                      {"--duration", "1"},
+                                                                                      {"--time", "1"},
+                                                                                      {"--method", "newmark"},
+                                                                                      {"--step", "0.1"},
+                                                                                      {"--tolerance", "0.1"},
+                                                                                      {"--every", "1"}})
+    expect(toggle, {option, value});
+  for (const char* option : {"--until", "--branches", "--steps"})
+    expect(toggle, {"--dynamic", "--time", "0.01", option, "2"});
+  // The steps are those on the way to the shape of an imperfection.
+  EXPECT_NE(frame(shipped("level-brace"), {"--dynamic", "--time", "1", "--steps", "100"}).errors.find("mass"),
+            std::string::npos);
 }
 
 TEST(OwnFrame, EnergiesOfAMotionBalance) {
@@ -236,6 +269,47 @@ TEST(OwnFrame, EnergiesOfAMotionBalance) {
       frame(shipped("toggle"), {"--dynamic", "--time", "0.2", "--method", "explicit", "--step", "0.1"});
   EXPECT_EQ(blown.exit_code, 1);
   EXPECT_NE(blown.errors.find("of the greatest energy"), std::string::npos) << blown.errors;
+}
+
+// A rod of stiffness k = EA/l with a mass m at its end, under a sudden load P: P/k (1 - cos(w t)) with w^2 =
+// k/m, here 1, as long as strains are small.
+TEST(OwnFrame, AStepIsHeldToHalfOfIt) {
+  const std::string rod = R"([nodes]
+A = [0, 0]
+B = [0, 1]
+[[members]]
+nodes = ["A", "B"]
+elements = 1
+EA = 1e6
+EI = 1
+mass = 1e-9
+[supports]
+A = ["x", "y", "rotation"]
+B = ["x", "rotation"]
+[masses]
+B = { mass = 1e6 }
+[loads]
+B = { y = -1 }
+)";
+  const auto end_of = [](const Finished& f) {
+    const Rows rows = scene::parse_csv(f.output, "output");
+    return number(rows.back().cells[column(rows, "B.y")]);
+  };
+  const std::vector<std::string> words = {"--dynamic", "--time", "100", "--elements", "1", "--every", "1"};
+  const auto with_step = [&](const std::string& step) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--step", step});
+    return frame(written(rod), all);
+  };
+  const double exact = -1e-6 * (1 - std::cos(100.));
+  const Finished chosen = frame(written(rod), words);
+  EXPECT_EQ(chosen.exit_code, 0) << chosen.errors;
+  EXPECT_NEAR(end_of(chosen), exact, 2e-8);
+  // A period of 2 pi in 12 steps: the phase lags by (w h)^2/12 a radian, 2 rad in all.
+  const Finished coarse = with_step("0.5");
+  EXPECT_EQ(coarse.exit_code, 1) << end_of(coarse);
+  for (const char* word : {"newmark", "half the step of 0.5", "--step", "dop853"})
+    EXPECT_NE(coarse.errors.find(word), std::string::npos) << coarse.errors;
 }
 
 TEST(OwnFrame, DrawsThePaths) {

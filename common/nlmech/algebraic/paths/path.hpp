@@ -70,7 +70,11 @@ struct CriticalPoint {
   Kind kind = Kind::bifurcation;  ///< which
   PathPoint point;                ///< where; `negative` may count an eigenvalue that is zero but for rounding
   Eigen::VectorXd direction;      ///< null vector of dF/dx there, in the units of x, of length 1
-  Eigen::Index vanishing = 1;     ///< eigenvalues of dF/dx that change their signs there, as far as is known
+  /// Eigenvalues of dF/dx that change their signs there, as far as is known; 0 at a bifurcation where the
+  /// load of the path has an extremum, so that the one that vanishes returns.
+  Eigen::Index vanishing = 1;
+  PathVector across =
+      {};  ///< of a bifurcation: tangent of the other branch, scaled, if one eigenvalue vanishes
 };
 
 /// "maximum", "minimum", "bifurcation".
@@ -93,6 +97,10 @@ struct PathChanges;
 ///   path goes on through it without a gap of more than 1e-3 of the step.
 /// Else it is shortened. What none of this sees is a jump of less than 2 % of a step between branches with as
 /// many negative eigenvalues.
+///
+/// A branch may reach a bifurcation where it leaves from, as the bent one of a column does: there its load
+/// has an extremum and no eigenvalue changes its sign. Such a point is found by refine_fork() and listed as
+/// one bifurcation.
 ///
 /// Tests hold points to F = 0 (1e-13), limit loads to 4 eps, also of two limit points within one step, and
 /// branch points to 1e-13 (next to other ones to 1e-7 of a step); and walks past neighbouring branches, with
@@ -149,6 +157,8 @@ class Path {
   /// Goes over to the other branch: to the solution at a distance @p length (scaled; negative: the other way)
   /// along @p direction from a point found by branch(); the walk goes on from there, away from the point.
   [[nodiscard]] Status switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length);
+  /// The same along CriticalPoint::across.
+  [[nodiscard]] Status switch_branch(const PathPoint& point, const PathVector& across, double length);
   /// Solves at the load of now(), or any point, by Newton's iteration down to rounding.
   [[nodiscard]] Outcome polish(PathPoint& point);
 
@@ -190,6 +200,8 @@ class Path {
     int sign;
   };
   [[nodiscard]] Mark mark(double part, const PathPoint& point) const;
+  /// The bifurcation between two places at which the load has an extremum.
+  [[nodiscard]] Outcome fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                                      std::vector<CriticalPoint>& out);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nlmech/algebraic/paths/fork.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double one_place = 1e-7;    // of a step: what lies within is one place
 constexpr double is_singular = 1e-5;  // |K v|/|K| of a null vector v, at most
+constexpr double around_fork = 0.2;   // of a step: there a bifurcation of refine_fork() is all there is
 
 }  // namespace
 
@@ -31,6 +33,11 @@ Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   out.clear();
   std::vector<double> parts;
   Outcome outcome = splits(parts);
+  // Next to a bifurcation at which an eigenvalue vanishes and returns, signs are those of rounding.
+  for (const CriticalPoint& c : critical_) {
+    if (c.vanishing == 0)
+      std::erase_if(parts, [&](double part) { return std::abs(part - part_of(c.point)) < around_fork; });
+  }
   std::optional<Bracket> pair;
   if (outcome == Outcome::success && !has_passed_fold()) outcome = slope_between(pair);
   if (outcome != Outcome::success) return outcome;
@@ -69,6 +76,8 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
     const Outcome outcome = branch_in({low.part, sign(low), high.part, sign(high)}, point, direction);
     if (outcome == Outcome::success) return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
   }
+  if (changes.fold && changes.branches == 1 && fork_in(low, high, out) == Outcome::success)
+    return Outcome::success;
   const double middle = low.part + (high.part - low.part) / 2;
   Outcome outcome = between(middle, point);
   if (outcome != Outcome::success) return outcome;
@@ -81,6 +90,41 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   if (outcome != Outcome::success || changes.branches == 0) return outcome;
   return add_critical(CriticalPoint::Kind::bifurcation, changes.branches, point, out);
 }
+
+//! [a fork from the branch that leaves it]
+Outcome Path::fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out) {
+  if (!system_.equations().is_symmetric() || low.negative != high.negative) return Outcome::not_converged;
+  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  const double length = chord.norm(), wide = high.part - low.part,
+               guess = low.part + wide * low.slope / (low.slope - high.slope);
+  PathPoint point, behind, ahead;
+  Fork fork{between_by_cubic(before_, now_, guess)};
+  const double load = std::max({std::abs(before_.at.m), std::abs(now_.at.m), std::abs(chord.m)});
+  Outcome outcome = refine_fork(system_, fork, 0.2 * length, 0.2 * load);
+  if (outcome != Outcome::success) return outcome;
+  // Is it on this path, which goes through it along the null vector?
+  point.at = fork.at;
+  const double part = part_of(point), side = 0.05 * wide;
+  if (!(part > low.part && part < high.part)) return Outcome::not_converged;
+  for (const bool is_behind : {true, false}) {
+    outcome = between(is_behind ? part - side : part + side, is_behind ? behind : ahead);
+    if (outcome != Outcome::success) return outcome;
+  }
+  const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m},
+      off{(ahead.at.y + behind.at.y) / 2 - fork.at.y, (ahead.at.m + behind.at.m) / 2 - fork.at.m};
+  const bool is_along = std::abs(gone.y.dot(fork.null)) >= 0.95 * gone.norm();
+  if (!is_along || !(off.norm() <= 0.05 * gone.norm())) return Outcome::not_converged;
+  if (!system_.residual(fork.at)) return Outcome::non_finite;
+  point.x = system_.unscaled(fork.at.y);
+  point.load = fork.at.m / system_.load_scale();
+  point.arc = before_.arc + PathVector{fork.at.y - before_.at.y, fork.at.m - before_.at.m}.norm();
+  point.negative = fork.negative;
+  point.tangent = {fork.null, 0};
+  out.push_back({CriticalPoint::Kind::bifurcation, point, system_.unscaled(fork.null).normalized(), 0,
+                 std::move(fork.across)});
+  return Outcome::success;
+}
+//! [a fork from the branch that leaves it]
 
 /// Does the path go on through a place without a gap, and does it change there as it should?
 bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
@@ -110,7 +154,7 @@ Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, con
   system_.multiply(null, rest_);
   if (!(rest_.norm() <= is_singular * norm)) return Outcome::not_converged;
   out.push_back({kind, point, system_.unscaled(null).normalized(), vanishing});
-  if (kind == CriticalPoint::Kind::bifurcation) out.back().point.tangent = {null, 0};
+  if (kind == CriticalPoint::Kind::bifurcation) out.back().point.tangent = out.back().across = {null, 0};
   return Outcome::success;
 }
 

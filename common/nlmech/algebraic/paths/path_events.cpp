@@ -207,9 +207,15 @@ Outcome Path::polish(PathPoint& point) {
 }
 
 Status Path::switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length) {
+  return switch_branch(point, PathVector{direction, 0}, length);
+}
+
+Status Path::switch_branch(const PathPoint& point, const PathVector& across, double length) {
   PathPoint next = point;
-  PathVector normal{direction * (length < 0 ? -1. : 1.), 0};
+  const double way = length < 0 ? -1 : 1;
+  PathVector normal{way * across.y, way * across.m};
   next.at.y += std::abs(length) * normal.y;
+  next.at.m += std::abs(length) * normal.m;
   int count = 0;
   Outcome outcome = correct_in_plane(normal, std::abs(length), next.at, count);
   if (outcome == Outcome::success) outcome = describe(normal, next);

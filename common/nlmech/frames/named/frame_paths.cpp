@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "nlmech/algebraic/paths/path.hpp"
@@ -29,11 +30,11 @@ FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
 /// A branch point, and which halves of its other branch are still to be followed.
 struct Crossing {
   PathPoint point;
-  Eigen::VectorXd direction;  ///< scaled
-  Eigen::VectorXd mode;       ///< as of FramePoint
-  Eigen::Index negative;      ///< as of FramePoint
-  int branch;                 ///< on which it was met
-  bool is_simple;             ///< does one eigenvalue vanish?
+  algebraic::PathVector direction;  ///< of the other branch, scaled
+  Eigen::VectorXd mode;             ///< as of FramePoint
+  Eigen::Index negative;            ///< as of FramePoint
+  int branch;                       ///< on which it was met
+  Eigen::Index vanishing;           ///< as of FramePoint
   bool is_open[2] = {true, true};
 };
 
@@ -69,6 +70,23 @@ struct Structure {
   }
   [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd& v) const {
     return driven != nullptr ? driven->shape(v) : v;
+  }
+  /// Takes whole turns from a difference of displacements whose rotations are in rad, if each member has
+  /// turned so at both its ends.
+  void forget_turns(Eigen::VectorXd& change) const {
+    if (driven != nullptr) return;  // a displacement that grows with the load does not return
+    constexpr double turn = 2 * std::numbers::pi;
+    const auto turns = [&](Eigen::Index i) { return i < 0 ? 0 : std::round(change[i] / turn); };
+    for (const bool is_tried : {true, false}) {
+      for (std::size_t i = 0; i < frame.members().size(); ++i) {
+        const auto& unknowns = frame.unknowns_of(i);
+        if (is_tried && turns(unknowns[2]) != turns(unknowns[5])) return;
+        if (is_tried) continue;
+        for (const Eigen::Index at : {unknowns[2], unknowns[5]}) {
+          if (at >= 0) change[at] -= turn * turns(at);
+        }
+      }
+    }
   }
   [[nodiscard]] Eigen::VectorXd scale() const {
     const Eigen::VectorXd all = scale_of(frame);
@@ -106,7 +124,8 @@ class Walk {
 
   void follow_half(std::size_t i, int half) {
     if (!crossings_[i].is_open[half]) return;
-    if (!crossings_[i].is_simple || out_.branches >= how_.branches) {
+    if (crossings_[i].vanishing > 1) return;
+    if (out_.branches >= how_.branches) {
       ++out_.unfollowed;
       return;
     }
@@ -116,15 +135,19 @@ class Walk {
     Status status;
     // The other branch is met where something has moved by this share of the frame's size, or turned by so
     // many rad; or at a smaller distance.
-    const double farthest = from.direction.cwiseAbs().maxCoeff();
+    const double farthest = from.direction.y.cwiseAbs().maxCoeff();
+    // Where the load changes in the first place, it does so by no more than a first step.
+    const double least = std::abs(from.direction.m) / (first_ * path_.system().load_scale());
     for (double reach = 0.02; reach > 1e-7; reach /= 4) {
-      const double length = reach / farthest;
+      const double length = reach / std::max(farthest, 0.02 * least);
       status = path_.switch_branch(from.point, from.direction, half == 0 ? length : -length);
       if (status.ok()) break;
     }
     if (status.ok()) {
       out_.branches = branch_ = branch;
-      add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode);
+      foremost_ = greatest_ = 0;
+      reckon_with(from.point.load);
+      add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode, from.vanishing);
       status = along(branch);
     }
     note(status);
@@ -134,11 +157,11 @@ class Walk {
   Status along(int branch) {
     branch_ = branch;
     listed_ = 0;
-    greatest_ = 0;
     met_.clear();
     begin_ = out_.points.size();
     Status status = follow(
         path_, [this](const Path&) { return list(); }, how_.steps, met_);
+    if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.outcome() == Outcome::step_limit && !how_.until) status = {};
     // Where branches cross, the signs of what vanishes there are those of rounding.
     if (!status.ok() && status.outcome() != Outcome::step_limit) {
@@ -155,6 +178,14 @@ class Walk {
     return greatest_ > 0 && how_.critical == 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
   }
 
+  /// Takes the load of a limit or branch point into account for the end. Those beyond twice the first do not
+  /// count: a slender frame has others without end. A load of less than a thousandth of a first step is none.
+  void reckon_with(double load) {
+    const double size = std::abs(load);
+    if (foremost_ == 0 && size > 1e-3 * first_) foremost_ = size;
+    if (size <= 2 * foremost_) greatest_ = std::max(greatest_, size);
+  }
+
   /// Lists what the last step brought. Is it the end?
   bool list() {
     PathPoint before = path_.before();
@@ -168,14 +199,17 @@ class Walk {
         return true;
       }
       const Eigen::Index next = negative + way * c.vanishing,
-                         least = way != 0 ? std::min(negative, next) : std::min(negative, c.point.negative);
-      add(kind_of(c.kind), c.point, least, c.direction);
-      greatest_ = std::max(greatest_, std::abs(c.point.load));
+                         least = c.vanishing == 0 ? c.point.negative
+                                 : way != 0       ? std::min(negative, next)
+                                                  : std::min(negative, c.point.negative);
+      const Eigen::Index vanishing = std::max<Eigen::Index>(c.vanishing, 1);
+      add(kind_of(c.kind), c.point, least, c.direction, vanishing);
+      reckon_with(c.point.load);
       if (c.kind == CriticalPoint::Kind::bifurcation)
-        crossings_.push_back({c.point, c.point.tangent.y, c.direction, least, branch_, c.vanishing == 1});
+        crossings_.push_back({c.point, c.across, c.direction, least, branch_, vanishing});
       if (branch_ == 0 && ++criticals_ == how_.critical) return true;
       before = c.point;
-      negative = way != 0 ? next : c.point.negative;
+      if (c.vanishing > 0) negative = way != 0 ? next : c.point.negative;
     }
     if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
     add(FramePoint::Kind::step, path_.now(), path_.now().negative);
@@ -191,30 +225,40 @@ class Walk {
     return all == 0 || std::abs(change) != all ? 0 : change / all;
   }
 
-  /// Does the branch end at its load between two points? Then that end is listed.
+  /// Does the branch end at its load between two points? Then that end is listed, or lost_ says why not.
   bool has_ended(const PathPoint& from, const PathPoint& to) {
     const double end = end_load();
     if (std::abs(to.load) < end) return false;
     PathPoint last;
-    if (path_.crossing(to.load < 0 ? -end : end, from, to, last) != Outcome::success) last = to;
-    add(FramePoint::Kind::step, last, to.negative);
+    const Outcome outcome = path_.crossing(to.load < 0 ? -end : end, from, to, last);
+    if (outcome == Outcome::success)
+      add(FramePoint::Kind::step, last, last.negative);
+    else
+      lost_ =
+          failed_with(outcome,
+                      "frame: between the load factors {:.10g} and {:.10g} the path has no point at {:.10g}, "
+                      "where it ends: these two are not on one path; take shorter steps (turn)",
+                      from.load, to.load, to.load < 0 ? -end : end);
     return true;
   }
 
-  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative,
-           const Eigen::VectorXd& mode = {}) {
+  void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative, const Eigen::VectorXd& mode = {},
+           Eigen::Index vanishing = 0) {
     out_.points.push_back({branch_, kind, p.load, structure_.whole(p.x, p.load), negative,
-                           mode.size() > 0 ? structure_.shape(mode) : mode});
+                           mode.size() > 0 ? structure_.shape(mode) : mode, vanishing});
   }
 
-  static double distance(const PathPoint& a, const PathPoint& b) {
-    return algebraic::PathVector{a.at.y - b.at.y, a.at.m - b.at.m}.norm();
+  /// Of two points; whole turns of members count as none.
+  [[nodiscard]] double distance(const PathPoint& a, const PathPoint& b) const {
+    Eigen::VectorXd y = a.at.y - b.at.y;
+    structure_.forget_turns(y);
+    return algebraic::PathVector{std::move(y), a.at.m - b.at.m}.norm();
   }
 
   /// Ends the branch at a branch point of another one, whose half by which the walk came needs no walk.
   void arrive(Crossing& met) {
-    add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode);
-    met.is_open[path_.before().tangent.y.dot(met.direction) > 0 ? 1 : 0] = false;
+    add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode, met.vanishing);
+    met.is_open[path_.before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
   /// The branch point, found on another branch, that a critical point of this one is; null if it is none.
@@ -253,7 +297,8 @@ class Walk {
   std::vector<Crossing> crossings_;
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0, begin_ = 0;
-  double greatest_ = 0;
+  double foremost_ = 0, greatest_ = 0;
+  Status lost_;
   int branch_ = 0, criticals_ = 0;
 };
 

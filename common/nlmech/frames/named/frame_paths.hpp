@@ -41,7 +41,8 @@ struct FramePoint {
   Eigen::VectorXd x;       ///< displacements
   Eigen::Index negative =
       0;  ///< negative eigenvalues of the tangent stiffness; the vanishing one not counted
-  Eigen::VectorXd mode = {};  ///< of a limit or branch point: the shape that costs no work, of length 1
+  Eigen::VectorXd mode = {};   ///< of a limit or branch point: the shape that costs no work, of length 1
+  Eigen::Index vanishing = 0;  ///< of a limit or branch point: eigenvalues that vanish, as far as is known
 };
 
 /// "step", "maximum", "minimum", "bifurcation".
@@ -52,18 +53,20 @@ struct FramePaths {
   /// Branch by branch, in the order of the walk; each but that from rest begins with its bifurcation.
   std::vector<FramePoint> points;
   int branches = 0;       ///< followed besides the path from rest
-  int unfollowed = 0;     ///< halves of branches seen and not followed
+  int unfollowed = 0;     ///< halves of branches seen and not followed, where one eigenvalue vanishes
   Status status;          ///< success, or why a branch was left before its end, the first that was
   Statistics statistics;  ///< of all of it
 };
 
 /// Follows the equilibria of a frame under growing dead loads from rest through all limit and branch points,
 /// each computed to rounding, and goes on along branches that were met, both ways from a branch point, in the
-/// order in which they were met.
+/// order in which they were met. Where several eigenvalues vanish at once, the directions of branches are not
+/// those of the null vectors: such a point is listed, and no branch of it followed.
 ///
 /// A branch ends at a load factor of `until`; where it meets a branch point that is known; or after its
 /// steps, which is a success unless `until` was given. Without `until` it ends at twice the greatest load
-/// factor of a limit or branch point on it.
+/// factor of a limit or branch point on it, its first one included; those of more than twice the first do not
+/// count.
 ///
 /// Tests hold limit and branch points to those of tests/frames/structures_test.cpp and to closed forms (a
 /// two-bar truss, Euler's loads, a cantilever that rolls up to a circle).

@@ -1,0 +1,121 @@
+#include "nlmech/algebraic/paths/fork.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nlmech/support/doubles.hpp"
+
+namespace nlmech::algebraic {
+namespace {
+
+/// mu as a function of s and the load.
+class Reduced {
+ public:
+  Reduced(PathSystem& system, Eigen::VectorXd border)
+      : system_(system), row_{std::move(border), 0}, zero_(Eigen::VectorXd::Zero(system.size())) {}
+
+  /// Solves for x and mu at the s and the load of a place near.
+  Outcome correct(PathVector& at) {
+    PathVector step;
+    double before = HUGE_VAL;
+    for (int k = 0; k < 12; ++k) {
+      if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
+      const Eigen::VectorXd rest = -system_.f() - mu * row_.y;
+      if (!system_.solve_bordered(row_.y, row_, rest, 0, step)) return Outcome::singular_matrix;
+      ++system_.statistics.newton_iterations;
+      const double length = step.y.norm();
+      at.y += step.y;
+      mu += step.m;
+      const double size = at.norm();
+      if (length <= 4 * eps * size) return Outcome::success;
+      // Steps that no longer shrink are those of rounding, which are long in a frame of many slender members.
+      if (k > 1 && length > before / 2)
+        return length <= 1e-6 * size ? Outcome::success : Outcome::not_converged;
+      before = length;
+    }
+    return Outcome::not_converged;
+  }
+  /// The derivatives by s and the load, with those of x along them.
+  Outcome derive(const PathVector& at) {
+    if (!system_.linearise(at)) return Outcome::non_finite;
+    const bool is_solved = system_.solve_bordered(row_.y, row_, zero_, 1, along) &&
+                           system_.solve_bordered(row_.y, row_, -system_.load_vector(), 0, under);
+    slope = {along.m, under.m};
+    return is_solved ? Outcome::success : Outcome::singular_matrix;
+  }
+
+  double mu = 0;
+  PathVector along, under;
+  Eigen::Vector2d slope{0, 0};
+
+ private:
+  PathSystem& system_;
+  PathVector row_;
+  Eigen::VectorXd zero_;
+};
+
+}  // namespace
+
+Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
+  if (!system.linearise(fork.at)) return Outcome::non_finite;
+  Reduced reduced(system, null_direction(system));
+  PathVector& at = fork.at;
+  const PathVector start = at;
+  Eigen::Matrix2d bend;
+  double before = HUGE_VAL;
+  Outcome outcome = reduced.correct(at);
+  for (int k = 0; k < 20 && outcome == Outcome::success; ++k) {
+    outcome = reduced.derive(at);
+    if (outcome != Outcome::success) break;
+    const Eigen::VectorXd along = reduced.along.y, under = reduced.under.y;
+    const Eigen::Vector2d slope = reduced.slope, change{0.01 * reach, 0.01 * load};
+    Eigen::Index negative[2] = {0, 0};
+    for (const int i : {0, 1}) {
+      Eigen::Vector2d ends[2];
+      for (const int side : {0, 1}) {
+        const double way = side == 0 ? -change[i] : change[i];
+        PathVector place = at;
+        place.y += way * (i == 0 ? along : under);
+        if (i == 1) place.m += way;
+        Reduced there = reduced;
+        outcome = there.correct(place);
+        if (outcome == Outcome::success) outcome = there.derive(place);
+        if (outcome != Outcome::success) return outcome;
+        ends[side] = there.slope;
+        // Under more load and less, the eigenvalue that vanishes has both signs; next to zero its own is that
+        // of rounding.
+        if (i == 1) negative[side] = system.inertia().negative;
+      }
+      bend.col(i) = (ends[1] - ends[0]) / (2 * change[i]);
+    }
+    const double mixed = (bend(0, 1) + bend(1, 0)) / 2;
+    const Eigen::Vector2d step = bend.partialPivLu().solve(-slope);
+    const double length = std::max(std::abs(step[0]) / reach, std::abs(step[1]) / load);
+    if (!(length <= 1)) return Outcome::not_converged;
+    at.y += step[0] * along + step[1] * under;
+    at.m += step[1];
+    outcome = reduced.correct(at);
+    const PathVector gone{at.y - start.y, 0};
+    if (!(gone.norm() <= reach)) return Outcome::not_converged;
+    const bool is_done = length <= 1e-14 || (length <= 1e-6 && length > before / 2);
+    before = length;
+    if (!is_done) continue;
+    if (outcome == Outcome::success) outcome = reduced.derive(at);
+    if (outcome != Outcome::success) break;
+    // Next to a bifurcation that a small force parts, mu is that force.
+    if (!(std::abs(reduced.mu) <= 1e-9 * system.norm_of_matrix() * at.norm())) return Outcome::not_converged;
+    fork.null = reduced.along.y.normalized();
+    fork.negative = std::min(negative[0], negative[1]);
+    // Of bend: 2 mixed ds dload + bend(1, 1) dload^2 = 0 along it.
+    const double share = mixed != 0 ? -bend(1, 1) / (2 * mixed) : 0;
+    fork.across = {reduced.under.y + share * reduced.along.y, 1};
+    const double size = fork.across.norm();
+    fork.across = {fork.across.y / size, 1 / size};
+    return Outcome::success;
+  }
+  return outcome == Outcome::success ? Outcome::not_converged : outcome;
+}
+
+}  // namespace nlmech::algebraic
