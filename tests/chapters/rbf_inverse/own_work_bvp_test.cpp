@@ -1,5 +1,7 @@
 /// `rbf_inverse bvp` as a user types it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <numbers>
@@ -107,6 +109,27 @@ TEST(BoundaryValues, IntervalsShortEnoughToBeVerified) {
   for (std::size_t i = 0; i < 10; ++i)
     EXPECT_NEAR(rows[i][1], 1e6 / (1e6 + 1) * std::sin(rows[i][0]), 1e-12) << i;
   EXPECT_EQ(rows[10][1], 0);
+}
+
+// x = p sin(q t + r) solves x'' = g x - (q^2 + g) x_p, which is well posed for g >= 0 with these conditions.
+// The residual is 1e-9 of 1 + |x''|, and moves a solution by the square of the time over 8, or less.
+RC_GTEST_PROP(BoundaryValues, LinearProblemsWithKnownSolutions, ()) {
+  const auto between = [](double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.;
+  };
+  const double p = between(0.1, 10), q = between(0.1, 20), r = between(-3, 3), g = between(0, 400),
+               c = between(0, 2), until = between(0.1, 5);
+  const auto x = [&](double t) { return p * std::sin(q * t + r); };
+  const double slope = p * q * std::cos(r);
+  const Finished f =
+      run({"--equation", fmt::format("x'' = {} x - {} sin({} t + {})", g, (q * q + g) * p, q, r), "--begin",
+           fmt::format("x - {} x' = {:.17g}", c, x(0) - c * slope), "--end",
+           fmt::format("x = {:.17g}", x(until)), "--until", fmt::format("{}", until)});
+  RC_ASSERT(f.exit_code == 0);
+  const auto rows = scene::parse_csv(f.output, "output");
+  const double allowed = 1e-9 * (1 + p * q * q) * (1 + until * until);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    RC_ASSERT(std::abs(std::stod(rows[i].cells[1]) - x(std::stod(rows[i].cells[0]))) <= allowed);
 }
 
 // Troesch's problem with the constant 5: x'(0) = 0.0457504614, x'(1) = 12.1004954 (Roberts and

@@ -314,10 +314,10 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
     options.add(
         "--plot", words.plot,
         "draws the unknowns against time, or the section: a name.svg, over an older such picture alone");
-    options.add(
-        "--states", words.states,
-        "CSV with a run a row: columns are unknowns and parameters by name, others are handed on; - is "
-        "standard input");
+    options.add("--states", words.states,
+                "CSV with a run a row: columns are unknowns and parameters by name, others are handed on; "
+                "lines of # before the header are comments; - is "
+                "standard input");
     options.add("--threads", words.threads, "of --states, how many; without it one a processor")
         .range(1, 1024);
     options.add("--shard", words.shard,
