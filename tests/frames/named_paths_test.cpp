@@ -353,6 +353,27 @@ TEST(NamedPaths, TheEndIsNotPutOffByEachFurtherFork) {
   EXPECT_EQ(paths.points.back().negative, 3);
 }
 
+// A clamped column of one element buckles at (pi/2)^2 and (3 pi/2)^2, by stability functions exactly. At (2
+// pi)^2 its element buckles between its ends, which has a pole of the stiffness there and no fork of the
+// frame.
+TEST(NamedPaths, TheBucklingOfAnElementIsNoFork) {
+  FrameModel m;
+  m.nodes = {{"base", 0, 0}, {"top", 0, 1}};
+  m.members = {{.first = "base", .second = "top", .ea = 1e9, .ei = 1}};
+  models::clamp(m, "base");
+  m.loads = {{"top", Motion::y, -1}};
+  const NamedFrame f = build(m, 1);
+  const FramePaths paths = equilibrium_paths(f.frame, f.load, {.until = 130});
+  EXPECT_EQ(paths.status.outcome(), Outcome::wrong_branch);
+  EXPECT_NE(paths.status.text().find("clamped buckling load"), std::string::npos) << paths.status.text();
+  const auto forks = only(paths, Kind::bifurcation);
+  ASSERT_EQ(forks.size(), 2u);
+  EXPECT_NEAR(forks[0].load, pi * pi / 4, 1e-6);  // P/EA
+  EXPECT_NEAR(forks[1].load, 9 * pi * pi / 4, 1e-6);
+  for (const FramePoint& p : paths.points) EXPECT_LT(p.load, 4 * pi * pi);
+  EXPECT_EQ(paths.points.back().negative, 2);
+}
+
 // The same frame with nodes, members, and the ends of members in another order.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);

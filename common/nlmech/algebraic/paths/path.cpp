@@ -14,6 +14,8 @@ namespace {
 constexpr double converged = 1e-8;  // of a step: the next correction would be the square of this
 constexpr double stalled = 1e-4;    // corrections of this size that no longer shrink are rounding
 
+constexpr double least_to_edge = 1e-3;  // of a first step: as near as a walk goes to where it may not go on
+
 void check(const PathMethod& method) {
   const auto require = [](bool good, const char* option, double value, const char* range) {
     if (!good) throw invalid_argument("path: {} = {}; it must be {}", option, value, range);
@@ -203,20 +205,30 @@ bool Path::go_to(const PathPoint& next) {
 }
 //! [one path]
 
+/// Do the equations say so of the place asked for last?
+bool Path::is_other_branch() const {
+  const Outcome outcome = system_.status().outcome();
+  return outcome == Outcome::wrong_branch || outcome == Outcome::at_pole;
+}
+
 Status Path::advance() {
   double length = std::min(proposed(), method_.longest * first_length_);
   PathPoint next;
   next.at = now_.at;
+  bool is_beyond = false;
   for (;;) {
     int count = 0;
     const Outcome outcome = step(length, next, count);
+    is_beyond = is_other_branch();
     if (outcome == Outcome::success) {
       const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};
       const double angle = std::acos(std::clamp(next.tangent.dot(now_.tangent), -1., 1.));
       const double distance = chord.norm(),
                    lag = std::acos(std::clamp(chord.dot(now_.tangent) / std::max(distance, 1e-300), -1., 1.));
       next.arc = now_.arc + distance;
-      if (std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
+      // What the equations call another branch is none to go on to.
+      is_beyond = !system_.residual(next.at) || is_other_branch();
+      if (!is_beyond && std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
         adapt(length, std::max(angle, 2 * lag), count);
         previous_tangent_ = before_.tangent;
         ++system_.statistics.steps;
@@ -226,7 +238,10 @@ Status Path::advance() {
     ++system_.statistics.rejected;
     length /= 2;
     factor_ /= 2;
-    if (length < method_.shortest * first_length_)
+    const bool is_short = length < method_.shortest * first_length_;
+    if (is_beyond && (is_short || (outcome == Outcome::success && length < least_to_edge * first_length_)))
+      return failure(Outcome::wrong_branch, "the path goes no farther");
+    if (is_short)
       return failure(outcome == Outcome::non_finite ? outcome : Outcome::step_underflow,
                      "no step is short enough to be told from a jump to another branch: the path ends here, "
                      "or meets others; follow it from elsewhere");
