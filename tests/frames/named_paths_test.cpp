@@ -374,6 +374,25 @@ TEST(NamedPaths, TheBucklingOfAnElementIsNoFork) {
   EXPECT_EQ(paths.points.back().negative, 2);
 }
 
+// A clamped column that stands askew, so that its straight path is straight but for rounding: EA eps over the
+// soft stiffness sideways is as long as a hundredth of a step.
+TEST(NamedPaths, ASlenderColumnAskewBucklesAsUpright) {
+  for (const double angle : {0., 0.3, 0.52, 1.2, 2.9}) {
+    for (const double ea : {1e5, 1e6, 1e7}) {
+      FrameModel m;
+      m.nodes = {{"base", 0, 0}, {"top", std::sin(angle), std::cos(angle)}};
+      m.members = {{.first = "base", .second = "top", .ea = ea, .ei = 1}};
+      models::clamp(m, "base");
+      m.loads = {{"top", Motion::x, -std::sin(angle)}, {"top", Motion::y, -std::cos(angle)}};
+      const auto forks = only(paths_of(build(m, 8), {.until = 5}), Kind::bifurcation);
+      ASSERT_EQ(forks.size(), 1u) << angle << ' ' << ea;
+      const double euler = pi * pi / 4;
+      EXPECT_NEAR(forks[0].load, 2 * euler / (1 + std::sqrt(1 - 4 * euler / ea)),
+                  0.1 / ea + 1e-8);  // m^-2 P/EA
+    }
+  }
+}
+
 // The same frame with nodes, members, and the ends of members in another order.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);

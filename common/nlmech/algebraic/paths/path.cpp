@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nlmech/algebraic/paths/path_step.hpp"
+#include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
@@ -14,6 +15,7 @@ namespace {
 constexpr double converged = 1e-8;  // of a step: the next correction would be the square of this
 constexpr double stalled = 1e-4;    // corrections of this size that no longer shrink are rounding
 
+constexpr double most_noise = 1e-2;  // of a step: longer corrections are none of rounding, whatever they are
 constexpr double least_to_edge = 1e-3;  // of a first step: as near as a walk goes to where it may not go on
 
 void check(const PathMethod& method) {
@@ -103,10 +105,28 @@ Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector
     at.m += step_.m;
     if (length <= converged * size || (length <= stalled * size && length > before / 2))
       return Outcome::success;
+    if (count > 2 && length > before / 2 && length <= most_noise * size &&
+        length <= 64 * noise_at(normal, at))
+      return Outcome::success;
     if (!(length <= 4 * size) || (count > 3 && length > 2 * before)) return Outcome::newton_diverged;
     before = length;
   }
   return Outcome::not_converged;
+}
+
+/// The correction that a change of x in its last digits calls for: next to a bifurcation, and in slender
+/// members, the stiffness along some shape is that small a part of the greatest. As in polish().
+double Path::noise_at(const PathVector& normal, const PathVector& at) {
+  if (!system_.residual(at) || !system_.linearise(at)) return 0;
+  const Eigen::VectorXd f = system_.f();
+  PathVector shaken{{}, at.m}, step;
+  double noise = 0;
+  for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
+    shake(at.y, sequence, shaken.y);
+    if (!system_.residual(shaken) || !system_.solve_bordered(normal, system_.f() - f, 0, step)) return 0;
+    noise = std::max(noise, step.norm());
+  }
+  return system_.residual(at) ? noise : 0;
 }
 
 //! [crisfield's sphere]

@@ -173,6 +173,7 @@ class Path {
  private:
   /// Newton's iteration for F = 0 in the plane through @p at normal to @p normal.
   [[nodiscard]] Outcome correct_in_plane(const PathVector& normal, double size, PathVector& at, int& count);
+  [[nodiscard]] double noise_at(const PathVector& normal, const PathVector& at);
   /// The same on Crisfield's sphere about now_.
   [[nodiscard]] Outcome correct_on_sphere(double length, PathVector& at, int& count);
   [[nodiscard]] Outcome step(double length, PathPoint& next, int& count);
