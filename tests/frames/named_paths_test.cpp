@@ -14,33 +14,13 @@
 
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/named/frame_paths.hpp"
-#include "tests/frames/named_models.hpp"
+#include "tests/frames/named_walks.hpp"
 
 namespace nlmech::frames::named_paths_test {
 namespace {
 
-using Kind = FramePoint::Kind;
+using namespace walks;
 constexpr double pi = std::numbers::pi;
-
-Eigen::Index unknown_of(const NamedFrame& f, const std::string& name) {
-  const auto at =
-      std::find_if(f.motions.begin(), f.motions.end(), [&](const NamedMotion& m) { return m.name == name; });
-  EXPECT_NE(at, f.motions.end()) << name;
-  return at->unknown;
-}
-
-std::vector<FramePoint> only(const FramePaths& paths, Kind kind, int branch = 0) {
-  std::vector<FramePoint> some;
-  std::copy_if(paths.points.begin(), paths.points.end(), std::back_inserter(some),
-               [&](const FramePoint& p) { return p.kind == kind && p.branch == branch; });
-  return some;
-}
-
-FramePaths paths_of(const NamedFrame& f, const FrameWalk& walk = {}) {
-  FramePaths paths = equilibrium_paths(f.frame, f.load, walk);
-  EXPECT_TRUE(paths.status.ok()) << paths.status.text();
-  return paths;
-}
 
 /// The loads of the first limit points.
 std::vector<double> limits_of(const FrameModel& model, int elements) {
@@ -201,40 +181,6 @@ TEST(NamedPaths, EulersLoads) {
   }
 }
 
-// Straight, the column has a negative eigenvalue for each of Euler's loads k^2 (1 + k^2 pi^2/EA) below its
-// own, also where a walk ends within a step that goes on past the next of them.
-TEST(NamedPaths, TheEndCountsItsOwnNegativeEigenvalues) {
-  const NamedFrame f = build(models::column(1e6), 4);
-  for (const auto& [until, below] : {std::pair{1.5, 1}, {2., 1}, {3., 1}, {3.99, 1}, {6., 2}, {9.5, 3}}) {
-    const FramePoint last = paths_of(f, {.until = until}).points.back();
-    EXPECT_EQ(last.load, until);
-    EXPECT_EQ(last.negative, below) << until;
-  }
-}
-
-// Two equal columns side by side, which nothing joins: both buckle at once.
-TEST(NamedPaths, AtADoubleBifurcationTwoEigenvaluesVanishAndNoBranchIsFollowed) {
-  FrameModel m = models::column(1e6);
-  const FrameModel other = m;
-  for (const NamedNode& n : other.nodes) m.nodes.push_back({"other " + n.name, n.x + 3, n.y});
-  for (NamedMember member : other.members) {
-    member.first = "other " + member.first;
-    member.second = "other " + member.second;
-    m.members.push_back(member);
-  }
-  for (const NamedSupport& s : other.supports) m.supports.push_back({"other " + s.node, s.motion});
-  for (const NamedLoad& l : other.loads) m.loads.push_back({"other " + l.node, l.motion, l.value});
-  const FramePaths paths = paths_of(build(m, 4), {.until = 2, .branches = 4});
-  const auto forks = only(paths, Kind::bifurcation);
-  ASSERT_EQ(forks.size(), 1u);
-  EXPECT_NEAR(forks[0].load, 1, 2e-5);  // pi^2/EA and m^-2
-  EXPECT_EQ(forks[0].vanishing, 2);
-  EXPECT_EQ(forks[0].negative, 0);
-  EXPECT_EQ(paths.points.back().negative, 2);
-  EXPECT_EQ(paths.branches, 0);
-  EXPECT_EQ(paths.unfollowed, 0);
-}
-
 // Behind the bifurcation: P/P_1 = (2 K(sin(a/2))/pi)^2 with the rotation a of the ends (Euler 1744).
 TEST(NamedPaths, TheBentColumnIsEulersElastica) {
   double errors[2] = {};
@@ -297,60 +243,6 @@ TEST(NamedPaths, ThePortalSways) {
   ASSERT_EQ(paths.branches, 1);
   const auto bent = only(paths, Kind::step, 1);
   EXPECT_GT(std::abs(bent.back().x[unknown_of(soft, "b.x")]), 0.1);
-}
-
-// A rigid column on a foot that a level spring of stiffness 1 holds: leaning at an angle a it bears cos a.
-// Its branch goes all the way round, through the fork of the column that hangs, and ends where it began.
-TEST(NamedPaths, ABranchThatReturnsFindsTheForksOnItsWay) {
-  FrameModel m;
-  m.nodes = {{"foot", 0, 0}, {"top", 0, 1}, {"anchor", 2, 0}};
-  m.members = {models::bar("foot", "top"), models::bar("foot", "anchor")};
-  m.members[0].ea = 1e6;
-  m.members[1].ea = 2;
-  m.supports = {{"foot", Motion::y}, {"top", Motion::x}};
-  models::pin(m, "anchor");
-  m.loads = {{"top", Motion::y, -1}};
-  const NamedFrame f = build(m, 1);
-  const FramePaths paths = paths_of(f, {.branches = 1});
-  ASSERT_EQ(paths.branches, 1);
-  const auto forks = only(paths, Kind::bifurcation, 1);
-  ASSERT_EQ(forks.size(), 3u);
-  const double limit = (1 - 1e-6);  // cos a but for the column's compression, P/EA
-  for (const std::size_t i : {0u, 1u, 2u}) {
-    EXPECT_NEAR(forks[i].load, i == 1 ? -limit : limit, 1e-9);  // rounding of EA
-    EXPECT_EQ(forks[i].negative, 0);
-    EXPECT_EQ(forks[i].vanishing, 1);
-  }
-  EXPECT_NEAR(forks[1].x[unknown_of(f, "top.y")], -2, 2e-6);
-  EXPECT_EQ(paths.unfollowed, 2);  // both ways of the column that hangs
-  EXPECT_TRUE(only(paths, Kind::maximum, 1).empty());
-  EXPECT_TRUE(only(paths, Kind::minimum, 1).empty());
-  for (const FramePoint& p : only(paths, Kind::step, 1))
-    EXPECT_NEAR(p.load, 1 + p.x[unknown_of(f, "top.y")], 3e-6);
-}
-
-// Columns of 1, 1.9, 3.6 and 6.9 times the stiffness that nothing joins buckle one after the other, each
-// before twice the load of the one before: the end is that of the second, the last within twice the first.
-TEST(NamedPaths, TheEndIsNotPutOffByEachFurtherFork) {
-  FrameModel m = models::column(1e6);
-  const FrameModel other = m;
-  double place = 0;
-  for (const double stiffness : {1.9, 3.6, 6.9}) {
-    const std::string name = std::to_string(stiffness) + ' ';
-    place += 3;
-    for (const NamedNode& n : other.nodes) m.nodes.push_back({name + n.name, n.x + place, n.y});
-    for (NamedMember member : other.members) {
-      member.first = name + member.first;
-      member.second = name + member.second;
-      member.ei *= stiffness;
-      m.members.push_back(member);
-    }
-    for (const NamedSupport& s : other.supports) m.supports.push_back({name + s.node, s.motion});
-    for (const NamedLoad& l : other.loads) m.loads.push_back({name + l.node, l.motion, l.value});
-  }
-  const FramePaths paths = paths_of(build(m, 2));
-  EXPECT_NEAR(paths.points.back().load, 3.8, 1e-2);  // pi^2/EA and m^-2
-  EXPECT_EQ(paths.points.back().negative, 3);
 }
 
 // The same frame with nodes, members, and the ends of members in another order.

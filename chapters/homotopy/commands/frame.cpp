@@ -25,7 +25,7 @@ struct Words {
   std::string file, plot;
   int elements = 4;
   std::optional<int> steps, branches;
-  std::optional<double> until;
+  std::optional<double> until, turn;
   std::string load_case;
   DynamicWords dynamic;
 };
@@ -39,6 +39,11 @@ void declare(scene::Options& options, Words& words) {
           "load factor of either sign at which a branch ends; without it twice the greatest of its limit and "
           "branch points up to twice the first, if it has one")
       .positive();
+  options
+      .add("--turn", words.turn,
+           "angle by which a path turns in a step, rad, about; without it 0.15; what shorter steps are told "
+           "by")
+      .range(1e-3, 1);
   options.add("--elements", words.elements, "beam-columns a member, times its own number of elements")
       .range(1, 100'000);
   options
@@ -51,13 +56,20 @@ void declare(scene::Options& options, Words& words) {
   declare_dynamic(options, words.dynamic);
 }
 
-int steps_of(const Words& words) { return words.steps.value_or(frames::FrameWalk{}.steps); }
+/// How a path is followed, branches apart.
+frames::FrameWalk walk_of(const Words& words) {
+  frames::FrameWalk walk;
+  walk.steps = words.steps.value_or(walk.steps);
+  walk.turn = words.turn.value_or(walk.turn);
+  return walk;
+}
 
-/// No option is typed that the mode does not heed. The shape of an imperfection is that of a path, in steps.
+/// No option is typed that the mode does not heed. The shape of an imperfection is that of a path.
 void require_heeded(const Words& words, const FrameFile& file) {
   if (!words.dynamic.is_wanted) return require_none(words.dynamic);
   const std::array typed = {std::pair{"--until", words.until.has_value()},
                             std::pair{"--branches", words.branches.has_value()},
+                            std::pair{"--turn", words.turn && !file.model.imperfection},
                             std::pair{"--steps", words.steps && !file.model.imperfection}};
   for (const auto& [option, is_typed] : typed) {
     if (is_typed) throw InputError(fmt::format("{}: of a path alone; leave it or --dynamic out", option));
@@ -101,7 +113,7 @@ std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& pa
 frames::NamedFrame frame_of(const FrameFile& file, const Words& words) {
   frames::NamedFrame perfect = build_frame(file, words.elements);
   if (!file.model.imperfection) return perfect;
-  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, {.steps = steps_of(words)});
+  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, walk_of(words));
   if (!made.status.ok()) throw Failure(made.status);
   scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
                           file.model.imperfection->amplitude, to_string(made.buckled.kind),
@@ -147,11 +159,12 @@ void work(const Words& words) {
   require_heeded(words, file);
   const frames::NamedFrame frame = frame_of(file, words);
   if (words.dynamic.is_wanted) return move(words, file, frame, picture);
-  const int branches = words.branches.value_or(0);
-  const frames::FramePaths paths =
-      equilibrium_paths(frame, {.steps = steps_of(words), .until = words.until, .branches = branches});
+  frames::FrameWalk walk = walk_of(words);
+  walk.until = words.until;
+  walk.branches = words.branches.value_or(0);
+  const frames::FramePaths paths = equilibrium_paths(frame, walk);
   if (paths.points.empty()) throw Failure(paths.status);
-  scene::print_result(csv_of(frame, paths, branches > 0));
+  scene::print_result(csv_of(frame, paths, walk.branches > 0));
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
   if (!paths.status.ok())
     throw Failure(Status::failure(

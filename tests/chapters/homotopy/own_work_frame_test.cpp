@@ -153,6 +153,14 @@ TEST(OwnFrame, EndsAndNames) {
   EXPECT_EQ(path_of(written(named), {"--steps", "1"})[0].cells[1], "B,1.x");
 }
 
+// Steps that turn less are shorter, and more of them lead to the same limit.
+TEST(OwnFrame, TurnsAsMuchAsItIsTold) {
+  const Rows usual = path_of(shipped("truss")), fine = path_of(shipped("truss"), {"--turn", "0.03"});
+  EXPECT_GT(fine.size(), 3 * usual.size());
+  const double limit = 2 * std::pow(1 - std::pow(1.25, -1. / 3), 1.5);
+  expect_limits(fine, limit, -limit, 1e-12);
+}
+
 TEST(OwnFrame, WrongFilesAreNamedWithTheirLine) {
   const auto expect = [](const std::string& text, const std::vector<std::string>& named) {
     const Finished f = frame(written(text));
@@ -241,8 +249,8 @@ TEST(OwnFrame, OptionsOfTheOtherModeAreNamed) {
                                                                                       {"--tolerance", "0.1"},
                                                                                       {"--every", "1"}})
     expect(toggle, {option, value});
-  for (const char* option : {"--until", "--branches", "--steps"})
-    expect(toggle, {"--dynamic", "--time", "0.01", option, "2"});
+  for (const char* option : {"--until", "--branches", "--steps", "--turn"})
+    expect(toggle, {"--dynamic", "--time", "0.01", option, "1"});
   // The steps are those on the way to the shape of an imperfection.
   EXPECT_NE(frame(shipped("level-brace"), {"--dynamic", "--time", "1", "--steps", "100"}).errors.find("mass"),
             std::string::npos);

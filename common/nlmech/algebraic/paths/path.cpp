@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nlmech/algebraic/paths/path_step.hpp"
+#include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double converged = 1e-8;  // of a step: the next correction would be the square of this
 constexpr double stalled = 1e-4;    // corrections of this size that no longer shrink are rounding
+
+constexpr double most_noise = 1e-2;  // of a step: longer corrections are none of rounding, whatever they are
+constexpr double least_to_edge = 1e-3;  // of a first step: as near as a walk goes to where it may not go on
 
 void check(const PathMethod& method) {
   const auto require = [](bool good, const char* option, double value, const char* range) {
@@ -101,10 +105,28 @@ Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector
     at.m += step_.m;
     if (length <= converged * size || (length <= stalled * size && length > before / 2))
       return Outcome::success;
+    if (count > 2 && length > before / 2 && length <= most_noise * size &&
+        length <= 64 * noise_at(normal, at))
+      return Outcome::success;
     if (!(length <= 4 * size) || (count > 3 && length > 2 * before)) return Outcome::newton_diverged;
     before = length;
   }
   return Outcome::not_converged;
+}
+
+/// The correction that a change of x in its last digits calls for: next to a bifurcation, and in slender
+/// members, the stiffness along some shape is that small a part of the greatest. As in polish().
+double Path::noise_at(const PathVector& normal, const PathVector& at) {
+  if (!system_.residual(at) || !system_.linearise(at)) return 0;
+  const Eigen::VectorXd f = system_.f();
+  PathVector shaken{{}, at.m}, step;
+  double noise = 0;
+  for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
+    shake(at.y, sequence, shaken.y);
+    if (!system_.residual(shaken) || !system_.solve_bordered(normal, system_.f() - f, 0, step)) return 0;
+    noise = std::max(noise, step.norm());
+  }
+  return system_.residual(at) ? noise : 0;
 }
 
 //! [crisfield's sphere]
@@ -203,20 +225,30 @@ bool Path::go_to(const PathPoint& next) {
 }
 //! [one path]
 
+/// Do the equations say so of the place asked for last?
+bool Path::is_other_branch() const {
+  const Outcome outcome = system_.status().outcome();
+  return outcome == Outcome::wrong_branch || outcome == Outcome::at_pole;
+}
+
 Status Path::advance() {
   double length = std::min(proposed(), method_.longest * first_length_);
   PathPoint next;
   next.at = now_.at;
+  bool is_beyond = false;
   for (;;) {
     int count = 0;
     const Outcome outcome = step(length, next, count);
+    is_beyond = is_other_branch();
     if (outcome == Outcome::success) {
       const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};
       const double angle = std::acos(std::clamp(next.tangent.dot(now_.tangent), -1., 1.));
       const double distance = chord.norm(),
                    lag = std::acos(std::clamp(chord.dot(now_.tangent) / std::max(distance, 1e-300), -1., 1.));
       next.arc = now_.arc + distance;
-      if (std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
+      // What the equations call another branch is none to go on to.
+      is_beyond = !system_.residual(next.at) || is_other_branch();
+      if (!is_beyond && std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
         adapt(length, std::max(angle, 2 * lag), count);
         previous_tangent_ = before_.tangent;
         ++system_.statistics.steps;
@@ -226,7 +258,10 @@ Status Path::advance() {
     ++system_.statistics.rejected;
     length /= 2;
     factor_ /= 2;
-    if (length < method_.shortest * first_length_)
+    const bool is_short = length < method_.shortest * first_length_;
+    if (is_beyond && (is_short || (outcome == Outcome::success && length < least_to_edge * first_length_)))
+      return failure(Outcome::wrong_branch, "the path goes no farther");
+    if (is_short)
       return failure(outcome == Outcome::non_finite ? outcome : Outcome::step_underflow,
                      "no step is short enough to be told from a jump to another branch: the path ends here, "
                      "or meets others; follow it from elsewhere");

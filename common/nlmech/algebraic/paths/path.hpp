@@ -119,7 +119,8 @@ class Path {
   /// @return success, or `non_finite`, `not_converged`, `singular_matrix`
   [[nodiscard]] Status start(bool upwards = true);
   /// One step. On failure now() and before() are as they were.
-  /// @return success; `step_underflow` if no step is short enough; `non_finite`
+  /// @return success; `step_underflow` if no step is short enough; `wrong_branch` if what lies ahead is what
+  /// the equations call another branch, up to a thousandth of a first step; `non_finite`
   [[nodiscard]] Status advance();
   /// The last point.
   [[nodiscard]] const PathPoint& now() const { return now_; }
@@ -172,6 +173,7 @@ class Path {
  private:
   /// Newton's iteration for F = 0 in the plane through @p at normal to @p normal.
   [[nodiscard]] Outcome correct_in_plane(const PathVector& normal, double size, PathVector& at, int& count);
+  [[nodiscard]] double noise_at(const PathVector& normal, const PathVector& at);
   /// The same on Crisfield's sphere about now_.
   [[nodiscard]] Outcome correct_on_sphere(double length, PathVector& at, int& count);
   [[nodiscard]] Outcome step(double length, PathPoint& next, int& count);
@@ -182,6 +184,7 @@ class Path {
   void adapt(double length, double angle, int count);
   [[nodiscard]] bool is_continuous(const PathPoint& next, const PathChanges& changes);
   [[nodiscard]] bool go_to(const PathPoint& next);
+  [[nodiscard]] bool is_other_branch() const;
   /// A function of the part of a step that has different signs at two ends.
   struct Bracket {
     double low, low_value, high, high_value;

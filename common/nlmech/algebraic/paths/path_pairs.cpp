@@ -44,7 +44,8 @@ std::optional<double> Path::dip_in(double low, double high, double sign, Eigen::
 
 /// Parts of the step between which eigenvalues change their signs, though from end to end they may not: two
 /// branch points within a step, which no sign at its ends shows. Looks at inner places of the cubic, and more
-/// closely where an eigenvalue comes down to near zero and returns.
+/// closely where an eigenvalue comes down to near zero and returns. Changes that all go one way show at the
+/// ends.
 Outcome Path::splits(std::vector<double>& parts) {
   parts.clear();
   if (!system_.equations().is_symmetric()) return Outcome::success;
@@ -59,9 +60,12 @@ Outcome Path::splits(std::vector<double>& parts) {
     negative[i] = system_.inertia().negative;
     soft[i] = softest();
   }
+  Eigen::Index all = 0;
+  for (std::size_t i = 1; i < places; ++i) all += std::abs(negative[i] - negative[i - 1]);
+  const bool is_one_way = all == std::abs(negative[places - 1] - negative[0]);
   for (std::size_t i = 1; i + 1 < places; ++i) {
     if (negative[i] != negative[i - 1] || negative[i] != negative[i + 1]) {
-      parts.push_back(part(i));
+      if (!is_one_way) parts.push_back(part(i));
       continue;
     }
     const double sign = soft[i] > 0 ? 1 : -1;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "nlmech/algebraic/paths/path.hpp"
-#include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
-#include "nlmech/frames/named/driven_frame.hpp"
+#include "nlmech/frames/named/walked_frame.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
@@ -38,73 +36,15 @@ struct Crossing {
   bool is_open[2] = {true, true};
 };
 
-double size_of(const Frame& frame) {
-  const auto& nodes = frame.nodes();
-  const auto [left, right] =
-      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.x < b.x; });
-  const auto [low, high] =
-      std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.y < b.y; });
-  return std::hypot(right->x - left->x, high->y - low->y);
-}
-
-/// Scales by which a path is measured: one for all translations, so that a member that turns with its node
-/// does not turn the path, and 1 for rotations.
-Eigen::VectorXd scale_of(const Frame& frame) {
-  Eigen::VectorXd scale = Eigen::VectorXd::Ones(frame.size());
-  const double translation = 1 / size_of(frame);
-  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
-    for (const Motion motion : {Motion::x, Motion::y}) {
-      if (const Eigen::Index at = frame.unknown(node, motion); at >= 0) scale[at] = translation;
-    }
-  }
-  return scale;
-}
-
-/// A frame as equations, and all of its displacements from the unknowns of these.
-struct Structure {
-  const Frame& frame;
-  algebraic::Loaded& equations;
-  const DrivenFrame* driven = nullptr;  ///< the equations, if some motions are given
-  [[nodiscard]] Eigen::VectorXd whole(const Eigen::VectorXd& x, double load) const {
-    return driven != nullptr ? driven->whole(x, load) : x;
-  }
-  [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd& v) const {
-    return driven != nullptr ? driven->shape(v) : v;
-  }
-  /// Takes whole turns from a difference of displacements whose rotations are in rad, if each member has
-  /// turned so at both its ends.
-  void forget_turns(Eigen::VectorXd& change) const {
-    if (driven != nullptr) return;  // a displacement that grows with the load does not return
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto turns = [&](Eigen::Index i) { return i < 0 ? 0 : std::round(change[i] / turn); };
-    for (const bool is_tried : {true, false}) {
-      for (std::size_t i = 0; i < frame.members().size(); ++i) {
-        const auto& unknowns = frame.unknowns_of(i);
-        if (is_tried && turns(unknowns[2]) != turns(unknowns[5])) return;
-        if (is_tried) continue;
-        for (const Eigen::Index at : {unknowns[2], unknowns[5]}) {
-          if (at >= 0) change[at] -= turn * turns(at);
-        }
-      }
-    }
-  }
-  [[nodiscard]] Eigen::VectorXd scale() const {
-    const Eigen::VectorXd all = scale_of(frame);
-    return driven != nullptr ? driven->free(all) : all;
-  }
-};
-
-double first_load(const Structure& structure);
-
 /// The walk along all branches.
 class Walk {
  public:
-  Walk(const Structure& structure, const FrameWalk& how)
+  Walk(const WalkedFrame& walked, const FrameWalk& how)
       : how_(how),
-        structure_(structure),
-        first_(std::min(first_load(structure), how.until.value_or(HUGE_VAL) / 20)),
-        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = structure.scale()},
-              structure.equations, Eigen::VectorXd::Zero(structure.equations.size()), 0) {}
+        walked_(walked),
+        first_(std::min(first_load(walked), how.until.value_or(HUGE_VAL) / 20)),
+        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = walked.scale()},
+              walked.equations, Eigen::VectorXd::Zero(walked.equations.size()), 0) {}
 
   FramePaths all() {
     Status status = path_.start();
@@ -132,17 +72,7 @@ class Walk {
     crossings_[i].is_open[half] = false;
     const Crossing from = crossings_[i];
     const int branch = out_.branches + 1;
-    Status status;
-    // The other branch is met where something has moved by this share of the frame's size, or turned by so
-    // many rad; or at a smaller distance.
-    const double farthest = from.direction.y.cwiseAbs().maxCoeff();
-    // Where the load changes in the first place, it does so by no more than a first step.
-    const double least = std::abs(from.direction.m) / (first_ * path_.system().load_scale());
-    for (double reach = 0.02; reach > 1e-7; reach /= 4) {
-      const double length = reach / std::max(farthest, 0.02 * least);
-      status = path_.switch_branch(from.point, from.direction, half == 0 ? length : -length);
-      if (status.ok()) break;
-    }
+    Status status = start_branch(from, half);
     if (status.ok()) {
       out_.branches = branch_ = branch;
       foremost_ = greatest_ = 0;
@@ -151,6 +81,34 @@ class Walk {
       status = along(branch);
     }
     note(status);
+  }
+
+  /// Goes over to a branch, to where something has moved by a share of the frame's size, or turned by so many
+  /// rad; or to a smaller distance.
+  Status start_branch(const Crossing& from, int half) {
+    // Where the load changes in the first place, it does so by no more than a first step.
+    const double step = std::abs(from.direction.m) / (first_ * path_.system().load_scale()),
+                 farthest = std::max(from.direction.y.cwiseAbs().maxCoeff(), 0.02 * step);
+    const auto go = [&](double reach) {
+      return path_.switch_branch(from.point, from.direction, (half == 0 ? reach : -reach) / farthest);
+    };
+    Status status;
+    double reach = 0.02;
+    for (; reach > 1e-7; reach /= 4) {
+      status = go(reach);
+      if (status.ok()) break;
+    }
+    // Of eigenvalues the one that vanishes may have either sign. If there are other negative ones than nearer
+    // by, a further branch point lies between, which the walk finds from there.
+    for (int nearer = 0; status.ok() && nearer < 2; ++nearer) {
+      const Eigen::Index negative = path_.now().negative;
+      if (!go(reach / 16).ok()) return go(reach);
+      const Eigen::Index closer = path_.now().negative;
+      if (closer == negative) return go(reach);
+      reach /= 16;
+      if (closer == from.negative || closer == from.negative + 1) break;
+    }
+    return status;
   }
 
   /// Walks on from now() of the path to the end of the branch.
@@ -244,14 +202,14 @@ class Walk {
 
   void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative, const Eigen::VectorXd& mode = {},
            Eigen::Index vanishing = 0) {
-    out_.points.push_back({branch_, kind, p.load, structure_.whole(p.x, p.load), negative,
-                           mode.size() > 0 ? structure_.shape(mode) : mode, vanishing});
+    out_.points.push_back({branch_, kind, p.load, walked_.whole(p.x, p.load), negative,
+                           mode.size() > 0 ? walked_.shape(mode) : mode, vanishing});
   }
 
   /// Of two points; whole turns of members count as none.
   [[nodiscard]] double distance(const PathPoint& a, const PathPoint& b) const {
     Eigen::VectorXd y = a.at.y - b.at.y;
-    structure_.forget_turns(y);
+    walked_.forget_turns(y);
     return algebraic::PathVector{std::move(y), a.at.m - b.at.m}.norm();
   }
 
@@ -290,7 +248,7 @@ class Walk {
   }
 
   FrameWalk how_;
-  Structure structure_;
+  WalkedFrame walked_;
   double first_;
   Path path_;
   FramePaths out_;
@@ -301,52 +259,6 @@ class Walk {
   Status lost_;
   int branch_ = 0, criticals_ = 0;
 };
-
-/// How many times too great displacements are: 1 if a first step may make them.
-double excess_of(const Frame& frame, const Eigen::VectorXd& x) {
-  const double far = 1e-3 * size_of(frame), turn = 0.02;
-  double worst = 0;
-  for (std::size_t i = 0; i < frame.members().size(); ++i) {
-    const Vector<double, 6> d = frame.ends<double>(x, i);
-    for (int j = 0; j < 6; ++j) worst = std::max(worst, std::abs(d[j]) / (j % 3 == 2 ? turn : far));
-  }
-  return worst;
-}
-
-double first_load(const Structure& structure) {
-  algebraic::Loaded& equations = structure.equations;
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(equations.size());
-  equations.linearise(rest, 0);
-  algebraic::SymmetricSolver solver;
-  const Eigen::VectorXd scale = algebraic::scale_of(equations.sparse()->diagonal());
-  solver.take(*equations.sparse(), scale);
-  const Eigen::Index negative = solver.factorise().negative;
-  Eigen::VectorXd column;
-  equations.load_vector(column);
-  const Eigen::VectorXd scaled = (-column).cwiseQuotient(scale);
-  Eigen::VectorXd x(equations.size());
-  solver.solve(scaled, x);
-  x = x.cwiseQuotient(scale);
-  double first = 1 / excess_of(structure.frame, structure.whole(x, 1));
-  if (!(std::isfinite(first) && first > 0)) return 1;
-  for (int halving = 0; halving < 60; ++halving, first /= 2) {
-    equations.linearise(first * x, first);
-    solver.take(*equations.sparse(), scale);
-    if (solver.is_finite() && solver.factorise().negative == negative) break;
-  }
-  return first;
-}
-
-/// Calls use(structure) with the equations of a frame.
-template <class Use>
-auto with_structure(const NamedFrame& f, const Use& use) {
-  if (f.given.empty()) {
-    LoadedFrame equations(f.frame, f.load);
-    return use(Structure{f.frame, equations});
-  }
-  DrivenFrame equations(f);
-  return use(Structure{f.frame, equations, &equations});
-}
 
 void require(const FrameWalk& walk) {
   if (walk.steps < 1 || walk.branches < 0 || walk.critical < 0)
@@ -369,11 +281,11 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
 
 double first_load(const Frame& frame, const Eigen::VectorXd& load) {
   LoadedFrame equations(frame, load);
-  return first_load(Structure{frame, equations});
+  return first_load(WalkedFrame{frame, equations});
 }
 
 double first_load(const NamedFrame& frame) {
-  return with_structure(frame, [](const Structure& structure) { return first_load(structure); });
+  return with_equations(frame, [](const WalkedFrame& walked) { return first_load(walked); });
 }
 
 FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& walk) {
@@ -384,7 +296,7 @@ FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load, co
 
 FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk) {
   require(walk);
-  return with_structure(frame, [&](const Structure& structure) { return Walk(structure, walk).all(); });
+  return with_equations(frame, [&](const WalkedFrame& walked) { return Walk(walked, walk).all(); });
 }
 
 }  // namespace nlmech::frames
