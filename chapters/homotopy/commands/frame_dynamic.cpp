@@ -87,8 +87,9 @@ class Runs {
   Runs(const frames::FrameMotion& motion, const DynamicWords& words)
       : motion_(motion), system_(motion), words_(words), compared_(compared_of(motion.frame().frame)) {}
 
-  /// A run. @param coarse another one, from which its displacements differ by difference()
-  FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr) {
+  /// A run. @param coarse another one, from which its displacements differ by a share of difference_
+  /// @param has_rows are its moments wanted?
+  FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr, bool has_rows = true) {
     const auto integrate = ivp::named_integrator<Eigen::Dynamic>(method_of(words_), settings);
     frames::FrameEnergies energies(motion_);
     FrameRun run;
@@ -106,7 +107,7 @@ class Runs {
         apart = std::max(apart, (here(compared_) - other.x(compared_)).cwiseAbs().maxCoeff());
       }
       // A row between is that of the first step that ends there or later.
-      if (step.t1 < next && !is_last) return true;
+      if (!has_rows || (step.t1 < next && !is_last)) return true;
       if (run.moments.size() > most_rows)
         throw InputError(
             fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
@@ -134,11 +135,13 @@ class Runs {
   FrameRun held(ivp::Settings settings) {
     FrameRun coarse = run(settings);
     for (int halving = 0; settings.step; ++halving) {
-      const bool is_free = !words_.step && halving < most_halvings;
+      const bool has_room =
+          words_.every || 2 * *words_.time / *settings.step < static_cast<double>(most_rows);
+      const bool is_free = !words_.step && halving < most_halvings && has_room;
       if (!coarse.status.ok() && !is_free) break;
       const double step = *settings.step;
       settings.step = step / 2;
-      FrameRun fine = run(settings, &coarse);
+      FrameRun fine = run(settings, &coarse, is_free);
       if (coarse.status.ok() && fine.status.ok() && difference_ <= most_difference) break;
       if (is_free) {
         coarse = std::move(fine);

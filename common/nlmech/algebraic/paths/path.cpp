@@ -239,6 +239,7 @@ Status Path::advance() {
   for (;;) {
     int count = 0;
     const Outcome outcome = step(length, next, count);
+    // Of the new point, which was asked for last. What the equations call another branch is none to go on to.
     is_beyond = is_other_branch();
     if (outcome == Outcome::success) {
       const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};
@@ -246,8 +247,6 @@ Status Path::advance() {
       const double distance = chord.norm(),
                    lag = std::acos(std::clamp(chord.dot(now_.tangent) / std::max(distance, 1e-300), -1., 1.));
       next.arc = now_.arc + distance;
-      // What the equations call another branch is none to go on to.
-      is_beyond = !system_.residual(next.at) || is_other_branch();
       if (!is_beyond && std::max(angle, 2 * lag) <= 1.5 * method_.turn && go_to(next)) {
         adapt(length, std::max(angle, 2 * lag), count);
         previous_tangent_ = before_.tangent;
