@@ -39,8 +39,8 @@ struct CatalogueRun {
 /// @throws InputError for a shard of standard input, whose end is not known, and as the catalogue does
 void print_catalogue(Catalogue& catalogue, const CatalogueRun& run);
 
-/// Rows that make @p lines lines or more, and that are enough for the lanes of all threads, unless those would
-/// make more than a quarter of a million lines a thread: lines of a portion are held in memory.
+/// Rows that make @p lines lines or more, and that are enough for the lanes of all threads, unless those
+/// would make more than a quarter of a million lines a thread: lines of a portion are held in memory.
 /// @param threads 0: one a processor
 [[nodiscard]] Portion portion_for(double lines, int threads);
 
