@@ -32,9 +32,9 @@ using RowWeight = std::function<double(const std::vector<double>& numbers)>;
 
 /// How many rows at a time: until they weigh `weight` and are `rows`, or, being fewer, weigh `most`.
 struct Portion {
-  double weight = 1;
-  std::size_t rows = 1;
-  double most = 0;
+  double weight = 1;     ///< that is enough, if there are rows enough
+  std::size_t rows = 1;  ///< that are enough, if they weigh enough
+  double most = 0;       ///< weight that is enough whatever the rows
 };
 
 /// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
