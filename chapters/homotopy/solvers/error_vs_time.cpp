@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/homotopy/solvers/solver_groups.hpp"
 #include "chapters/homotopy/toggle/toggles.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
@@ -119,22 +120,9 @@ std::vector<std::string> solvers() {
   return names;
 }
 
-/// Solvers that belong together; those of no other group are homotopies.
-const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>>& groups() {
-  static const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> all = {
-      {{"Newton's kind", 2}, {"newton", "least-squares", "continuous-newton", "broyden"}},
-      {{"made safe by |F|", 5}, {"damped-newton", kinsol, "levenberg-marquardt", "dogleg"}},
-      {{"descent", 6}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
-      {{"energy", 0}, {trust_region}},
-      {{"path following", 4}, {"riks", "crisfield", "gdc"}},
-      {{"homotopy", 1}, {}}};
+const SolverGroups& groups() {
+  static const SolverGroups all = solver_groups({{"energy", 0}, {trust_region}});
   return all;
-}
-
-std::size_t group_of(const std::string& solver) {
-  const auto has = [&](const auto& group) { return std::ranges::count(group.second, solver) > 0; };
-  return std::min(static_cast<std::size_t>(std::ranges::find_if(groups(), has) - groups().begin()),
-                  groups().size() - 1);
 }
 
 Toggle measure(const Setting& setting, bool quick) {
@@ -146,7 +134,7 @@ Toggle measure(const Setting& setting, bool quick) {
   for (const std::string& solver : solvers()) {
     scene::MethodLine& line = toggle.problem.lines.emplace_back();
     line.method = solver;
-    line.group = group_of(solver);
+    line.group = group_of(groups(), solver);
     const bool treated = solver == trust_region || line.group + 1 == groups().size();  // and the homotopies
     line.side = solver == kinsol ? scene::Side::peer : treated ? scene::Side::subject : scene::Side::ours;
     if (solver == kinsol && !peers::kinsol_available()) continue;
@@ -171,8 +159,6 @@ void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
   const auto& last = problems.back().lines;
   const auto passed =
       std::ranges::count_if(last, [](const scene::MethodLine& l) { return l.least_error() < 1; });
-  std::vector<scene::MethodGroup> looks;
-  for (const auto& [look, members] : groups()) looks.push_back(look);
   scene::show_work_precision(
       {.heading =
            fmt::format("With 16 elements {} of {} solvers get past the limit point", passed, last.size()),
@@ -180,7 +166,7 @@ void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
        .most_digits = 17.5,
        .error = "error of the deflection",
        .work = {"iterations", "residuals", "Jacobians"},
-       .groups = looks},
+       .groups = looks_of(groups())},
       problems, show);
 }
 
