@@ -8,6 +8,8 @@ function(nlmech_kernel_flags)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND common -fschedule-insns -fsched-pressure)
   endif()
+  # A precompiled header is made for one set of options.
+  set_property(SOURCE ${arg_BASELINE} ${arg_AVX2} ${arg_AVX512} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   set_property(SOURCE ${arg_BASELINE} APPEND PROPERTY COMPILE_OPTIONS ${common})
   set_property(SOURCE ${arg_AVX2} APPEND PROPERTY COMPILE_OPTIONS ${common} -mavx2 -mfma)
   set_property(SOURCE ${arg_AVX512} APPEND PROPERTY COMPILE_OPTIONS ${common} -mavx512f -mavx512dq -mavx512vl -mfma

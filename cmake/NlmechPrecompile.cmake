@@ -13,6 +13,7 @@ endfunction()
 
 function(nlmech_read_precompiled target name)
   target_precompile_headers(${target} REUSE_FROM nlmech_${name})
+  target_link_libraries(${target} PRIVATE nlmech::support)  # has the instances of templates that they declare
   # Eigen silences this one by a pragma, which the precompiled form forgets.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-ignored-attributes>)
 endfunction()

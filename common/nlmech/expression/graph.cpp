@@ -6,8 +6,6 @@
 namespace nlmech::expression {
 namespace {
 
-std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
-
 double apply(Function function, double a) {
   switch (function) {
     case Function::sqrt: return std::sqrt(a);

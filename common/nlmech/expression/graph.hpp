@@ -34,6 +34,9 @@ enum class Operation : std::uint8_t {
 /// A node of the graph, by its number.
 using NodeId = int;
 
+/// Where a vector with an entry a node has the one of @p id, not negative.
+[[nodiscard]] inline std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
+
 /// An operation with its operands, which have smaller numbers.
 struct Node {
   Operation operation;  ///< what

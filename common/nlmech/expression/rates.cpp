@@ -5,8 +5,6 @@
 namespace nlmech::expression {
 namespace {
 
-std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
-
 /// Derivatives along a solution, each node's once.
 class Rates {
  public:

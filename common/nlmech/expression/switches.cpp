@@ -10,8 +10,6 @@
 namespace nlmech::expression {
 namespace {
 
-std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
-
 /// Equations that stay on surfaces: which share of each jump keeps all functions zero.
 class Sliding {
  public:

@@ -126,7 +126,7 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extra = app.remaining(true);
   const bool few_words = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extra.empty();
   tell(few_words ? complaint.str() : unexpected(extra));
-  return wrong_usage;
+  return ExitCode::wrong_usage;
 }
 
 /// The command that was named, its options understood and its time begun.
@@ -179,11 +179,12 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   try {
     return run(app, all, argc, argv, limit);
   } catch (const InputError& error) {
-    return end(wrong_usage, error.what());
+    return end(ExitCode::wrong_usage, error.what());
   } catch (const std::bad_alloc&) {
-    return end(failed, "there is not enough memory for it; ask for less at a time, as fewer rows (--every)");
+    return end(ExitCode::failed,
+               "there is not enough memory for it; ask for less at a time, as fewer rows (--every)");
   } catch (const std::exception& error) {
-    return end(failed, error.what());
+    return end(ExitCode::failed, error.what());
   }
 }
 

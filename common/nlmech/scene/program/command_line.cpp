@@ -19,8 +19,6 @@
 namespace nlmech::scene {
 namespace {
 
-constexpr int failed = 1;
-
 /// What `list` is told.
 struct Listing {
   bool csv = false;
@@ -95,7 +93,7 @@ int run(const Chapter& chapter, const Work& options) {
       if (!options.quiet) print_result(lines_of(files));
     } catch (const Failure& failure) {
       tell(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
-      code = failed;
+      code = ExitCode::failed;
     }
     tell_progress(++done, scenes.size(), scene->name, watch.seconds());
   }
@@ -116,7 +114,7 @@ int check(const Chapter& chapter, const Work& options) {
   text += fmt::format("{} quantities of {} scenes: {} pass, {} fail\n", result.quantities.size(),
                       chapter.scenes().size(), passed, result.quantities.size() - passed);
   print_result(text);
-  return result.passes() ? 0 : failed;
+  return result.passes() ? 0 : ExitCode::failed;
 }
 
 void declare_list(Options& options, Listing& listing) {

@@ -12,6 +12,12 @@
 
 namespace nlmech::scene {
 
+/// How a process ends that does not succeed, as every page on a command says.
+struct ExitCode {
+  static constexpr int failed = 1;       ///< a computation, a check or a time limit
+  static constexpr int wrong_usage = 2;  ///< of the command line, or input that cannot be used
+};
+
 /// While one lives, no other thread ends the process: for a short act that is done whole or not at all (a
 /// result printed, a file renamed, a child started and noted). Acts do not nest.
 class WholeAct {

@@ -55,7 +55,6 @@ std::string sentence(const TimeLimit::Command& command) {
 
 void watch(const std::stop_token& stop, const TimeLimit::Command& command, Clock::time_point start) {
   using namespace std::chrono_literals;
-  constexpr int failed = 1;
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
   const Clock::time_point end =
       command.seconds ? later(start, *command.seconds + command.grace) : Clock::time_point::max();
@@ -64,8 +63,8 @@ void watch(const std::stop_token& stop, const TimeLimit::Command& command, Clock
   while (sleep.until(std::min(next, end))) {
     const Clock::time_point now = Clock::now();
     if (now >= end) {
-      const std::string said = sentence(command);                       // waits for the act under way ...
-      if (sleep.until(Clock::now() + 50ms)) end_process(failed, said);  // ... which may have been the last
+      const std::string said = sentence(command);  // waits for the act under way ...
+      if (sleep.until(Clock::now() + 50ms)) end_process(ExitCode::failed, said);  // ... the last
       return;
     }
     show_progress(progress(command, now - start));
