@@ -87,7 +87,8 @@ adversary: build
 	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$failed
 
 # Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.
-oracles: deps
+oracles: configure
+	@cmake --build $(BUILD) --target reference_programs
 	@scripts/oracles run && scripts/oracles uses
 
 # All chapters are checked before the command says whether a check failed.

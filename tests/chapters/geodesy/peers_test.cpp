@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,9 @@ struct Method {
   double truncation;
   double height = 2.5e-8;  // m: three units in the last place at 35000 km
 };
+
+/// What test lists show of it, instead of its bytes.
+void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
 
 std::vector<Method> methods() {
   std::vector<Method> all = {{"Bowring1976x1", Bowring1976<1>(wgs84), 8.42e-9},
