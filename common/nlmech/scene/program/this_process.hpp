@@ -12,7 +12,7 @@
 
 namespace nlmech::scene {
 
-/// How a process ends that does not succeed, as every page on a command says.
+/// How a process ends that does not succeed.
 struct ExitCode {
   static constexpr int failed = 1;       ///< a computation, a check or a time limit
   static constexpr int wrong_usage = 2;  ///< of the command line, or input that cannot be used

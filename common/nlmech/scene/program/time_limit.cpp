@@ -63,8 +63,9 @@ void watch(const std::stop_token& stop, const TimeLimit::Command& command, Clock
   while (sleep.until(std::min(next, end))) {
     const Clock::time_point now = Clock::now();
     if (now >= end) {
-      const std::string said = sentence(command);  // waits for the act under way ...
-      if (sleep.until(Clock::now() + 50ms)) end_process(ExitCode::failed, said);  // ... the last
+      // The sentence waits for the act under way, which may have been the last.
+      const std::string said = sentence(command);
+      if (sleep.until(Clock::now() + 50ms)) end_process(ExitCode::failed, said);
       return;
     }
     show_progress(progress(command, now - start));
