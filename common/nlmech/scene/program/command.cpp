@@ -24,7 +24,6 @@
 namespace nlmech::scene {
 namespace {
 
-constexpr int failed = 1, wrong_usage = 2;
 constexpr const char* limit_name = "--limit";
 
 /// Seconds beyond the limit for commands that heed it by themselves.
