@@ -80,7 +80,7 @@ Forced<n> draw_forced(Draw& draw) {
   }
   for (double& entry : random.reshaped()) entry = draw.normal();
   // Turned, and sheared by at most 2: a condition of some tens.
-  p.v = Eigen::HouseholderQR<Matrix<double, n, n>>(random).householderQ();
+  p.v = Eigen::HouseholderQR<Eigen::MatrixXd>(random).householderQ() * Eigen::MatrixXd::Identity(n, n);
   for (int i = 0; i + 1 < n; ++i) p.v.col(i + 1) += draw.uniform(-2, 2) * p.v.col(i);
   p.inverse = p.v.inverse();
   p.a = p.v * blocks * p.inverse;

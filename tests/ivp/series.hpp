@@ -5,7 +5,6 @@
 
 #include "nlmech/ivp/series/series.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
 
 namespace nlmech::ivp::testing {
 
@@ -23,9 +22,5 @@ State<Problem::dimension> reference(const Problem& problem, const State<Problem:
   EXPECT_TRUE(path.status().ok()) << path.status().text();
   return path(t1).template cast<double>();
 }
-
-/// The chain integrated with its right-hand side inlined, which is long to compile.
-[[nodiscard]] Solution<6> inlined(const problems::ThreeMassChain& chain, const State<6>& x0, double t0,
-                                  double t1, const Series& method);
 
 }  // namespace nlmech::ivp::testing

@@ -16,8 +16,9 @@ namespace nlmech {
 /// Value and n partial derivatives of a quantity that depends on n variables.
 ///
 /// Arithmetic follows the rules of differentiation; each partial derivative costs a few operations of T, and
-/// nothing is allocated. Against derivatives in 50 digits every function here is right to 8 units in the last
-/// place of the largest term of its rule, a power x^p to 8 + |p log x| (tests/series).
+/// nothing is allocated. It is always inlined, where GCC at -O2 would call it.
+/// Against derivatives in 50 digits every function here is right to 8 units in the last place of the largest
+/// term of its rule, a power x^p to 8 + |p log x| (tests/series).
 ///
 /// There is no order (<, >): a program that branches on a dual number says so with value_of().
 ///
@@ -51,40 +52,40 @@ struct Dual {
   }
 
   /// Adds a quantity.
-  constexpr Dual& operator+=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator+=(const Dual& b) {
     value += b.value;
     for (std::size_t i = 0; i < n; ++i) partial[i] += b.partial[i];
     return *this;
   }
   /// Subtracts a quantity.
-  constexpr Dual& operator-=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator-=(const Dual& b) {
     value -= b.value;
     for (std::size_t i = 0; i < n; ++i) partial[i] -= b.partial[i];
     return *this;
   }
   /// Multiplies by a quantity.
-  constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  [[gnu::always_inline]] constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
   /// Divides by a quantity.
-  constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
+  [[gnu::always_inline]] constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
 
   /// Adds a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  constexpr Dual& operator+=(const S& s) {
+  [[gnu::always_inline]] constexpr Dual& operator+=(const S& s) {
     value += s;
     return *this;
   }
   /// Subtracts a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  constexpr Dual& operator-=(const S& s) {
+  [[gnu::always_inline]] constexpr Dual& operator-=(const S& s) {
     value -= s;
     return *this;
   }
   /// Multiplies by a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  constexpr Dual& operator*=(const S& s) {
+  [[gnu::always_inline]] constexpr Dual& operator*=(const S& s) {
     value *= s;
     for (T& p : partial) p *= s;
     return *this;
@@ -92,16 +93,16 @@ struct Dual {
   /// Divides by a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  constexpr Dual& operator/=(const S& s) {
+  [[gnu::always_inline]] constexpr Dual& operator/=(const S& s) {
     value /= s;
     for (T& p : partial) p /= s;
     return *this;
   }
 
   /// The same quantity.
-  constexpr Dual operator+() const { return *this; }
+  [[gnu::always_inline]] constexpr Dual operator+() const { return *this; }
   /// Its negative.
-  constexpr Dual operator-() const {
+  [[gnu::always_inline]] constexpr Dual operator-() const {
     Dual r;
     r.value = -value;
     for (std::size_t i = 0; i < n; ++i) r.partial[i] = -partial[i];
@@ -109,18 +110,18 @@ struct Dual {
   }
 
   /// Sum.
-  friend constexpr Dual operator+(Dual a, const Dual& b) { return a += b; }
+  [[gnu::always_inline]] friend constexpr Dual operator+(Dual a, const Dual& b) { return a += b; }
   /// Difference.
-  friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
+  [[gnu::always_inline]] friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
   /// Product.
-  friend constexpr Dual operator*(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend constexpr Dual operator*(const Dual& a, const Dual& b) {
     Dual r;
     r.value = a.value * b.value;
     for (std::size_t i = 0; i < n; ++i) r.partial[i] = a.value * b.partial[i] + b.value * a.partial[i];
     return r;
   }
   /// Quotient.
-  friend constexpr Dual operator/(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend constexpr Dual operator/(const Dual& a, const Dual& b) {
     Dual r;
     r.value = a.value / b.value;
     for (std::size_t i = 0; i < n; ++i) r.partial[i] = (a.partial[i] - r.value * b.partial[i]) / b.value;
@@ -130,35 +131,35 @@ struct Dual {
   /// Sum with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator+(Dual a, const S& s) { return a += s; }
+  [[gnu::always_inline]] friend constexpr Dual operator+(Dual a, const S& s) { return a += s; }
   /// Sum with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator+(const S& s, Dual a) { return a += s; }
+  [[gnu::always_inline]] friend constexpr Dual operator+(const S& s, Dual a) { return a += s; }
   /// Difference with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator-(Dual a, const S& s) { return a -= s; }
+  [[gnu::always_inline]] friend constexpr Dual operator-(Dual a, const S& s) { return a -= s; }
   /// Difference with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator-(const S& s, const Dual& a) { return -a += s; }
+  [[gnu::always_inline]] friend constexpr Dual operator-(const S& s, const Dual& a) { return -a += s; }
   /// Product with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator*(Dual a, const S& s) { return a *= s; }
+  [[gnu::always_inline]] friend constexpr Dual operator*(Dual a, const S& s) { return a *= s; }
   /// Product with a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator*(const S& s, Dual a) { return a *= s; }
+  [[gnu::always_inline]] friend constexpr Dual operator*(const S& s, Dual a) { return a *= s; }
   /// Quotient by a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator/(Dual a, const S& s) { return a /= s; }
+  [[gnu::always_inline]] friend constexpr Dual operator/(Dual a, const S& s) { return a /= s; }
   /// Quotient of a constant.
   template <class S>
   requires std::convertible_to<S, T>
-  friend constexpr Dual operator/(const S& s, const Dual& a) {
+  [[gnu::always_inline]] friend constexpr Dual operator/(const S& s, const Dual& a) {
     const T quotient = static_cast<T>(s) / a.value;
     return chained(quotient, -quotient / a.value, a);
   }

@@ -24,15 +24,16 @@ namespace nlmech {
 
 namespace unrolled {
 
-/// Highest order of a solution. Instrumented code is many times larger and takes minutes to compile: with a
-/// sanitizer fewer orders are unrolled, and more left to the tape.
+/// Highest order of a solution: the highest that any tolerance asks for. Instrumented code is many times
+/// larger and takes minutes to compile: with a sanitizer fewer orders are unrolled, and more left to the
+/// tape.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr int most_order = 10;
 #else
-inline constexpr int most_order = 40;
+inline constexpr int most_order = 33;
 #endif
-inline constexpr std::ptrdiff_t stride = most_order + 8;  ///< from one series to the next in memory
-inline constexpr int endless = 1 << 20;                   ///< degree of what is no polynomial in the time
+inline constexpr std::ptrdiff_t stride = (most_order + 8) / 8 * 8;  ///< from one series to the next in memory
+inline constexpr int endless = 1 << 20;  ///< degree of what is no polynomial in the time
 
 /// The sum of a[i] b[-i] for i = 0, ..., n - 1, in four partial sums.
 template <int n>

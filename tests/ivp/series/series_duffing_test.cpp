@@ -22,7 +22,7 @@ TEST(SeriesOnProblems, ForcedDuffing) {
   EXPECT_LT((tame.x - truth).cwiseAbs().maxCoeff(), 1e-11);
   EXPECT_EQ(tame.statistics.steps, 500);
   EXPECT_EQ(tame.statistics.right_hand_sides, 500 * 20);
-  EXPECT_LT((integrate(Direct(duffing), x0, 0, 50, with_tolerance(1e-14)).x - truth).cwiseAbs().maxCoeff(),
+  EXPECT_LT((integrate(System(duffing), x0, 0, 50, with_tolerance(1e-14)).x - truth).cwiseAbs().maxCoeff(),
             1e-11);
 }
 

@@ -98,7 +98,7 @@ TEST(SeriesEdges, FailuresSayWhatHappened) {
   EXPECT_EQ(singular.status.outcome(), Outcome::non_finite);
   EXPECT_NE(singular.status.sentence().find("Taylor coefficients"), std::string::npos);
   EXPECT_EQ(singular.x[0], 0);
-  EXPECT_EQ(integrate(Direct(RootOfTime{}), State<1>(0.0), 0, 1, Series{.step = 0.1}).status.outcome(),
+  EXPECT_EQ(integrate(System(RootOfTime{}), State<1>(0.0), 0, 1, Series{.step = 0.1}).status.outcome(),
             Outcome::non_finite);
   const auto nowhere = integrate(System(RootOfTime{}), State<1>(0.0), -1, 1, Series{});
   EXPECT_EQ(nowhere.status.outcome(), Outcome::non_finite);

@@ -32,7 +32,6 @@ TEST(SeriesEdges, ImpactForce) {
   const Series method{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14};
   const State<2> end = truth(10).cast<double>();
   EXPECT_LT((integrate(System(problem), State<2>(0, 0), 0, 10, method).x - end).cwiseAbs().maxCoeff(), 1e-13);
-  EXPECT_LT((integrate(Direct(problem), State<2>(0, 0), 0, 10, method).x - end).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(SeriesEdges, RefusesAnUnannouncedBranch) {
