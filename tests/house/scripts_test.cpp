@@ -87,17 +87,15 @@ TEST_F(AffectedTests, AreAllWhereTheBuildChangedOrNothingIsKnown) {
   EXPECT_EQ(folders(""), every);
 }
 
-/// A program that draws one figure whose ylabel is moved by so many characters.
+/// A figure whose ylabel is moved by so many characters.
 class LostLabels : public ::testing::Test {
  protected:
-  [[nodiscard]] scene::Finished checked(const std::string& body) const {
-    write(folder_ / "program", "#!/bin/sh\n" + body + "\n");
-    fs::permissions(folder_ / "program", fs::perms::owner_all);
-    return scene::run_program({NLMECH_SOURCE_DIR "/scripts/lost-labels", (folder_ / "program").string()},
+  [[nodiscard]] scene::Finished sought() const {
+    return scene::run_program({NLMECH_SOURCE_DIR "/scripts/lost-labels", folder_.path().string()},
                               folder_.path());
   }
   [[nodiscard]] scene::Finished with_label_moved(const std::string& by) const {
-    write(folder_ / "figure.gp",
+    write(folder_ / "results/chapter/scene.gp",
           "width = '400'\n"
           "height = '300'\n"
           "set terminal svg size width + 0, height + 0\n"
@@ -106,7 +104,9 @@ class LostLabels : public ::testing::Test {
               by +
               ",0\n"
               "plot [0:1] 1e4*x notitle\n");
-    return checked("exec gnuplot figure.gp");
+    const scene::Finished drawn = scene::run_program({"gnuplot", "results/chapter/scene.gp"}, folder_.path());
+    write(folder_ / "figures/chapter/scene.svg", drawn.output);
+    return sought();
   }
 
   TemporaryFolder folder_;
@@ -122,13 +122,15 @@ TEST_F(LostLabels, AreNamedWithTheFigure) {
   const scene::Finished done = with_label_moved("-4");
   EXPECT_EQ(done.exit_code, 1) << done.errors;
   EXPECT_NE(done.output.find("miss (m)"), std::string::npos) << done.output;
-  EXPECT_NE(done.output.find("figure.gp"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("scene.gp"), std::string::npos) << done.output;
 }
 
-TEST_F(LostLabels, AreNotSoughtWhereAProgramFails) {
-  const scene::Finished done = checked("exit 3");
+TEST_F(LostLabels, AreNotSoughtWhereNothingIsDrawn) {
+  EXPECT_EQ(sought().exit_code, 2);
+  write(folder_ / "results/chapter/scene.gp", "plot [0:1] x\n");
+  const scene::Finished done = sought();
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_NE(done.errors.find("ended with 3"), std::string::npos) << done.errors;
+  EXPECT_NE(done.errors.find("scene.svg"), std::string::npos) << done.errors;
 }
 
 }  // namespace
