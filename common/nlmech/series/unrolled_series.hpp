@@ -32,8 +32,9 @@ inline constexpr int most_order = 10;
 #else
 inline constexpr int most_order = 33;
 #endif
-inline constexpr std::ptrdiff_t stride = (most_order + 8) / 8 * 8;  ///< from one series to the next in memory
-inline constexpr int endless = 1 << 20;  ///< degree of what is no polynomial in the time
+inline constexpr std::ptrdiff_t stride =
+    std::ptrdiff_t{most_order + 8} / 8 * 8;  ///< from one series to the next in memory
+inline constexpr int endless = 1 << 20;      ///< degree of what is no polynomial in the time
 
 /// The sum of a[i] b[-i] for i = 0, ..., n - 1, in four partial sums.
 template <int n>
