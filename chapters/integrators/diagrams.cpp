@@ -26,8 +26,7 @@ Curve curve_of(const MethodTrials& m) {
 }
 
 /// The diagram of a problem.
-void put(const std::string& problem, const std::vector<ProblemTrials>& all, scene::Show& show) {
-  const ProblemTrials& p = *std::ranges::find(all, problem, &ProblemTrials::problem);
+void put(const ProblemTrials& p, scene::Show& show) {
   std::vector<Curve> curves;
   double most = 0;
   for (const MethodTrials& m : p.methods) {
@@ -36,7 +35,7 @@ void put(const std::string& problem, const std::vector<ProblemTrials>& all, scen
   }
   const scene::ProblemLines lines{"", comparison::method_lines(curves)};
   const bool known = p.condition >= 10;  // less lies beyond the 15 digits of the picture
-  scene::show_work_precision({.heading = problem + ": " + scene::who_leads(lines),
+  scene::show_work_precision({.heading = p.problem + ": " + scene::who_leads(lines),
                               .work = {"right-hand sides", "steps", "rejected"},
                               .work_label = "right-hand sides evaluated",
                               .groups = comparison::method_groups(),
@@ -53,12 +52,10 @@ void put(const std::string& problem, const std::vector<ProblemTrials>& all, scen
 
 std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
-  for (const std::string& problem : solved_problems())
-    all.push_back(
-        {.name = "error-vs-time-" + problem,
-         .title = fmt::format("Problem set, {}: digits against cost", problem),
-         .content = scene::Content(
-             [problem](const auto& trials, scene::Show& show) { put(problem, trials, show); }, sweep())});
+  for (const std::string& problem : problem_names(true))
+    all.push_back({.name = "error-vs-time-" + problem,
+                   .title = fmt::format("Problem set, {}: digits against cost", problem),
+                   .content = scene::Content(put, sweep_of(problem))});
   return all;
 }
 

@@ -113,10 +113,10 @@ std::vector<AnyProblem> problem_set() {
   return all;
 }
 
-std::vector<std::string> solved_problems() {
+std::vector<std::string> problem_names(bool solved) {
   std::vector<std::string> names;
   for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    if (by != By::nothing) names.emplace_back(c.name);
+    if (by != By::nothing || !solved) names.emplace_back(c.name);
   });
   names.emplace_back(Friction::name);
   return names;

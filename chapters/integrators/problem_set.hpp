@@ -58,8 +58,9 @@ using AnyProblem = std::variant<SetProblem<1>, SetProblem<2>, SetProblem<3>, Set
 /// @throws Failure naming the file, if one is not there or does not fit the problems
 [[nodiscard]] std::vector<AnyProblem> problem_set();
 
-/// The names of those whose solution reaches the end, in the order of problem_set(). Reads no file.
-[[nodiscard]] std::vector<std::string> solved_problems();
+/// Their names, in that order. Reads no file.
+/// @param solved those alone whose solution reaches the end
+[[nodiscard]] std::vector<std::string> problem_names(bool solved = false);
 
 /// The name of a problem.
 [[nodiscard]] const std::string& name_of(const AnyProblem& problem);

@@ -56,6 +56,15 @@ std::optional<double> error_of(const SetProblem<n>& p, const ivp::NamedIntegrato
   return median(errors);
 }
 
+/// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
+/// not come through is not begun. Nothing of other ways, and where a run is bounded in seconds.
+template <int n>
+ivp::Solution<n> first_tenth(const SetProblem<n>& p, const ivp::NamedIntegrator<n>& run, ivp::Limits limits) {
+  if (p.length == 1 || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
+  limits.steps /= 10;
+  return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
+}
+
 template <int n>
 Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double tolerance,
             const Effort& effort) {
@@ -67,8 +76,9 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   try {
     const auto run = comparison::any_integrator<n>(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
+    ivp::Solution<n> s = first_tenth(p, run, limits);
     const std::clock_t begin = std::clock();
-    const ivp::Solution<n> s = once();
+    if (s.status.ok()) s = once();
     t.processor = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     t.status = to_string(s.status.outcome());
     t.work = s.statistics;
@@ -108,28 +118,28 @@ MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const
   return all;
 }
 
-std::vector<ProblemTrials> measure(bool quick) {
-  return trials_of_all(comparison::built_method_names(), quick ? look : full);
+ProblemTrials trials_on(const AnyProblem& problem, const std::vector<std::string>& methods,
+                        const Effort& effort) {
+  ProblemTrials p = std::visit(
+      [](const auto& q) {
+        return ProblemTrials{q.name,
+                             q.kind,
+                             q.has_solution(),
+                             q.condition,
+                             q.tolerance_condition,
+                             {},
+                             static_cast<double>(q.length)};
+      },
+      problem);
+  for (const std::string& name : methods) p.methods.push_back(trials_of(problem, name, effort));
+  return p;
 }
 
 }  // namespace
 
 std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods, const Effort& effort) {
   std::vector<ProblemTrials> all;
-  for (const AnyProblem& problem : problem_set()) {
-    ProblemTrials& p = all.emplace_back(std::visit(
-        [](const auto& q) {
-          return ProblemTrials{q.name,
-                               q.kind,
-                               q.has_solution(),
-                               q.condition,
-                               q.tolerance_condition,
-                               {},
-                               static_cast<double>(q.length)};
-        },
-        problem));
-    for (const std::string& name : methods) p.methods.push_back(trials_of(problem, name, effort));
-  }
+  for (const AnyProblem& problem : problem_set()) all.push_back(trials_on(problem, methods, effort));
   return all;
 }
 
@@ -161,15 +171,31 @@ bool ProblemTrials::silent_failure(const Trial& trial) const {
   return !has_solution || (expected >= least_digits && trial.digits() < expected / 2);
 }
 
-scene::Result<std::vector<ProblemTrials>> sweep() {
+scene::Result<ProblemTrials> sweep_of(const std::string& problem) {
   return {
-      "sweep",
-      "every method and peer on every problem of the set, tolerances 1e-3 to 1e-13, absolute tolerances by "
-      "the problem; error: median over 16 times in the last tenth of the way, reached by a chain of runs; "
-      "one thread, median of repeats in 4 ms; a run has 60 000 steps (duffing-10000: 600 000), fewer in "
-      "search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000; a "
-      "Jacobian or factorisation counts as one a component), or 10 000 in search of a step",
-      measure};
+      "sweep-" + problem,
+      "every method and peer, tolerances 1e-3 to 1e-13, absolute tolerances by the problem; error: median "
+      "over 16 times in the last tenth of the way, reached by a chain of runs; one thread, median of repeats "
+      "in 4 ms; a run has 60 000 steps (duffing-10000: 600 000, and 60 000 of them for its first tenth), "
+      "fewer in search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 "
+      "000 000; a Jacobian or factorisation counts as one a component), or 10 000 in search of a step",
+      [problem](bool quick) {
+        const std::vector<AnyProblem> all = problem_set();
+        return trials_on(*std::ranges::find(all, problem, name_of), comparison::built_method_names(),
+                         quick ? look : full);
+      }};
+}
+
+scene::Result<std::vector<ProblemTrials>> sweep() {
+  std::vector<scene::Result<ProblemTrials>> each;
+  for (const std::string& problem : problem_names()) each.push_back(sweep_of(problem));
+  return {"sweep", "all problems of the set",
+          [](const std::vector<const ProblemTrials*>& trials) {
+            std::vector<ProblemTrials> all;
+            for (const ProblemTrials* p : trials) all.push_back(*p);
+            return all;
+          },
+          each};
 }
 
 std::vector<const ProblemTrials*> with_solution(const std::vector<ProblemTrials>& all) {

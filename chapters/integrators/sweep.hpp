@@ -1,5 +1,5 @@
 /// @file
-/// Every method on every problem of the set over a sweep of tolerances: the one result behind the scenes that
+/// Every method on every problem of the set over a sweep of tolerances: the results behind the scenes that
 /// tell which method suits which problem.
 #pragma once
 
@@ -75,7 +75,9 @@ struct Effort {
 [[nodiscard]] std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods,
                                                        const Effort& effort);
 
-/// The result, shared by name.
+/// Every method on one problem, shared by name.
+[[nodiscard]] scene::Result<ProblemTrials> sweep_of(const std::string& problem);
+/// Those of all problems.
 [[nodiscard]] scene::Result<std::vector<ProblemTrials>> sweep();
 
 /// Of all problems that have a solution.
