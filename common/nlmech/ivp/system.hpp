@@ -28,6 +28,96 @@ concept SystemLike = requires(const S& system, double t, const State<S::dimensio
   system.discontinuities(t, t);
 };
 
+/// The dimension of the System that methods are compiled for: the problem's own if it is 1, 2, 3, 4 or 6.
+template <class Problem>
+inline constexpr int compiled_dimension =
+    (Problem::dimension >= 1 && Problem::dimension <= 4) || Problem::dimension == 6 ? Problem::dimension
+                                                                                    : Eigen::Dynamic;
+
+/// @cond
+namespace detail {
+
+template <int n>
+struct Face {
+  Face() = default;
+  Face(const Face&) = delete;
+  Face& operator=(const Face&) = delete;
+  virtual ~Face() = default;
+  virtual int size() const = 0;
+  virtual bool second_order() const = 0;
+  virtual void rhs(double, const State<n>&, State<n>&) const = 0;
+  virtual void rhs(std::span<const double>, const Nodes<n>&, Nodes<n>&) const = 0;
+  virtual void jacobian(double, const State<n>&, Jacobian<n>&) const = 0;
+  virtual bool time_derivative(double, const State<n>&, State<n>&) const = 0;
+  virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&) const = 0;
+  virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&, Jacobian<n>&,
+                                 Jacobian<n>&) const = 0;
+  virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
+  virtual std::vector<double> discontinuities(double, double) const = 0;
+  virtual int switches() const = 0;
+  virtual std::shared_ptr<const Face> in_mode(const Mode&) const = 0;
+  virtual void surfaces(double, const State<n>&, std::span<double>, std::span<double>) const = 0;
+  virtual bool linear_part(Jacobian<n>&) const = 0;
+  virtual std::vector<Harmonic> load() const = 0;
+  virtual bool invariants(double, const State<n>&, Eigen::VectorXd&) const = 0;
+  virtual bool bounds(State<n>&, State<n>&) const = 0;
+  virtual Tape record(double, const State<n>&) const = 0;
+};
+template <int n, class D>
+struct Compiled final : Face<n> {
+  explicit Compiled(D d) : direct(std::move(d)) {}
+  int size() const override { return direct.size(); }
+  bool second_order() const override { return direct.second_order(); }
+  void rhs(double t, const State<n>& x, State<n>& f) const override { direct.rhs(t, x, f); }
+  void rhs(std::span<const double> t, const Nodes<n>& x, Nodes<n>& f) const override { direct.rhs(t, x, f); }
+  void jacobian(double t, const State<n>& x, Jacobian<n>& j) const override { direct.jacobian(t, x, j); }
+  bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const override {
+    return direct.time_derivative(t, x, dfdt);
+  }
+  bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const override {
+    return direct.second_derivative(t, x, f, g);
+  }
+  bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
+                         Jacobian<n>& gx) const override {
+    return direct.second_derivative(t, x, f, g, fx, gx);
+  }
+  void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const override {
+    direct.acceleration(t, q, v, a);
+  }
+  std::vector<double> discontinuities(double t0, double t1) const override {
+    return direct.discontinuities(t0, t1);
+  }
+  int switches() const override { return direct.switches(); }
+  std::shared_ptr<const Face<n>> in_mode(const Mode& mode) const override {
+    return std::make_shared<const Compiled>(direct.in_mode(mode));
+  }
+  void surfaces(double t, const State<n>& x, std::span<double> values,
+                std::span<double> rates) const override {
+    direct.surfaces(t, x, values, rates);
+  }
+  bool linear_part(Jacobian<n>& a) const override { return direct.linear_part(a); }
+  std::vector<Harmonic> load() const override { return direct.load(); }
+  bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const override {
+    return direct.invariants(t, x, values);
+  }
+  bool bounds(State<n>& lower, State<n>& upper) const override { return direct.bounds(lower, upper); }
+  Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
+  D direct;
+};
+
+/// Has a problem its System compiled in the library? Not one that derives from it.
+template <class Problem>
+concept CompiledOnce = requires {
+  requires std::same_as<typename Problem::compiled_once, Problem>;
+};
+/// Of such a problem. Defined by compiled_system.hpp, for the one source that compiles it:
+/// problems/systems.cpp.
+template <int n, class Problem>
+std::shared_ptr<const Face<n>> compiled_face(Problem problem);
+
+}  // namespace detail
+/// @endcond
+
 /// A problem behind a virtual interface. Methods are compiled once for System of the dimensions 1, 2, 3, 4, 6
 /// and Eigen::Dynamic, so that many problems and many methods cost their sum to compile, not their product. A
 /// call costs one indirection; rhs() over many nodes costs one for all of them. Copies share the problem.
@@ -38,10 +128,10 @@ class System {
   static constexpr int dimension = n;
 
   /// Compiles a problem: see Direct for what a problem has to offer. A problem of a fixed dimension also
-  /// makes a System<Eigen::Dynamic>.
+  /// makes a System<Eigen::Dynamic>. Those of nlmech::problems are compiled there.
   template <class Problem>
   requires(!std::same_as<std::remove_cvref_t<Problem>, System>) explicit System(Problem problem)
-      : face_(std::make_shared<const Compiled<Direct<Problem, n>>>(Direct<Problem, n>(std::move(problem)))) {}
+      : face_(face_of(std::move(problem))) {}
 
   /// Number of components of the state.
   [[nodiscard]] int size() const { return face_->size(); }
@@ -105,84 +195,20 @@ class System {
   [[nodiscard]] TapedTaylor<System> taylor(int order) const { return {*this, order}; }
 
  private:
-  struct Face {
-    Face() = default;
-    Face(const Face&) = delete;
-    Face& operator=(const Face&) = delete;
-    virtual ~Face() = default;
-    virtual int size() const = 0;
-    virtual bool second_order() const = 0;
-    virtual void rhs(double, const State<n>&, State<n>&) const = 0;
-    virtual void rhs(std::span<const double>, const Nodes<n>&, Nodes<n>&) const = 0;
-    virtual void jacobian(double, const State<n>&, Jacobian<n>&) const = 0;
-    virtual bool time_derivative(double, const State<n>&, State<n>&) const = 0;
-    virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&) const = 0;
-    virtual bool second_derivative(double, const State<n>&, State<n>&, State<n>&, Jacobian<n>&,
-                                   Jacobian<n>&) const = 0;
-    virtual void acceleration(double, const Half<n>&, const Half<n>&, Half<n>&) const = 0;
-    virtual std::vector<double> discontinuities(double, double) const = 0;
-    virtual int switches() const = 0;
-    virtual std::shared_ptr<const Face> in_mode(const Mode&) const = 0;
-    virtual void surfaces(double, const State<n>&, std::span<double>, std::span<double>) const = 0;
-    virtual bool linear_part(Jacobian<n>&) const = 0;
-    virtual std::vector<Harmonic> load() const = 0;
-    virtual bool invariants(double, const State<n>&, Eigen::VectorXd&) const = 0;
-    virtual bool bounds(State<n>&, State<n>&) const = 0;
-    virtual Tape record(double, const State<n>&) const = 0;
-  };
-  template <class D>
-  struct Compiled final : Face {
-    explicit Compiled(D d) : direct(std::move(d)) {}
-    int size() const override { return direct.size(); }
-    bool second_order() const override { return direct.second_order(); }
-    void rhs(double t, const State<n>& x, State<n>& f) const override { direct.rhs(t, x, f); }
-    void rhs(std::span<const double> t, const Nodes<n>& x, Nodes<n>& f) const override {
-      direct.rhs(t, x, f);
-    }
-    void jacobian(double t, const State<n>& x, Jacobian<n>& j) const override { direct.jacobian(t, x, j); }
-    bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const override {
-      return direct.time_derivative(t, x, dfdt);
-    }
-    bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const override {
-      return direct.second_derivative(t, x, f, g);
-    }
-    bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
-                           Jacobian<n>& gx) const override {
-      return direct.second_derivative(t, x, f, g, fx, gx);
-    }
-    void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const override {
-      direct.acceleration(t, q, v, a);
-    }
-    std::vector<double> discontinuities(double t0, double t1) const override {
-      return direct.discontinuities(t0, t1);
-    }
-    int switches() const override { return direct.switches(); }
-    std::shared_ptr<const Face> in_mode(const Mode& mode) const override {
-      return std::make_shared<const Compiled>(direct.in_mode(mode));
-    }
-    void surfaces(double t, const State<n>& x, std::span<double> values,
-                  std::span<double> rates) const override {
-      direct.surfaces(t, x, values, rates);
-    }
-    bool linear_part(Jacobian<n>& a) const override { return direct.linear_part(a); }
-    std::vector<Harmonic> load() const override { return direct.load(); }
-    bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const override {
-      return direct.invariants(t, x, values);
-    }
-    bool bounds(State<n>& lower, State<n>& upper) const override { return direct.bounds(lower, upper); }
-    Tape record(double t, const State<n>& x) const override { return direct.record(t, x); }
-    D direct;
-  };
+  using Face = detail::Face<n>;
   explicit System(std::shared_ptr<const Face> face) : face_(std::move(face)) {}
+
+  template <class Problem>
+  static std::shared_ptr<const Face> face_of(Problem problem) {
+    if constexpr (detail::CompiledOnce<Problem> && n == compiled_dimension<Problem>)
+      return detail::compiled_face<n>(std::move(problem));
+    else
+      return std::make_shared<const detail::Compiled<n, Direct<Problem, n>>>(
+          Direct<Problem, n>(std::move(problem)));
+  }
 
   std::shared_ptr<const Face> face_;
 };
-
-/// The dimension of the System that methods are compiled for: the problem's own if it is 1, 2, 3, 4 or 6.
-template <class Problem>
-inline constexpr int compiled_dimension =
-    (Problem::dimension >= 1 && Problem::dimension <= 4) || Problem::dimension == 6 ? Problem::dimension
-                                                                                    : Eigen::Dynamic;
 
 /// `System system(Duffing{})` is a System<2>.
 template <class Problem>

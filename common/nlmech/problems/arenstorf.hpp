@@ -20,6 +20,7 @@ namespace nlmech::problems {
 /// multiplies errors.
 struct Arenstorf {
   static constexpr int dimension = 4;                    ///< two positions, then two velocities
+  using compiled_once = Arenstorf;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "arenstorf";  ///< on command lines and in tables
   static constexpr double initial_time = 0;              ///< t_0
   static constexpr double final_time = 17.0652165601579625588917206249;  ///< the period

@@ -16,6 +16,7 @@ namespace nlmech::problems {
 /// integrator has to notice. State (y).
 struct BlowUp {
   static constexpr int dimension = 1;                  ///< y alone
+  using compiled_once = BlowUp;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "blow-up";  ///< on command lines and in tables
   static constexpr double initial_time = 0;            ///< t_0
   static constexpr double final_time = 1;              ///< twice the life of the solution

@@ -22,6 +22,7 @@ namespace nlmech::problems {
 template <class Real, int n>
 struct BasicBodies {
   static constexpr int dimension = 6 * n;             ///< three positions and velocities a body
+  using compiled_once = BasicBodies<double, 4>;       ///< its System is compiled in the library
   static constexpr std::string_view name = "bodies";  ///< on command lines and in tables
   static constexpr double initial_time = 0;           ///< t_0
   static constexpr double final_time = 3000;          ///< before the closest encounters of the four bodies

@@ -15,6 +15,7 @@ namespace nlmech::problems {
 /// slope is infinite. There is none beyond, but a step may jump across. State (y).
 struct DeadEnd {
   static constexpr int dimension = 1;                   ///< y alone
+  using compiled_once = DeadEnd;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "dead-end";  ///< on command lines and in tables
   static constexpr double initial_time = 0;             ///< t_0
   static constexpr double final_time = 2;               ///< twice the life of the solution
@@ -47,6 +48,7 @@ struct DeadEnd {
 /// there. State (y).
 struct LostDomain {
   static constexpr int dimension = 1;                      ///< y alone
+  using compiled_once = LostDomain;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "lost-domain";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                ///< t_0
   static constexpr double final_time = 2;                  ///< twice the life of the equation

@@ -16,6 +16,7 @@ namespace nlmech::problems {
 /// x'' + c x' + k x + m x^3 = f cos(w t). State (x, v). The values are those of x'' + x + x^3 = cos t.
 struct DrivenDuffing {
   static constexpr int dimension = 2;                         ///< position and velocity
+  using compiled_once = DrivenDuffing;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "driven-duffing";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                   ///< t_0
   static constexpr double final_time = 50;                    ///< some periods of the force

@@ -19,6 +19,7 @@ namespace nlmech::problems {
 /// eta for which w^2 + eta X^2 > 0.
 struct Duffing {
   static constexpr int dimension = 2;                  ///< position and velocity
+  using compiled_once = Duffing;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "duffing";  ///< on command lines and in tables
   static constexpr double initial_time = 0;            ///< t_0
   static constexpr double final_time = 500;            ///< t_F, Table 4.1

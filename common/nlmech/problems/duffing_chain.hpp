@@ -20,6 +20,7 @@ namespace nlmech::problems {
 /// v_N), whose size is known when the number of masses is.
 struct DuffingChain {
   static constexpr int dimension = Eigen::Dynamic;           ///< two components a mass
+  using compiled_once = DuffingChain;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "duffing-chain";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                  ///< t_0
   static constexpr double final_time = 20;                   ///< some four periods

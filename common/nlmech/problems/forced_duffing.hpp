@@ -20,6 +20,7 @@ namespace nlmech::problems {
 template <class Real>
 struct BasicForcedDuffing {
   static constexpr int dimension = 2;                         ///< position and velocity
+  using compiled_once = BasicForcedDuffing<double>;           ///< its System is compiled in the library
   static constexpr std::string_view name = "forced-duffing";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                   ///< t_0
   static constexpr double final_time = 50;                    ///< of a reference value; Fig. 4 gives none

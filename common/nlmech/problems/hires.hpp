@@ -16,6 +16,7 @@ namespace nlmech::problems {
 /// E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section IV.10).
 struct Hires {
   static constexpr int dimension = 8;                ///< concentrations
+  using compiled_once = Hires;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "hires";  ///< on command lines and in tables
   static constexpr double initial_time = 0;          ///< t_0
   static constexpr double final_time = 321.8122;     ///< of the test set

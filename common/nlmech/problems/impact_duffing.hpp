@@ -21,6 +21,7 @@ namespace nlmech::problems {
 /// ends.
 struct ImpactDuffing {
   static constexpr int dimension = 2;                 ///< position and velocity
+  using compiled_once = ImpactDuffing;                ///< its System is compiled in the library
   static constexpr std::string_view name = "impact";  ///< on command lines and in tables
   static constexpr double initial_time = 0;           ///< t_0
   static constexpr double final_time = 500;           ///< t_F, Table 4.3

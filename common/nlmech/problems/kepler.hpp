@@ -19,6 +19,7 @@ namespace nlmech::problems {
 /// mean distance: steps of one length are hopeless for e close to 1.
 struct Kepler {
   static constexpr int dimension = 4;                 ///< two positions, then two velocities
+  using compiled_once = Kepler;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "kepler";  ///< on command lines and in tables
   static constexpr double initial_time = 0;           ///< t_0
   static constexpr double final_time = 16;            ///< two and a half turns: away from the pericentre

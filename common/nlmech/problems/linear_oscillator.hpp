@@ -16,6 +16,7 @@ namespace nlmech::problems {
 /// x'' + 2 zeta w x' + w^2 x = F cos(W t). State (x, v).
 struct LinearOscillator {
   static constexpr int dimension = 2;                 ///< position and velocity
+  using compiled_once = LinearOscillator;             ///< its System is compiled in the library
   static constexpr std::string_view name = "linear";  ///< on command lines and in tables
   static constexpr double initial_time = 0;           ///< t_0
   static constexpr double final_time = 10;            ///< some periods

@@ -21,6 +21,7 @@ namespace nlmech::problems {
 template <class Real>
 struct BasicLorenz {
   static constexpr int dimension = 3;                 ///< u, v, w
+  using compiled_once = BasicLorenz<double>;          ///< its System is compiled in the library
   static constexpr std::string_view name = "lorenz";  ///< on command lines and in tables
   static constexpr double initial_time = 0;           ///< t_0
   static constexpr double final_time = 20;            ///< end of Fig. 3a

@@ -19,6 +19,7 @@ namespace nlmech::problems {
 struct Pleiades {
   static constexpr int stars = 7;                       ///< in the plane
   static constexpr int dimension = 4 * stars;           ///< positions, then velocities
+  using compiled_once = Pleiades;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "pleiades";  ///< on command lines and in tables
   static constexpr double initial_time = 0;             ///< t_0
   static constexpr double final_time = 3;               ///< of the test set

@@ -16,6 +16,7 @@ namespace nlmech::problems {
 /// pollu). Concentrations in ppm, time in minutes.
 struct Pollution {
   static constexpr int dimension = 20;                   ///< concentrations
+  using compiled_once = Pollution;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "pollution";  ///< on command lines and in tables
   static constexpr double initial_time = 0;              ///< t_0
   static constexpr double final_time = 60;               ///< of the test set

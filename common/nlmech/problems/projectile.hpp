@@ -25,6 +25,7 @@ namespace nlmech::problems {
 template <class Real>
 struct BasicProjectile {
   static constexpr int dimension = 6;                     ///< three positions, then three velocities
+  using compiled_once = BasicProjectile<double>;          ///< its System is compiled in the library
   static constexpr std::string_view name = "projectile";  ///< on command lines and in tables
   static constexpr double initial_time = 0;               ///< t_0
   static constexpr double final_time = 9.84601516944855;  ///< it lands

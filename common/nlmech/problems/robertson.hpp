@@ -18,6 +18,7 @@ namespace nlmech::problems {
 /// the solution runs away.
 struct Robertson {
   static constexpr int dimension = 3;                    ///< concentrations
+  using compiled_once = Robertson;                       ///< its System is compiled in the library
   static constexpr std::string_view name = "robertson";  ///< on command lines and in tables
   static constexpr double initial_time = 0;              ///< t_0
   static constexpr double final_time = 1e11;             ///< of the test set

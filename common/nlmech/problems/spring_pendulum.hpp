@@ -18,6 +18,7 @@ namespace nlmech::problems {
 /// in two seconds: stiff. Without damping its frequency is sqrt(k/m).
 struct SpringPendulum {
   static constexpr int dimension = 4;                          ///< two positions, then two velocities
+  using compiled_once = SpringPendulum;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "spring-pendulum";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                    ///< t_0
   static constexpr double final_time = 10;                     ///< s, some four swings

@@ -23,6 +23,7 @@ namespace nlmech::problems {
 template <class Real>
 struct BasicStrongOscillator {
   static constexpr int dimension = 2;                             ///< position and velocity
+  using compiled_once = BasicStrongOscillator<double>;            ///< its System is compiled in the library
   static constexpr std::string_view name = "oscillator";          ///< on command lines and in tables
   static constexpr double initial_time = 3.14159265358979323846;  ///< t_0 = pi
   static constexpr double final_time = 378.14159265358979323846;  ///< 375 later, as in Fig. 5

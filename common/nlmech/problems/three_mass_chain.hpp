@@ -23,6 +23,7 @@ namespace nlmech::problems {
 template <class Real>
 struct BasicThreeMassChain {
   static constexpr int dimension = 6;                    ///< three positions, then three velocities
+  using compiled_once = BasicThreeMassChain<double>;     ///< its System is compiled in the library
   static constexpr std::string_view name = "three-dof";  ///< on command lines and in tables
   static constexpr double initial_time = 0;              ///< t_0
   static constexpr double final_time = 200;              ///< t_F, Table 4.5

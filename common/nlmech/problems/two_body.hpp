@@ -15,6 +15,7 @@ namespace nlmech::problems {
 /// q'' = -mu q/|q|^3 (Elgohary 2015, Eq. 3.67). State (x1, x2, x3, v1, v2, v3).
 struct TwoBody {
   static constexpr int dimension = 6;                   ///< three positions, then three velocities
+  using compiled_once = TwoBody;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "two-body";  ///< on command lines and in tables
   static constexpr double initial_time = 0;             ///< t_0
   static constexpr double final_time = 124363.0;        ///< twenty of the low orbits, in seconds

@@ -23,6 +23,7 @@ namespace nlmech::problems {
 /// x1 = -x2: each is then a Duffing oscillator, of the stiffness k or k + 2 s.
 struct TwoDof {
   static constexpr int dimension = 4;                  ///< two positions, two velocities
+  using compiled_once = TwoDof;                        ///< its System is compiled in the library
   static constexpr std::string_view name = "two-dof";  ///< on command lines and in tables
   static constexpr double initial_time = 0;            ///< t_0
   static constexpr double final_time = 20;             ///< some periods of the force

@@ -17,6 +17,7 @@ namespace nlmech::problems {
 /// mu (1 - x^2), and jumps at |x| = 1 to the other side: half a period takes about (3/2 - ln 2) mu.
 struct VanDerPol {
   static constexpr int dimension = 2;                      ///< position and velocity
+  using compiled_once = VanDerPol;                         ///< its System is compiled in the library
   static constexpr std::string_view name = "van-der-pol";  ///< on command lines and in tables
   static constexpr double initial_time = 0;                ///< t_0
   static constexpr double final_time = 20;                 ///< four jumps for mu = 10 lie in between
