@@ -19,6 +19,8 @@ TEST(Mistakes, EndWithTwoAndAreNamed) {
       {{"integrate", "--equation", "x' = -x", "--problem", "lorenz", "--until", "1"},
        {"give one of --problem NAME, --equation TEXT and --file NAME.ode"}},
       {{"integrate", "--until", "1"}, {"--equation TEXT"}},
+      {{"integrate", "x' = -x; x(0) = 1", "--until", "1"},
+       {"not expected: x' = -x; x(0) = 1", "An equation follows --equation."}},
       {{"integrate", "--file", "nowhere.ode", "--until", "1"}, {"nowhere.ode"}},
       {{"integrate", "--equation", "x' = -a x; a = 1", "--set", "b=1", "--initial", "x=1", "--until", "1"},
        {"--set b: the equation has no such definition; there is a"}},

@@ -105,14 +105,25 @@ TimeLimit::Command Parsed::watched(const std::string& program) const {
   return watched;
 }
 
-/// As CLI11 says it, but short.
-std::string unexpected(const std::vector<std::string>& arguments) {
+/// Does a command that was named take equations, and is this one, typed without the option?
+bool is_equation(const CLI::App& app, const std::string& argument) {
+  return argument.find("'") < argument.find('=') &&
+         std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
+           return command->get_option_no_throw("--equation") != nullptr;
+         });
+}
+
+/// As CLI11 says it, but short, and with what was likely meant.
+std::string unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
   constexpr std::size_t most = 6;
   std::string words;
   for (std::size_t i = 0; i < std::min(most, arguments.size()); ++i) words += ' ' + echoed(arguments[i]);
   if (arguments.size() > most) words += fmt::format(" and {} more", arguments.size() - most);
-  return fmt::format("The following argument{} not expected:{}\nRun with --help for more information.",
-                     arguments.size() == 1 ? " was" : "s were", words);
+  const bool equation =
+      std::ranges::any_of(arguments, [&app](const std::string& a) { return is_equation(app, a); });
+  return fmt::format("The following argument{} not expected:{}\n{}Run with --help for more information.",
+                     arguments.size() == 1 ? " was" : "s were", words,
+                     equation ? "An equation follows --equation.\n" : "");
 }
 
 /// Help and version go where results go, complaints to standard error.
@@ -124,7 +135,7 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   }
   const std::vector<std::string> extra = app.remaining(true);
   const bool few_words = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extra.empty();
-  tell(few_words ? complaint.str() : unexpected(extra));
+  tell(few_words ? complaint.str() : unexpected(app, extra));
   return ExitCode::wrong_usage;
 }
 
