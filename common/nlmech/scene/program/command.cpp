@@ -107,7 +107,7 @@ TimeLimit::Command Parsed::watched(const std::string& program) const {
 
 /// Does a command that was named take equations, and is this one, typed without the option?
 bool is_equation(const CLI::App& app, const std::string& argument) {
-  return argument.find("'") < argument.find('=') &&
+  return argument.find('\'') < argument.find('=') &&
          std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
            return command->get_option_no_throw("--equation") != nullptr;
          });
