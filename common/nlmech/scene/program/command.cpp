@@ -105,11 +105,12 @@ TimeLimit::Command Parsed::watched(const std::string& program) const {
   return watched;
 }
 
-/// Does a command that was named take equations, and is this one, typed without the option?
+/// Does a command that was named take equations and has none, and is this one, typed without the option?
 bool is_equation(const CLI::App& app, const std::string& argument) {
   return argument.find('\'') < argument.find('=') &&
          std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
-           return command->get_option_no_throw("--equation") != nullptr;
+           const CLI::Option* const equation = command->get_option_no_throw("--equation");
+           return equation != nullptr && equation->count() == 0;
          });
 }
 
