@@ -57,10 +57,12 @@ std::optional<double> error_of(const SetProblem<n>& p, const ivp::NamedIntegrato
 }
 
 /// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
-/// not come through is not begun. Nothing of other ways, and where a run is bounded in seconds.
+/// not come through is not begun. Nothing of other ways, of searches for a step, whose runs are of any
+/// length, and where a run is bounded in seconds.
 template <int n>
-ivp::Solution<n> first_tenth(const SetProblem<n>& p, const ivp::NamedIntegrator<n>& run, ivp::Limits limits) {
-  if (p.length == 1 || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
+ivp::Solution<n> first_tenth(const SetProblem<n>& p, const comparison::AnyMethod& method,
+                             const ivp::NamedIntegrator<n>& run, ivp::Limits limits) {
+  if (p.length == 1 || method.info.fixed_step() || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
   limits.steps /= 10;
   return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
 }
@@ -77,7 +79,7 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
     const auto run = comparison::any_integrator<n>(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
     std::clock_t begin = std::clock();
-    ivp::Solution<n> s = first_tenth(p, run, limits);
+    ivp::Solution<n> s = first_tenth(p, method, run, limits);
     if (s.status.ok()) {
       begin = std::clock();
       s = once();
