@@ -1,0 +1,122 @@
+// No method asks for memory in a step. A program of its own, because it replaces `operator new`, and the
+// linker leads its malloc() and realloc(), which Eigen calls, to what counts here (CMakeLists.txt). The
+// instances are those that the library has.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/implicit/backward_euler.hpp"
+#include "nlmech/ivp/runge_kutta/dop853.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/runge_kutta/rkn1210.hpp"
+#include "nlmech/ivp/series/series.hpp"
+#include "nlmech/ivp/structural/central_difference.hpp"
+#include "nlmech/ivp/structural/generalized_alpha.hpp"
+#include "nlmech/ivp/structural/hht.hpp"
+#include "nlmech/ivp/structural/newmark.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
+#include "nlmech/problems/three_mass_chain.hpp"
+
+namespace {
+std::int64_t requests = 0;  // of memory, since the program began
+}
+
+// NOLINTBEGIN(bugprone-reserved-identifier): the linker gives these names.
+extern "C" {
+void* __real_malloc(std::size_t bytes);
+void* __real_realloc(void* block, std::size_t bytes);
+void* __wrap_malloc(std::size_t bytes) {
+  ++requests;
+  return __real_malloc(bytes);
+}
+void* __wrap_realloc(void* block, std::size_t bytes) {
+  ++requests;
+  return __real_realloc(block, bytes);
+}
+}
+// NOLINTEND(bugprone-reserved-identifier)
+
+void* operator new(std::size_t bytes) {
+  ++requests;
+  if (void* block = __real_malloc(bytes > 0 ? bytes : 1)) return block;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  ++requests;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* block = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit)) return block;
+  throw std::bad_alloc();
+}
+// Inlined, GCC would take them for the wrong end of a new.
+[[gnu::noinline]] void operator delete(void* block) noexcept { std::free(block); }
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+[[gnu::noinline]] void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
+[[gnu::noinline]] void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+  std::free(block);
+}
+
+namespace nlmech::ivp::no_allocation_test {
+namespace {
+
+// From the end of the first of ten steps to the end of the last but one.
+template <class Method>
+void expect_no_allocation(const Method& method, const problems::ThreeMassChain& chain = {}) {
+  std::int64_t before = 0, after = 0;
+  const Observer<6> count = [&](const Step<6>& step) {
+    (step.index <= 1 ? before : after) = requests;
+    return step.index < 10;
+  };
+  const auto s = integrate(System(chain), State<6>::Zero(), 0, 100, method, count);
+  EXPECT_EQ(s.status.outcome(), Outcome::interrupted) << s.status.text();
+  EXPECT_EQ(after - before, 0) << Method::name;
+}
+
+TEST(NoAllocation, IsCounted) {
+  const std::int64_t before = requests;
+  const Eigen::VectorXd algebra(7);
+  const std::string text(100, 'x');
+  EXPECT_EQ(requests - before, 2) << algebra.size() << text;
+}
+
+TEST(NoAllocation, InStepsOfExplicitMethods) {
+  expect_no_allocation(Euler{.step = 0.5});
+  expect_no_allocation(Rk4{.step = 0.5});
+  expect_no_allocation(Rk6{.step = 0.5});
+  expect_no_allocation(CentralDifference{.step = 0.5});
+  expect_no_allocation(Ode45{});
+  expect_no_allocation(Dop853{});
+  expect_no_allocation(Rkn1210{}, problems::ThreeMassChain{.c2 = 0});
+  expect_no_allocation(Series{.order = 12, .step = 0.5});
+  expect_no_allocation(Series{});
+}
+
+TEST(NoAllocation, InStepsOfImplicitMethods) {
+  expect_no_allocation(BackwardEuler{.step = 0.5});
+  expect_no_allocation(Newmark{.step = 0.5});
+  expect_no_allocation(Hht{.step = 0.5});
+  expect_no_allocation(GeneralizedAlpha{.step = 0.5});
+  expect_no_allocation(Hermitian{.step = 0.5});
+  expect_no_allocation(Hermitian{});
+}
+
+TEST(NoAllocation, InStepsOfCollocation) {
+  expect_no_allocation(Mcpi{.step = 0.5, .order = 8});
+  expect_no_allocation(RbfCollocation{.step = 0.5, .nodes = 7, .shape = 0.4});
+  expect_no_allocation(PolynomialCollocation{.step = 0.5, .nodes = 7});
+  expect_no_allocation(AdaptiveCollocation{});
+  expect_no_allocation(Mtl{.step = 0.125, .points = 4});
+  expect_no_allocation(Mtl{.step = 0.125, .points = 4, .linear = MtlLinear::jacobian, .error_tolerance = 10});
+}
+
+}  // namespace
+}  // namespace nlmech::ivp::no_allocation_test
