@@ -1,4 +1,5 @@
-// What the tests of integrators share: equations with known solutions, and observers that measure.
+// What the tests of integrators share: equations with known solutions (their System is in systems.cpp), and
+// observers that measure.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 // q'' = -2 zeta q' - w2 q - cubic q^3 + f(t) with the f for which q = A cos t.
 struct Manufactured {
   static constexpr int dimension = 2;
+  using compiled_once = Manufactured;
   double damping = 0.3, stiffness = 1, cubic = 1, amplitude = 1;
   template <class T>
   void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& v, Vector<T, 1>& a) const {
@@ -47,6 +49,7 @@ struct Manufactured {
 // q'' = -w^2 q.
 struct Oscillator {
   static constexpr int dimension = 2;
+  using compiled_once = Oscillator;
   double frequency = 1;
   template <class T>
   void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
@@ -62,6 +65,7 @@ struct Oscillator {
 // exact if it respects the jump, and wrong by a part of a step's jump if not.
 struct JumpingForce {
   static constexpr int dimension = 2;
+  using compiled_once = JumpingForce;
   double at = 0.3, before = -1, after = 2;
   template <class T>
   void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
@@ -86,6 +90,7 @@ struct JumpingForce {
 // q'' = -q, but `value` from t = `at` on.
 struct Poisoned {
   static constexpr int dimension = 2;
+  using compiled_once = Poisoned;
   double at = 0.5, value = nan;
   template <class T>
   void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {

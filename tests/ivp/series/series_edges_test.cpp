@@ -15,7 +15,7 @@ using testing::nan;
 // A free oscillator keeps errors as they are; back and forth is twice the way.
 TEST(SeriesEdges, GoesBackwards) {
   const Manufactured problem;
-  const auto there = integrate(Direct(problem), problem.exact(3), 3, -4, Series{.relative_tolerance = 1e-12});
+  const auto there = integrate(System(problem), problem.exact(3), 3, -4, Series{.relative_tolerance = 1e-12});
   EXPECT_TRUE(there.status.ok());
   EXPECT_EQ(there.t, -4);
   EXPECT_LT((there.x - problem.exact(-4)).cwiseAbs().maxCoeff(), 1e-8);  // damping backwards enlarges by e^2
@@ -51,7 +51,7 @@ TEST(SeriesEdges, ObserverSeesEveryStep) {
     EXPECT_EQ(State<2>(step.states.col(0)), step.x1);
     return step.index < 5;
   };
-  const auto s = integrate(Direct(problem), problem.exact(0), 0, 10, Series{}, look);
+  const auto s = integrate(System(problem), problem.exact(0), 0, 10, Series{}, look);
   EXPECT_EQ(s.status.outcome(), Outcome::interrupted);
   EXPECT_EQ(s.t, t);
   EXPECT_EQ(count, 5);
