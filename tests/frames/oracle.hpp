@@ -2,8 +2,6 @@
 /// What the tests of frames judge by: the textbook's stability functions in 50 digits, and random members.
 #pragma once
 
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <limits>
 
@@ -11,6 +9,7 @@
 #include "nlmech/frames/stability_functions.hpp"
 #include "nlmech/series/dual.hpp"
 #include "nlmech/support/extended_real.hpp"
+#include "tests/random.hpp"
 
 namespace nlmech::frames::oracle {
 
@@ -59,11 +58,7 @@ template <class T>
   return std::abs(static_cast<double>(Real(Real(a) / b - 1))) / eps;
 }
 
-/// A number between two bounds, uniformly.
-[[nodiscard]] inline rc::Gen<double> between(double low, double high) {
-  return rc::gen::map(rc::gen::inRange<std::int64_t>(0, 1'000'000'001),
-                      [=](std::int64_t i) { return low + (high - low) * 1e-9 * static_cast<double>(i); });
-}
+using tests::between;
 
 /// A member of length about 1 and EA = 1, with EI from 1e-6 to 1e-2, in any direction.
 [[nodiscard]] inline BeamColumn random_member() {

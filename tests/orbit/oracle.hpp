@@ -3,14 +3,13 @@
 /// conic, with nothing of the library's universal variables; and random orbits.
 #pragma once
 
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "nlmech/orbit/state.hpp"
 #include "nlmech/support/extended_real.hpp"
+#include "tests/random.hpp"
 
 namespace nlmech::orbit::oracle {
 
@@ -105,11 +104,7 @@ template <class F>
   return in_frame((p - d * d) / 2, sqrt(p) * d, -d * rate, sqrt(p) * rate);
 }
 
-/// A number between two bounds, uniformly.
-[[nodiscard]] inline rc::Gen<double> between(double low, double high) {
-  return rc::gen::map(rc::gen::inRange<std::int64_t>(0, 1'000'000'001),
-                      [=](std::int64_t i) { return low + (high - low) * 1e-9 * static_cast<double>(i); });
-}
+using tests::between;
 
 /// A state of the given distance and speed over the circular one, at an angle (0: outwards) in a random
 /// plane.

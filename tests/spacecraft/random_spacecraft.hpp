@@ -2,19 +2,14 @@
 /// Random spacecraft for properties.
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <cmath>
 
 #include "nlmech/spacecraft/parameters.hpp"
+#include "tests/random.hpp"
 
 namespace nlmech::spacecraft {
 
-/// A number between two.
-inline rc::Gen<double> between(double low, double high) {
-  return rc::gen::map(rc::gen::inRange(0, 1'000'001),
-                      [=](int i) { return low + (high - low) * static_cast<double>(i) / 1e6; });
-}
+using tests::between;
 
 /// Table 3.1 with every entry between a tenth and ten times its value; half of them without tip.
 inline rc::Gen<Parameters> random_spacecraft() {

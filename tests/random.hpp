@@ -1,0 +1,30 @@
+/// @file
+/// Random numbers for properties. What nearly every property needs of RapidCheck is compiled once, in
+/// random.cpp.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <cstdint>
+
+namespace nlmech::tests {
+
+/// A double in [low, high), uniformly, with all digits random.
+[[nodiscard]] rc::Gen<double> between(double low, double high);
+
+}  // namespace nlmech::tests
+
+extern template void rc::detail::checkGTest<void (*)()>(void (*&&)());
+extern template class rc::Gen<double>;
+extern template class rc::Gen<int>;
+extern template class rc::Gen<std::int64_t>;
+extern template class rc::Shrinkable<double>;
+extern template class rc::Shrinkable<int>;
+extern template class rc::Shrinkable<std::int64_t>;
+extern template class rc::Seq<rc::Shrinkable<double>>;
+extern template class rc::Seq<rc::Shrinkable<int>>;
+extern template class rc::Seq<rc::Shrinkable<std::int64_t>>;
+extern template rc::Gen<int> rc::gen::inRange<int>(int, int);
+extern template rc::Gen<std::int64_t> rc::gen::inRange<std::int64_t>(std::int64_t, std::int64_t);
