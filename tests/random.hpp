@@ -11,7 +11,8 @@
 
 namespace nlmech::tests {
 
-/// A double in [low, high), uniformly, with all digits random.
+/// A double in [low, high), with all digits random. As of all numbers of RapidCheck, the first of a
+/// property's cases are near the lower bound, the last anywhere.
 [[nodiscard]] rc::Gen<double> between(double low, double high);
 
 }  // namespace nlmech::tests

@@ -3,12 +3,11 @@
 // instances are those that the library has.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 #include <new>
 #include <string>
-#include <string_view>
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
@@ -86,6 +85,20 @@ TEST(NoAllocation, IsCounted) {
   const Eigen::VectorXd algebra(7);
   const std::string text(100, 'x');
   EXPECT_EQ(requests - before, 2) << algebra.size() << text;
+}
+
+// States of any size are Eigen's, on the heap, in the library's own instances.
+TEST(NoAllocation, IsCountedInTheLibrary) {
+  const problems::ThreeMassChain chain;
+  const System<6> six(chain);
+  const System<Eigen::Dynamic> any(chain);
+  const Rk4 method{.step = 0.5};
+  const State<Eigen::Dynamic> rest = State<6>::Zero();
+  const std::int64_t begin = requests;
+  EXPECT_TRUE(integrate(six, State<6>::Zero(), 0, 1, method).status.ok());
+  const std::int64_t middle = requests;
+  EXPECT_TRUE(integrate(any, rest, 0, 1, method).status.ok());
+  EXPECT_GT(requests - middle, middle - begin);
 }
 
 TEST(NoAllocation, InStepsOfExplicitMethods) {
