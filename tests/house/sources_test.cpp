@@ -76,6 +76,7 @@ TEST(Components, IncludeOnlyWhatTheyUse) {
     std::set<std::string> allowed;
     reach(uses, include.component, allowed);
     const std::string other = (++fs::path(include.what).begin())->string();
+    if (!uses.contains(other)) continue;  // not in this build, and neither is the peer that includes it
     EXPECT_TRUE(allowed.contains(other)) << include.where << " includes " << include.what << "; "
                                          << include.component << " does not use " << other;
     ++checked;
