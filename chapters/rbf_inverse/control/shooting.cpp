@@ -37,20 +37,41 @@ bvp::ExtremalProblem problem_of(double final_time, std::size_t beta) {
   return duffing_problem(settings);
 }
 
-/// The largest iterate on the way to a root; not a number without one.
-double shooting_reach(double final_time, std::size_t beta, int guess) {
-  const bvp::ExtremalProblem problem = problem_of(final_time, beta);
-  Eigen::VectorXd first(4);
-  guess_of(guess, final_time).states(0, first);
-  for (Eigen::Index i = 0; i < 2; ++i) first[i] = *problem.task().begin[static_cast<std::size_t>(i)];
-  const Shot shot = shoot_once(problem, first);
-  return shot.status.ok() ? shot.reach : std::numeric_limits<double>::quiet_NaN();
-}
+/// What both methods make of a guess at one final time, by beta: computed when asked for, and once.
+class Attempt {
+ public:
+  Attempt(double final_time, int guess) : time_(final_time), guess_(guess) {}
 
-bool collocation_converges(double final_time, std::size_t beta, int guess) {
-  const bvp::ExtremalProblem problem = problem_of(final_time, beta);
-  return is_extremal(solve_global(problem, printed_method(problem), guess_of(guess, final_time)));
-}
+  /// The largest iterate of shooting on its way to a root; not a number without one.
+  [[nodiscard]] double reach(std::size_t beta) {
+    if (!reach_[beta]) reach_[beta] = shoot_at(beta);
+    return *reach_[beta];
+  }
+  [[nodiscard]] bool shot(std::size_t beta) { return reach(beta) > 0; }
+  [[nodiscard]] bool collocated(std::size_t beta) {
+    if (!collocated_[beta]) collocated_[beta] = collocate_at(beta);
+    return *collocated_[beta];
+  }
+
+ private:
+  [[nodiscard]] double shoot_at(std::size_t beta) const {
+    const bvp::ExtremalProblem problem = problem_of(time_, beta);
+    Eigen::VectorXd first(4);
+    guess_of(guess_, time_).states(0, first);
+    for (Eigen::Index i = 0; i < 2; ++i) first[i] = *problem.task().begin[static_cast<std::size_t>(i)];
+    const Shot shot = shoot_once(problem, first);
+    return shot.status.ok() ? shot.reach : std::numeric_limits<double>::quiet_NaN();
+  }
+  [[nodiscard]] bool collocate_at(std::size_t beta) const {
+    const bvp::ExtremalProblem problem = problem_of(time_, beta);
+    return is_extremal(solve_global(problem, printed_method(problem), guess_of(guess_, time_)));
+  }
+
+  double time_;
+  int guess_;
+  std::array<std::optional<double>, betas> reach_{};
+  std::array<std::optional<bool>, betas> collocated_{};
+};
 
 /// How many readings of the text there are at one final time, and what they say.
 struct Readings {
@@ -84,19 +105,19 @@ struct Row {
 };
 
 /// The least iterate on the way to a root over all beta of 0.9 and more; infinite if shooting fails for all.
-double least_reach(double final_time, int guess) {
+double least_reach(Attempt& attempt) {
   double least = HUGE_VAL;
   for (std::size_t beta = first_of_text; beta < betas && least > reaches.back(); ++beta)
-    least = std::fmin(least, shooting_reach(final_time, beta, guess));  // which passes over NaN
+    least = std::fmin(least, attempt.reach(beta));  // which passes over NaN
   return least;
 }
 
 /// Does shooting fail for 0.9 and more where collocation finds an extremal at 0.9, and does it not at 0.8?
-void add_readings(Readings& readings, double final_time, int guess) {
+void add_readings(Readings& readings, Attempt& attempt) {
   readings.all += static_cast<int>(reaches.size());
-  const double least = least_reach(final_time, guess);
-  if (least <= reaches.back() || !collocation_converges(final_time, first_of_text, guess)) return;
-  const double below = shooting_reach(final_time, first_of_text - 1, guess);
+  const double least = least_reach(attempt);
+  if (least <= reaches.back() || !attempt.collocated(first_of_text)) return;
+  const double below = attempt.reach(first_of_text - 1);
   for (const double reach : reaches) {
     if (least < reach) continue;
     ++readings.fit;
@@ -107,18 +128,19 @@ void add_readings(Readings& readings, double final_time, int guess) {
 std::vector<Row> compute(bool quick) {
   std::vector<Row> rows;
   for (int k = 0; k < times_tried; k += quick ? 6 : 1) {
-    const double time = time_of(k);
     Readings readings;
-    for (int guess = 0; guess < (quick ? guesses_drawn : guesses_tried); ++guess)
-      add_readings(readings, time, guess);
-    for (int guess = 0; guess < guesses_drawn; ++guess) {
-      Row& row = rows.emplace_back(Row{.final_time = time, .guess = guess});
-      if (guess == 0) row.readings = readings;
+    const std::size_t first = rows.size();
+    for (int guess = 0; guess < (quick ? guesses_drawn : guesses_tried); ++guess) {
+      Attempt attempt(time_of(k), guess);
+      add_readings(readings, attempt);
+      if (guess >= guesses_drawn) continue;
+      Row& row = rows.emplace_back(Row{.final_time = time_of(k), .guess = guess});
       for (std::size_t b = 0; b < betas; ++b) {
-        row.shot[b] = shooting_reach(time, b, guess) > 0;
-        row.collocated[b] = collocation_converges(time, b, guess);
+        row.shot[b] = attempt.shot(b);
+        row.collocated[b] = attempt.collocated(b);
       }
     }
+    rows[first].readings = readings;
   }
   return rows;
 }

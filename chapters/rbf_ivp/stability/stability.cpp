@@ -51,7 +51,7 @@ Ending run(const comparison::AnyMethod& method, const Stiff<n>& problem, const i
 int most_halvings(const comparison::AnyMethod& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
-  const int halvings = method.info.has(ivp::nodes_setting) ? 17 : is_explicit ? 23 : 20;
+  const int halvings = method.info.has(ivp::nodes_setting) ? 17 : is_explicit ? 23 : 19;
   return quick ? halvings - 6 : halvings;
 }
 
@@ -92,7 +92,7 @@ Ending ending_of(const comparison::AnyMethod& method, const Stiff<n>& problem, b
   // RKN12(10) refuses accelerations that depend on velocities, before it begins.
   try {
     return run(method, problem, {.tolerance = tolerance, .absolute_tolerance = tolerance * problem.absolute},
-               std::int64_t{1} << (quick ? 14 : 18));
+               std::int64_t{1} << (quick ? 14 : 17));
   } catch (const std::invalid_argument&) {
     return refused;
   }
