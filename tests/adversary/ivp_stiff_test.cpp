@@ -20,33 +20,31 @@ namespace {
 using adversary::Case;
 using adversary::Draw;
 using adversary::hunt;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr double digits_and_a_half = 30;
 constexpr double eps = 2.220446049250313e-16;
 
 /// x' = A (x - g(t)) + g'(t), g_i = a_i sin(w_i t + p_i) + b_i: solutions g + exp(A t) (x0 - g(0)). A is made
-/// of blocks (re, im; -im, re) in coordinates V.
-template <int n>
+/// of blocks (re, im; -im, re) in coordinates V. Of dynamic size, so that it is compiled once.
 struct Forced {
-  static constexpr int dimension = n;
-  Matrix<double, n, n> a, v, inverse;
-  Vector<double, n> real = Vector<double, n>::Zero();       // of the eigenvalues, pairs side by side
-  Vector<double, n> imaginary = Vector<double, n>::Zero();  // of the first of a pair; 0: none
-  Vector<double, n> amplitude, frequency, phase, mean;
+  MatrixXd a = {}, v = {}, inverse = {};
+  VectorXd real;       // of the eigenvalues, pairs side by side
+  VectorXd imaginary;  // of the first of a pair; 0: none
+  VectorXd amplitude, frequency, phase, mean;
 
-  // For double alone, with its Jacobian: quick to compile.
-  void operator()(double t, const Vector<double, n>& x, Vector<double, n>& f) const {
-    const Vector<double, n> away = x - forced(t);
-    f = a * away +
-        (amplitude.array() * frequency.array() * (frequency.array() * t + phase.array()).cos()).matrix();
+  [[nodiscard]] VectorXd slope(double t, const VectorXd& x) const {
+    return a * (x - forced(t)) +
+           (amplitude.array() * frequency.array() * (frequency.array() * t + phase.array()).cos()).matrix();
   }
-  void jacobian(double /*t*/, const Vector<double, n>& /*x*/, Matrix<double, n, n>& j) const { j = a; }
-  [[nodiscard]] Vector<double, n> forced(double t) const {
+  [[nodiscard]] VectorXd forced(double t) const {
     return (mean.array() + amplitude.array() * (frequency.array() * t + phase.array()).sin()).matrix();
   }
-  [[nodiscard]] Vector<double, n> exact(double t, const Vector<double, n>& x0) const {
-    Vector<double, n> c = inverse * (x0 - forced(0));
-    for (int i = 0; i < n; ++i) {
+  [[nodiscard]] VectorXd exact(double t, const VectorXd& x0) const {
+    VectorXd c = inverse * (x0 - forced(0));
+    for (Index i = 0; i < c.size(); ++i) {
       const double decay = std::exp(real[i] * t);
       if (imaginary[i] == 0) {
         c[i] *= decay;
@@ -62,11 +60,33 @@ struct Forced {
   }
 };
 
+/// The same as a problem of n components, for double alone, with its Jacobian: quick to compile.
 template <int n>
-Forced<n> draw_forced(Draw& draw) {
-  Forced<n> p;
-  Matrix<double, n, n> blocks = Matrix<double, n, n>::Zero(), random;
-  for (int i = 0; i < n; ++i) {
+struct ForcedOfSize {
+  static constexpr int dimension = n;
+  const Forced* p;  // outlives it
+
+  void operator()(double t, const Vector<double, n>& x, Vector<double, n>& f) const { f = p->slope(t, x); }
+  void jacobian(double /*t*/, const Vector<double, n>& /*x*/, Matrix<double, n, n>& j) const { j = p->a; }
+};
+
+struct End {
+  Status status;
+  VectorXd x;
+};
+template <int n>
+End end_of(const Forced& p, const VectorXd& x0, double end, const AdaptiveCollocation& method) {
+  const auto s =
+      integrate(System<n>(ForcedOfSize<n>{&p}), State<n>(x0), 0, end, method, {}, {.steps = 20'000});
+  return {s.status, s.x};
+}
+
+Forced draw_forced(Draw& draw, Index n) {
+  const VectorXd none = VectorXd::Zero(n);
+  Forced p{
+      .real = none, .imaginary = none, .amplitude = none, .frequency = none, .phase = none, .mean = none};
+  MatrixXd blocks = MatrixXd::Zero(n, n), random(n, n);
+  for (Index i = 0; i < n; ++i) {
     const bool is_pair = i + 1 < n && draw.chance(0.3);
     const double rate = draw.chance(0.15) ? 0 : draw.log_uniform(1e-3, 1e9);
     p.real[i] = blocks(i, i) = -rate;
@@ -80,11 +100,11 @@ Forced<n> draw_forced(Draw& draw) {
   }
   for (double& entry : random.reshaped()) entry = draw.normal();
   // Turned, and sheared by at most 2: a condition of some tens.
-  p.v = Eigen::HouseholderQR<Eigen::MatrixXd>(random).householderQ() * Eigen::MatrixXd::Identity(n, n);
-  for (int i = 0; i + 1 < n; ++i) p.v.col(i + 1) += draw.uniform(-2, 2) * p.v.col(i);
+  p.v = Eigen::HouseholderQR<MatrixXd>(random).householderQ();
+  for (Index i = 0; i + 1 < n; ++i) p.v.col(i + 1) += draw.uniform(-2, 2) * p.v.col(i);
   p.inverse = p.v.inverse();
   p.a = p.v * blocks * p.inverse;
-  for (int i = 0; i < n; ++i) {
+  for (Index i = 0; i < n; ++i) {
     p.amplitude[i] = draw.chance(0.3) ? 0 : draw.log_uniform(1e-3, 10);
     p.frequency[i] = draw.log_uniform(0.01, 20);
     p.phase[i] = draw.uniform(0, 6.28);
@@ -94,32 +114,27 @@ Forced<n> draw_forced(Draw& draw) {
 }
 
 /// Full turns of everything that turns undamped or is driven: each may add a tolerance.
-template <int n>
-double turns(const Forced<n>& p, double end) {
-  double angle = (p.frequency.array() * (p.amplitude.array() > 0).template cast<double>()).sum() * end;
-  for (int i = 0; i < n; ++i) {
+double turns(const Forced& p, double end) {
+  double angle = (p.frequency.array() * (p.amplitude.array() > 0).cast<double>()).sum() * end;
+  for (Index i = 0; i < p.real.size(); ++i) {
     const double life = std::min(end, 5 / std::max(-p.real[i], 1e-300));
     angle += std::abs(p.imaginary[i]) * life;
   }
   return angle / (2 * std::numbers::pi);
 }
 
-template <int n>
-Case forced_case(Draw& draw) {
-  const Forced<n> p = draw_forced<n>(draw);
+Case forced_case(Draw& draw, Index n, decltype(end_of<2>)* integrated) {
+  const Forced p = draw_forced(draw, n);
   const double end = draw.log_uniform(1e-2, 30), tolerance = draw.log_uniform(1e-12, 1e-2);
   const double absolute = draw.chance(0.5) ? tolerance : tolerance * draw.log_uniform(1e-3, 1);
   // On the smooth solution, or away from it: a transient.
-  Vector<double, n> x0 = p.forced(0);
+  VectorXd x0 = p.forced(0);
   if (draw.chance(0.7)) {
     for (double& x : x0) x += draw.signed_log(1e-8, 10);
   }
-  const auto s =
-      integrate(System<n>(p), x0, 0, end,
-                AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = absolute}, {},
-                {.steps = 20'000});
+  const End s = integrated(p, x0, end, {.relative_tolerance = tolerance, .absolute_tolerance = absolute});
   if (!s.status.ok()) return Case::refused(s.status.text());
-  const Vector<double, n> exact = p.exact(end, x0);
+  const VectorXd exact = p.exact(end, x0);
   double size = x0.cwiseAbs().maxCoeff() + (p.mean.cwiseAbs() + p.amplitude.cwiseAbs()).maxCoeff();
   const double condition =
       p.v.cwiseAbs().rowwise().sum().maxCoeff() * p.inverse.cwiseAbs().rowwise().sum().maxCoeff();
@@ -138,9 +153,9 @@ Case forced_case(Draw& draw) {
 TEST(AdversaryStiff, LinearSystemsOfAnySpectrum) {
   hunt({.quick = 150, .full = 40'000}, [](Draw& draw) {
     switch (draw.whole(0, 2)) {
-      case 0: return forced_case<2>(draw);
-      case 1: return forced_case<3>(draw);
-      default: return forced_case<6>(draw);
+      case 0: return forced_case(draw, 2, end_of<2>);
+      case 1: return forced_case(draw, 3, end_of<3>);
+      default: return forced_case(draw, 6, end_of<6>);
     }
   });
 }

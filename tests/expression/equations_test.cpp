@@ -73,11 +73,11 @@ TEST(Equations, CoupledByTheState) {
       "b'' + a'' cos(a - b) - a'^2 sin(a - b) + g sin(b) = 0; g = 9.81");
   EXPECT_EQ(e.state_names(), (Names{"a", "b", "a'", "b'"}));
   const double a = 0.7, b = -0.4, p = 1.3, q = 2.1, g = 9.81;
-  Eigen::Matrix2d m;
+  Eigen::MatrixXd m(2, 2);
   m << 2, std::cos(a - b), std::cos(a - b), 1;
-  const Eigen::Vector2d r(-q * q * std::sin(a - b) - 2 * g * std::sin(a),
-                          p * p * std::sin(a - b) - g * std::sin(b));
-  const Eigen::Vector2d expected = m.fullPivLu().solve(r);
+  const Eigen::VectorXd r{
+      {-q * q * std::sin(a - b) - 2 * g * std::sin(a), p * p * std::sin(a - b) - g * std::sin(b)}};
+  const Eigen::VectorXd expected = m.fullPivLu().solve(r);
   const std::vector<double> f = slopes(e, {a, b, p, q});
   // A condition of some 7, and a dozen roundings.
   EXPECT_NEAR(f[2], expected[0], 1e-14 * expected.norm());
@@ -144,11 +144,11 @@ TEST(Equations, CoupledWithoutPivots) {
   EXPECT_EQ(e.state_names(), (Names{"a", "b", "c", "d"}));
   for (const double t : {0.0, 1e-9, 0.5, 3.03, -3.0}) {
     const double s = t / 3;
-    Eigen::Matrix4d m;
+    Eigen::MatrixXd m(4, 4);
     m << s, 1, 1, 1, 1, s, 0, 1, 1, 0, s, 1, 1, 1, -1, s;
-    const Eigen::JacobiSVD<Eigen::Matrix4d> svd(m);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(m);
     const double condition = svd.singularValues()[0] / svd.singularValues()[3];
-    const Eigen::Vector4d expected = m.fullPivLu().solve(Eigen::Vector4d(1, 2, 3, 4));
+    const Eigen::VectorXd expected = m.fullPivLu().solve(Eigen::VectorXd::LinSpaced(4, 1, 4));
     const std::vector<double> f = slopes(e, {0, 0, 0, 0}, t);
     // Modified Gram-Schmidt is backward stable: the condition, times a few roundings a column.
     for (std::size_t i = 0; i < 4; ++i)

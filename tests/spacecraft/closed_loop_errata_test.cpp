@@ -94,12 +94,12 @@ double least_damping(double k2) {
   Eigen::Matrix4d mass = model.full_mass() * (1 + k2 / 2), stiffness = model.full_stiffness() * (1 + k2 / 2);
   mass(0, 0) -= hub * k2 / 2;
   stiffness(0, 0) += 1;
-  Eigen::Matrix<double, 8, 8> a = Eigen::Matrix<double, 8, 8>::Zero();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(8, 8);
   a.topRightCorner<4, 4>().setIdentity();
   const Eigen::Matrix4d inverse = mass.inverse();
   a.bottomLeftCorner<4, 4>() = -inverse * stiffness;
   a.block<4, 1>(4, 4) = -inverse.col(0);
-  return Eigen::EigenSolver<Eigen::Matrix<double, 8, 8>>(a, false).eigenvalues().real().maxCoeff();
+  return Eigen::EigenSolver<Eigen::MatrixXd>(a, false).eigenvalues().real().maxCoeff();
 }
 
 // 3.54-3.55: with w3 on one root load k2 = 2 (w3 - w1)/w1 > -2; k2 > -1 is sufficient only.

@@ -28,7 +28,8 @@ std::vector<Complex> zeros_of(const std::vector<Complex>& a) {
   for (Eigen::Index i = 0; i < m; ++i) companion(i, m - 1) = -a[static_cast<std::size_t>(i)];
   const bool real = std::all_of(a.begin(), a.end(), [](Complex c) { return c.imag() == 0; });
   const Eigen::VectorXcd values =
-      real ? Eigen::VectorXcd(Eigen::EigenSolver<Eigen::MatrixXd>(companion.real(), false).eigenvalues())
+      real ? Eigen::VectorXcd(
+                 Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(companion.real()), false).eigenvalues())
            : Eigen::VectorXcd(Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues());
   return {values.begin(), values.end()};
 }
