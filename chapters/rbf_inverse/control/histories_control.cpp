@@ -195,9 +195,9 @@ void put_all_errors(const std::vector<const std::vector<bvp::GlobalResult>*>& ca
   for (Matrix& m : matrices)
     m.good = std::ranges::count_if(cases, [&](const auto* of) { return worst((*of)[m.variant]) <= text; });
   scene::Plot& plot =
-      show.plots(fmt::format("Below 1e-7 in {} of {} cases as printed, {} and {} otherwise", matrices[0].good,
-                             cases.size(), matrices[1].good, matrices[2].good));
-  const int rows = static_cast<int>(cases.size()), top = 84, foot = 96, height = 88, gap = 24;
+      show.plots(fmt::format("Errors stay below 1e-7 in {} of {} cases as printed, in {} and {} otherwise",
+                             matrices[0].good, cases.size(), matrices[1].good, matrices[2].good));
+  const int rows = static_cast<int>(cases.size()), top = 84, foot = 96, height = 88, gap = 32;
   const int whole = top + rows * (height + gap) + foot - gap;
   plot.size(760, whole).columns({"panel", "curve", "x", "y"});
   for (int row = 0; row < rows; ++row) {

@@ -323,7 +323,8 @@ std::string Plot::script() const {
       out += "set xlabel ''\n";
     out += fmt::format("set ylabel {} offset 0.5,0\n", gnuplot_quoted(p.y_label_));
     if (!p.caption_.empty())
-      out += fmt::format("set label 2 {} at graph 0.0, graph 1.04 left\n", gnuplot_quoted(p.caption_));
+      out +=
+          fmt::format("set label 2 {} at graph 0, graph 1 left offset 0,0.45\n", gnuplot_quoted(p.caption_));
     out += p.settings_;
     if (p.key_below_) {
       out += fmt::format(
