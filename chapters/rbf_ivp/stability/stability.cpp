@@ -228,8 +228,9 @@ std::vector<scene::Scene> scenes() {
   const scene::Result endings(
       "stiff-ends",
       "fixed steps: the largest of end/2^(k/4) that ends well with a digit or more, as does its half (for "
-      "rbf-coll c h = 0.367); others: tolerance 1e-6; 10 % error of the largest component (Robertson, HIRES: "
-      "of any) is a digit",
+      "rbf-coll c h = 0.367), down to end/2^17 for collocations, 2^23 for explicit formulas, 2^19 for others "
+      "(none beyond 2^10 on Robertson, 2^18 on HIRES); others: tolerance 1e-6, 2^17 steps at most; 10 % "
+      "error of the largest component (Robertson, HIRES: of any) is a digit",
       all_endings);
   return {{.name = "stability",
            .title = "Every method on stiff problems: largest step of use, digits, or how it fails",
