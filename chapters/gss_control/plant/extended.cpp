@@ -79,7 +79,7 @@ std::array<Real, 3> response(const spacecraft::Parameters& p, const Real& omega)
 }  // namespace
 
 Extended extended_response(const spacecraft::Parameters& parameters, double omega) {
-  const Real w = omega, step("1e-30");
+  const Real w = omega, step = 1e-30;
   const auto here = response(parameters, w), above = response(parameters, w * (1 + step));
   Extended e;
   for (std::size_t i = 0; i < here.size(); ++i) {

@@ -146,7 +146,9 @@ scene::Table table_of(const std::vector<Row>& rows, bool quick) {
       counts.push_back(iterations_cell(row, i, quick ? 500 : 10'000));
       const bool shown =
           std::ranges::find(timed, all_solvers.at(i)) != timed.end() && row.costs.at(i).converged;
-      times.push_back(shown ? scene::Cell(1e3 * row.costs.at(i).seconds / row.count) : scene::Cell());
+      std::optional<double> milliseconds;
+      if (shown) milliseconds = 1e3 * row.costs.at(i).seconds / row.count;
+      times.emplace_back(milliseconds);
     }
     table.add(std::move(counts));
     table.add(std::move(times));
