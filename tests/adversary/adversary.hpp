@@ -88,7 +88,8 @@ struct Case {
 struct Hunt {
   std::int64_t quick = 100;    ///< cases of the unit test
   std::int64_t full = 10'000;  ///< cases with NLMECH_ADVERSARY=full
-  double least_right = 0.1;    ///< share of right ones below which the hunt fails as empty
+  double least_right =
+      0.1;  ///< share of right ones below which the hunt fails as empty, if that is no chance
 };
 
 /// Runs the cases of the current test; fails it at a wrong one (the first few are printed with their

@@ -124,7 +124,7 @@ TEST(AdversaryCommands, HalvedStepsLeadToTheSolution) {
   if (const std::string what = missing({"rbf_ivp", "hermitian", "transversal", "algebraic_series"});
       !what.empty())
     GTEST_SKIP() << what;
-  hunt({.quick = 12, .full = 3'000}, halvings);
+  hunt({.quick = 20, .full = 3'000}, halvings);
 }
 
 using Matrix = Eigen::Matrix<Wide, 2, 2>;
