@@ -99,8 +99,12 @@ TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
 struct Ramp {
   static constexpr int dimension = 2;
   template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
-    f = {x[1], t};
+  void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = t;
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
   }
 };
 
