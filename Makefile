@@ -24,7 +24,7 @@ help:
 	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
 	@echo "make gallery         the pictures of README and docs/chapters drawn anew"
 	@echo "make pages           docs/chapters: the chapters' pages as forges show them"
-	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md"
+	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md; SEEDS=\"1 2\" for more"
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"
@@ -80,10 +80,12 @@ chapter-%: programs
 test: build
 	@ctest --preset $(PRESET) -j2
 
-# All random cases; the tests of `make test` run a seeded share of them.
+# All random cases, of each of the seeds; the tests of `make test` run a share of the first's.
+SEEDS ?= 1
 adversary: build
 	@rm -rf $(BUILD)/adversary
-	@failed=0; ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || failed=1; \
+	@failed=0; for seed in $(SEEDS); do \
+	  NLMECH_ADVERSARY_SEED=$$seed ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || failed=1; done; \
 	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$failed
 
 # Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.

@@ -88,13 +88,14 @@ struct Case {
 struct Hunt {
   std::int64_t quick = 100;    ///< cases of the unit test
   std::int64_t full = 10'000;  ///< cases with NLMECH_ADVERSARY=full
-  double least_right = 0.1;    ///< share of right ones below which the hunt fails as empty
+  double least_right =
+      0.1;  ///< share of right ones below which the hunt fails as empty, if that is no chance
 };
 
 /// Runs the cases of the current test; fails it at a wrong one (the first few are printed with their
 /// numbers), and if too few were judged. An exception other than std::invalid_argument, InputError and
-/// Failure is a wrong case too. With NLMECH_ADVERSARY=full the counts are kept as a row for
-/// tables/ADVERSARY.md.
+/// Failure is a wrong case too. With NLMECH_ADVERSARY=full the counts are written as a row of
+/// this seed for tables/ADVERSARY.md.
 void hunt(const Hunt& hunt, const std::function<Case(Draw&)>& trial);
 
 }  // namespace nlmech::adversary

@@ -104,6 +104,20 @@ void derivative(const RandomSystem& s, const VectorXd& x, MatrixXd& b) {
   }
 }
 
+/// A component in long double. Where its root has an argument below 0 by less than the roundings of the sum
+/// that this is in double, the double may be that of 0, and so is this.
+long double exact_component(const RandomSystem& s, const std::vector<long double>& x, int i) {
+  if (s.shape != Shape::root) return s.component(x, i);
+  long double y = 0, size = 0;
+  for (int j = 0; j < s.n; ++j) {
+    const long double term = s.a(i, j) * x[static_cast<std::size_t>(j)];
+    y += term;
+    size += std::abs(term);
+  }
+  const bool is_edge = y < 0 && y >= -s.n * std::numeric_limits<double>::epsilon() * size;
+  return is_edge ? -s.scale[i] * std::abs(static_cast<long double>(s.roots(i, 0))) : s.component(x, i);
+}
+
 /// |F| in long double, and how far that in double is from it.
 struct Judge {
   double length = 0, rounding = 0;
@@ -114,7 +128,7 @@ Judge judge(const RandomSystem& s, const VectorXd& x) {
   const auto at = numbers<double>(x);
   long double square = 0, off = 0;
   for (int i = 0; i < s.n; ++i) {
-    const long double f = s.component<long double>(exact, i), g = s.component<double>(at, i);
+    const long double f = exact_component(s, exact, i), g = s.component<double>(at, i);
     square += f * f;
     off += (f - g) * (f - g);
   }
@@ -158,6 +172,19 @@ TEST(AdversaryAlgebraic, ARootHasTheResidualThatWasAskedFor) {
                     method.name, static_cast<int>(s.shape), s.n, s.degree, method.tolerance, method.scale,
                     method.to_rounding, at_end.length));
   });
+}
+
+// 9 * 2^-60 below 0 in long double, 0 in double: there F is -|r| in both.
+TEST(AdversaryAlgebraic, TheEdgeOfADomainIsKnownToRounding) {
+  const RandomSystem s{.shape = Shape::root,
+                       .n = 2,
+                       .a = MatrixXd{{1 + 3 * 0x1p-30, -1}, {0, 1}},
+                       .roots = MatrixXd::Zero(2, 3),
+                       .scale = VectorXd::Ones(2)};
+  const Judge at = judge(s, VectorXd{{1 - 3 * 0x1p-30, 1}});
+  EXPECT_EQ(at.length, 1);
+  EXPECT_EQ(at.rounding, 0);
+  EXPECT_TRUE(std::isnan(judge(s, VectorXd{{1 - 0x1p-20, 1}}).length));
 }
 
 /// V = sum of w_i f(y_i) with y = A x: wells, so that there are minima, saddles and maxima.

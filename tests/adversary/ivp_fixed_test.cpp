@@ -275,13 +275,13 @@ Case system(Draw& draw) {
 }
 
 TEST(AdversaryFixedSteps, LinearOscillators) {
-  hunt({.quick = 12, .full = 3000, .least_right = 0.1}, oscillator);
+  hunt({.quick = 24, .full = 3000, .least_right = 0.1}, oscillator);
 }
 TEST(AdversaryFixedSteps, FreeDuffingOscillators) {
-  hunt({.quick = 8, .full = 2000, .least_right = 0.1}, duffing);
+  hunt({.quick = 20, .full = 2000, .least_right = 0.1}, duffing);
 }
 TEST(AdversaryFixedSteps, LoadsThatNobodyAnnounces) {
-  hunt({.quick = 8, .full = 1500, .least_right = 0.05}, chain);
+  hunt({.quick = 28, .full = 1500, .least_right = 0.05}, chain);
 }
 TEST(AdversaryFixedSteps, LinearSystems) { hunt({.quick = 12, .full = 3000, .least_right = 0.1}, system); }
 

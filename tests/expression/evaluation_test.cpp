@@ -150,6 +150,16 @@ constexpr const char* tangle =
     "x' = atan(x y) exp(-x) + asin(x/2) - acos(y/3) + sqrt(1 + x^2) (1 + y^2)^1.5 + t;"
     "y' = atan2(y, x) - erf(x y) + log(2 + x)/cosh(y) + tanh(t)*sin(x) - x^3 + 2/(1 + y^2)";
 
+// Of x^y at 1 it is y, however large y is: here it has all its digits in double.
+TEST(Typed, DerivativesOfSteepPowers) {
+  const ivp::System<2> system{Problem<2>(Equations(SourceText("test", "x' = x^(y^2); y' = 0 x")))};
+  const double p = 0x1p17;
+  ivp::Jacobian<2> j;
+  system.jacobian(0, ivp::State<2>(1, p), j);
+  EXPECT_EQ(j(0, 0), p * p);
+  EXPECT_EQ(j(0, 1), 0);
+}
+
 TEST(Typed, JacobiansAreThoseOfTheSameCode) {
   const ivp::System<2> ours{Problem<2>(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
   const ivp::State<2> x(0.4, -0.9);

@@ -112,6 +112,23 @@ TEST(Margins, FindEveryCrossover) {
   EXPECT_NEAR(m.phase_margin, 0.951104, 1e-6);
 }
 
+// With k2 = 0 the appendages turn L by half a turn or not at all: its phase is that of k1 + j k3 omega,
+// however steep |L| is. Next to these resonances it changes by 1e11 times the relative change of omega.
+TEST(Margins, PhasesWithoutRootLoadFeedbackAreTheLaws) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 41.8, p.mass_per_length = 0.0122, p.length = 0.4, p.hub_radius = 0,
+  p.second_moment = 9.3e-9;
+  p.tip_mass = p.tip_inertia = 0;
+  const Margins m = margins(ClosedLoop(p, {10354, 0, 1312}), 4);
+  ASSERT_TRUE(m.status.ok());
+  EXPECT_GE(m.crossovers.size(), 3u);
+  for (const Crossover& c : m.crossovers) {
+    const double law = std::atan2(1312 * c.omega, 10354);
+    EXPECT_NEAR(std::remainder(c.phase_margin - law, pi), 0, 1e-14) << c.omega;
+    EXPECT_NEAR(std::abs(std::remainder(c.delay * c.omega - c.phase_margin, 2 * pi)), 0, 1e-14) << c.omega;
+  }
+}
+
 // The phase margin of the rigid spacecraft in closed form: the first crossover of nearly rigid appendages.
 TEST(Margins, TendToTheRigidSpacecrafts) {
   Parameters stiff = table_3_1();

@@ -126,6 +126,22 @@ TEST(NearPoles, ThreeRealPolesCoincide) {
   }
 }
 
+// A real pole beside two that coincide, in a fifteenth of their size: as a pole of its own it has a residue
+// of 433, and 7e-9 of rounding. Truncation is within its bound, and rounding eps times the terms' sum.
+TEST(NearPoles, ARealPoleBesideADoublePole) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 1.3710700596399703, p.mass_per_length = 0.081182670798906023, p.length = 8.9743403732411409;
+  p.hub_radius = 2.4914600457797231, p.second_moment = 1.7152810914248605e-08, p.tip_mass = p.tip_inertia = 0;
+  const ClosedLoop loop(p, {320.03070077993152, 80.54873714825888, 1884.3912052735893});
+  const std::array<double, 1> places = {6.64};
+  for (const int pairs : {0, 256, 1024}) {
+    const TimeResponse r = step_response(loop, 1, places, {.pairs = pairs});
+    ASSERT_TRUE(r.status.ok()) << r.status.text();
+    EXPECT_NEAR(r.theta.value(0), 0, r.bounds.theta + 2e-12 * r.theta.envelope(0)) << pairs;
+    EXPECT_LT(r.theta.envelope(0), 200) << pairs;
+  }
+}
+
 // Two pairs of complex poles that coincide, k2 = 0: the gains solve P = P' = 0 to all their
 // digits; recorded.
 TEST(NearPoles, TwoComplexPairsCoincide) {

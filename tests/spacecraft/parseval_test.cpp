@@ -63,6 +63,22 @@ TEST(StepCosts, AreThoseOfTheQuadratureOverFrequency) {
   }
 }
 
+// Rigid poles with as much damping as frequency just below the first hub-locked resonance, and none up to the
+// second: an integral over all of this length at once is off by 1/180.
+TEST(StepCosts, PolesBesideAHubLockedResonance) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 32.2, p.mass_per_length = 0.00414, p.length = 10.3, p.hub_radius = 0.351;
+  p.second_moment = 6.45e-9, p.tip_mass = 1.569, p.tip_inertia = 0.00795;
+  const Gains g{3.224, 0.00876, 50.39};
+  const StepCosts c = step_costs(p, g, p.length);
+  const QuadratureCosts q = costs_by_quadrature(p, g, p.length);
+  ASSERT_TRUE(q.status.ok()) << q.status.text();
+  // As for the gains of the source.
+  EXPECT_NEAR(q.error / c.error, 1, 1e-10);
+  EXPECT_NEAR(q.deflection / c.deflection, 1, 1e-11);
+  EXPECT_NEAR(q.torque / c.torque, 1, 1e-7);
+}
+
 // Other spacecraft: each entry three times as large and a third, with and without tip.
 TEST(StepCosts, AreThoseOfTheQuadratureForOtherSpacecraft) {
   for (double Parameters::*const field :

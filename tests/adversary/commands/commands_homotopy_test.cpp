@@ -340,6 +340,16 @@ Case limit_points(Draw& draw) {
   return compared(printed, expected, is_whole, r);
 }
 
+// Forces of motions that are tiny against the members are as exact as others: linear in the motions.
+TEST(HalfToggle, TinyMotionsHaveAllDigits) {
+  const HalfToggle toggle(6.1, 11);
+  RealVector x(33);
+  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1e-15L * std::sin(static_cast<Real>(i + 1));
+  const RealVector once = toggle.force(x), twice = toggle.force(2 * x);
+  // 33 motions' roundings, and what is not linear, 1e-15 of the force.
+  EXPECT_LT((twice - 2 * once).norm(), 1e-13L * once.norm());
+}
+
 TEST(AdversaryCommands, TogglesCarryTheirLoad) {
   if (const std::string what = missing_program("homotopy"); !what.empty()) GTEST_SKIP() << what;
   hunt({.quick = 10, .full = 3'000}, solve);

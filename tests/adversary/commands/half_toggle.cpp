@@ -88,7 +88,7 @@ HalfToggle::HalfToggle(double height, int elements) : m_(elements) {
 Element HalfToggle::element_force(const Element& d) const {
   const Real u = d[3] - d[0], v = d[4] - d[1], x = dx_ + u, y = dy_ + v, reach = std::hypot(x, y);
   const Real stretch = (2 * (dx_ * u + dy_ * v) + u * u + v * v) / (reach + length_);
-  const Real turned = std::atan2(dx_ * y - dy_ * x, dx_ * x + dy_ * y);
+  const Real turned = std::atan2(dx_ * v - dy_ * u, dx_ * x + dy_ * y);  // dx y - dy x without cancellation
   const Real a = std::remainder((d[2] + d[5]) / 2 - turned, 2 * pi), s = (d[2] - d[5]) / 2;
   const Real n = axial_of(stretch / length_, a * a, s * s, ei_ / (ea_ * length_ * length_));
   const Flexibility f = flexibility(n / 4);

@@ -95,5 +95,40 @@ TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
   }
 }
 
+/// q'' = t.
+struct Ramp {
+  static constexpr int dimension = 2;
+  template <class T>
+  void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
+    a[0] = t;
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+// Within a step a velocity has, beside the error of the ends, the derivative of what the step's error of the
+// position makes of the quintic: for q'' = t a step by Newmark's operators has h^3/12 of it, and v at a share
+// s 30 s^2 (1 - s)^2 h^2/12.
+TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
+  const System<2> system{Ramp{}};
+  for (const double h : {1e-1, 1e-2}) {
+    State<2> x(2);
+    const Observer<2> observe = [&](const Step<2>& step) {
+      for (const double s : {0.2, 0.5, 0.97, 1.}) {
+        const double t = step.t0 + s * (step.t1 - step.t0);
+        step.dense.at(t, x);
+        const double off = 30 * s * s * (1 - s) * (1 - s) * h * h / 12;
+        EXPECT_NEAR(std::abs(x[1] - t * t / 2), off, 1e-14) << h << ' ' << t;  // roundings of 1
+      }
+      return true;
+    };
+    const auto run =
+        integrate(system, State<2>(0, 0), 0, 1, Hermitian{.operators = hoff, .step = h}, observe);
+    ASSERT_TRUE(run.status.ok()) << run.status.text();
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::ivp::hermitian_estimate_test

@@ -33,7 +33,7 @@ struct ResidueTerms {
 /// All terms of the first @p pairs poles and of those that decay faster, for a step of the target to @p
 /// scale.
 ///
-/// Poles nearer to each other than a twentieth of their own size and of the distance between modes have
+/// Poles nearer to each other than a tenth of their own size and of the distance between modes have
 /// residues that cancel, and none at all where they coincide: sums over a circle take their place,
 /// exponentials at the poles or next to them that give the same motion. What s = 0 leaves, the constant
 /// theta_f, is no term.

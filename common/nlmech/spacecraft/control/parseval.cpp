@@ -36,10 +36,16 @@ Three densities(const ClosedLoop& loop, double omega, double x) {
   return {error / p, torque * torque / p, deflection * deflection / p};
 }
 
-/// The integral over [a, b], in the variable v of omega = centre + width sinh v.
-void add_stretched(const ClosedLoop& loop, double x, Complex pole, double a, double b, Three& sum) {
-  if (!(b > a)) return;
-  const double width = std::max(std::abs(pole.real()), 1e-13 * std::abs(pole)), centre = pole.imag();
+/// The length on which the densities change at omega = @p at: how far the nearest pole is from there.
+double scale_at(const std::vector<Complex>& poles, double at) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Complex p : poles) least = std::min(least, std::abs(p - Complex(0, at)));
+  return std::max(least, 1e-13 * at);
+}
+
+/// The integral over [a, b] in the variable v of omega = centre + width sinh v.
+void add_stretched(const ClosedLoop& loop, double x, double centre, double width, double a, double b,
+                   Three& sum) {
   const double first = std::asinh((a - centre) / width), last = std::asinh((b - centre) / width);
   const int count = std::max(1, static_cast<int>(std::ceil((last - first) / 0.5)));
   const double half = (last - first) / count / 2;
@@ -95,27 +101,25 @@ QuadratureCosts costs_by_quadrature(const Parameters& parameters, const Gains& g
   costs.status = poles.status.ok() ? cuts.status : poles.status;
   if (!costs.status.ok()) return costs;
   std::sort(poles.s.begin(), poles.s.end(), [](Complex p, Complex q) { return p.imag() < q.imag(); });
-  // Between two hub-locked resonances lies one pole, mostly near to the lower one, and on the length between
-  // them the densities also change just below it: there the stretch is centred at the cut.
+  // The densities have no singularities but poles. Each piece between neighbouring marks, which are the
+  // poles' frequencies and the cuts, is halved, and each half is stretched about its mark: there every pole
+  // is at least as far from a point as the stretch assumes.
   Three sum{};
   std::array<std::array<double, 4>, 3> sums{};
   std::array<double, 4> step{};
   std::size_t stage = 0, next = 0;
   double a = 0;
+  const auto integrate_to = [&](double b) {
+    if (!(b > a)) return;
+    const double middle = (a + b) / 2;
+    add_stretched(loop, x, a, scale_at(poles.s, a), a, middle, sum);
+    add_stretched(loop, x, b, scale_at(poles.s, b), middle, b, sum);
+    a = b;
+  };
   for (int n = 1; n <= modes; ++n) {
     const double end = cuts.omega[static_cast<std::size_t>(n) - 1];
-    Complex last(-end, a);
-    for (; next < poles.s.size() && poles.s[next].imag() <= end; ++next) {
-      last = poles.s[next];
-      const bool more = next + 1 < poles.s.size() && poles.s[next + 1].imag() <= end;
-      const double b = (last.imag() + (more ? poles.s[next + 1].imag() : end)) / 2;
-      add_stretched(loop, x, last, a, b, sum);
-      a = std::max(a, b);
-    }
-    const double above = next < poles.s.size() ? poles.s[next].imag() - end : end;
-    if (a == last.imag()) add_stretched(loop, x, last, a, (a + end) / 2, sum), a = (a + end) / 2;
-    add_stretched(loop, x, Complex(std::max(above, 1e-9 * end), end), a, end, sum);
-    a = end;
+    for (; next < poles.s.size() && poles.s[next].imag() <= end; ++next) integrate_to(poles.s[next].imag());
+    integrate_to(end);
     if (n == modes / 8 || n == modes / 4 || n == modes / 2 || n == modes) {
       step[stage] = 1 / std::sqrt(end);
       for (std::size_t j = 0; j < 3; ++j) sums[j][stage] = sum[j];

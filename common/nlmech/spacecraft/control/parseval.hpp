@@ -33,9 +33,10 @@ struct QuadratureCosts {
   Status status;          ///< success, or what the poles' was
 };
 
-/// (1/pi) int_0^inf |f(j omega)|^2 domega of the exact transfer functions. Each resonance is stretched: omega
-/// = Im p + |Re p| sinh v, by Gauss's rule with 10 points on pieces of 0.5 in v. Beyond the pole of number @p
-/// modes the tail is extrapolated from the integrals up to a quarter, a half and all of them, as a power
+/// (1/pi) int_0^inf |f(j omega)|^2 domega of the exact transfer functions. About the frequency of each pole
+/// and each hub-locked resonance omega is stretched as c + w sinh v, where w is the distance of j c to the
+/// nearest pole, by Gauss's rule with 10 points on pieces of 0.5 in v. Beyond the pole of number @p modes the
+/// tail is extrapolated from the integrals up to a quarter, a half and all of them, as a power
 /// series in 1/sqrt(omega).
 ///
 /// Accuracy with 128 modes (tests/spacecraft, against the closed forms): error 1e-10, deflection 1e-11,
