@@ -4,8 +4,8 @@
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
 A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; long tables, and tables of run times, likewise. Run times differ at each run, and rounding from
-machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
+names the command for the others; likewise for long tables, tables of run times, and tables that hang on rounding, which the chapter's page
+marks: [caption](path "hangs on rounding"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
 as they like where both are below 1e-10 and are noise. All else is compared by the letter.
 """
 import pathlib
@@ -24,6 +24,8 @@ IN_TABLE = re.compile(r"(?<![\w.#-])-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?(?![\w.])
 IDENTIFIER = re.compile(r"(`[^`]*`|\[[^]]*\]\([^)]*\))|\bnlmech::\w+(?:::\w+)*")
 LIST_MARK = re.compile(f"^([{TIMED}{COMPUTED}][0-9]+{END})([.)])(?=\\s|$)")
 MOST_ROWS = 24
+ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number hangs on rounding: its "
+          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "hangs on rounding"), and names no such number.')
 NOISE = 1e-10
 
 
@@ -77,7 +79,7 @@ class ForgePage(Page):
         mark = "" if scene in self.marked else f'<a id="{scene}"></a>'
         self.marked.add(scene)
         kept = self.book.source / f"docs/gallery/{chapter}-{scene}.svg"
-        if is_table and not is_timed(self.book, f"{chapter}/{scene}"):
+        if is_table and not given and not is_timed(self.book, f"{chapter}/{scene}"):
             rows = self.book.text(file).rstrip("\n").split("\n")
             if len(rows) <= MOST_ROWS + 2:
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
@@ -148,21 +150,28 @@ def agree(made, kept):
     return a[1] == b[1] and (noise or a[0] == b[0] or (a[0] * b[0] > 0 and 0.5 <= a[0] / b[0] <= 2))
 
 
-def same(made, kept):
-    """Is the kept line what was made, results as far as they must agree?"""
+def without_marks(made):
+    return SPAN.sub(r"\2", made)
+
+
+def disagreement(made, kept):
+    """In what does the kept line differ from what was made, results as far as they must agree? Empty if in nothing."""
     parts = SPAN.split(made)  # text, kind, result, text, ...
     pattern = "(.*?)".join(re.escape(text) for text in parts[::3])
     match = re.fullmatch(pattern, kept)
     if not match:
-        return False
-    return all(kind == TIMED or agree(result, found) for kind, result, found in zip(parts[1::3], parts[2::3], match.groups()))
+        return f"the page says\n  {kept}\nand would say\n  {without_marks(made)}"
+    pairs = [f"{found} on the page, {result} now" for kind, result, found in zip(parts[1::3], parts[2::3], match.groups())
+             if kind == COMPUTED and not agree(result, found)]
+    return "; ".join(pairs)
 
 
 def differences(made, kept):
-    """Numbers of lines that differ, from 1; that of the first line beyond, if one text is longer."""
+    """(line, in what it differs) for all that do, lines from 1; the first line beyond, if one text is longer."""
     made, kept = made.split("\n"), kept.split("\n")
-    found = [number for number, lines in enumerate(zip(made, kept), 1) if not same(*lines)]
-    return found + ([min(len(made), len(kept)) + 1] if len(made) != len(kept) else [])
+    found = [(number, words) for number, lines in enumerate(zip(made, kept), 1) if (words := disagreement(*lines))]
+    beyond = min(len(made), len(kept))
+    return found + ([(beyond + 1, f"{len(kept)} lines on the page, {len(made)} now")] if len(made) != len(kept) else [])
 
 
 def main(command, source, out, *chapters):
@@ -176,13 +185,16 @@ def main(command, source, out, *chapters):
         file = source / f"docs/chapters/{name}.md"
         if command == "write":
             file.parent.mkdir(exist_ok=True)
-            file.write_text(SPAN.sub(r"\2", made), encoding="utf-8")
+            file.write_text(without_marks(made), encoding="utf-8")
         elif not file.exists():
             print(f"docs/chapters/{name}.md does not exist: make pages", file=sys.stderr)
             stale = True
-        elif lines := differences(made, file.read_text(encoding="utf-8")):
-            print(f"docs/chapters/{name}.md: lines {', '.join(map(str, lines[:9]))} are out of date: make pages", file=sys.stderr)
-            stale = True
+        else:
+            for line, words in differences(made, file.read_text(encoding="utf-8")):
+                print(f"docs/chapters/{name}.md:{line}: {words}", file=sys.stderr)
+                stale = True
+    if stale:
+        print(ADVICE, file=sys.stderr)
     if book.complaints or stale:
         sys.exit(1)
 
