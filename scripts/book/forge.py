@@ -4,8 +4,9 @@
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
 A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; likewise for long tables, tables of run times, and tables that hang on rounding, which the chapter's page
-marks: [caption](path "hangs on rounding"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
+names the command for the others; likewise for long tables and tables of run times. A table whose numbers hang on rounding is marked by the
+chapter's page and left out, [caption](path "hangs on rounding"), or loses the rows and columns that are named there,
+[caption](path "hangs on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
 as they like where both are below 1e-10 and are noise. All else is compared by the letter.
 """
 import pathlib
@@ -14,7 +15,7 @@ import sys
 
 import references
 from book import Book, Complaint
-from pages import WORKS_CITED, Page, chapter_of, plain_text
+from pages import ROUNDING, WORKS_CITED, Page, chapter_of, plain_text
 
 # Around results, until the page is whole: those of scenes with run times, and all others. Private characters of Unicode.
 TIMED, COMPUTED, END = "\ue000", "\ue001", "\ue002"
@@ -39,6 +40,16 @@ def drawn_by(path):
     """figures/homotopy/fig-2.1.svg -> homotopy, fig-2.1"""
     _, chapter, file = path.split("/")
     return chapter, re.sub(r"\.[a-z]+$", "", file)
+
+
+def without(rows, names, path):
+    """The rows of a table without those columns and rows, which are named by their heading and their first cell."""
+    cells = [re.split(r"(?<!\\)\|", row.strip())[1:-1] for row in rows]
+    headings, firsts = ([cell.strip().replace("\\|", "|") for cell in line] for line in (cells[0], [row[0] for row in cells]))
+    if unknown := set(names) - set(headings) - set(firsts):
+        raise Complaint(f"{path} has no row or column {', '.join(sorted(unknown))}")
+    return ["|" + "|".join(cell for cell, heading in zip(row, headings) if heading not in names) + "|"
+            for row, first in zip(cells, firsts) if first not in names]
 
 
 class ForgePage(Page):
@@ -79,11 +90,15 @@ class ForgePage(Page):
         mark = "" if scene in self.marked else f'<a id="{scene}"></a>'
         self.marked.add(scene)
         kept = self.book.source / f"docs/gallery/{chapter}-{scene}.svg"
-        if is_table and not given and not is_timed(self.book, f"{chapter}/{scene}"):
+        if is_table and given != ROUNDING and not is_timed(self.book, f"{chapter}/{scene}"):
             rows = self.book.text(file).rstrip("\n").split("\n")
             if len(rows) <= MOST_ROWS + 2:
+                note = ""
+                if given:
+                    rows = without(rows, given.removeprefix(f"{ROUNDING}: ").split("; "), path)
+                    note = f"\n\n*Without what hangs on rounding; `{chapter} run {scene}` writes all.*"
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
-                return f"{mark}{caption}\n\n{table}"
+                return f"{mark}{caption}\n\n{table}{note}"
         elif not is_table and kept.exists():
             svg = self.book.text(kept)
             alt = self.alternative(svg, given, SPAN.sub(r"\2", caption), path).replace("[", "(").replace("]", ")")
@@ -167,11 +182,12 @@ def disagreement(made, kept):
 
 
 def differences(made, kept):
-    """(line, in what it differs) for all that do, lines from 1; the first line beyond, if one text is longer."""
+    """(line, in what it differs) for all that do, lines from 1; of texts that differ in length the first alone."""
     made, kept = made.split("\n"), kept.split("\n")
     found = [(number, words) for number, lines in enumerate(zip(made, kept), 1) if (words := disagreement(*lines))]
-    beyond = min(len(made), len(kept))
-    return found + ([(beyond + 1, f"{len(kept)} lines on the page, {len(made)} now")] if len(made) != len(kept) else [])
+    if len(made) == len(kept):
+        return found
+    return found[:1] or [(min(len(made), len(kept)) + 1, f"{len(kept)} lines on the page, {len(made)} now")]
 
 
 def main(command, source, out, *chapters):

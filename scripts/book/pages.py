@@ -30,7 +30,8 @@ FENCE = re.compile(r"[ \t]*(```|~~~)")
 OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
 FIGURE = re.compile(r'!\[(.*)\]\(([^() ]+)(?: +"([^"]*)")?\)[ \t]*')
 FIGURE_PARAGRAPH = re.compile(r'!\[[^\0]*\]\([^() ]+(?:\s+"[^"]*")?\)\s*')
-TABLE = re.compile(r'\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)(?: +"(hangs on rounding)")?\)[ \t]*')
+ROUNDING = "hangs on rounding"  # behind the path of a table: forge.py
+TABLE = re.compile(r'\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)(?: +"(' + ROUNDING + r'(?:: [^"]+)?)")?\)[ \t]*')
 SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)(.*)")
 FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
 SECTION = re.compile(r'<a id="(\w+)"></a>')

@@ -205,6 +205,7 @@ class ForForges(InAHouse):
         self.write(self.book.out / "results/geodesy/error-vs-time.csv", "method,time_s\n")
         self.write(self.book.out / "results/geodesy/error-vs-time.json", '{"quantities":[{"name":"factor","value":3}]}')
         self.write(self.book.out / "tables/geodesy/error-vs-time.md", "| a |\n| --- |\n| 1 |\n")
+        self.write(self.book.out / "tables/geodesy/table-2.8.md", "| m | \\|c\\| |\n| --- | ---: |\n| a | 1 |\n| b | 2 |\n")
         self.write(self.book.source / "docs/gallery/geodesy-fig-2.27.svg", PICTURE)
         self.write(self.book.source / "chapters/geodesy/a.cpp", "  // [ex]\n  int a;\n\n    a = 1;\n  // [ex]\n")
 
@@ -229,6 +230,8 @@ class ForForges(InAHouse):
                 ("[*Cap*](../../tables/geodesy/table-2.6.md)", '<a id="table-2.6"></a>*Cap*\n\n| a |\n| --- |'),
                 ("[C.](../../tables/geodesy/error-vs-time.md)",
                  '> <a id="error-vs-time"></a>C. `geodesy run error-vs-time` writes it.'),
+                ('[C.](../../tables/geodesy/table-2.8.md "hangs on rounding: b; |c|")',
+                 '<a id="table-2.8"></a>C.\n\n| m |\n| --- |\n| a |\n\n*Without what hangs on rounding; `geodesy run table-2.8` writes all.*'),
                 ('[C.](../../tables/geodesy/table-2.6.md "hangs on rounding")',
                  '> <a id="table-2.6"></a>C. `geodesy run table-2.6` writes it.'),
                 ("![C.](../../figures/geodesy/fig-9.svg)", '> <a id="fig-9"></a>C. `geodesy run fig-9` draws it.'),
