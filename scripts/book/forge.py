@@ -4,8 +4,9 @@
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
 A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; long tables, and tables of run times, likewise. Run times differ at each run, and rounding from
-machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
+names the command for the others; likewise for long tables and tables of run times. A table whose numbers hang on rounding is marked by the
+chapter's page and left out, [caption](path "hangs on rounding"), or loses the rows and columns that are named there,
+[caption](path "hangs on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
 as they like where both are below 1e-10 and are noise. All else is compared by the letter.
 """
 import pathlib
@@ -14,7 +15,7 @@ import sys
 
 import references
 from book import Book, Complaint
-from pages import WORKS_CITED, Page, chapter_of, plain_text
+from pages import ROUNDING, WORKS_CITED, Page, chapter_of, plain_text
 
 # Around results, until the page is whole: those of scenes with run times, and all others. Private characters of Unicode.
 TIMED, COMPUTED, END = "\ue000", "\ue001", "\ue002"
@@ -24,6 +25,8 @@ IN_TABLE = re.compile(r"(?<![\w.#-])-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?(?![\w.])
 IDENTIFIER = re.compile(r"(`[^`]*`|\[[^]]*\]\([^)]*\))|\bnlmech::\w+(?:::\w+)*")
 LIST_MARK = re.compile(f"^([{TIMED}{COMPUTED}][0-9]+{END})([.)])(?=\\s|$)")
 MOST_ROWS = 24
+ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number hangs on rounding: its "
+          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "hangs on rounding"), and names no such number.')
 NOISE = 1e-10
 
 
@@ -37,6 +40,16 @@ def drawn_by(path):
     """figures/homotopy/fig-2.1.svg -> homotopy, fig-2.1"""
     _, chapter, file = path.split("/")
     return chapter, re.sub(r"\.[a-z]+$", "", file)
+
+
+def without(rows, names, path):
+    """The rows of a table without those columns and rows, which are named by their heading and their first cell."""
+    cells = [re.split(r"(?<!\\)\|", row.strip())[1:-1] for row in rows]
+    headings, firsts = ([cell.strip().replace("\\|", "|") for cell in line] for line in (cells[0], [row[0] for row in cells]))
+    if unknown := set(names) - set(headings) - set(firsts):
+        raise Complaint(f"{path} has no row or column {', '.join(sorted(unknown))}")
+    return ["|" + "|".join(cell for cell, heading in zip(row, headings) if heading not in names) + "|"
+            for row, first in zip(cells, firsts) if first not in names]
 
 
 class ForgePage(Page):
@@ -77,11 +90,15 @@ class ForgePage(Page):
         mark = "" if scene in self.marked else f'<a id="{scene}"></a>'
         self.marked.add(scene)
         kept = self.book.source / f"docs/gallery/{chapter}-{scene}.svg"
-        if is_table and not is_timed(self.book, f"{chapter}/{scene}"):
+        if is_table and given != ROUNDING and not is_timed(self.book, f"{chapter}/{scene}"):
             rows = self.book.text(file).rstrip("\n").split("\n")
             if len(rows) <= MOST_ROWS + 2:
+                note = ""
+                if given:
+                    rows = without(rows, given.removeprefix(f"{ROUNDING}: ").split("; "), path)
+                    note = f"\n\n*Without what hangs on rounding; `{chapter} run {scene}` writes all.*"
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
-                return f"{mark}{caption}\n\n{table}"
+                return f"{mark}{caption}\n\n{table}{note}"
         elif not is_table and kept.exists():
             svg = self.book.text(kept)
             alt = self.alternative(svg, given, SPAN.sub(r"\2", caption), path).replace("[", "(").replace("]", ")")
@@ -148,21 +165,29 @@ def agree(made, kept):
     return a[1] == b[1] and (noise or a[0] == b[0] or (a[0] * b[0] > 0 and 0.5 <= a[0] / b[0] <= 2))
 
 
-def same(made, kept):
-    """Is the kept line what was made, results as far as they must agree?"""
+def without_marks(made):
+    return SPAN.sub(r"\2", made)
+
+
+def disagreement(made, kept):
+    """In what does the kept line differ from what was made, results as far as they must agree? Empty if in nothing."""
     parts = SPAN.split(made)  # text, kind, result, text, ...
     pattern = "(.*?)".join(re.escape(text) for text in parts[::3])
     match = re.fullmatch(pattern, kept)
     if not match:
-        return False
-    return all(kind == TIMED or agree(result, found) for kind, result, found in zip(parts[1::3], parts[2::3], match.groups()))
+        return f"the page says\n  {kept}\nand would say\n  {without_marks(made)}"
+    pairs = [f"{found} on the page, {result} now" for kind, result, found in zip(parts[1::3], parts[2::3], match.groups())
+             if kind == COMPUTED and not agree(result, found)]
+    return "; ".join(pairs)
 
 
 def differences(made, kept):
-    """Numbers of lines that differ, from 1; that of the first line beyond, if one text is longer."""
+    """(line, in what it differs) for all that do, lines from 1; of texts that differ in length the first alone."""
     made, kept = made.split("\n"), kept.split("\n")
-    found = [number for number, lines in enumerate(zip(made, kept), 1) if not same(*lines)]
-    return found + ([min(len(made), len(kept)) + 1] if len(made) != len(kept) else [])
+    found = [(number, words) for number, lines in enumerate(zip(made, kept), 1) if (words := disagreement(*lines))]
+    if len(made) == len(kept):
+        return found
+    return found[:1] or [(min(len(made), len(kept)) + 1, f"{len(kept)} lines on the page, {len(made)} now")]
 
 
 def main(command, source, out, *chapters):
@@ -176,13 +201,16 @@ def main(command, source, out, *chapters):
         file = source / f"docs/chapters/{name}.md"
         if command == "write":
             file.parent.mkdir(exist_ok=True)
-            file.write_text(SPAN.sub(r"\2", made), encoding="utf-8")
+            file.write_text(without_marks(made), encoding="utf-8")
         elif not file.exists():
             print(f"docs/chapters/{name}.md does not exist: make pages", file=sys.stderr)
             stale = True
-        elif lines := differences(made, file.read_text(encoding="utf-8")):
-            print(f"docs/chapters/{name}.md: lines {', '.join(map(str, lines[:9]))} are out of date: make pages", file=sys.stderr)
-            stale = True
+        else:
+            for line, words in differences(made, file.read_text(encoding="utf-8")):
+                print(f"docs/chapters/{name}.md:{line}: {words}", file=sys.stderr)
+                stale = True
+    if stale:
+        print(ADVICE, file=sys.stderr)
     if book.complaints or stale:
         sys.exit(1)
 

@@ -30,7 +30,8 @@ FENCE = re.compile(r"[ \t]*(```|~~~)")
 OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
 FIGURE = re.compile(r'!\[(.*)\]\(([^() ]+)(?: +"([^"]*)")?\)[ \t]*')
 FIGURE_PARAGRAPH = re.compile(r'!\[[^\0]*\]\([^() ]+(?:\s+"[^"]*")?\)\s*')
-TABLE = re.compile(r"\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)\)[ \t]*")
+ROUNDING = "hangs on rounding"  # behind the path of a table: forge.py
+TABLE = re.compile(r'\[([^]]*)\]\(([^() ]*tables/[^/() ]+/[^/() ]+\.md)(?: +"(' + ROUNDING + r'(?:: [^"]+)?)")?\)[ \t]*')
 SNIPPET = re.compile(r"[@\\]snippet(?:\{[^}]*\})?[ \t]+([^ \t]+)(.*)")
 FOLD = re.compile(r"(?:<details>|<summary>.*</summary>|</details>)")
 SECTION = re.compile(r'<a id="(\w+)"></a>')
@@ -191,7 +192,7 @@ class Page:
         if match := FIGURE.fullmatch(line):
             return self.grouped(self.picture(self.inline(match[1], number), match[2], False, match[3]), number)
         if match := TABLE.fullmatch(line):
-            return self.picture(self.inline(match[1], number), match[2], True)
+            return self.picture(self.inline(match[1], number), match[2], True, match[3])
         if FOLD.fullmatch(mark):
             return f"\\htmlonly[block]{mark}\\endhtmlonly"
         if match := SECTION.fullmatch(mark):

@@ -15,7 +15,7 @@ if(STEP STREQUAL "measure")
          ${SOURCE}/figures/templates/${CHAPTER}-*.gp ${SOURCE}/tables/*.csv ${SOURCE}/tables/published/*.csv)
     execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX MATCHALL "/[^ \n]+" libraries "${libraries}")
-    set(digests "")
+    set(digests "$ENV{NLMECH_INSTRUCTION_SET} $ENV{GLIBC_TUNABLES}\n")  # both change how results are rounded
     foreach(input IN LISTS PROGRAM libraries inputs)
       file(SHA256 ${input} digest)
       string(APPEND digests "${digest}\n")

@@ -182,8 +182,8 @@ void put(const std::vector<Flow>& all, scene::Show& show) {
                "recorded: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations");
   show.between("the same of the fixed case, any factor", fixed, 1e-8, 1e300,
                "recorded: no convergence in 20 000 iterations");
-  show.at_most("free, T = 1, times the inverse at beta = 0", inverse, show.quick() ? 1 : 1e-2,
-               "recorded: 1e-8 in 1500 to 15 000 iterations");
+  show.at_most("free, T = 1, times the inverse at beta = 0", inverse, show.quick() ? 1 : 0.1,
+               "recorded: 1e-8 in 700 to 15 000 iterations as rounding has it, after 6000 not above 0.025");
   show.between("Newton's iterations, free, T = 1", newton, 2, 12, "recorded: 2 to 7, the last to confirm");
 }
 

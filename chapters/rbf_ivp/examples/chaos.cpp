@@ -94,7 +94,7 @@ Attempt follow(const Motion& m, const std::string& name, const std::string& sett
   return r;
 }
 
-constexpr std::array tolerances = {1e-4, 1e-6, 1e-9, 1e-13};
+constexpr std::array tolerances = {1e-4, 1e-6, 1e-9, 1e-12};
 
 /// All runs on a motion: collocations with 8 to 512 steps to t = 50, and ode45.
 struct Runs {

@@ -9,6 +9,7 @@ namespace nlmech::geodesy {
 using nlmech::available;
 using nlmech::best_instruction_set;
 using nlmech::InstructionSet;
+using nlmech::require_available;
 using nlmech::to_string;
 
 }  // namespace nlmech::geodesy

@@ -11,10 +11,7 @@ namespace nlmech::geodesy {
 namespace {
 
 const kernels::Kernel& kernel_of(InstructionSet set) {
-  if (!available(set)) {
-    throw std::invalid_argument("ReverseTransform: this processor or build has no kernel for " +
-                                std::string(to_string(set)));
-  }
+  require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx2) return kernels::avx2_kernel;
   if (set == InstructionSet::avx512) return kernels::avx512_kernel;

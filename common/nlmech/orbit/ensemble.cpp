@@ -16,7 +16,7 @@ namespace nlmech::orbit {
 namespace {
 
 const kernels::EnsembleKernel& kernel_for(InstructionSet set) {
-  if (!available(set)) throw invalid_argument("the instruction set {} is not available here", to_string(set));
+  require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return kernels::avx512_ensemble;
   if (set == InstructionSet::avx2) return kernels::avx2_ensemble;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/support/sentences.hpp"
-
 namespace nlmech::orbit::detail {
 namespace {
 
 const kernels::Kernel& kernel_for(InstructionSet set) {
-  if (!available(set)) throw invalid_argument("the instruction set {} is not available here", to_string(set));
+  require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return kernels::avx512_kernel;
   if (set == InstructionSet::avx2) return kernels::avx2_kernel;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nlmech/scene/build_info.hpp"
+#include "nlmech/support/instruction_set.hpp"
 
 namespace nlmech::scene {
 
@@ -34,7 +35,8 @@ std::string provenance(const Chapter& chapter, const Scene& scene, const Perform
                {"dirty", build.dirty},
                {"compiler", build.compiler},
                {"flags", build.flags},
-               {"processor", processor_name()}};
+               {"processor", processor_name()},
+               {"instruction_set", to_string(best_instruction_set())}};
   json["libraries"] = Json::object();
   for (const LibraryVersion& library : build.libraries) json["libraries"][library.name] = library.version;
   json["runs"] = Json::array();

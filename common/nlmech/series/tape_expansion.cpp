@@ -1,7 +1,5 @@
 #include "nlmech/series/tape_expansion.hpp"
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "nlmech/series/tape_values.hpp"
@@ -14,9 +12,7 @@ using tape::Operation;
 namespace {
 
 tape::Replay kernel(InstructionSet set) {
-  if (!available(set)) {
-    throw std::invalid_argument("TapeExpansion: this processor has no " + std::string(to_string(set)));
-  }
+  require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return tape::avx512_replay;
   if (set == InstructionSet::avx2) return tape::avx2_replay;
@@ -26,7 +22,7 @@ tape::Replay kernel(InstructionSet set) {
 
 }  // namespace
 
-InstructionSet replay_instruction_set() noexcept {
+InstructionSet replay_instruction_set() {
   return available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
 }
 

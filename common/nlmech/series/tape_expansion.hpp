@@ -13,7 +13,7 @@ namespace nlmech {
 /// The set with which tapes are replayed fastest: AVX2 where there is it, also beside AVX-512. Sums of at
 /// most a hundred terms are too short for eight lanes, and a wide load waits for the many coefficients that
 /// were just stored.
-[[nodiscard]] InstructionSet replay_instruction_set() noexcept;
+[[nodiscard]] InstructionSet replay_instruction_set();
 
 /// The coefficients of the solution through a point. With a tape of m Cauchy products order p costs
 /// m p^2/2 multiplications and as many additions, squares half of that.

@@ -1,8 +1,6 @@
 #include "nlmech/series/tape_lanes.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "nlmech/series/tape_values.hpp"
@@ -15,8 +13,7 @@ using tape::Operation;
 namespace {
 
 const tape::LaneKernel& lane_kernel(InstructionSet set) {
-  if (!available(set))
-    throw std::invalid_argument("TapeLanes: this processor has no " + std::string(to_string(set)));
+  require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return tape::avx512_lanes;
   if (set == InstructionSet::avx2) return tape::avx2_lanes;

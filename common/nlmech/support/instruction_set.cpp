@@ -1,19 +1,22 @@
 #include "nlmech/support/instruction_set.hpp"
 
-namespace nlmech {
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
 
-std::string_view to_string(InstructionSet set) noexcept {
-  switch (set) {
-    case InstructionSet::baseline: return "baseline";
-    case InstructionSet::avx2: return "avx2";
-    case InstructionSet::avx512: return "avx512";
-  }
-  return "unknown";
-}
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech {
+namespace {
+
+constexpr InstructionSet all_sets[] = {InstructionSet::baseline, InstructionSet::avx2,
+                                       InstructionSet::avx512};
+constexpr const char* variable = "NLMECH_INSTRUCTION_SET";
 
 // The compiler's run-time test asks the processor and also the operating system, which must save the wide
 // registers.
-bool available(InstructionSet set) noexcept {
+bool executable(InstructionSet set) noexcept {
   if (set == InstructionSet::baseline) return true;
 #if defined(__x86_64__)
   if (set == InstructionSet::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -24,9 +27,46 @@ bool available(InstructionSet set) noexcept {
 #endif
 }
 
-InstructionSet best_instruction_set() noexcept {
-  if (available(InstructionSet::avx512)) return InstructionSet::avx512;
-  return available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
+/// The largest set that this processor executes, or the one that the environment names.
+InstructionSet chosen_set() {
+  const char* const text = std::getenv(variable);
+  const std::string name = text == nullptr ? "" : text;
+  InstructionSet largest = InstructionSet::baseline;
+  std::string names;
+  for (const InstructionSet set : all_sets) {
+    if (!executable(set)) continue;
+    if (name == to_string(set)) return set;
+    largest = set;
+    names += (names.empty() ? "" : ", ") + std::string(to_string(set));
+  }
+  if (name.empty()) return largest;
+  throw InputError(std::string(variable) + "=" + echoed(name) +
+                   ": no instruction set of this processor; it has " + names);
+}
+
+}  // namespace
+
+std::string_view to_string(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::baseline: return "baseline";
+    case InstructionSet::avx2: return "avx2";
+    case InstructionSet::avx512: return "avx512";
+  }
+  return "unknown";
+}
+
+InstructionSet best_instruction_set() {
+  static const InstructionSet best = chosen_set();
+  return best;
+}
+
+bool available(InstructionSet set) { return set <= best_instruction_set(); }
+
+void require_available(InstructionSet set) {
+  if (available(set)) return;
+  throw std::invalid_argument("instruction set " + std::string(to_string(set)) +
+                              (executable(set) ? " is larger than " + std::string(variable) + " allows"
+                                               : ": this processor has none"));
 }
 
 }  // namespace nlmech

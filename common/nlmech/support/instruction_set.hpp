@@ -18,10 +18,16 @@ enum class InstructionSet : std::uint8_t {
 /// The enumerator's own spelling.
 [[nodiscard]] std::string_view to_string(InstructionSet set) noexcept;
 
-/// Whether this processor (and operating system) can execute @p set and this library was built with it.
-[[nodiscard]] bool available(InstructionSet set) noexcept;
+/// The set that kernels use by default: the largest one that this processor and its operating system execute.
+/// The environment variable NLMECH_INSTRUCTION_SET (baseline, avx2 or avx512) chooses a smaller one for every
+/// kernel of the process; it is read once, and an empty one is as none.
+/// @throws InputError, at every call, if the variable names a set that is unknown or that the processor lacks
+[[nodiscard]] InstructionSet best_instruction_set();
 
-/// The largest set that is available.
-[[nodiscard]] InstructionSet best_instruction_set() noexcept;
+/// Whether kernels may use @p set: it is not larger than best_instruction_set(). @throws InputError as there
+[[nodiscard]] bool available(InstructionSet set);
+
+/// @throws std::invalid_argument if @p set is not available; InputError as best_instruction_set()
+void require_available(InstructionSet set);
 
 }  // namespace nlmech

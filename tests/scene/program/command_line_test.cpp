@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "nlmech/scene/program/csv.hpp"
+#include "nlmech/support/echo.hpp"
 #include "tests/places.hpp"
 #include "tests/scene/fixture_program.hpp"
 
@@ -64,6 +65,26 @@ TEST_F(CommandLine, EndsWithTwoAtWrongUse) {
     expect_sentence(done.errors, said);
   }
   EXPECT_TRUE(written().empty()) << "nothing is computed before all scenes are known";
+}
+
+TEST_F(CommandLine, TheEnvironmentHoldsKernelsToAnInstructionSet) {
+  const auto chosen = [this](const std::string& text) {
+    EXPECT_EQ(fixture({"run", "fig-1"}, {"NLMECH_INSTRUCTION_SET=" + text}).exit_code, 0) << text;
+    const std::string provenance = written().at("results/fixture/fig-1.json"),
+                      key = "\"instruction_set\": \"";
+    const auto at = provenance.find(key) + key.size();
+    return provenance.substr(at, provenance.find('"', at) - at);
+  };
+  EXPECT_EQ(chosen("baseline"), "baseline");
+  const std::string largest = chosen("");  // as if it were not set
+  EXPECT_EQ(chosen(largest), largest);
+  for (const std::string wrong : {"sse9", "AVX2", "avx2 ", "\x1b[31m"}) {
+    const Finished done = fixture({"list"}, {"NLMECH_INSTRUCTION_SET=" + wrong});
+    EXPECT_EQ(done.exit_code, 2) << wrong;
+    EXPECT_EQ(done.output, "") << wrong;
+    expect_sentence(done.errors, "NLMECH_INSTRUCTION_SET=" + echoed(wrong));
+    EXPECT_TRUE(done.errors.ends_with(largest + "\n")) << done.errors;
+  }
 }
 
 TEST_F(CommandLine, AFlagThatIsFalseIsAsWithoutIt) {

@@ -30,10 +30,7 @@ void run(SimdMethod method, InstructionSet set, const nlmech::geodesy::Ellipsoid
     throw std::invalid_argument("peers::geodesy::run: sizes must be equal and a multiple of 8, x has " +
                                 std::to_string(size));
   }
-  if (!nlmech::geodesy::available(set)) {
-    throw std::invalid_argument("peers::geodesy::run: this processor does not have " +
-                                std::string(to_string(set)));
-  }
+  nlmech::geodesy::require_available(set);
   const SimdTable* table = &baseline_peers;
 #if defined(__x86_64__)
   if (set == InstructionSet::avx2) table = &avx2_peers;

@@ -19,6 +19,7 @@
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/instruction_set.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -151,6 +152,8 @@ int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const
   const auto chosen = std::ranges::find_if(all, [](const Parsed& p) { return p.app->parsed(); });
   const TimeLimit::Command watched = chosen->watched(app.get_name());
   chosen->understand();
+  (void)best_instruction_set();  // refuses a wrong NLMECH_INSTRUCTION_SET, whether or not the command has
+                                 // kernels
   limit.emplace(watched);
   const Answer answer = chosen->command->work();
   if (const auto* const result = std::get_if<std::string>(&answer)) print_result(*result);
