@@ -65,9 +65,8 @@ void declare_propagation(scene::Options& options, Propagation& p) {
   options.add("--velocity", p.velocity, "its rate, x,y,z");
   options.add(
       "--states", p.states,
-      "CSV in their place: columns x,y,z,vx,vy,vz, and mu and until if they differ; others are handed on. "
-      "Comments, # at the begin of a line, stand before the header. "
-      "- is standard input");
+      "CSV file in their place: columns x,y,z,vx,vy,vz, and mu and until if they differ, in any order and "
+      "case; others are handed on; - is standard input");
   options.add("--mu", p.mu, fmt::format("gravitational parameter; the Earth's, {}, without it", earth_mu))
       .positive();
   options.add("--until", p.until, "time at which it ends, from 0; negative runs backwards");

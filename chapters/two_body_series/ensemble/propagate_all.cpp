@@ -45,7 +45,8 @@ class OrbitCatalogue {
                      .options = fmt::format("{} {} {} {} {:a} {} {}", request_.method, shown(request_.until),
                                             shown(request_.mu), shown(request_.every), request_.tolerance,
                                             fmt::join(request_.field.zonal, ","), request_.field.radius),
-                     .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status", catalogue_.rest_names()),
+                     .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status",
+                                           catalogue_.columns().rest_names({"row", "t", "status"})),
                      .portion = scene::portion_for(lines_at_a_time, request_.threads),
                      .work =
                          [this](const scene::CatalogueRows& rows) {

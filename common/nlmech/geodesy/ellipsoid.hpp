@@ -2,10 +2,12 @@
 /// Ellipsoid of revolution and the points about it.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace nlmech::geodesy {
 
@@ -64,27 +66,54 @@ using Geodetic = BasicGeodetic<double>;
 using Ellipsoid = BasicEllipsoid<double>;
 /// @}
 
-/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40). Valid for every latitude, longitude and
-/// height, also for latitudes beyond +-pi/2, which are taken as they stand. Ellipsoids with |f| > 1/4 take a
-/// form of the same equation without the difference 1 - e^2 sin^2, which has no digit left for f near 1, and
-/// without squares of the flattening, which overflow. Infinite only where the position is no double.
+/// An ellipsoid that has a name.
+struct NamedEllipsoid {
+  std::string_view name;          ///< in lower case, without blanks
+  double a = 0;                   ///< equatorial radius, m
+  double inverse_flattening = 0;  ///< 1/f; 0 stands for a sphere
+};
+
+/// Ellipsoids by name besides WGS84, as the EPSG registry defines them (codes 7043, 7019, 7022, 7024, 7004,
+/// 7001, 7008, the last by its polar radius 6356583.8 m, and 7035).
+inline constexpr std::array<NamedEllipsoid, 8> named_ellipsoids = {{
+    {"wgs72", 6378135, 298.26},
+    {"grs80", 6378137, 298.257222101},
+    {"international1924", 6378388, 297},
+    {"krassowsky1940", 6378245, 298.3},
+    {"bessel1841", 6377397.155, 299.1528128},
+    {"airy1830", 6377563.396, 299.3249646},
+    {"clarke1866", 6378206.4, 6378206.4 / (6378206.4 - 6356583.8)},
+    {"sphere", 6371000, 0},
+}};
+
+/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40), from sines and cosines. Ellipsoids with |f| >
+/// 1/4 take a form of the same equation without the difference 1 - e^2 sin^2, which has no digit left for f
+/// near 1, and without squares of the flattening, which overflow. Infinite only where the position is no
+/// double.
+/// @param sin_lat, cos_lat of the latitude  @param sin_lon, cos_lon of the longitude
 template <class T>
-[[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
-  using std::cos, std::sin, std::sqrt;
-  const T sin_lat = sin(g.latitude), cos_lat = cos(g.latitude);
+[[nodiscard]] BasicCartesian<T> forward(const T& sin_lat, const T& cos_lat, const T& sin_lon,
+                                        const T& cos_lon, const T& height, const BasicEllipsoid<T>& e) {
+  using std::sqrt;
   if (e.f() > T(0.25) || e.f() < T(-0.25)) {
     // W^2 = cos^2 + (1-f)^2 sin^2, divided by the larger of 1 and (1-f)^2.
     const T ratio = 1 - e.f(), larger = ratio > 1 ? ratio : T(1);
     const T across = cos_lat / larger, along = sin_lat * (ratio / larger);
     const T W = sqrt(across * across + along * along);
-    const T from_axis = e.a() * (across / W) + g.height * cos_lat;
-    return {from_axis * cos(g.longitude), from_axis * sin(g.longitude),
-            e.b() * (along / W) + g.height * sin_lat};
+    const T from_axis = e.a() * (across / W) + height * cos_lat;
+    return {from_axis * cos_lon, from_axis * sin_lon, e.b() * (along / W) + height * sin_lat};
   }
   const T prime_vertical = e.a() / sqrt(1 - e.e2() * sin_lat * sin_lat);  // N(phi)
-  const T from_axis = (prime_vertical + g.height) * cos_lat;
-  return {from_axis * cos(g.longitude), from_axis * sin(g.longitude),
-          (prime_vertical * (1 - e.e2()) + g.height) * sin_lat};
+  const T from_axis = (prime_vertical + height) * cos_lat;
+  return {from_axis * cos_lon, from_axis * sin_lon, (prime_vertical * (1 - e.e2()) + height) * sin_lat};
+}
+
+/// The same of angles in radians. Valid for every latitude, longitude and height, also for latitudes beyond
+/// +-pi/2, which are taken as they stand.
+template <class T>
+[[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
+  using std::cos, std::sin;
+  return forward<T>(sin(g.latitude), cos(g.latitude), sin(g.longitude), cos(g.longitude), g.height, e);
 }
 
 }  // namespace nlmech::geodesy

@@ -77,7 +77,8 @@ template <class T>
 struct BasicReversed {
   BasicGeodetic<T> position;           ///< NaN unless the outcome is success
   Outcome outcome = Outcome::success;  ///< success, non_finite or outside_validity
-  /// Distance between the given point and the position sent forward again, to rounding_of_miss.
+  /// Distance between the given point and the position sent forward again, to rounding_of_miss. Deep inside
+  /// the ellipsoid, near the centres of its curvature, the latitude may be off by much where this is small.
   T miss{};
 };
 /// In double precision.

@@ -160,6 +160,26 @@ TEST(States, EndsOfTheirOwn) {
   EXPECT_EQ(scene::parse_csv(named, "output").at(2).cells[1], "3");
 }
 
+// No column of the answer is there twice, and X is not x.
+TEST(States, ColumnsThatTheAnswerHasAlready) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "starts.csv", "row,\"t\",x,X,status,\n7,5,2,3,success,\n");
+  const Words words = {"integrate", "--equation", "x' = -x", "--states", "starts.csv", "--until", "1"};
+  const auto records = scene::parse_csv(output(words, folder.string()), "output");
+  ASSERT_EQ(records.size(), 3U);
+  EXPECT_EQ(records[0].cells,
+            (Words{"row", "t", "x", "input_row", "input_t", "X", "input_status", "status"}));
+  EXPECT_NEAR(std::stod(records[2].cells[2]), 2 * std::exp(-1), 1e-8);  // a tolerance of 1e-9 a step
+  scene::write_whole(folder / "starts.csv", "x\n");
+  const Finished f = integrators(words, folder.string());
+  EXPECT_EQ(f.exit_code, 0);
+  EXPECT_EQ(f.output, "row,t,x,status\n");
+  EXPECT_NE(f.errors.find("starts.csv: no row stands behind the header"), std::string::npos) << f.errors;
+  scene::write_whole(folder / "starts.csv", "1\n2\n");
+  refused(words, folder.string(),
+          {"starts.csv: line 1", "no line above names the columns", "some of x,until"});
+}
+
 // What is not done in time says so in its row.
 TEST(States, LimitEndsWhatIsNotDone) {
   const TemporaryFolder folder;

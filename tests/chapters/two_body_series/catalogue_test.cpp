@@ -105,6 +105,33 @@ TEST_F(StatesCommand, EveryGivesRowsBetween) {
   EXPECT_NE(closed.find("\n1,0,1,0,"), std::string::npos) << closed;
 }
 
+// The answer is a file of states itself: its columns come back once, those of the first run under other
+// names.
+TEST_F(StatesCommand, ItsAnswerIsAFileOfStates) {
+  write("orbits.csv", "X,Y,Z,VX,VY,VZ,\n1,0,0,0,1,0,\n");
+  const std::vector<std::string> words = {"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "1"};
+  const std::string first = output(words);
+  EXPECT_TRUE(first.starts_with("row,t,x,y,z,vx,vy,vz,status\n")) << first;
+  write("orbits.csv", first);
+  const auto records = scene::parse_csv(output(words), "output");
+  ASSERT_EQ(records.size(), 2U);
+  const std::vector<std::string> header = {
+      "row", "t", "x", "y", "z", "vx", "vy", "vz", "input_row", "input_t", "input_status", "status"};
+  EXPECT_EQ(records[0].cells, header);
+  EXPECT_EQ(records[1].cells[9], "1");
+  EXPECT_NEAR(std::stod(records[1].cells[2]), std::cos(2.), 1e-13);  // the state is where the run begins
+  write("orbits.csv", "1,0,0,0,1,0\n");
+  EXPECT_EQ(output(words), first);
+}
+
+TEST_F(StatesCommand, NoRowsAreSaid) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n");
+  const Finished f = run({"propagate", "--states", "orbits.csv", "--mu", "1", "--until", "1"});
+  EXPECT_EQ(f.exit_code, 0);
+  EXPECT_EQ(f.output, "row,t,x,y,z,vx,vy,vz,status\n");
+  EXPECT_NE(f.errors.find("orbits.csv: no row stands behind the header"), std::string::npos) << f.errors;
+}
+
 // A fall into the centre ends where it does, and the rest goes on.
 TEST_F(StatesCommand, FailuresAreTheirOwn) {
   write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,0,0\n1,0,0,0,1.1,0\n");
@@ -180,11 +207,13 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   bad(head + "1,0,0,0,inf,0,5\n", {"line 2", "'inf'"});
   bad(head + "1,0,0,0,1,0\n", {"line 2", "6 of 7 cells"});
   bad(head + "1,0,0,0,1,0,5,7\n", {"line 2", "'7'", "beyond the 7 columns"});
-  bad("x,y,z,vx,vy,until\n" + row, {"line 1", "no column vz"});
+  bad("x,y,z,vx,vy,until\n" + row, {"line 1", "no column vz", "must name x,y,z,vx,vy,vz"});
+  bad("JDTDB;X;Y;Z;VX;VY;VZ\n1;1;0;0;0;1;0\n", {"line 1", "no column x", "separated by commas"});
+  bad("1,0,0,0,1,0,5\n", {"line 1", "7 cells", "must name x,y,z,vx,vy,vz"});
   bad("x,y,z,vx,vy,vz,x,until\n", {"line 1", "two columns are called x"});
   bad("", {"is empty"});
-  bad(head + row + "# a comment, late\n" + row,
-      {"line 3", "# a comment", "comments stand before the header"});
+  bad("name," + head + "a," + row + "# a comment, late\n",
+      {"line 3", "2 of 8 cells", "comments stand before the header"});
   bad("x,y,z,vx,vy,vz\n1,0,0,0,1,0\n", {"no column until"});
   bad(head + row, {"--until 3", "has a column until"}, {"--until", "3"});
   bad(head + row, {"until = 5", "10 million"}, {"--every", "1e-9"});

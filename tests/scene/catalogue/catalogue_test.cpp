@@ -24,7 +24,7 @@ TEST(Catalogue, RowsByName) {
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {"b", "c"}, {});
   EXPECT_TRUE(catalogue.has("b"));
   EXPECT_FALSE(catalogue.has("c"));
-  EXPECT_EQ(catalogue.rest_names(), ",name");
+  EXPECT_EQ(catalogue.columns().rest_names(), ",name");
   EXPECT_EQ(catalogue.rows(), 3);
   const CatalogueRows two = catalogue.next({2}, 99);
   ASSERT_EQ(two.line.size(), 2U);
@@ -59,6 +59,17 @@ TEST(Catalogue, NoRowVanishesBehindASharp) {
       EXPECT_NE(std::string(error.what()).find("a.csv: line 3"), std::string::npos) << error.what();
     }
   }
+}
+
+// The first line is a row if no line names the columns; the second reading of the file begins with it, too.
+TEST(Catalogue, NoHeader) {
+  const TemporaryFolder folder;
+  write_whole(folder / "a.csv", "\xEF\xBB\xBF# comment\n\n1,2\n3,4\n");
+  Catalogue catalogue((folder / "a.csv").string(), {"a", "b"}, {"c"}, {});
+  EXPECT_EQ(catalogue.rows(), 2);
+  const CatalogueRows rows = catalogue.next({9}, 99);
+  EXPECT_EQ(rows.line, (std::vector<std::size_t>{3, 4}));
+  EXPECT_EQ(rows.numbers[1][1], 4);
 }
 
 // A portion ends with the row that makes it weigh enough, so that what is held at a time is bounded.

@@ -39,8 +39,9 @@ class Runner {
         parameters_(names_of(base_->parameters())),
         columns_(joined(states_, parameters_)),
         farthest_(request_.t1),
-        catalogue_(runs.file, {}, joined(columns_, {end_column}),
-                   [this](const auto& row) { return complaint(row); }),
+        catalogue_(
+            runs.file, {}, joined(columns_, {end_column}), [this](const auto& row) { return complaint(row); },
+            scene::NameCase::exact),
         method_(method_of_all()) {
     if (std::none_of(columns_.begin(), columns_.end(),
                      [this](const auto& name) { return catalogue_.has(name); }))
@@ -66,7 +67,8 @@ class Runner {
                      .options = fmt::format("{} {} {}", runs_.typed, method_.name,
                                             Choice{method_, request_.settings}.setting()),
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
-                                           request_.events.empty() ? "" : ",event", catalogue_.rest_names()),
+                                           request_.events.empty() ? "" : ",event",
+                                           catalogue_.columns().rest_names({"row", "t", "event", "status"})),
                      .portion = scene::portion_for(lines_at_a_time, runs_.threads),
                      .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
                      .failed = [this] { return failed_; }});

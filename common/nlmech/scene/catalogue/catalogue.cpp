@@ -1,8 +1,5 @@
 #include "nlmech/scene/catalogue/catalogue.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -10,9 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/doubles.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -23,42 +18,19 @@ namespace {
 /// A line longer than this is none of a table.
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 
-std::string_view trim(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Cuts the next cell off @p rest, quotes and all; @p more says whether a comma followed. False: a quote is
-/// open.
-bool next_cell(std::string_view& rest, std::string_view& cell, bool& more) {
-  bool quoted = false;
-  std::size_t i = 0;
-  for (; i < rest.size() && (quoted || rest[i] != ','); ++i) {
-    if (rest[i] == '"') quoted = !quoted;
-  }
-  more = i < rest.size();
-  cell = trim(rest.substr(0, i));
-  rest = more ? rest.substr(i + 1) : std::string_view{};
-  return !quoted;
-}
-
-std::string_view unquoted(std::string_view cell) {
-  return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2)
-                                                                      : cell;
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 }  // namespace
 
-Catalogue::Catalogue(std::string path, std::vector<std::string> required, std::vector<std::string> optional,
-                     RowCheck check)
+Catalogue::Catalogue(std::string path, const std::vector<std::string>& required,
+                     const std::vector<std::string>& optional, RowCheck check, NameCase fits)
     : path_(std::move(path)),
       name_(path_ == "-" ? "standard input" : echoed_path(path_)),
-      known_(std::move(required)),
-      required_(known_.size()),
+      columns_(name_, joined(required, optional), required.size(), fits),
       check_(std::move(check)) {
-  known_.insert(known_.end(), optional.begin(), optional.end());
   open();
   read_header();
   std::error_code ignored;
@@ -78,17 +50,12 @@ void Catalogue::open() {
   buffer_.clear();
   place_ = line_number_ = 0;
   ended_ = false;
+  columns_.forget_header();
   if (path_ == "-") return;
   file_ = std::ifstream(path_, std::ios::binary);
   if (!file_ || std::filesystem::is_directory(path_))
     throw input_error("{}: {}", name_,
                       std::generic_category().message(!file_ && errno != 0 ? errno : EISDIR));
-}
-
-bool Catalogue::has(std::string_view column) const {
-  return std::any_of(column_.begin(), column_.end(), [&](int known) {
-    return known >= 0 && known_[static_cast<std::size_t>(known)] == column;
-  });
 }
 
 bool Catalogue::read_line(Line& line) {
@@ -117,10 +84,8 @@ bool Catalogue::read_line(Line& line) {
 
 bool Catalogue::read_row(Line& line) {
   while (read_line(line)) {
-    line.text = trim(line.text);
-    if (line.number == 1 && line.text.starts_with("\xEF\xBB\xBF")) line.text = trim(line.text.substr(3));
-    // Behind the header '#' is a character like others: a row that begins with it must not vanish.
-    if (line.text.empty() || (names_.empty() && line.text.front() == '#')) continue;
+    line.text = columns_.content(line.text, line.number);
+    if (line.text.empty()) continue;
     if (rows_) return true;  // read through already
     for (const char c : line.text) digest_ = (digest_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
     digest_ = (digest_ ^ '\n') * 0x100000001b3U;
@@ -131,53 +96,16 @@ bool Catalogue::read_row(Line& line) {
 
 void Catalogue::read_header() {
   Line line;
-  column_.clear();
-  names_.clear();
-  rest_names_.clear();
   next_row_ = 1;
-  if (!read_row(line))
-    throw input_error("{}: is empty; a header with {} is needed", name_, fmt::join(known_, ","));
-  std::string_view rest = line.text, cell;
-  for (bool more = true; more;) {
-    if (!next_cell(rest, cell, more))
-      throw input_error("{}: line {}: a quote is never closed", name_, line.number);
-    const std::string_view name = unquoted(cell);
-    const auto place = std::find(known_.begin(), known_.end(), name);
-    const bool is_known = place != known_.end();
-    if (is_known && std::find(names_.begin(), names_.end(), name) != names_.end())
-      throw input_error("{}: line {}: two columns are called {}", name_, line.number, echoed(name));
-    names_.emplace_back(name);
-    column_.push_back(is_known ? static_cast<int>(place - known_.begin()) : -1);
-    if (!is_known) rest_names_.append(",").append(cell);
-  }
-  for (std::size_t i = 0; i < required_; ++i) {
-    if (std::find(names_.begin(), names_.end(), known_[i]) == names_.end())
-      throw input_error("{}: line {}: there is no column {}; the header is '{}'", name_, line.number,
-                        known_[i], echoed(line.text));
-  }
+  if (!read_row(line)) columns_.refuse_empty();
+  if (columns_.read_header(line.text, line.number)) return;
+  place_ =
+      static_cast<std::size_t>(line.text.data() - buffer_.data());  // it is a row, and will be read as one
+  --line_number_;
 }
 
 void Catalogue::understand(const Line& line, std::vector<double>& numbers, std::string& rest) const {
-  numbers.assign(known_.size(), nan);
-  rest.clear();
-  std::string_view text = line.text, cell;
-  const char* const hint = text.starts_with('#') ? "; comments stand before the header" : "";
-  bool more = true;
-  for (std::size_t i = 0; i < column_.size(); ++i) {
-    if (!more)
-      throw input_error("{}: line {}: {} of {} cells{}", name_, line.number, i, column_.size(), hint);
-    if (!next_cell(text, cell, more))
-      throw input_error("{}: line {}: a quote is never closed", name_, line.number);
-    if (column_[i] < 0) {
-      rest.append(",").append(cell);
-    } else if (!parse_number(unquoted(cell), numbers[static_cast<std::size_t>(column_[i])])) {
-      throw input_error("{}: line {}, column {} ({}): '{}' is not a finite number{}", name_, line.number,
-                        i + 1, echoed(names_[i]), echoed(cell), hint);
-    }
-  }
-  if (more)
-    throw input_error("{}: line {}, column {}: '{}' is beyond the {} columns{}", name_, line.number,
-                      column_.size() + 1, echoed(text), column_.size(), hint);
+  columns_.read_row(line.text, line.number, numbers, rest);
   const std::string wrong = check_ ? check_(numbers) : std::string();
   if (!wrong.empty()) throw input_error("{}: line {}: {}", name_, line.number, wrong);
 }

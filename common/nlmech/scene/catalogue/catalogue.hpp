@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/scene/program/csv.hpp"
+
 namespace nlmech::scene {
 
 /// Some consecutive rows.
@@ -37,9 +39,7 @@ struct Portion {
   double most = 0;       ///< weight that is enough whatever the rows
 };
 
-/// Reads one catalogue from its first row to its last. A header is needed; columns are known by their names,
-/// in any order, and the others are handed on. Blank lines are skipped, and before the header lines that
-/// begin with '#'; behind it '#' is a character like others.
+/// Reads one catalogue from its first row to its last, as CsvColumns reads lines.
 ///
 /// A file is read through once beforehand: rows() and digest() are known then, and whatever is wrong with any
 /// of its rows is said before the first is worked on. Standard input cannot be read twice, and complaints of
@@ -49,13 +49,13 @@ class Catalogue {
   /// @param path "-" is standard input
   /// @param required columns that must be there  @param optional columns that may be
   /// @throws InputError naming the file, and line, column and value
-  Catalogue(std::string path, std::vector<std::string> required, std::vector<std::string> optional,
-            RowCheck check);
+  Catalogue(std::string path, const std::vector<std::string>& required,
+            const std::vector<std::string>& optional, RowCheck check, NameCase fits = NameCase::any);
 
+  /// Its columns, and the names of those that are handed on.
+  [[nodiscard]] const CsvColumns& columns() const { return columns_; }
   /// Is this one of its columns?
-  [[nodiscard]] bool has(std::string_view column) const;
-  /// The names of the columns that are handed on, a comma before each.
-  [[nodiscard]] const std::string& rest_names() const { return rest_names_; }
+  [[nodiscard]] bool has(std::string_view column) const { return columns_.has(column); }
   /// Its path, as messages give it.
   [[nodiscard]] const std::string& name() const { return name_; }
   /// How many rows it has; not known of standard input.
@@ -85,13 +85,9 @@ class Catalogue {
   void understand(const Line& line, std::vector<double>& numbers, std::string& rest) const;
 
   std::string path_, name_;
-  std::vector<std::string> known_;
-  std::size_t required_;
+  CsvColumns columns_;
   RowCheck check_;
   RowWeight weight_;
-  std::vector<int> column_;  ///< of the file, to which of known_ it belongs, or -1
-  std::vector<std::string> names_;
-  std::string rest_names_;
   std::ifstream file_;
   std::string buffer_;
   std::size_t place_ = 0, line_number_ = 0;

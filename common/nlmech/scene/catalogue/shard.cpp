@@ -219,7 +219,10 @@ void print_catalogue(Catalogue& catalogue, const CatalogueRun& run) {
   Tally tally;
   for (;;) {
     const CatalogueRows rows = catalogue.next(run.portion, last);
-    if (rows.line.empty()) break;
+    if (rows.line.empty()) {
+      if (rows.first == 1 && catalogue.rows().value_or(0) == 0) tell_of_no_rows(catalogue.name());
+      break;
+    }
     const Doing doing(fmt::format("at row {}{}", rows.first, of));
     // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
     std::string lines = run.work(rows);

@@ -13,7 +13,7 @@ namespace nlmech::scene {
 
 double typed_number(std::string_view option, const std::string& text) {
   double value = 0;
-  if (!parse_number(text, value)) throw input_error("{} {}: not a finite number", option, echoed(text));
+  if (!parse_number(text, value)) throw input_error("{} {}: {}", option, echoed(text), number_fault(text));
   return value;
 }
 
@@ -45,7 +45,7 @@ std::vector<std::string> typed_words(std::string_view option, const std::string&
   for (const std::string& word : all) {
     double value = 0;
     if (!parse_number(word, value))
-      throw input_error("{} {}: '{}' is not a finite number", option, echoed(text), echoed(word));
+      throw input_error("{} {}: '{}' is {}", option, echoed(text), echoed(word), number_fault(word));
   }
   return all;
 }
