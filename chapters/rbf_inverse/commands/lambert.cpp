@@ -148,7 +148,7 @@ std::string lambert(const Arc& a) {
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
   return fmt::format(
-      "vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
+      "vx0,vy0,vz0,vx1,vy1,vz1,miss\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
       t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
 }
 
@@ -271,7 +271,7 @@ std::string merge(const Parts& typed) {
 void add_lambert_commands(scene::Commands& all) {
   all.add(
       "lambert",
-      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss_m. The "
+      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss. The "
       "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
       declare_arc, lambert);
   all.add("porkchop",

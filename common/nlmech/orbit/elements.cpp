@@ -124,7 +124,7 @@ struct InPlane {
 /// By U_0, U_1, U_2 of the universal variable counted from the periapsis.
 InPlane by_universal(const Conic& conic, double u0, double u1, double u2) {
   const double e = conic.eccentricity(), root = std::sqrt(1 + e), r = 1 + e * u2;
-  return {1 - u2, root * u1, -u1 / r, root * u0 / r};
+  return {1 - u2, root * u1, 0 - u1 / r, root * u0 / r};  // no -0
 }
 
 InPlane by_time(const Conic& conic, double time) {
@@ -256,7 +256,7 @@ State state_at_true_anomaly(const Conic& conic, const Orientation& orientation, 
   const double root = std::sqrt(1 + e), r = (1 + e) / denominator, sine = 2 * half.sine * half.cosine;
   return in_space(
       conic, orientation,
-      {r * (share - 1), r * sine, -sine / root, (share - conic.one_minus_e) / root},  // e + cos nu
+      {r * (share - 1), r * sine, 0 - sine / root, (share - conic.one_minus_e) / root},  // e + cos nu
       mu);
 }
 
