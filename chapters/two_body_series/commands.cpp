@@ -2,34 +2,39 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "chapters/two_body_series/ensemble/propagate_all.hpp"
 #include "chapters/two_body_series/orbits/orbits.hpp"
+#include "chapters/two_body_series/series/accuracy.hpp"
 #include "chapters/two_body_series/series/trajectory.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/options.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/degrees.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 /// A state and what attracts.
 struct TypedState {
   orbit::State at;
-  double mu = earth_mu;
+  std::optional<double> mu;
 };
 
-void declare_mu(scene::Options& options, double& mu) {
-  options.add("--mu", mu, "gravitational parameter").positive();
+void declare_mu(scene::Options& options, std::optional<double>& mu) {
+  options.add("--mu", mu, fmt::format("gravitational parameter; the Earth's, {}, without it", earth_mu))
+      .positive();
 }
 
 void declare_state(scene::Options& options, TypedState& s) {
@@ -38,12 +43,21 @@ void declare_state(scene::Options& options, TypedState& s) {
   declare_mu(options, s.mu);
 }
 
+constexpr std::string_view element_columns =
+    "a,e,i,raan,argp,nu,period,p,q,eccentric_anomaly,mean_anomaly,time_since_periapsis";
+
 std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
 void refuse_centre(const orbit::State& s) {
   if (s.position.isZero(0))
     throw InputError(
         fmt::format("--position {}: is the centre, where the attraction has no bound", text_of(s.position)));
+}
+
+/// Units that cannot be meant are refused after everything else that is wrong.
+void refuse_other_units(const std::string& typed, const orbit::State& s, const std::optional<double>& mu) {
+  const std::string why = mu ? "" : inside_the_earth(s);
+  if (!why.empty()) throw InputError(fmt::format("{}: {}", typed, why));
 }
 
 void check_rows(double until, double every) {
@@ -67,8 +81,7 @@ void declare_propagation(scene::Options& options, Propagation& p) {
       "--states", p.states,
       "CSV file in their place: columns x,y,z,vx,vy,vz, and mu and until if they differ, in any order and "
       "case; others are handed on; - is standard input");
-  options.add("--mu", p.mu, fmt::format("gravitational parameter; the Earth's, {}, without it", earth_mu))
-      .positive();
+  declare_mu(options, p.mu);
   options.add("--until", p.until, "time at which it ends, from 0; negative runs backwards");
   options
       .add("--every", p.every,
@@ -152,6 +165,7 @@ scene::Answer propagate(const Propagation& p) {
                  .seconds = p.limit.value_or(scene::Options::usual_limit)};
   if (p.every) check_rows(*p.until, *p.every);
   check_method(p);
+  refuse_other_units("--position " + text_of(start.position), start, p.mu);
   r.tolerance = p.tolerance.value_or(r.tolerance);
   if (p.method == "series") return rows_of_series(r);
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);
@@ -183,51 +197,147 @@ auto about(const std::string& options, const Work& work) {
 
 std::string elements(const TypedState& s) {
   refuse_centre(s.at);
-  const auto e = about(fmt::format("--position {} --velocity {} --mu {}", text_of(s.at.position),
-                                   text_of(s.at.velocity), s.mu),
-                       [&] { return orbit::elements_of(s.at, s.mu); });
-  const double period = e.period(s.mu);
+  const double mu = s.mu.value_or(earth_mu);
+  const std::string place = "--position " + text_of(s.at.position);
+  const auto e = about(fmt::format("{} --velocity {} --mu {}", place, text_of(s.at.velocity), mu),
+                       [&] { return orbit::elements_of(s.at, mu); });
+  const double period = e.period(mu);
   if (e.semi_major_axis > 0 && std::isfinite(e.semi_major_axis) && !(period > 0 && std::isfinite(period)))
     throw InputError(
-        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", s.mu));
-  return fmt::format("a,e,i,raan,argp,nu,period\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
-                     e.semi_major_axis, e.eccentricity, e.inclination / degree, e.ascending_node / degree,
-                     e.periapsis_argument / degree, e.true_anomaly / degree, period);
+        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", mu));
+  refuse_other_units(place, s.at, s.mu);
+  const std::array numbers = {e.semi_major_axis,
+                              e.eccentricity,
+                              e.inclination / degree,
+                              e.ascending_node / degree,
+                              e.periapsis_argument / degree,
+                              e.true_anomaly / degree,
+                              period,
+                              e.semi_latus_rectum,
+                              e.periapsis_distance,
+                              e.eccentric_anomaly / degree,
+                              e.mean_anomaly / degree,
+                              e.time_since_periapsis};
+  return fmt::format("{}\n{:.17g}\n", element_columns, fmt::join(numbers, ","));
 }
 
 /// `state`; angles in degrees.
 struct TypedElements {
-  std::optional<double> a, p;
-  double e = 0, i = 0, raan = 0, argp = 0, nu = 0, mu = earth_mu;
+  std::optional<double> a, p, q, e;
+  double i = 0, raan = 0, argp = 0;
+  std::optional<double> nu, eccentric_anomaly, mean_anomaly, time_since_periapsis, mu;
 };
 
 void declare_elements(scene::Options& options, TypedElements& t) {
   options.add("--a", t.a, "semi-major axis, negative for hyperbolas");
-  options.add("--p", t.p, "semi-latus rectum in its place, for parabolas or any conic").positive();
-  options.add("--e", t.e, "eccentricity, 0 or more").required();
+  options.add("--p", t.p, "semi-latus rectum in its place, for any conic").positive();
+  options
+      .add("--q", t.q, "periapsis distance: in place of --a, or of --e, which near a parabola has no digits")
+      .positive();
+  options.add("--e", t.e, "eccentricity, 0 or more; needed unless --a and --q are given");
   options.add("--i", t.i, "inclination in degrees").range(0, 180);
   options.add("--raan", t.raan, "longitude of the ascending node in degrees").range(-360, 360);
   options.add("--argp", t.argp, "argument of the periapsis in degrees").range(-360, 360);
-  options.add("--nu", t.nu, "true anomaly in degrees").range(-360, 360);
+  options.add("--nu", t.nu, "true anomaly in degrees; 0 if no other place is given").range(-360, 360);
+  options.add("--eccentric-anomaly", t.eccentric_anomaly,
+              "in its place, in degrees; for hyperbolas the hyperbolic anomaly times 180/pi");
+  options.add("--mean-anomaly", t.mean_anomaly, "in its place, in degrees, not for parabolas");
+  options.add("--time-since-periapsis", t.time_since_periapsis, "in its place, for any conic");
   declare_mu(options, t.mu);
 }
 
+/// The options among these that were given, with their values.
+std::string given(std::initializer_list<std::pair<const char*, std::optional<double>>> options) {
+  std::string text;
+  for (const auto& [name, value] : options) {
+    if (value) text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, *value);
+  }
+  return text;
+}
+
+std::string shape_of(const TypedElements& t) {
+  return given({{"--a", t.a}, {"--p", t.p}, {"--q", t.q}, {"--e", t.e}});
+}
+
+std::string place_of(const TypedElements& t) {
+  return given({{"--nu", t.nu},
+                {"--eccentric-anomaly", t.eccentric_anomaly},
+                {"--mean-anomaly", t.mean_anomaly},
+                {"--time-since-periapsis", t.time_since_periapsis}});
+}
+
+/// Two numbers make a conic.
+orbit::Conic conic_of(const TypedElements& t) {
+  const std::string shape = shape_of(t);
+  if (!t.a && !t.p && !t.q) throw InputError("--a A, --p P or --q Q is needed");
+  if (t.a && t.q && !t.p && !t.e) {
+    const orbit::Conic conic{*t.q, *t.q / *t.a};
+    if (!(conic.one_minus_e <= 1) || conic.one_minus_e == 0)
+      throw InputError(shape + ": make no conic; a is q or more, or negative for hyperbolas");
+    return conic;
+  }
+  if (static_cast<int>(t.a.has_value()) + static_cast<int>(t.p.has_value()) +
+          static_cast<int>(t.q.has_value()) >
+      1)
+    throw InputError(shape + ": give one of --a, --p and --q with --e, or --a and --q alone");
+  if (!t.e) throw InputError(shape + ": needs --e E");
+  if (*t.e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", *t.e));
+  if (t.a) return {about(shape, [&] { return orbit::from_axis(*t.a, *t.e); }).periapsis_distance, 1 - *t.e};
+  return {t.q ? *t.q : *t.p / (1 + *t.e), 1 - *t.e};
+}
+
+orbit::State state_on(const orbit::Conic& conic, const TypedElements& t) {
+  const orbit::Orientation o{sine_cosine_of_degrees(t.i), sine_cosine_of_degrees(t.raan),
+                             sine_cosine_of_degrees(t.argp)};
+  const double mu = t.mu.value_or(earth_mu);
+  if (t.time_since_periapsis) return orbit::state_at_time(conic, o, *t.time_since_periapsis, mu);
+  if (t.eccentric_anomaly) {
+    const double anomaly = *t.eccentric_anomaly;
+    return conic.one_minus_e < 0
+               ? orbit::state_at_hyperbolic_anomaly(conic, o, anomaly * degree, mu)
+               : orbit::state_at_eccentric_anomaly(conic, o, sine_cosine_of_degrees(anomaly / 2), mu);
+  }
+  if (t.mean_anomaly) {
+    const double turned = conic.one_minus_e > 0 ? std::remainder(*t.mean_anomaly, 360) : *t.mean_anomaly;
+    return orbit::state_at_mean_anomaly(conic, o, turned * degree, mu);
+  }
+  return orbit::state_at_true_anomaly(conic, o, sine_cosine_of_degrees(t.nu.value_or(0) / 2), mu);
+}
+
+/// How far the next double after an eccentricity or an anomaly is from @p s, as a share of the distance.
+double lost_by_rounding(const TypedElements& t, const orbit::State& s) {
+  double lost = 0;
+  for (std::optional<double> TypedElements::*member : {&TypedElements::e, &TypedElements::nu}) {
+    TypedElements next = t;
+    std::optional<double>& number = next.*member;
+    if (!number || (member == &TypedElements::e && *number == 1)) continue;  // a parabola is meant
+    number = std::nextafter(*number, HUGE_VAL);
+    try {
+      const orbit::State beside = state_on(conic_of(next), next);
+      lost += (beside.position - s.position).stableNorm() / s.position.stableNorm();
+    } catch (const std::exception&) {
+      return 1;  // a parabola or an asymptote lies between
+    }
+  }
+  return lost;
+}
+
 std::string state(const TypedElements& t) {
-  if (!t.a && !t.p) throw InputError("--a A or --p P is needed");
-  if (t.a && t.p) throw InputError(fmt::format("--a {} --p {}: give one of them", *t.a, *t.p));
-  if (t.e < 0) throw InputError(fmt::format("--e {}: must be 0 or more", t.e));
-  const std::string shape =
-      t.a ? fmt::format("--a {} --e {}", *t.a, t.e) : fmt::format("--p {} --e {}", *t.p, t.e);
-  orbit::Elements all = about(shape, [&] {
-    return t.a ? orbit::from_axis(*t.a, t.e)
-               : orbit::Elements{.semi_latus_rectum = *t.p, .eccentricity = t.e};
-  });
-  all.inclination = t.i * degree;
-  all.ascending_node = t.raan * degree;
-  all.periapsis_argument = t.argp * degree;
-  all.true_anomaly = t.nu * degree;
+  const orbit::Conic conic = conic_of(t);
+  const std::string shape = shape_of(t), place = place_of(t);
+  if (static_cast<int>(t.nu.has_value()) + static_cast<int>(t.eccentric_anomaly.has_value()) +
+          static_cast<int>(t.mean_anomaly.has_value()) +
+          static_cast<int>(t.time_since_periapsis.has_value()) >
+      1)
+    throw InputError(place + ": give one of them");
   const orbit::State s =
-      about(fmt::format("{} --nu {}", shape, t.nu), [&] { return orbit::state_of(all, t.mu); });
+      about(place.empty() ? shape : shape + " " + place, [&] { return state_on(conic, t); });
+  refuse_other_units(shape, s, t.mu);
+  if (const double lost = lost_by_rounding(t, s); lost > 1e-6)
+    scene::tell(fmt::format(
+        "two_body_series: {} {}: rounding of e or nu moves the body by {:.1g} of its distance; --a and --q "
+        "with --time-since-periapsis, as elements prints them, determine it to rounding",
+        shape, place, lost));
   return fmt::format("x,y,z,vx,vy,vz\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.position[0],
                      s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2]);
 }
@@ -241,9 +351,12 @@ void commands(scene::Commands& all) {
       declare_propagation, propagate);
   all.add("merge", "Joins all shards of one run over --states, given in any order, to what one run writes",
           declare_parts, merge);
-  all.add("elements",
-          "The classical elements of a state, angles in degrees: a,e,i,raan,argp,nu,period as CSV",
-          declare_state, elements);
+  all.add(
+      "elements",
+      fmt::format("The classical elements of a state, angles in degrees, as CSV: {}. Its a, q (with e = 1 "
+                  "for parabolas, where a is infinite), angles and time_since_periapsis lead back by state",
+                  element_columns),
+      declare_state, elements);
   all.add("state", "The state of classical elements: x,y,z,vx,vy,vz as CSV", declare_elements, state);
 }
 

@@ -18,6 +18,7 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -25,10 +26,9 @@ namespace {
 
 /// `lambert`
 struct Arc {
-  Arc() { problem.gravity.mu = orbit::earth().mu; }
   orbit::TransferProblem problem;
-  std::optional<double> zonal, radius;
-  std::vector<double> plane;
+  std::optional<double> mu, radius;
+  std::vector<double> plane, zonal;
   int revolutions = 0;
   std::string branch, method = "izzo";
   bool long_way = false;
@@ -38,22 +38,48 @@ void declare_arc(scene::Options& options, Arc& a) {
   options.add("--from", a.problem.from, "x,y,z from the centre, in any consistent units").required();
   options.add("--to", a.problem.to, "x,y,z of the arrival").required();
   options.add("--time", a.problem.time, "of flight").positive().required();
-  options.add("--mu", a.problem.gravity.mu, "gravitational parameter").positive();
+  options
+      .add("--mu", a.mu,
+           fmt::format("gravitational parameter; the Earth's, {}, without it", orbit::earth().mu))
+      .positive();
   options.add("--long-way", a.long_way, "by more than 180 degrees");
   options.add("--revolutions", a.revolutions, "whole ones before the arrival").range(0, 1e6);
   options.add("--branch", a.branch, "of one revolution or more; low is the smaller semi-major axis")
       .one_of({"low", "high"});
   options.add("--plane", a.plane, "nx,ny,nz: the normal of the plane, for opposite positions alone");
-  options.add("--zonal", a.zonal, "J2 of the centre, the axis along z");
-  options.add("--radius", a.radius, "that J2 refers to").positive();
+  options.add("--zonal", a.zonal, "J2[,J3,...,J6] of the centre, the axis along z");
+  options.add("--radius", a.radius, "that the zonal terms refer to").positive();
   options.add("--method", a.method, "collocation has 81 nodes, polynomials, and goes the short way")
       .one_of({"izzo", "collocation"});
 }
 
 std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
+void add_zonal_terms(const Arc& a, orbit::Gravity& gravity) {
+  if (a.radius && a.zonal.empty())
+    throw InputError(fmt::format("--radius {}: means nothing without --zonal J2[,J3,...]", *a.radius));
+  if (a.zonal.empty()) return;
+  const std::string zonal = fmt::format("--zonal {}", fmt::join(a.zonal, ","));
+  if (!a.radius) throw InputError(zonal + ": needs --radius R");
+  if (a.zonal.size() > gravity.zonal.size())
+    throw InputError(fmt::format("{}: {} numbers; J2 to J6 at most", zonal, a.zonal.size()));
+  std::ranges::copy(a.zonal, gravity.zonal.begin());
+  gravity.radius = *a.radius;
+}
+
+/// Both positions deep inside the Earth: its mu in metres is not meant.
+void refuse_other_units(const Arc& a) {
+  constexpr double deep = 1e6;  // m
+  if (a.mu || !(a.problem.from.stableNorm() < deep && a.problem.to.stableNorm() < deep)) return;
+  throw InputError(fmt::format(
+      "--from {} --to {}: without --mu lengths are metres about the Earth, and both are deep inside "
+      "it; give --mu in your units (398600.4418 for kilometres and seconds)",
+      text_of(a.problem.from), text_of(a.problem.to)));
+}
+
 orbit::TransferProblem problem_of(const Arc& a) {
   orbit::TransferProblem p = a.problem;
+  p.gravity.mu = a.mu.value_or(orbit::earth().mu);
   for (const auto& [option, r] : {std::pair("--from", p.from), {"--to", p.to}}) {
     if (r.isZero(0))
       throw InputError(fmt::format("{} {}: is the centre, from where no orbit leads on", option, text_of(r)));
@@ -67,13 +93,8 @@ orbit::TransferProblem problem_of(const Arc& a) {
     if (!orbit::are_opposite({p.from, p.to, p.time, p.gravity.mu}))
       throw InputError(typed + ": the positions are not opposite and determine the plane; leave it out");
   }
-  if (a.radius && !a.zonal)
-    throw InputError(fmt::format("--radius {}: means nothing without --zonal J2", *a.radius));
-  if (a.zonal && !a.radius) throw InputError(fmt::format("--zonal {}: needs --radius R", *a.zonal));
-  if (a.zonal) {
-    p.gravity.zonal[0] = *a.zonal;
-    p.gravity.radius = *a.radius;
-  }
+  add_zonal_terms(a, p.gravity);
+  refuse_other_units(a);
   return p;
 }
 
@@ -127,7 +148,7 @@ std::string lambert(const Arc& a) {
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
   return fmt::format(
-      "vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
+      "vx0,vy0,vz0,vx1,vy1,vz1,miss\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
       t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
 }
 
@@ -152,10 +173,17 @@ void declare_grid(scene::Options& options, Grid& g) {
 /// Two whole numbers from 1 with a mark between.
 std::pair<int, int> halves(const char* option, const std::string& text, char mark) {
   const std::size_t place = text.find(mark);
-  if (place == std::string::npos)
-    throw InputError(fmt::format("{} {}: needs two numbers and '{}'", option, text, mark));
-  const auto whole = [&](const std::string& half) { return scene::typed_whole(option, half, 1, 1'000'000); };
-  return {whole(text.substr(0, place)), whole(text.substr(place + 1))};
+  try {
+    if (place != std::string::npos) {
+      const auto whole = [&](const std::string& half) {
+        return scene::typed_whole(option, half, 1, 1'000'000);
+      };
+      return {whole(text.substr(0, place)), whole(text.substr(place + 1))};
+    }
+  } catch (const InputError&) {  // of one half; the sentence below names all
+  }
+  throw InputError(fmt::format("{} {}: needs two whole numbers from 1 to 1000000 with '{}' between", option,
+                               echoed(text), mark));
 }
 
 /// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
@@ -215,6 +243,10 @@ void porkchop(const Grid& g) {
     throw InputError(fmt::format("{}: {}", g.file, error.what()));
   }
   if (!grid.status.ok()) throw Failure(grid.status);
+  if (g.shard.empty() && std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
+    scene::tell(
+        "rbf_inverse: no cell has a transfer: no arrival is after its departure, or the positions lie in one "
+        "direction from the centre");
   scene::print_result(g.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
   if (picture.wanted()) picture.draw([&] { return porkchop_map(grid, plain_axes(grid)); });
 }
@@ -239,7 +271,7 @@ std::string merge(const Parts& typed) {
 void add_lambert_commands(scene::Commands& all) {
   all.add(
       "lambert",
-      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss_m. The "
+      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss. The "
       "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
       declare_arc, lambert);
   all.add("porkchop",

@@ -250,6 +250,10 @@ orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string&
   p.to = orbit_of(whole.table("to"), p.mu);
   p.departures = window_of(whole.table("departures"));
   p.arrivals = window_of(whole.table("arrivals"));
+  if (p.arrivals.last <= p.departures.first)
+    whole.refuse(whole.at("arrivals"), fmt::format("arrivals.last = {} is not after departures.first = {}: "
+                                                   "there is no time for a transfer",
+                                                   p.arrivals.last, p.departures.first));
   const double revolutions = whole.number("revolutions").value_or(0);
   if (!(revolutions >= 0 && revolutions <= 1000 && revolutions == std::floor(revolutions)))
     whole.refuse(whole.at("revolutions"),

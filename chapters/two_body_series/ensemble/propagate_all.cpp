@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "chapters/two_body_series/orbits/orbits.hpp"
+#include "chapters/two_body_series/series/accuracy.hpp"
 #include "nlmech/orbit/ensemble.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/catalogue/shard.hpp"
@@ -53,6 +54,11 @@ class OrbitCatalogue {
                            return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
                          },
                      .failed = [this] { return failed_; }});
+    if (low_ > 0)
+      scene::tell(
+          fmt::format("two_body_series: {} of the orbits have rows with the status {}; the first is row "
+                      "{}: {}",
+                      low_, low_accuracy, first_low_, first_low_sentence_));
     if (failed_ == 0) return 0;
     scene::tell(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}", failed_,
                             first_failed_, first_sentence_));
@@ -78,14 +84,22 @@ class OrbitCatalogue {
     if (row[x] == 0 && row[y] == 0 && row[z] == 0)
       return "x,y,z = 0,0,0 is the centre, where the attraction has no bound";
     if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
+    if (!request_.mu && std::isnan(row[mu])) {
+      const std::string why = inside_the_earth(start_of(row));
+      if (!why.empty()) return fmt::format("x,y,z = {},{},{}: {}", row[x], row[y], row[z], why);
+    }
     if (lines_between(row) > 1e7)
       return fmt::format("until = {:.17g}: more than 10 million rows at --every {}",
                          request_.until.value_or(row[until]), *request_.every);
     return {};
   }
 
+  static orbit::State start_of(const std::vector<double>& row) {
+    return {{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}};
+  }
+
   [[nodiscard]] orbit::Flight flight(const std::vector<double>& row) const {
-    orbit::Flight f{{{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}}, 0, request_.field};
+    orbit::Flight f{start_of(row), 0, request_.field};
     f.until = request_.until ? *request_.until : row[until];
     f.gravity.mu = catalogue_.has("mu") ? row[mu] : request_.mu.value_or(earth_mu);
     return f;
@@ -100,41 +114,70 @@ class OrbitCatalogue {
                    p[1], p[2], v[0], v[1], v[2], rest, status);
   }
 
-  /// The lines between are there already; the first and the last are not.
-  void note(std::int64_t row, const Status& status) {
-    if (status.ok()) return;
-    if (failed_++ == 0) {
+  /// What became of an orbit: the failure, if there is one, and the worst accuracy of its rows.
+  struct Ended {
+    Status status;
+    Accuracy worst;
+  };
+
+  /// The line of a state that was computed, with what is known of its accuracy.
+  void add_computed(std::string& lines, std::int64_t row, double t, const orbit::State& s,
+                    const std::string& rest, const orbit::Flight& f, Ended& ended) const {
+    const bool by_steps = request_.method != "kepler";
+    Accuracy a = accuracy_of(s, f.start, t, f.gravity,
+                             {request_.method, by_steps ? std::optional(request_.tolerance) : std::nullopt});
+    add_line(lines, row, t, s, rest,
+             !a.status.ok() ? to_string(a.status.outcome())
+             : a.off > 0    ? low_accuracy
+                            : to_string(Outcome::success));
+    if (ended.status.ok()) ended.status = a.status;
+    if (a.off > ended.worst.off) ended.worst = std::move(a);
+  }
+
+  void note(std::int64_t row, const Ended& ended) {
+    if (!ended.status.ok() && failed_++ == 0) {
       first_failed_ = row;
-      first_sentence_ = status.text();
+      first_sentence_ = ended.status.text();
+    }
+    if (ended.status.ok() && ended.worst.off > 0 && low_++ == 0) {
+      first_low_ = row;
+      first_low_sentence_ = ended.worst.sentence;
     }
   }
 
   [[nodiscard]] std::string by_series(const scene::CatalogueRows& rows) {
     std::vector<orbit::Flight> flights;
     for (const auto& row : rows.numbers) flights.push_back(flight(row));
+    const auto row_of = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     std::vector<std::string> between(request_.every ? flights.size() : 0);
+    std::vector<Ended> ended(flights.size());
     orbit::InnerRows inner;
     if (request_.every) {
       inner.every = *request_.every;
       inner.sink = [&](std::size_t i, double t, const orbit::State& s) {
-        add_line(between[i], rows.first + static_cast<std::int64_t>(i), t, s, rows.rest[i],
-                 to_string(Outcome::success));
+        add_computed(between[i], row_of(i), t, s, rows.rest[i], flights[i], ended[i]);
       };
     }
     const auto ends =
         orbit::propagate_all(flights, {.tolerance = request_.tolerance, .threads = request_.threads}, inner,
                              {.seconds = std::max(0.0, request_.seconds - watch_.seconds())});
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      note(rows.first + static_cast<std::int64_t>(i), ends[i].status);
-    return scene::lines_in_threads(ends.size(), request_.threads, [&](std::size_t i, std::string& lines) {
-      const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
-      if (request_.every) {
-        if (flights[i].until != 0)
-          add_line(lines, row, 0, flights[i].start, rows.rest[i], to_string(Outcome::success));
-        lines += std::exchange(between[i], {});
-      }
-      add_line(lines, row, ends[i].t, ends[i].x, rows.rest[i], to_string(ends[i].status.outcome()));
-    });
+    std::string text =
+        scene::lines_in_threads(ends.size(), request_.threads, [&](std::size_t i, std::string& lines) {
+          if (request_.every) {
+            if (flights[i].until != 0)
+              add_line(lines, row_of(i), 0, flights[i].start, rows.rest[i], to_string(Outcome::success));
+            lines += std::exchange(between[i], {});
+          }
+          if (ends[i].status.ok()) {
+            add_computed(lines, row_of(i), ends[i].t, ends[i].x, rows.rest[i], flights[i], ended[i]);
+          } else {
+            ended[i].status = ends[i].status;
+            add_line(lines, row_of(i), ends[i].t, ends[i].x, rows.rest[i],
+                     to_string(ends[i].status.outcome()));
+          }
+        });
+    for (std::size_t i = 0; i < ended.size(); ++i) note(row_of(i), ended[i]);
+    return text;
   }
 
   [[nodiscard]] orbit::KeplerSolution moved(const orbit::Flight& f, double time) const {
@@ -145,7 +188,7 @@ class OrbitCatalogue {
   }
 
   [[nodiscard]] std::string by_kepler(const scene::CatalogueRows& rows) {
-    std::vector<Status> statuses(rows.numbers.size());
+    std::vector<Ended> ended(rows.numbers.size());
     std::string text = scene::lines_in_threads(
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
           const orbit::Flight f = flight(rows.numbers[i]);
@@ -155,14 +198,16 @@ class OrbitCatalogue {
           orbit::State state = f.start;
           const auto add = [&](double t) {
             const auto there = moved(f, t);
-            statuses[i] = there.status;
+            const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
             if (there.status.ok()) {
               reached = t;
               state = there.state;
+              add_computed(lines, row, t, state, rows.rest[i], f, ended[i]);
+              return true;
             }
-            add_line(lines, rows.first + static_cast<std::int64_t>(i), reached, state, rows.rest[i],
-                     to_string(there.status.outcome()));
-            return there.status.ok();
+            ended[i].status = there.status;
+            add_line(lines, row, reached, state, rows.rest[i], to_string(there.status.outcome()));
+            return false;
           };
           if (request_.every && f.until != 0) {
             // The end has its own row; rounding of k DT makes no second one.
@@ -173,16 +218,15 @@ class OrbitCatalogue {
           }
           (void)add(f.until);
         });
-    for (std::size_t i = 0; i < statuses.size(); ++i)
-      note(rows.first + static_cast<std::int64_t>(i), statuses[i]);
+    for (std::size_t i = 0; i < ended.size(); ++i) note(rows.first + static_cast<std::int64_t>(i), ended[i]);
     return text;
   }
 
   const CatalogueRequest& request_;
   Stopwatch watch_;
   scene::Catalogue catalogue_;
-  std::int64_t failed_ = 0, first_failed_ = 0;
-  std::string first_sentence_;
+  std::int64_t failed_ = 0, first_failed_ = 0, low_ = 0, first_low_ = 0;
+  std::string first_sentence_, first_low_sentence_;
 };
 
 }  // namespace

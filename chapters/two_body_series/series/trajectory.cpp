@@ -5,42 +5,58 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <limits>
+#include <utility>
 
+#include "chapters/two_body_series/series/accuracy.hpp"
 #include "chapters/two_body_series/zonal/zonal_field.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// Collects the rows of a run.
+/// Collects the rows of a run and what is known of their accuracy.
 class Rows {
  public:
-  explicit Rows(const OrbitRequest& request) : request_(request) { add(0, request.start); }
+  Rows(const OrbitRequest& request, const ComputedBy& by) : request_(request), by_(by) {
+    print(0, request.start);
+  }
 
   /// The asked times up to @p t1, the end of a step or of all. @p state_at gives the state at any of them.
+  /// @returns false if one of them has no digit
   template <class StateAt>
-  void add_up_to(double t1, const StateAt& state_at) {
-    if (!request_.every) return;
+  bool add_up_to(double t1, const StateAt& state_at) {
+    if (!request_.every) return true;
     double t = next();
-    while (is_inner(t) && std::abs(t) <= std::abs(t1)) {
+    while (status_.ok() && is_inner(t) && std::abs(t) <= std::abs(t1)) {
       add(t, state_at(t));
       ++count_;
       t = next();
     }
+    return status_.ok();
   }
-  /// The last one.
-  void finish(const orbit::State& s) {
+  /// All rows, @p s the last one. What there is to know of their accuracy goes to standard error.
+  /// @throws Failure if a row has no digit
+  [[nodiscard]] std::string finish(const orbit::State& s) {
     if (request_.time != 0) add(request_.time, s);
+    if (!status_.ok()) throw Failure(status_);
+    if (!worst_.sentence.empty()) scene::tell(fmt::format("two_body_series: {}", worst_.sentence));
+    return std::move(text_);
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  /// Did a row have no digit?
+  [[nodiscard]] const Status& status() const { return status_; }
 
  private:
   void add(double t, const orbit::State& s) {
+    Accuracy accuracy = accuracy_of(s, request_.start, t, request_.gravity, by_);
+    if (!accuracy.status.ok() && status_.ok()) status_ = accuracy.status;
+    if (accuracy.off > worst_.off) worst_ = std::move(accuracy);
+    print(t, s);
+  }
+  void print(double t, const orbit::State& s) {
     auto out = std::back_inserter(text_);
     fmt::format_to(out, "{:.17g}", t);
     for (int i = 0; i < 3; ++i) fmt::format_to(out, ",{:.17g}", s.position[i]);
@@ -56,9 +72,21 @@ class Rows {
   }
 
   const OrbitRequest& request_;
+  ComputedBy by_;
   std::string text_ = "t,x,y,z,vx,vy,vz\n";
   std::int64_t count_ = 1;
+  Accuracy worst_;
+  Status status_;
 };
+
+/// About a point mass no steps are needed; said of runs of so many that they take time.
+const std::string without_steps =
+    "about a point mass --method kepler needs no steps and is exact to rounding";
+
+void say_steps_are_needless(const OrbitRequest& request, std::int64_t steps) {
+  if (request.gravity.degree() == 0 && steps > 1'000'000)
+    scene::tell(fmt::format("two_body_series: {} steps; {}", steps, without_steps));
+}
 
 /// Units of length and time that are powers of two, in which the start has distance and circular speed near
 /// 1: they change no digit.
@@ -68,6 +96,12 @@ struct Units {
     const int b = (3 * a - std::ilogb(r.gravity.mu)) / 2;
     length = std::ldexp(1.0, a);
     time = std::ldexp(1.0, b);
+    if (!std::isnormal(length) || !std::isnormal(time) || !std::isnormal(length / time))
+      throw Failure(failed_with(
+          Outcome::outside_validity,
+          "rkn1210: the distance {:g} and mu = {:g} make units of length and time that are no doubles; give "
+          "the data in other units, or use --method kepler",
+          r.start.position.stableNorm(), r.gravity.mu));
     gravity = r.gravity;
     gravity.radius = std::ldexp(r.gravity.radius, -a);
     gravity.mu = std::ldexp(r.gravity.mu, 2 * b - 3 * a);
@@ -86,21 +120,6 @@ struct Units {
 
 }  // namespace
 
-namespace {
-
-/// The data, rounded, determine the end to so many digits; fewer than six are worth a word.
-void say_lost_digits(const OrbitRequest& request) {
-  const double lost = orbit::kepler_condition(request.start, request.time, request.gravity.mu).position *
-                      std::numeric_limits<double>::epsilon();
-  if (lost < 1e-6) return;
-  scene::tell(fmt::format(
-      "two_body_series: the data, rounded to doubles, determine the position at t = {:.6g} to {:.1g} of "
-      "the distance",
-      request.time, lost));
-}
-
-}  // namespace
-
 std::string rows_of_kepler(const OrbitRequest& request) {
   const auto at = [&request](double t) {
     const auto solution = orbit::propagate_kepler(request.start, t, request.gravity.mu);
@@ -108,56 +127,57 @@ std::string rows_of_kepler(const OrbitRequest& request) {
     return solution.state;
   };
   const orbit::State end = at(request.time);
-  Rows rows(request);
+  Rows rows(request, {"kepler", std::nullopt});
   rows.add_up_to(request.time, at);
-  rows.finish(end);
-  say_lost_digits(request);
-  return rows.text();
+  return rows.finish(end);
 }
 
 std::string rows_of_series(const OrbitRequest& request) {
-  Rows rows(request);
+  Rows rows(request, {"series", request.tolerance});
   orbit::Observer observer;
   if (request.every) {
     observer = [&rows](const orbit::Step& step) {
-      rows.add_up_to(step.t1, [&step](double t) { return step.at(t); });
-      return true;
+      return rows.add_up_to(step.t1, [&step](double t) { return step.at(t); });
     };
   }
   const auto end = orbit::propagate(request.start, 0, request.time, request.gravity,
                                     orbit::AnalyticContinuation{.tolerance = request.tolerance}, observer,
                                     {.seconds = request.seconds});
+  if (!rows.status().ok()) throw Failure(rows.status());
+  if (end.status.outcome() == Outcome::time_limit && request.gravity.degree() == 0)
+    throw Failure(failed_with(Outcome::time_limit, "{}; {}", end.status.sentence(), without_steps));
   if (!end.status.ok()) throw Failure(end.status);
-  rows.finish(end.x);
-  return rows.text();
+  say_steps_are_needless(request, end.statistics.steps);
+  return rows.finish(end.x);
 }
 
 std::string rows_of_rkn1210(const OrbitRequest& request) {
-  Rows rows(request);
-  if (request.time == 0) return rows.text();
+  Rows rows(request, {"rkn1210", request.tolerance});
+  if (request.time == 0) return rows.finish(request.start);
   const Units units(request);
   ivp::Observer<6> observer;
   if (request.every) {
     observer = [&](const ivp::Step<6>& step) {
-      rows.add_up_to(step.t1 * units.time, [&](double t) { return units.users(step.at(t / units.time)); });
-      return true;
+      return rows.add_up_to(step.t1 * units.time,
+                            [&](double t) { return units.users(step.at(t / units.time)); });
     };
   }
   const auto end = ivp::integrate(
       ivp::System<6>(ZonalField{units.gravity}), units.own(request.start), 0, request.time / units.time,
       ivp::Rkn1210{.relative_tolerance = request.tolerance, .absolute_tolerance = request.tolerance},
       observer, {.seconds = request.seconds});
+  if (!rows.status().ok()) throw Failure(rows.status());
   if (!end.status.ok()) {
     // The sentence has the time in our units: one with the user's.
-    throw Failure(Status::failure(
-        end.status.outcome(),
-        fmt::format(
-            "rkn1210: it ends at t = {:.17g}, a distance of {:.6g} from the centre; loosen the tolerance "
-            "{:g}, or use the method series",
-            end.t * units.time, units.users(end.x).position.norm(), request.tolerance)));
+    throw Failure(failed_with(end.status.outcome(),
+                              "rkn1210: it ends at t = {:.17g}, a distance of {:.6g} from the centre; loosen "
+                              "the tolerance {:g}, or "
+                              "use the method series{}",
+                              end.t * units.time, units.users(end.x).position.norm(), request.tolerance,
+                              request.gravity.degree() == 0 ? fmt::format("; {}", without_steps) : ""));
   }
-  rows.finish(units.users(end.x));
-  return rows.text();
+  say_steps_are_needless(request, end.statistics.steps);
+  return rows.finish(units.users(end.x));
 }
 
 }  // namespace nlmech::chapters::two_body_series

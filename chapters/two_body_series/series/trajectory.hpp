@@ -21,8 +21,8 @@ struct OrbitRequest {
 
 /// Rows `t,x,y,z,vx,vy,vz`: the first at 0, those at multiples of `every`, the last at the asked time
 /// exactly; a single one if that is 0. Numbers with 17 digits. By Kepler's problem, solved anew for every
-/// row.
-/// @throws Failure with the method's own sentence, so for the following two
+/// row. What is known of the accuracy of the rows goes to standard error where it is less than six digits.
+/// @throws Failure with the method's own sentence, and if a row has not one digit; so for the following two
 [[nodiscard]] std::string rows_of_kepler(const OrbitRequest& request);
 /// The same by analytic continuation; rows between by its series.
 [[nodiscard]] std::string rows_of_series(const OrbitRequest& request);

@@ -5,7 +5,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
-#include "nlmech/orbit/stumpff.hpp"
+#include "nlmech/orbit/universal.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
@@ -33,12 +33,7 @@ double radius_in_range(const State& state, double mu) {
   if (e == 0) return std::numeric_limits<double>::infinity();
   // Time from the periapsis, rp s + e s^3 c_3, by the universal variable s counted from there.
   const double k = std::sqrt(std::abs(alpha));
-  double s = sigma / e;
-  if (alpha > 0) {
-    s = std::atan2(sigma * k, 1 - alpha) / k;
-  } else if (alpha < 0) {
-    s = std::asinh(sigma * k / e) / k;
-  }
+  const double s = detail::variable_since_periapsis(alpha, sigma, e);
   const double real = rp * s + e * s * s * s * stumpff(alpha * s * s).c3;
   // r = 0 at imaginary distance p^(3/2) (atanh b - b)/b^3 with b^2 = 1 - e^2.
   const double x = alpha * p;

@@ -1,5 +1,6 @@
 #include "nlmech/orbit/elements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,6 +8,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
+#include "nlmech/orbit/universal.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
@@ -43,9 +45,33 @@ constexpr double largest_angle = 1 / std::numeric_limits<double>::epsilon();
 /// The angle at which @p x lies in the plane, from -pi to pi.
 double angle(const Axes& axes, const Vec& x) { return std::atan2(axes.second.dot(x), axes.first.dot(x)); }
 
+/// A position on its conic as the time since the periapsis tells it, in the units |r| = 1 and mu = 1.
+struct SincePeriapsis {
+  double e, q;             ///< eccentricity, distance of the periapsis
+  double eccentric, time;  ///< E or H, 0 for a parabola; time
+  double nu;               ///< true anomaly
+};
+
+/// @param p semi-latus rectum, positive
+SincePeriapsis since_periapsis(double alpha, double sigma, double p) {
+  SincePeriapsis on{};
+  // 1 - e^2 = alpha p where that has more digits, else e cos nu = p - 1 and e sin nu = sigma p^(1/2).
+  on.e = std::abs(alpha * p) < 0.5 ? std::sqrt(1 - alpha * p) : std::hypot(p - 1, sigma * std::sqrt(p));
+  on.q = p / (1 + on.e);
+  const double s = detail::variable_since_periapsis(alpha, sigma, on.e), k = std::sqrt(std::abs(alpha));
+  const Stumpff<double> c = stumpff(alpha * s * s);
+  // s of a fast hyperbola is the logarithm of a large number: what its rounding changes of r.v is carried.
+  const double off = alpha < 0 ? (sigma - on.e * s * c.c1) / (on.e * c.c0) : 0;
+  const double u1 = s * c.c1 + c.c0 * off, u2 = s * s * c.c2 + s * c.c1 * off;
+  on.time = on.q * s + on.e * s * s * s * c.c3 + (on.q + on.e * s * s * c.c2) * off;
+  on.nu = std::atan2(std::sqrt(p) * u1, on.q - u2);
+  on.eccentric = k * (s + off);
+  return on;
+}
+
 /// The elements in units in which squares are doubles.
 Elements elements_in_range(const State& state, double mu) {
-  const Vec h = angular_momentum(state);
+  const Vec h = accurate_cross(state.position, state.velocity);
   const double hh = h.norm(), r = state.position.norm(), v = state.velocity.norm();
   if (!(hh > small * r * v)) {
     throw std::invalid_argument(
@@ -54,11 +80,7 @@ Elements elements_in_range(const State& state, double mu) {
   const Vec normal = h / hh;
   Elements e;
   e.semi_latus_rectum = hh * (hh / mu);
-  const double along = state.position.dot(state.velocity);
-  // e cos nu = p/r - 1 and e sin nu = (r.v/r) sqrt(p/mu): no difference of vectors.
-  const double c = e.semi_latus_rectum / r - 1, s = along / r * (hh / mu);
-  e.eccentricity = std::hypot(c, s);
-  const double alpha = reciprocal_axis(state, mu);
+  const double speed = std::sqrt(mu / r), alpha = reciprocal_axis(state, mu);
   e.semi_major_axis = alpha != 0 ? 1 / alpha : std::numeric_limits<double>::infinity();
   const double sine = std::hypot(normal[0], normal[1]);
   e.inclination = std::atan2(sine, normal[2]);
@@ -72,14 +94,75 @@ Elements elements_in_range(const State& state, double mu) {
   // Counted from the node; for no inclination the axes of state_of() are used, so that nothing is lost there.
   const Axes axes{node, sine > small ? cross<double>(normal, node) : Vec(0, normal[2] > 0 ? 1 : -1, 0)};
   const double latitude = angle(axes, state.position);
-  if (e.eccentricity > small) {
-    e.true_anomaly = std::atan2(s, c);
-    e.periapsis_argument = turned_positive(std::remainder(latitude - e.true_anomaly, two_pi));
+  const SincePeriapsis on =
+      since_periapsis(alpha * r, state.position.dot(state.velocity) / r / speed, e.semi_latus_rectum / r);
+  if (on.e > small) {
+    e.eccentricity = on.e;
+    e.true_anomaly = on.nu;
+    e.periapsis_argument = turned_positive(std::remainder(latitude - on.nu, two_pi));
+    e.eccentric_anomaly = on.eccentric;
+    e.periapsis_distance = on.q * r;
+    e.time_since_periapsis = on.time * (r / speed);
+    e.mean_anomaly = on.time * std::sqrt(std::abs(alpha * r)) * std::abs(alpha * r);
+    // No ellipse is nearer to a circle than rounding of a and q tells.
+    if (alpha > 0) e.periapsis_distance = std::min(e.periapsis_distance, e.semi_major_axis);
   } else {
     e.eccentricity = 0;
-    e.true_anomaly = latitude;
+    e.true_anomaly = e.eccentric_anomaly = e.mean_anomaly = latitude;
+    e.periapsis_distance = e.semi_major_axis;
+    e.time_since_periapsis = latitude * (r / speed);
   }
   return e;
+}
+
+/// A state in the plane of a conic, the first axis towards the periapsis; in units of its distance and of
+/// the circular speed there.
+struct InPlane {
+  double x, y, vx, vy;
+};
+
+/// By U_0, U_1, U_2 of the universal variable counted from the periapsis.
+InPlane by_universal(const Conic& conic, double u0, double u1, double u2) {
+  const double e = conic.eccentricity(), root = std::sqrt(1 + e), r = 1 + e * u2;
+  return {1 - u2, root * u1, 0 - u1 / r, root * u0 / r};  // no -0
+}
+
+InPlane by_time(const Conic& conic, double time) {
+  const detail::Universal<double> u{conic.one_minus_e, 0};
+  double turns = 0;
+  const double t = detail::within_one_turn(u.alpha, time, turns);
+  const auto at = detail::solve(u, t).at;
+  // What s is off by; for a fast hyperbola it is the logarithm of a large number.
+  const double off = (t - at.time) / at.r;
+  return by_universal(conic, at.u0 - u.alpha * at.u1 * off, at.u1 + at.u0 * off, at.u2 + at.u1 * off);
+}
+
+void check_conic(const Conic& c, double mu) {
+  check(Gravity{.mu = mu});
+  if (!(c.periapsis_distance > 0) || !std::isfinite(c.periapsis_distance) || !(c.one_minus_e <= 1) ||
+      !std::isfinite(c.one_minus_e)) {
+    throw invalid_argument(
+        "a periapsis distance of {} and e = {} make no conic; the distance must be positive, e 0 or more",
+        c.periapsis_distance, c.eccentricity());
+  }
+}
+
+/// In the user's frame and units.
+State in_space(const Conic& conic, const Orientation& o, const InPlane& p, double mu) {
+  const auto [si, ci] = o.inclination;
+  const auto [so, co] = o.ascending_node;
+  const auto [sw, cw] = o.periapsis_argument;
+  const Vec towards(co * cw - so * ci * sw, so * cw + co * ci * sw, si * sw);
+  const Vec ahead(-co * sw - so * ci * cw, -so * sw + co * ci * cw, si * cw);
+  const double q = conic.periapsis_distance, speed = root_of_ratio(mu, q);
+  const State state{q * p.x * towards + q * p.y * ahead, speed * (p.vx * towards + p.vy * ahead)};
+  if (state.position.isZero(0) || !state.position.allFinite() || !state.velocity.allFinite()) {
+    throw invalid_argument(
+        "periapsis distance {}, e = {} and mu = {} lead to a distance or a speed that is beyond the range of "
+        "doubles; take other units or a smaller e",
+        q, conic.eccentricity(), mu);
+  }
+  return state;
 }
 
 }  // namespace
@@ -99,7 +182,14 @@ Elements from_axis(double semi_major_axis, double eccentricity, double inclinati
         "positive for e < 1 and negative for e > 1",
         semi_major_axis, eccentricity);
   }
-  return {p, eccentricity, inclination, ascending_node, periapsis_argument, true_anomaly, semi_major_axis};
+  return {.semi_latus_rectum = p,
+          .eccentricity = eccentricity,
+          .inclination = inclination,
+          .ascending_node = ascending_node,
+          .periapsis_argument = periapsis_argument,
+          .true_anomaly = true_anomaly,
+          .semi_major_axis = semi_major_axis,
+          .periapsis_distance = semi_major_axis * (1 - eccentricity)};
 }
 
 Elements elements_of(const State& state, double mu) {
@@ -121,6 +211,8 @@ Elements elements_of(const State& state, double mu) {
     e = elements_in_range(own, units.own_mu(mu));
     e.semi_latus_rectum = std::ldexp(e.semi_latus_rectum, units.length);
     e.semi_major_axis = std::ldexp(e.semi_major_axis, units.length);
+    e.periapsis_distance = std::ldexp(e.periapsis_distance, units.length);
+    e.time_since_periapsis = std::ldexp(e.time_since_periapsis, units.time);
   } else {
     e = elements_in_range(state, mu);
   }
@@ -145,26 +237,64 @@ State state_of(const Elements& e, double mu) {
     throw invalid_argument("state_of: p = {} and e = {} make no conic; p must be positive, e 0 or more", p,
                            e.eccentricity);
   }
-  const double denominator = 1 + e.eccentricity * std::cos(e.true_anomaly);
+  const auto of = [](double angle) { return SineCosine{std::sin(angle), std::cos(angle)}; };
+  return state_at_true_anomaly({p / (1 + e.eccentricity), 1 - e.eccentricity},
+                               {of(e.inclination), of(e.ascending_node), of(e.periapsis_argument)},
+                               of(e.true_anomaly / 2), mu);
+}
+
+State state_at_true_anomaly(const Conic& conic, const Orientation& orientation, const SineCosine& half,
+                            double mu) {
+  check_conic(conic, mu);
+  const double e = conic.eccentricity(), share = 2 * half.cosine * half.cosine;  // 1 + cos nu
+  const double denominator = conic.one_minus_e + e * share;                      // 1 + e cos nu
   if (!(denominator > 0)) {
-    throw invalid_argument("state_of: the true anomaly {} lies beyond the asymptote of a conic with e = {}",
-                           e.true_anomaly, e.eccentricity);
-  }
-  const double r = p / denominator, speed = root_of_ratio(mu, p);
-  const double u = e.periapsis_argument + e.true_anomaly;
-  const double cu = std::cos(u), su = std::sin(u), co = std::cos(e.ascending_node),
-               so = std::sin(e.ascending_node), ci = std::cos(e.inclination), si = std::sin(e.inclination);
-  const Vec outwards(co * cu - so * ci * su, so * cu + co * ci * su, si * su);
-  const Vec ahead(-co * su - so * ci * cu, -so * su + co * ci * cu, si * cu);
-  const State state{r * outwards,
-                    speed * (e.eccentricity * std::sin(e.true_anomaly) * outwards + denominator * ahead)};
-  if (!(r > 0) || !state.position.allFinite() || !state.velocity.allFinite()) {
     throw invalid_argument(
-        "state_of: p = {}, e = {} and mu = {} lead to the distance {} or a speed that is beyond the range of "
-        "doubles; take other units or a smaller e",
-        p, e.eccentricity, mu, r);
+        "the true anomaly lies {} the asymptote of a conic with e = {:.17g}, which is at {:.17g} degrees",
+        denominator < 0 ? "beyond" : "on", e, std::acos(-1 / e) / degree);
   }
-  return state;
+  const double root = std::sqrt(1 + e), r = (1 + e) / denominator, sine = 2 * half.sine * half.cosine;
+  return in_space(
+      conic, orientation,
+      {r * (share - 1), r * sine, 0 - sine / root, (share - conic.one_minus_e) / root},  // e + cos nu
+      mu);
+}
+
+State state_at_eccentric_anomaly(const Conic& conic, const Orientation& orientation, const SineCosine& half,
+                                 double mu) {
+  check_conic(conic, mu);
+  const double alpha = conic.one_minus_e, sine = half.sine, u2 = 2 * sine * sine;
+  if (!(alpha > 0))
+    throw invalid_argument("an eccentric anomaly is one of ellipses, and e = {:.17g} is none",
+                           conic.eccentricity());
+  return in_space(conic, orientation,
+                  by_universal(conic, 1 - u2, 2 * sine * half.cosine / std::sqrt(alpha), u2 / alpha), mu);
+}
+
+State state_at_hyperbolic_anomaly(const Conic& conic, const Orientation& orientation, double anomaly,
+                                  double mu) {
+  check_conic(conic, mu);
+  const double alpha = conic.one_minus_e, sine = std::sinh(anomaly / 2), u2 = 2 * sine * sine;
+  if (!(alpha < 0))
+    throw invalid_argument("a hyperbolic anomaly is one of hyperbolas, and e = {:.17g} is none",
+                           conic.eccentricity());
+  return in_space(
+      conic, orientation,
+      by_universal(conic, 1 + u2, 2 * sine * std::cosh(anomaly / 2) / std::sqrt(-alpha), u2 / -alpha), mu);
+}
+
+State state_at_mean_anomaly(const Conic& conic, const Orientation& orientation, double anomaly, double mu) {
+  check_conic(conic, mu);
+  const double alpha = std::abs(conic.one_minus_e);
+  if (alpha == 0)
+    throw std::invalid_argument("a parabola has no mean anomaly; give the time since periapsis");
+  return in_space(conic, orientation, by_time(conic, anomaly / (std::sqrt(alpha) * alpha)), mu);
+}
+
+State state_at_time(const Conic& conic, const Orientation& orientation, double time, double mu) {
+  check_conic(conic, mu);
+  const double q = conic.periapsis_distance;
+  return in_space(conic, orientation, by_time(conic, time * (root_of_ratio(mu, q) / q)), mu);
 }
 
 }  // namespace nlmech::orbit

@@ -99,9 +99,6 @@ KeplerCondition condition_of(const Scaled& s) {
   return {sum_of_sensitivities(end.position, size), sum_of_sensitivities(end.velocity, size)};
 }
 
-/// The error is 8 kappa eps at most: where that is an eighth, no digit is left.
-constexpr double most_of_condition = 64;
-
 /// How a relative error of the data changes the mean anomaly of an ellipse, times that error. At an apoapsis
 /// the place does not show it to first order.
 double phase_condition(const Scaled& s) {
@@ -112,31 +109,34 @@ double phase_condition(const Scaled& s) {
 }
 
 /// Can kappa be large? By how far the body moves in the time, in units of its distance at the end, with the
-/// error of the period; by how near the centre it ends; and by how near a fast body passes.
-bool may_be_undetermined(const Scaled& s, const State& end) {
-  constexpr double much = 1e10;
+/// error of the energy; by how near the centre it ends; and by how near a fast body passes.
+bool may_be_large(const Scaled& s, const State& end, double much) {
   const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), r = end.position.norm(),
                v = end.velocity.norm(), time = std::abs(s.time), circular = s.mu / r0;
   const double share = v0 * v0 / circular, alpha = 2 - share;
+  // Rounding changes 2 - share = r_0/a by (2 + share) eps. That moves the end in proportion to it; but near
+  // the parabola, while no period is over, in proportion to how far out the end is.
   const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
-  const double growth = swings ? 1 + (2 + share) / alpha : 1;
+  const double of_energy = 1 / std::abs(alpha),
+               growth = 1 + (2 + share) * (swings ? of_energy : std::min(of_energy, 1 + r / r0));
   if (!((r0 + v0 * time + v * time * growth) / r < much) || phase_condition(s) > much) return true;
   return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
 }
 
-/// kappa where it leaves no digit, else 0.
-double undetermining(const Scaled& s, const State& end) {
-  if (!may_be_undetermined(s, end)) return 0;
+/// kappa of the position, or of the mean anomaly if that is larger, if it is @p least or more; else 0.
+double large_condition(const Scaled& s, const State& end, double least) {
+  // The estimate is rough: 1e4 on the safe side.
+  if (!may_be_large(s, end, least / 1e4)) return 0;
   const double kappa = std::max(condition_of(s).position, phase_condition(s));
-  return most_of_condition * kappa * std::numeric_limits<double>::epsilon() < 1 ? 0 : kappa;
+  return kappa < least ? 0 : kappa;
 }
 
 Status undetermined(double time, double kappa) {
-  return failed_with(
-      Outcome::outside_validity,
-      "kepler: rounding of the data leaves the place after {:.6g} undetermined (its condition, {:.2g}, times "
-      "the rounding of doubles leaves not one digit); ask for a time nearer 0{}",
-      time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units");
+  return failed_with(Outcome::outside_validity,
+                     "Kepler's problem: rounding of the data leaves the place after {:.6g} undetermined (its "
+                     "condition, {:.2g}, times "
+                     "the rounding of doubles leaves not one digit); ask for a time nearer 0{}",
+                     time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units");
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
                                   time);
     return solution;
   }
-  if (const double kappa = undetermining(s, end); kappa != 0) {
+  if (const double kappa = large_condition(s, end, no_digit); kappa != 0) {
     solution.status = undetermined(time, kappa);
     return solution;
   }
@@ -182,11 +182,11 @@ KeplerCondition kepler_condition(const State& start, double time, double mu) {
   return condition_of(Scaled(start, time, mu));
 }
 
-double undetermining_condition(const State& start, const State& end, double time, double mu) {
-  check_arguments(start, time, mu, "undetermining_condition");
+double large_condition(const State& start, const State& end, double time, double mu, double least) {
+  check_arguments(start, time, mu, "large_condition");
   const Scaled s(start, time, mu);
   if (!s.possible) return std::numeric_limits<double>::infinity();
-  return undetermining(s, s.units.own(end));
+  return large_condition(s, s.units.own(end), least);
 }
 
 }  // namespace nlmech::orbit

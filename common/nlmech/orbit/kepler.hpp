@@ -80,12 +80,7 @@ struct Flyby {
     return {rp * s + e * s * s * s * c.c3, rp + e * s * s * c.c2, e * s * c.c1, e * c.c0};
   }
   /// s at r_0, rounded.
-  [[nodiscard]] T begin() const {
-    using std::asinh;
-    using std::sqrt;
-    const T k = sqrt(-alpha);
-    return asinh(T(sigma * k / e)) / k;
-  }
+  [[nodiscard]] T begin() const { return variable_since_periapsis(alpha, sigma, e); }
   /// Time of r_0 since the periapsis, @p s being begin(): what that is off by is seen in r.v.
   [[nodiscard]] T begin_time(const T& s) const {
     const At a = at(s);
@@ -181,11 +176,15 @@ struct KeplerCondition {
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 
-/// What propagate_kepler() refuses @p start by: kappa of the position @p end, or of the mean anomaly if that
-/// is larger, where it leaves no digit (64 kappa eps >= 1); 0 where a digit is left. Costs little where kappa
-/// is far from that.
+/// kappa from which on not one digit of a position is left: its error may be 8 kappa eps, an eighth then.
+inline constexpr double no_digit = 1 / (64 * std::numeric_limits<double>::epsilon());
+
+/// kappa of the position @p end, or of the mean anomaly of an ellipse if that is larger, if it is @p least or
+/// more; else 0. Costs little where kappa is far below. propagate_kepler() refuses what this gives for
+/// no_digit, whatever the conic.
 /// @param end where the motion is known to be after @p time
 /// @throws std::invalid_argument as propagate_kepler
-[[nodiscard]] double undetermining_condition(const State& start, const State& end, double time, double mu);
+[[nodiscard]] double large_condition(const State& start, const State& end, double time, double mu,
+                                     double least = no_digit);
 
 }  // namespace nlmech::orbit

@@ -34,6 +34,19 @@ template <class T>
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// a b - c d with one rounding of the difference (W. Kahan's scheme of two fused multiply-adds): within 2 eps
+/// of itself, however nearly the products cancel.
+[[nodiscard]] inline double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d, rounding = std::fma(-c, d, cd);
+  return std::fma(a, b, -cd) + rounding;
+}
+
+/// a x b, each component within 2 eps of itself: at right angles to both even if they are nearly parallel.
+[[nodiscard]] inline Vector3<double> accurate_cross(const Vector3<double>& a, const Vector3<double>& b) {
+  return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
+          difference_of_products(a[0], b[1], a[1], b[0])};
+}
+
 /// Angular momentum a unit mass, h = r x v.
 template <class T>
 [[nodiscard]] Vector3<T> angular_momentum(const BasicState<T>& s) {

@@ -37,6 +37,22 @@ struct Universal {
   }
 };
 
+/// The universal variable of a position, counted from the periapsis, in the units |r_0| = 1 and mu = 1.
+/// @param e eccentricity; not read for ellipses, and positive for other conics
+template <class T>
+[[nodiscard]] T variable_since_periapsis(const T& alpha, const T& sigma, const T& e) {
+  using std::asinh;
+  using std::atan2;
+  using std::sqrt;
+  if (alpha > 0) {
+    const T k = sqrt(alpha);
+    return atan2(T(sigma * k), T(1 - alpha)) / k;  // e sin E and e cos E
+  }
+  if (!(alpha < 0)) return sigma / e;
+  const T k = sqrt(T(-alpha));
+  return asinh(T(sigma * k / e)) / k;
+}
+
 /// Where a search for the root stands.
 template <class T>
 struct Solved {

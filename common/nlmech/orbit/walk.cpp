@@ -153,9 +153,10 @@ Status Walk::lost(double h) const {
   for (int i = 0; i < 3; ++i) inwards -= body_.position[i] * body_.velocity[i];
   if (inwards * h > 0 && r < 1e-6 * start_radius_) {
     return failed_with(Outcome::collision,
-                       "{}: the body falls into the centre of attraction at t = {:.17g}; Kepler's solution "
-                       "(method kepler) goes through, a series cannot",
-                       options_.name, t_);
+                       "{}: the body falls into the centre of attraction at t = {:.17g}{}", options_.name, t_,
+                       gravity_.degree() > 0 ? ", where the zonal field has no bound; end before that time"
+                                             : "; Kepler's solution (method kepler) goes through, a series "
+                                               "cannot");
   }
   return failed_with(Outcome::step_underflow,
                      "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "tests/adversary/commands/command_run.hpp"
 #include "tests/adversary/kepler_oracle.hpp"
+#include "tests/scene/temporary_folder.hpp"
 
 namespace nlmech::orbit::adversary::commands_orbit_test {
 namespace {
@@ -116,6 +119,54 @@ TEST(AdversaryCommands, OrbitsRowByRow) {
   if (const std::string what = nlmech::adversary::missing_program("two_body_series"); !what.empty())
     GTEST_SKIP() << what;
   hunt({.quick = 20, .full = 3'000}, trial);
+}
+
+/// A nearly parabolic orbit and when it is asked for: up to where rounding of its energy leaves no digit.
+Motion nearly_parabolic(Draw& draw) {
+  const double speed = std::numbers::sqrt2 * (1 + draw.signed_log(1e-18, 1e-3));
+  return {state_of(draw, draw.log_uniform(0.1, 10), 1, speed, draw.uniform(0, std::numbers::pi)),
+          draw.signed_log(1e3, 1e30), 1};
+}
+
+/// One row of the answer. `success` has six digits (8 kappa eps with kappa eps < 1e-6), `low_accuracy` one.
+Case judge_row(const Motion& m, const std::vector<std::string>& cells) {
+  const std::string& status = cells.back();
+  if (status != "success" && status != "low_accuracy") return Case::refused();
+  const std::string what = words(m.start, m.time, m.mu) + " " + status;
+  if (number(cells[1]) != m.time) return Case::wrong(what + ": another time");
+  const Vector3<double> x(number(cells[2]), number(cells[3]), number(cells[4]));
+  const auto truth = conic<Real>(m.start, m.time, m.mu);
+  return Case::judged(distance(x, truth.position) / static_cast<double>(length(truth.position)),
+                      status == "success" ? 8e-6 : 0.125, what);
+}
+
+TEST(AdversaryCommands, NearlyParabolicCatalogues) {
+  if (const std::string what = nlmech::adversary::missing_program("two_body_series"); !what.empty())
+    GTEST_SKIP() << what;
+  const tests::TemporaryFolder folder;
+  hunt({.quick = 10, .full = 500}, [&](Draw& draw) {
+    std::vector<Motion> motions;
+    std::string text = "x,y,z,vx,vy,vz,until\n";
+    for (int k = 0; k < 40; ++k) {
+      const Motion& m = motions.emplace_back(nearly_parabolic(draw));
+      const auto &r = m.start.position, &v = m.start.velocity;
+      text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", r[0], r[1], r[2], v[0],
+                          v[1], v[2], m.time);
+    }
+    const auto file = folder.path() / "states.csv";
+    scene::write_whole(file, text);
+    const Ran run =
+        nlmech::adversary::ran(fmt::format("two_body_series propagate --states {} --mu 1 --method {}",
+                                           file.string(), draw.one_of({"kepler", "series"})));
+    if (run.rows.size() != motions.size()) return Case::wrong(run.words + ": rows are missing " + run.errors);
+    Case worst = Case::refused(run.words);
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      Case found = judge_row(motions[k], run.rows[k]);
+      if (found.verdict == Case::Verdict::wrong) return found;
+      if (found.verdict == Case::Verdict::right && found.ratio >= worst.ratio) worst = std::move(found);
+    }
+    return worst;
+  });
 }
 
 }  // namespace

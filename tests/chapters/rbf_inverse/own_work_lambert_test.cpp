@@ -25,11 +25,11 @@ Finished run(const std::string& words) {
   return scene::run_program(arguments, {});
 }
 
-/// vx0, vy0, vz0, vx1, vy1, vz1, miss_m; empty if it failed.
+/// vx0, vy0, vz0, vx1, vy1, vz1, miss; empty if it failed.
 std::vector<double> lambert(const std::string& words) {
   const Finished f = run(words);
   EXPECT_EQ(f.exit_code, 0) << words << ": " << f.errors;
-  EXPECT_TRUE(f.output.starts_with("vx0,vy0,vz0,vx1,vy1,vz1,miss_m\n")) << f.output;
+  EXPECT_TRUE(f.output.starts_with("vx0,vy0,vz0,vx1,vy1,vz1,miss\n")) << f.output;
   const auto rows = scene::parse_csv(f.output, "output");
   if (rows.size() != 2 || rows[1].cells.size() != 7) return {};
   std::vector<double> values(7);

@@ -147,6 +147,31 @@ TEST_F(StatesCommand, FailuresAreTheirOwn) {
   EXPECT_EQ(records[3].cells[8], "success");
 }
 
+// Rows of few digits say so: of the data after 1e5 revolutions and more, of steps that are too long, which
+// Kepler's solution tells.
+TEST_F(StatesCommand, RowsOfFewDigitsSayIt) {
+  write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1.1,0\n1,0,0,0,1.2,0.1\n");
+  const auto statuses = [&](const std::vector<std::string>& more, const std::string& says, int exit_code) {
+    std::vector<std::string> words = {"propagate", "--states", "orbits.csv", "--mu", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Finished f = run(words);
+    EXPECT_EQ(f.exit_code, exit_code) << f.errors;
+    EXPECT_NE(f.errors.find(says), std::string::npos) << f.errors;
+    std::vector<std::string> found;
+    for (const auto& record : scene::parse_csv(f.output, "output")) found.push_back(record.cells.back());
+    found.erase(found.begin());
+    return found;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(statuses({"--until", "1e12", "--method", "kepler"}, "determine the position", 0),
+            Texts({"low_accuracy", "low_accuracy"}));
+  EXPECT_EQ(statuses({"--until", "30", "--tolerance", "1e-4"}, "differs from Kepler's solution", 0),
+            Texts({"low_accuracy", "low_accuracy"}));
+  EXPECT_EQ(statuses({"--until", "300", "--tolerance", "0.1"}, "2 of the orbits failed", 1),
+            Texts({"outside_validity", "outside_validity"}));
+  EXPECT_EQ(statuses({"--until", "30"}, "", 0), Texts({"success", "success"}));
+}
+
 // So many revolutions that no digit is left end the closed form, at the last row that had one.
 TEST_F(StatesCommand, ClosedFormKeepsTheTimeThatItReached) {
   write("orbits.csv", "x,y,z,vx,vy,vz\n1,0,0,0,1,0\n");
@@ -159,7 +184,7 @@ TEST_F(StatesCommand, ClosedFormKeepsTheTimeThatItReached) {
     ASSERT_LT(records.size(), 90U);
     auto good = records[records.size() - 2].cells, last = records.back().cells;
     EXPECT_EQ(last.back(), "outside_validity");
-    EXPECT_EQ(good.back(), "success");
+    EXPECT_EQ(good.back(), "low_accuracy");
     EXPECT_GT(std::abs(std::stod(last[1])), 1e12);
     good.back() = last.back();
     EXPECT_EQ(last, good);
@@ -204,6 +229,8 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   for (int i = 0; i < 20000; ++i) long_one += row;
   bad(long_one + "1,0,0,0,one,0,5\n", {"line 20002, column 5 (vy)", "'one'"});
   bad(head + row + "0,0,0,0,1,0,5\n", {"line 3", "x,y,z = 0,0,0", "centre"});
+  write("km.csv", head + "7000,0,0,0,7.5,0,5\n");
+  refused({"propagate", "--states", "km.csv"}, {"km.csv", "line 2", "--mu"});
   bad(head + "1,0,0,0,inf,0,5\n", {"line 2", "'inf'"});
   bad(head + "1,0,0,0,1,0\n", {"line 2", "6 of 7 cells"});
   bad(head + "1,0,0,0,1,0,5,7\n", {"line 2", "'7'", "beyond the 7 columns"});
@@ -223,7 +250,7 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   refused({"propagate", "--states", "mu.csv"}, {"mu.csv", "line 2", "mu = 0"});
   refused({"propagate", "--states", "none.csv"}, {"none.csv", "No such file"});
   write("good.csv", head + row);
-  const std::vector<std::string> good = {"propagate", "--states", "good.csv"};
+  const std::vector<std::string> good = {"propagate", "--states", "good.csv", "--mu", "1"};
   const auto with = [&](std::vector<std::string> more, const std::vector<std::string>& named) {
     more.insert(more.begin(), good.begin(), good.end());
     refused(more, named);

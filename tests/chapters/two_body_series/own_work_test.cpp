@@ -179,7 +179,9 @@ TEST(Propagate, CollisionSaysWhenAndWhat) {
 scene::NumberColumns elements_of(const std::string& words) {
   const Finished f = two_body_series("elements " + words);
   EXPECT_EQ(f.exit_code, 0) << f.errors;
-  return scene::parse_numbers(f.output, "output", {"a", "e", "i", "raan", "argp", "nu", "period"});
+  return scene::parse_numbers(f.output, "output",
+                              {"a", "e", "i", "raan", "argp", "nu", "period", "p", "q", "eccentric_anomaly",
+                               "mean_anomaly", "time_since_periapsis"});
 }
 
 // Equations 3.72 and 3.74. oracle: two_body_series_orbits LEO eccentricity, LEO period, LEO axis with the
@@ -209,13 +211,50 @@ TEST(Elements, ThereAndBack) {
     const auto row = scene::parse_csv(back.output, "output").at(1).cells;
     const double expected[] = {50, 300, 200, -70};
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(std::stod(row.at(2 + k)), expected[k], 1e-12) << conic;
+    // And from the row, by what fixes the place on any conic: 32 eps of elements_of(), angles in degrees.
+    const std::string form = row.at(0) == "inf" ? "--e 1" : "--a " + row.at(0);
+    const Finished again =
+        two_body_series(fmt::format("state {} --q {} --i {} --raan {} --argp {} --time-since-periapsis {}",
+                                    form, row.at(8), row.at(2), row.at(3), row.at(4), row.at(11)));
+    ASSERT_EQ(again.exit_code, 0) << again.errors;
+    const auto t = scene::parse_csv(again.output, "output").at(1).cells;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double size =
+          k < 3 ? std::hypot(s[0][0], s[1][0], s[2][0]) : std::hypot(s[3][0], s[4][0], s[5][0]);
+      EXPECT_NEAR(std::stod(t.at(k)), s[k][0], 1e-14 * size) << conic;
+    }
+  }
+}
+
+// All places of one: an ellipse with M = 40 degrees and e = 0.1, whose E is the root of E - e sin E = M, by
+// Newton's iteration here.
+TEST(State, FromEachAnomaly) {
+  const double e = 0.1, mean = 40 * std::numbers::pi / 180;
+  double anomaly = mean;
+  for (int k = 0; k < 20; ++k)
+    anomaly -= (anomaly - e * std::sin(anomaly) - mean) / (1 - e * std::cos(anomaly));
+  const double degree = std::numbers::pi / 180;
+  const double nu = 2 * std::atan(std::sqrt((1 + e) / (1 - e)) * std::tan(anomaly / 2));
+  for (const std::string& place :
+       {std::string("--mean-anomaly 40"), std::string("--mean-anomaly -320"),
+        fmt::format("--eccentric-anomaly {:.17g}", anomaly / degree),
+        fmt::format("--nu {:.17g}", nu / degree), fmt::format("--time-since-periapsis {:.17g}", mean)}) {
+    const Finished f = two_body_series("state --a 1 --e 0.1 --mu 1 " + place);
+    ASSERT_EQ(f.exit_code, 0) << f.errors;
+    const auto s = scene::parse_numbers(f.output, "output", {"x", "y", "z", "vx", "vy", "vz"}).column;
+    EXPECT_NEAR(s[0][0], std::cos(anomaly) - e, 1e-14) << place;
+    EXPECT_NEAR(s[1][0], std::sqrt(1 - e * e) * std::sin(anomaly), 1e-14) << place;
+    EXPECT_EQ(f.errors, "") << place;
   }
 }
 
 // v^2 = 2 mu/r exactly: mu = 2, r = 1, v = 2.
 TEST(Elements, ParabolaHasInfiniteAxisAndPeriod) {
   const Finished f = two_body_series("elements --position 1,0,0 --velocity 0,2,0 --mu 2");
-  EXPECT_EQ(f.output, "a,e,i,raan,argp,nu,period\ninf,1,0,0,0,0,inf\n") << f.errors;
+  EXPECT_EQ(f.output,
+            "a,e,i,raan,argp,nu,period,p,q,eccentric_anomaly,mean_anomaly,time_since_periapsis\n"
+            "inf,1,0,0,0,0,inf,2,1,0,0,0\n")
+      << f.errors;
 }
 
 // A circle of radius 1 and mu = 1, a quarter on; and nothing asked for but the shape.
@@ -264,7 +303,17 @@ TEST(OwnWork, BadInputIsNamed) {
       {"state --a 1 --e 1", {"--a 1", "--e 1"}},
       {"state --a 1 --e 1.5", {"--a 1", "--e 1.5"}},
       {"state --p 0 --e 1", {"--p 0"}},
-      {"state --p 1 --e 2 --nu 150", {"--nu 150", "asymptote"}},
+      {"state --p 1 --e 2 --nu 150", {"--nu 150", "beyond the asymptote", "at 120"}},
+      {"state --p 1 --e 1 --nu 180", {"--nu 180", "on the asymptote"}},
+      {"state --a 1 --q 2", {"--a 1", "--q 2"}},
+      {"state --a 1 --q 0.5 --e 0.5", {"--a 1", "--q 0.5"}},
+      {"state --q 1 --e 1 --mean-anomaly 3", {"--mean-anomaly 3", "parabola"}},
+      {"state --q 1 --e 1 --eccentric-anomaly 3", {"--eccentric-anomaly 3"}},
+      {"state --q 1 --e 0 --nu 3 --mean-anomaly 4", {"--nu 3", "--mean-anomaly 4", "one of them"}},
+      // Units that cannot be meant: kilometres without --mu.
+      {"propagate --position 7000,0,0 --velocity 0,7.5,1 --until 6000", {"--position 7000,0,0", "--mu"}},
+      {"elements --position 7000,0,0 --velocity 0,7.5,1", {"--position 7000,0,0", "--mu"}},
+      {"state --a 7000 --e 0.1", {"--a 7000", "--mu"}},
       {"state --a 1 --e 0.1 --i 190", {"--i 190"}},
       {"state --a 1 --e 0.1 --raan x", {"--raan x"}},
       {"state --a 1 --e 0.1 --nu 1e20", {"--nu 1e20", "360"}},

@@ -165,8 +165,7 @@ constexpr double largest_without_side = 1e-6;
     solution.status = passes_too_near(problem, arc);
     return solution;
   }
-  const double kappa =
-      undetermining_condition({problem.from, v1}, {problem.to, v2}, problem.time, problem.mu);
+  const double kappa = large_condition({problem.from, v1}, {problem.to, v2}, problem.time, problem.mu);
   if (kappa != 0) {
     solution.status = undetermined(problem, scaled.wanted, kappa);
     return solution;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numbers>
 #include <stdexcept>
 
 #include "nlmech/orbit/gravity.hpp"
@@ -86,6 +87,7 @@ class Search {
     Chord chord;
     Span span = detail::make_chord(from.position, to.position, mu_, nullptr, chord);
     if (span == Span::opposite) span = detail::make_chord(from.position, to.position, mu_, &normal, chord);
+    if (span == Span::same) try_whole_revolutions(from, to, time);
     if (span == Span::same || !chord.ahead1.allFinite()) return cell_;
     for (const bool long_way : {false, true}) {
       if (long_way) chord.turn();
@@ -115,11 +117,30 @@ class Search {
       ++counts_.lost;
       return false;
     }
-    if (sum < least_) {
-      least_ = sum;
-      cell_ = {departure, arrival, arc.revolutions, arc.long_way, arc.branch};
-    }
+    keep({departure, arrival, arc.revolutions, arc.long_way, arc.branch});
     return true;
+  }
+  /// Back to one position after whole revolutions: the period gives the speed, and any direction leads back.
+  /// That of the body left is taken.
+  void try_whole_revolutions(const State& from, const State& to, double time) {
+    constexpr double close = 64 * std::numeric_limits<double>::epsilon();
+    const double r = from.position.norm(), speed = from.velocity.norm();
+    if (!((to.position - from.position).norm() <= close * r) ||
+        !(angular_momentum(from).norm() > close * r * speed))
+      return;
+    for (int m = 1; m <= most_revolutions_; ++m) {
+      const double turn = time / m / (2 * std::numbers::pi), axis = std::cbrt(mu_ * turn * turn);
+      const double square = mu_ * (2 / r - 1 / axis);
+      if (!(square > 0)) return;
+      ++counts_.arcs;
+      const Vector3<double> v = std::sqrt(square) / speed * from.velocity;
+      keep({(v - from.velocity).norm(), (v - to.velocity).norm(), m, false, LambertBranch::low});
+    }
+  }
+  void keep(const PorkchopCell& cell) {
+    if (!(cell.v_departure + cell.v_arrival < least_)) return;
+    least_ = cell.v_departure + cell.v_arrival;
+    cell_ = cell;
   }
 
   double mu_;

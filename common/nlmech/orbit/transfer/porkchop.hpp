@@ -52,7 +52,8 @@ struct PorkchopCell {
   double v_departure = 0;         ///< |v_1 - v(body left)|; infinite if there is no transfer
   double v_arrival = 0;           ///< |v_2 - v(body reached)|; infinite if there is no transfer
   std::int32_t revolutions = -1;  ///< whole ones; -1: no transfer, because the arrival is not after the
-                                  ///< departure or the positions lie in one direction from the centre
+                                  ///< departure or the positions lie in one direction from the centre and
+                                  ///< are not one
   bool long_way = false;          ///< by more than 180 degrees
   LambertBranch branch = LambertBranch::low;  ///< of one revolution or more
 
@@ -79,7 +80,8 @@ struct Porkchop {
 };
 
 /// For every pair of times the transfer whose speeds at departure and arrival have the least sum, over both
-/// ways round and all revolutions. Where the positions are opposite, in the plane of the body that is left.
+/// ways round and all revolutions. Where the positions are opposite, in the plane of the body that is left;
+/// where they are one (to 64 eps), by whole revolutions in the direction of that body.
 /// The positions of both bodies are computed once a row and column. Every cell is computed by itself, so that
 /// the numbers are the same to the last bit for any number of threads and shards.
 ///
