@@ -88,6 +88,15 @@ std::optional<Tape> tape_of(const ivp::System<m>& system, double t, const ivp::S
   }
 }
 
+/// depends_on_time() by the recorded equations.
+template <int m>
+bool time_in(const std::optional<Tape>& tape, const ivp::System<m>& system, double t,
+             const ivp::State<m>& x) {
+  if (tape) return tape->depends_on_time();
+  ivp::State<m> dfdt(x.size());
+  return !system.time_derivative(t, x, dfdt) || !dfdt.isZero(0);
+}
+
 /// What the steps of a run show.
 template <int m>
 class Steps {
@@ -160,9 +169,7 @@ Form form_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
 
 template <int m>
 bool depends_on_time(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
-  if (const std::optional<Tape> tape = tape_of<m>(system, t, x)) return tape->depends_on_time();
-  ivp::State<m> dfdt(x.size());
-  return !system.time_derivative(t, x, dfdt) || !dfdt.isZero(0);
+  return time_in<m>(tape_of<m>(system, t, x), system, t, x);
 }
 
 template <int m>
@@ -172,9 +179,9 @@ Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, doub
   look.features.components = system.size();
   look.features.form = form_of<m>(system, t0, x0);
   look.features.switches = system.switches() > 0;
-  look.features.depends_on_time = depends_on_time<m>(system, t0, x0);
   const std::optional<Tape> tape = tape_of<m>(system, t0, x0);
   look.features.operations = tape ? std::max(1, tape->instructions()) : 0;
+  look.features.depends_on_time = time_in<m>(tape, system, t0, x0);
   for (const ivp::Settings& settings : coarse) {
     const ivp::Solution<m> end = stepped<m>(system, x0, t0, t1, settings, largest_step, look.features);
     look.seen = t1 == t0 ? 1 : std::abs((end.t - t0) / (t1 - t0));
