@@ -32,6 +32,16 @@ TEST(StepControl, FirstTrialIsStretchedToTheEnd) {
   EXPECT_EQ(control.plan(0, 1.25), 1) << "no more after a rejection";
 }
 
+// Limits::largest_step, which holds for the stretch to the end too.
+TEST(StepControl, NoTrialIsLongerThanItsBound) {
+  StepControl control = started(bounded({.largest = 2, .stretch = 1.25}, 1), 8);
+  EXPECT_EQ(control.plan(0, 100), 1);
+  EXPECT_EQ(control.plan(0, 1.25), 1);
+  EXPECT_EQ(control.plan(0, -1.25), -1);
+  EXPECT_EQ(control.plan(0, 0.75), 0.75);
+  EXPECT_EQ(bounded({.largest = 2}, std::numeric_limits<double>::infinity()).largest, 2);
+}
+
 TEST(StepControl, LengthsStayWithinTheirBounds) {
   StepControl control = started({.largest = 2}, 8);
   EXPECT_EQ(control.plan(0, 100), 2);

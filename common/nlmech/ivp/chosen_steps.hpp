@@ -47,7 +47,7 @@ class ChosenSteps {
   ChosenSteps(const Task<S>& task, std::string_view name, const StepRule& rule, int refine = 1)
       : task_(task),
         now_{task.t0, task.x0, {}, {}},
-        control_(rule),
+        control_(bounded(rule, task.limits.largest_step)),
         name_(name),
         times_(static_cast<std::size_t>(refine)),
         states_(task.system.size(), refine),

@@ -16,7 +16,8 @@ namespace nlmech::ivp {
 /// In what methods differ, but for the formulas by which an error gives a length: those are each method's
 /// own, as published.
 struct StepRule {
-  double largest = std::numeric_limits<double>::infinity();  ///< no step is longer
+  double largest = std::numeric_limits<double>::infinity();  ///< no step is planned to be longer
+  double bound = std::numeric_limits<double>::infinity();    ///< no trial is longer, stretched or not
   double shortest = 16;  ///< no step is shorter than so many spacings of doubles; 0: unless it is lost in t
   double stretch = 0;    ///< the first trial may be so many times longer to meet the end (ode45: 1.1);
                          ///< 0: what is left is one step or two equal ones, never a stub
@@ -28,6 +29,13 @@ struct StepRule {
   bool measured = false;    ///< formulas start from the difference of a trial's ends, else from what was
                             ///< planned, which rounding may make another double
 };
+
+/// The rule, where steps are at most @p largest_step long besides (Limits).
+[[nodiscard]] inline StepRule bounded(StepRule rule, double largest_step) {
+  rule.largest = std::min(rule.largest, largest_step);
+  rule.bound = std::min(rule.bound, largest_step);
+  return rule;
+}
 
 /// The lengths of one integration's steps. A step is planned until a trial of it is accepted; lengths are
 /// positive in both directions of time.
@@ -62,6 +70,7 @@ class StepControl {
     } else {
       planned = length_ >= left ? left : std::min(length_, std::max(left / 2, shortest_));
     }
+    planned = std::min(planned, rule_.bound);
     begin_ = t;
     end_ = planned >= left ? end : t + std::copysign(planned, end - t);
     taken_ = rule_.measured ? std::abs(end_ - t) : planned;

@@ -181,7 +181,7 @@ class Walk {
   // What is left of the limits.
   [[nodiscard]] Limits left() const {
     return {std::max<std::int64_t>(limits_.steps - used(), 1),
-            std::max(limits_.seconds - watch_.seconds(), 1e-6)};
+            std::max(limits_.seconds - watch_.seconds(), 1e-6), limits_.largest_step};
   }
   [[nodiscard]] std::int64_t used() const {
     return solution_.statistics.steps + solution_.statistics.rejected;

@@ -23,7 +23,8 @@ namespace nlmech::problems {
 struct ReferenceOptions {
   int order = 0;         ///< of the Taylor series, 4 or more; 0: chosen for the tolerance
   double tolerance = 0;  ///< last kept terms of a step relative to the state; 0: an eighth of Real's epsilon
-  std::size_t most_steps = 10'000'000;  ///< after which it gives up
+  std::size_t most_steps = 10'000'000;                            ///< after which it gives up
+  double largest_step = std::numeric_limits<double>::infinity();  ///< no step is longer; positive
 
   /// The same with the zeros replaced by what they stand for in the precision of @p Real.
   /// @throws std::invalid_argument naming the value that is out of range
@@ -206,7 +207,8 @@ Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimens
       if (count == chosen.most_steps) return failure(Outcome::step_limit);
       taylor_coefficients(problem, t, x, chosen.order, step.coefficient, memory);
       if (!detail::all_finite(step.coefficient.back())) return failure(Outcome::non_finite);
-      const double log2_step = detail::log2_step(step.coefficient, chosen.tolerance, scale);
+      const double log2_step = std::min(detail::log2_step(step.coefficient, chosen.tolerance, scale),
+                                        std::log2(chosen.largest_step));
       const bool last = log2_step >= detail::log2_of(Real(stop - t));
       step.start = t;
       step.length = last ? Real(stop - t) : detail::short_step<Real>(log2_step);

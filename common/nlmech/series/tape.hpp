@@ -29,6 +29,8 @@ class Tape {
   [[nodiscard]] int instructions() const { return static_cast<int>(instructions_.size()); }
   /// Instructions with a Cauchy product, whose cost grows with the order.
   [[nodiscard]] int products() const;
+  /// Does a component depend on the time, or on one that moves at a constant rate and so stands for it?
+  [[nodiscard]] bool depends_on_time() const;
   /// The tape as the kernels read it; valid as long as the tape lives and stays where it is.
   [[nodiscard]] tape::Program program() const;
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -242,6 +243,25 @@ int Tape::products() const {
     if (!linear) ++count;
   }
   return count;
+}
+
+bool Tape::depends_on_time() const {
+  // Series 0 is the time, 1 to size() the state.
+  std::vector<bool> is_time(outputs_.size() + 1);
+  is_time[0] = true;
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    is_time[i + 1] = outputs_[i].series < 0 && outputs_[i].constant != 0;
+  const auto timed = [&](int series) {
+    const auto at = static_cast<std::size_t>(series);
+    return series >= 0 && at < is_time.size() && is_time[at];
+  };
+  // A linear combination has terms for operands.
+  return std::ranges::any_of(instructions_,
+                             [&](const Instruction& i) {
+                               return i.operation != Operation::linear && (timed(i.a) || timed(i.b));
+                             }) ||
+         std::ranges::any_of(terms_, [&](const tape::Term& t) { return timed(t.series); }) ||
+         std::ranges::any_of(outputs_, [&](const tape::Output& o) { return timed(o.series); });
 }
 
 tape::Program Tape::program() const {

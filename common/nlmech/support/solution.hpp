@@ -60,10 +60,13 @@ struct BasicStep {
 template <class Step>
 using BasicObserver = std::function<bool(const Step&)>;
 
-/// Bounds on the work of one integration, for every method and peer.
+/// Bounds on the work and on the steps of one integration, for every method and peer.
 struct Limits {
   std::int64_t steps = 100'000'000;                          ///< accepted and rejected steps: step_limit
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time: time_limit
+  /// Longest step of a method that chooses its steps, positive; to rounding of the time. Methods of fixed
+  /// step take the step that they are given.
+  double largest_step = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace nlmech

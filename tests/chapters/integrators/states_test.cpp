@@ -101,6 +101,23 @@ TEST(States, FailuresAreTheirOwn) {
 
 // Series moves several rows in a register: each is what its own run prints, with events and ends of its own,
 // and whatever stands beside; a row that fails, too.
+// A pulse after a rest, which is met by no step that is much longer than it: side by side by series, one by
+// one by others, alone. The area is that of exp(-s^2) times a.
+TEST(States, StepsKeepToTheirBound) {
+  const TemporaryFolder folder;
+  scene::write_whole(folder / "starts.csv", "a\n1\n2\n3\n");
+  const std::string equation = "x' = a exp(-((t-50)/0.5)^2); a = 1; x(0) = 0";
+  for (const std::string method : {"series", "dop853"}) {
+    const std::string text = output({"integrate", "--equation", equation, "--states", "starts.csv",
+                                     "--method", method, "--until", "100", "--largest-step", "0.5"},
+                                    folder.string());
+    const auto lines = scene::parse_csv(text, "output");
+    ASSERT_EQ(lines.size(), 7U);
+    for (std::size_t a = 1; a <= 3; ++a)
+      EXPECT_NEAR(std::stod(lines[2 * a].cells.at(2)), static_cast<double>(a) * 0.88622692545275801, 4e-7);
+  }
+}
+
 TEST(States, SeriesSideBySide) {
   const TemporaryFolder folder;
   std::string text = "x,a,until\n";

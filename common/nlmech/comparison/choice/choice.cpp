@@ -33,7 +33,7 @@ Part run_part(const Question<m>& q, const Expectation& e, double end, double mos
   try {
     const auto run = any_integrator<m>(
         any_method(e.method), {.tolerance = e.tolerance, .absolute_tolerance = e.tolerance * q.absolute});
-    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost));
+    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost, q.largest_step));
     part.seen = (s.t - q.t0) / (q.t1 - q.t0);
     part.cost = e.cost * static_cast<double>(std::max<std::int64_t>(s.statistics.right_hand_sides, 1));
     part.seconds = s.statistics.seconds;
@@ -114,7 +114,7 @@ std::vector<Ranked> rank_methods(const Question<m>& q, const Features& features,
 template <int m>
 Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
   Chosen c;
-  c.look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1);
+  c.look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1, q.largest_step);
   c.status = c.look.status;
   if (!c.status.ok()) return c;
   c.alike = most_alike(evidence, c.look.features, 3);

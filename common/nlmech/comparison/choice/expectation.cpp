@@ -132,9 +132,11 @@ double right_hand_sides_a_step(const Evidence& evidence, const Features& feature
 
 }  // namespace
 
-ivp::Limits Expectation::limits(double most_cost) const {
+ivp::Limits Expectation::limits(double most_cost, double largest_step) const {
   constexpr double fewest = 16;
-  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / step, fewest, 1e8)), .seconds = 2};
+  return {.steps = static_cast<std::int64_t>(std::clamp(most_cost / step, fewest, 1e8)),
+          .seconds = 2,
+          .largest_step = largest_step};
 }
 
 double distance(const Features& a, const Features& b) {
@@ -154,6 +156,7 @@ double distance(const Features& a, const Features& b) {
 
 bool suits(const std::string& method, const Features& features) {
   if (method == "series" && features.operations == 0) return false;
+  if (features.depends_on_time && any_method(method).info.estimate_misses_time) return false;
   if (method == "rkn1210") return features.form == Form::conservative;
   return features.form != Form::first_order || !any_method(method).info.second_order_only;
 }

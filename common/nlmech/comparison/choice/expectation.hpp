@@ -24,7 +24,8 @@ struct Expectation {
   double step = 1;          ///< cost of a step, in the same units
 
   /// Limits of a run that come to a cost, and to two seconds where right-hand sides are expensive.
-  [[nodiscard]] ivp::Limits limits(double most_cost) const;
+  /// @param largest_step the bound on its steps
+  [[nodiscard]] ivp::Limits limits(double most_cost, double largest_step) const;
 };
 
 /// Is the method made for such equations?

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -76,15 +77,24 @@ double variation_of(std::vector<double> lengths, double way) {
   return std::log10(within(0.9) / within(0.1));
 }
 
+/// The equations as recorded, those of one mode where they switch; nothing: they are refused.
 template <int m>
-int operations_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+std::optional<Tape> tape_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
   const auto modes = static_cast<std::size_t>(system.switches());
   try {
-    const ivp::System<m> smooth = modes > 0 ? system.in_mode(ivp::Mode(modes, 1)) : system;
-    return std::max(1, smooth.record(t, x).instructions());
+    return (modes > 0 ? system.in_mode(ivp::Mode(modes, 1)) : system).record(t, x);
   } catch (const std::invalid_argument&) {
-    return 0;
+    return {};
   }
+}
+
+/// depends_on_time() by the recorded equations.
+template <int m>
+bool time_in(const std::optional<Tape>& tape, const ivp::System<m>& system, double t,
+             const ivp::State<m>& x) {
+  if (tape) return tape->depends_on_time();
+  ivp::State<m> dfdt(x.size());
+  return !system.time_derivative(t, x, dfdt) || !dfdt.isZero(0);
 }
 
 /// What the steps of a run show.
@@ -129,12 +139,13 @@ class Steps {
 /// Some steps, and what they show.
 template <int m>
 ivp::Solution<m> stepped(const ivp::System<m>& system, const ivp::State<m>& x0, double t0, double t1,
-                         const ivp::Settings& settings, Features& features) {
+                         const ivp::Settings& settings, double largest_step, Features& features) {
   const std::int64_t most_steps = std::clamp<std::int64_t>(2000 / system.size(), 20, 400);
   Steps<m> steps(system, t1 > t0 ? 1 : -1);
   const ivp::Observer<m> see = [&steps](const ivp::Step<m>& step) { return steps.see(step); };
   const auto run = any_integrator<m>(any_method("adaptive-collocation"), settings);
-  ivp::Solution<m> end = run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.5});
+  ivp::Solution<m> end =
+      run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.5, .largest_step = largest_step});
   steps.put(features);
   return end;
 }
@@ -157,14 +168,22 @@ Form form_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
 }
 
 template <int m>
-Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, double t0, double t1) {
+bool depends_on_time(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+  return time_in<m>(tape_of<m>(system, t, x), system, t, x);
+}
+
+template <int m>
+Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, double t0, double t1,
+                     double largest_step) {
   Look look;
   look.features.components = system.size();
   look.features.form = form_of<m>(system, t0, x0);
   look.features.switches = system.switches() > 0;
-  look.features.operations = operations_of<m>(system, t0, x0);
+  const std::optional<Tape> tape = tape_of<m>(system, t0, x0);
+  look.features.operations = tape ? std::max(1, tape->instructions()) : 0;
+  look.features.depends_on_time = time_in<m>(tape, system, t0, x0);
   for (const ivp::Settings& settings : coarse) {
-    const ivp::Solution<m> end = stepped<m>(system, x0, t0, t1, settings, look.features);
+    const ivp::Solution<m> end = stepped<m>(system, x0, t0, t1, settings, largest_step, look.features);
     look.seen = t1 == t0 ? 1 : std::abs((end.t - t0) / (t1 - t0));
     const Outcome outcome = end.status.outcome();
     look.status = outcome == Outcome::step_limit || outcome == Outcome::time_limit ? Status{} : end.status;
@@ -174,18 +193,25 @@ Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, doub
 }
 
 template Form form_of<1>(const ivp::System<1>&, double, const ivp::State<1>&);
-template Look look_at_problem<1>(const ivp::System<1>&, const ivp::State<1>&, double, double);
+template bool depends_on_time<1>(const ivp::System<1>&, double, const ivp::State<1>&);
+template Look look_at_problem<1>(const ivp::System<1>&, const ivp::State<1>&, double, double, double);
 template Form form_of<2>(const ivp::System<2>&, double, const ivp::State<2>&);
-template Look look_at_problem<2>(const ivp::System<2>&, const ivp::State<2>&, double, double);
+template bool depends_on_time<2>(const ivp::System<2>&, double, const ivp::State<2>&);
+template Look look_at_problem<2>(const ivp::System<2>&, const ivp::State<2>&, double, double, double);
 template Form form_of<3>(const ivp::System<3>&, double, const ivp::State<3>&);
-template Look look_at_problem<3>(const ivp::System<3>&, const ivp::State<3>&, double, double);
+template bool depends_on_time<3>(const ivp::System<3>&, double, const ivp::State<3>&);
+template Look look_at_problem<3>(const ivp::System<3>&, const ivp::State<3>&, double, double, double);
 template Form form_of<4>(const ivp::System<4>&, double, const ivp::State<4>&);
-template Look look_at_problem<4>(const ivp::System<4>&, const ivp::State<4>&, double, double);
+template bool depends_on_time<4>(const ivp::System<4>&, double, const ivp::State<4>&);
+template Look look_at_problem<4>(const ivp::System<4>&, const ivp::State<4>&, double, double, double);
 template Form form_of<6>(const ivp::System<6>&, double, const ivp::State<6>&);
-template Look look_at_problem<6>(const ivp::System<6>&, const ivp::State<6>&, double, double);
+template bool depends_on_time<6>(const ivp::System<6>&, double, const ivp::State<6>&);
+template Look look_at_problem<6>(const ivp::System<6>&, const ivp::State<6>&, double, double, double);
 template Form form_of<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&, double,
                                       const ivp::State<Eigen::Dynamic>&);
+template bool depends_on_time<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&, double,
+                                              const ivp::State<Eigen::Dynamic>&);
 template Look look_at_problem<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
-                                              const ivp::State<Eigen::Dynamic>&, double, double);
+                                              const ivp::State<Eigen::Dynamic>&, double, double, double);
 
 }  // namespace nlmech::comparison

@@ -2,6 +2,7 @@
 /// What there is to see of a problem before it is solved: the few numbers by which problems are called alike.
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 #include "nlmech/ivp/system.hpp"
@@ -22,11 +23,17 @@ enum class Form {
 template <int m>
 [[nodiscard]] Form form_of(const ivp::System<m>& system, double t, const ivp::State<m>& x);
 
+/// Does f depend on the time, or on a component that moves at a constant rate? By the recorded equations; of
+/// a problem that cannot be recorded by df/dt at (t, x), and true where it has none.
+template <int m>
+[[nodiscard]] bool depends_on_time(const ivp::System<m>& system, double t, const ivp::State<m>& x);
+
 /// The features of a problem. Counts decide, and never times: two looks are the same.
 struct Features {
   int components = 0;             ///< of the state
   Form form = Form::first_order;  ///< of the equations
   bool switches = false;          ///< do functions decide by their signs what the equations are?
+  bool depends_on_time = false;   ///< do they change with the time itself? See depends_on_time()
   int operations = 0;    ///< of a right-hand side, as recorded for Taylor series; 0: they are refused
   double stiffness = 0;  ///< log10 of the mean of |h| rho over coarse steps h of an implicit method, rho the
                          ///< greatest modulus of an eigenvalue: about 1 where accuracy bounds the steps, more
@@ -45,8 +52,9 @@ struct Look {
 
 /// Looks at a problem by some coarse steps of `adaptive-collocation`, at most so many that it takes a few
 /// milliseconds with few components.
+/// @param largest_step that runs are held to
 template <int m>
 [[nodiscard]] Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, double t0,
-                                   double t1);
+                                   double t1, double largest_step = std::numeric_limits<double>::infinity());
 
 }  // namespace nlmech::comparison

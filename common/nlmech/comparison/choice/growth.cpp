@@ -39,7 +39,7 @@ class Runs {
   Runs(const Question<m>& q, const Expectation& e, const Fineness& fine)
       : q_(q),
         moved_(fine.moved),
-        limits_(e.limits(budget)),
+        limits_(e.limits(budget, q.largest_step)),
         run_(any_integrator<m>(
             any_method(e.method),
             {.tolerance = fine.tolerance, .absolute_tolerance = fine.tolerance * std::min(q.absolute, 1.0)})),

@@ -2,6 +2,7 @@
 /// A problem for which a method is to be chosen.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,15 @@ struct Among {
 /// What is asked.
 template <int m>
 struct Question {
-  ivp::System<m> system;  ///< equations
-  ivp::State<m> x0;       ///< state at t0
-  double t0;              ///< begin
-  double t1;              ///< end
-  double level = 9;       ///< digits to hold on the way
-  double absolute = 1;    ///< absolute over relative tolerance
-  Among among = {};       ///< which methods may be chosen
-  bool timed = false;     ///< repeat short runs for their times
+  ivp::System<m> system;                                          ///< equations
+  ivp::State<m> x0;                                               ///< state at t0
+  double t0;                                                      ///< begin
+  double t1;                                                      ///< end
+  double level = 9;                                               ///< digits to hold on the way
+  double absolute = 1;                                            ///< absolute over relative tolerance
+  Among among = {};                                               ///< which methods may be chosen
+  bool timed = false;                                             ///< repeat short runs for their times
+  double largest_step = std::numeric_limits<double>::infinity();  ///< that methods are held to
 };
 
 }  // namespace nlmech::comparison

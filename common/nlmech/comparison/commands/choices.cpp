@@ -51,6 +51,23 @@ std::string trimmed(std::string text) {
   return text;
 }
 
+WantedEvent event_of(const std::string& option, const std::string& typed, const OwnProblem& problem) {
+  WantedEvent event;
+  std::string text = trimmed(typed);
+  const auto ends_with = [&text](std::string_view word) {
+    if (text.size() <= word.size() || !text.ends_with(word) || text[text.size() - word.size() - 1] != ' ')
+      return false;
+    text = trimmed(text.substr(0, text.size() - word.size()));
+    return true;
+  };
+  event.ends = ends_with("end");
+  if (ends_with("rising")) event.crossing = ivp::Crossing::rising;
+  if (ends_with("falling")) event.crossing = ivp::Crossing::falling;
+  event.text = text;
+  event.value = problem.expression(option, text);
+  return event;
+}
+
 std::vector<std::string> method_list(const std::string& list) {
   if (trimmed(list) == "all") return built_method_names();
   std::vector<std::string> names;

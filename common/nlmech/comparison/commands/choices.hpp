@@ -1,5 +1,5 @@
 /// @file
-/// Lists of methods and of tolerances, as a user types them.
+/// Events, and lists of methods and of tolerances, as a user types them.
 #pragma once
 
 #include <string>
@@ -11,6 +11,10 @@ namespace nlmech::comparison {
 
 /// Without the blanks at its ends.
 [[nodiscard]] std::string trimmed(std::string text);
+
+/// An event as typed: "x = 0 falling end". @throws InputError naming @p option that points at the mistake
+[[nodiscard]] WantedEvent event_of(const std::string& option, const std::string& typed,
+                                   const OwnProblem& problem);
 
 /// Names with commas between, blanks beside them aside; "all": those of ours and of the peers in this build.
 /// @throws InputError naming `--methods`, for a name that there is not, or twice

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -30,31 +31,13 @@ struct Words {
   std::string problem, equation, file, initial, method, tolerances, plot;
   std::optional<double> until, from, every;
   ivp::Settings settings;
-  std::optional<double> limit;
+  std::optional<double> limit, largest_step;
   std::vector<std::string> set, events;
   std::string section, states, shard;
   std::optional<int> threads;
   bool no_verify = false;
   int digits = 9;
 };
-
-/// "x = 0 falling end"
-WantedEvent event_of(const std::string& option, const std::string& typed, const OwnProblem& problem) {
-  WantedEvent event;
-  std::string text = trimmed(typed);
-  const auto ends_with = [&text](std::string_view word) {
-    if (text.size() <= word.size() || !text.ends_with(word) || text[text.size() - word.size() - 1] != ' ')
-      return false;
-    text = trimmed(text.substr(0, text.size() - word.size()));
-    return true;
-  };
-  event.ends = ends_with("end");
-  if (ends_with("rising")) event.crossing = ivp::Crossing::rising;
-  if (ends_with("falling")) event.crossing = ivp::Crossing::falling;
-  event.text = text;
-  event.value = problem.expression(option, text);
-  return event;
-}
 
 /// The problem by name, or the equations that were typed or stand in a file.
 /// @param equations what was typed or read @param values of parameters, in place of those that were typed
@@ -90,11 +73,15 @@ Request understand(const Words& words, const OwnProblem& problem, std::vector<do
             .t1 = 0,
             .settings = words.settings,
             .every = words.every,
-            .limits = {.seconds = words.limit.value_or(scene::Options::usual_limit)},
+            .limits = {.seconds = words.limit.value_or(scene::Options::usual_limit),
+                       .largest_step = words.largest_step.value_or(std::numeric_limits<double>::infinity())},
             .verify = !words.settings.step && !words.no_verify};
   if (r.settings.step && r.settings.tolerance)
     throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
                       *r.settings.tolerance);
+  if (r.settings.step && words.largest_step)
+    throw input_error("--step {} --largest-step {}: give equal steps or a bound on chosen ones, not both",
+                      *r.settings.step, *words.largest_step);
   r.t1 = words.until.value_or(r.t0);
   check_rows(r);
   for (const std::string& text : words.events) r.events.push_back(event_of("--event", text, problem));
@@ -112,8 +99,13 @@ Request understand(const Words& words, const OwnProblem& problem) {
 
 /// The one that was typed, or else the usual one.
 AnyMethod method_of(const Words& words, const OwnProblem& problem, const Request& r) {
-  return about("--method",
-               [&] { return any_method(words.method.empty() ? problem.usual_method(r) : words.method); });
+  AnyMethod method = about(
+      "--method", [&] { return any_method(words.method.empty() ? problem.usual_method(r) : words.method); });
+  if (words.largest_step && method.info.fixed_step())
+    throw input_error(
+        "--largest-step {}: {} takes equal steps; give --step, or a method that chooses its steps",
+        *words.largest_step, method.name);
+  return method;
 }
 
 /// Above a picture: what was typed, if it fits.
@@ -146,10 +138,10 @@ int integrate_all(const Words& words, const OwnProblems& problems, const std::st
   };
   runs.method = [&](const OwnProblem& problem, const Request& r) { return method_of(words, problem, r); };
   const double from = words.from.value_or(runs.problem({})->initial_time());
-  runs.typed =
-      fmt::format("{} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(), fmt::join(words.set, " "),
-                  words.initial, from, words.until.value_or(from), words.no_verify, words.every.value_or(0),
-                  fmt::join(words.events, " "), words.section);
+  runs.typed = fmt::format("{} {} {} {} {} {} {} {} {} {} {}", words.problem, equations.text(),
+                           fmt::join(words.set, " "), words.initial, from, words.until.value_or(from),
+                           words.no_verify, words.every.value_or(0), fmt::join(words.events, " "),
+                           words.section, words.largest_step.value_or(0));
   return print_runs(runs);
 }
 
@@ -181,6 +173,11 @@ void compare(const Words& words, const OwnProblems& problems, const std::string&
   const Request r = understand(words, *problem);
   const auto methods = words.method.empty() ? problem->usual_methods(r) : method_list(words.method);
   const auto tolerances = words.tolerances.empty() ? std::vector<double>() : tolerance_list(words.tolerances);
+  if (words.largest_step && std::ranges::all_of(methods, [](const std::string& name) {
+        return any_method(name).info.fixed_step();
+      }))
+    throw input_error("--largest-step {}: none of the methods {} chooses its steps; give --step",
+                      *words.largest_step, fmt::join(methods, ","));
   const Comparison found = problem->comparison(r, choices(methods, r.settings, tolerances), program);
   scene::print_result(found.rows);
   if (picture.wanted()) picture.draw([&] { return comparison_figure(found, heading_of(words)); });
@@ -204,6 +201,7 @@ std::vector<std::string> run_of(const Words& words, const Ranked& first, const s
   add("--tolerance", fmt::format("{:.1e}", first.tolerance));
   if (words.settings.absolute_tolerance)
     add("--absolute-tolerance", fmt::format("{}", *words.settings.absolute_tolerance));
+  if (words.largest_step) add("--largest-step", fmt::format("{}", *words.largest_step));
   return all;
 }
 
@@ -239,6 +237,14 @@ void declare_problem(scene::Options& options, Words& words, const std::string& m
                             many));
 }
 
+void declare_largest_step(scene::Options& options, Words& words) {
+  options
+      .add("--largest-step", words.largest_step,
+           "longest step of methods that choose their steps; no bound without it. For a short pulse after a "
+           "long rest: half of the pulse's length")
+      .positive();
+}
+
 void declare_common(scene::Options& options, Words& words, const std::string& many = {}) {
   declare_problem(options, words, many);
   ivp::Settings& s = words.settings;
@@ -252,6 +258,7 @@ void declare_common(scene::Options& options, Words& words, const std::string& ma
       .add("--absolute-tolerance", s.absolute_tolerance,
            "for components that become small; --tolerance without it. Not for fixed steps")
       .positive();
+  declare_largest_step(options, words);
   options.limit(words.limit, many);
 }
 
@@ -346,6 +353,7 @@ void add_choose_command(scene::Commands& commands, const OwnProblems& problems) 
         .add("--absolute-tolerance", words.settings.absolute_tolerance,
              "error that does not count in components that become small; as for 1 without it")
         .positive();
+    declare_largest_step(options, words);
     options.footer(describe_all(problems));
   };
   commands.add<Words>(

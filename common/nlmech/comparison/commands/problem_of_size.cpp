@@ -89,7 +89,13 @@ Question<m> question(const ivp::System<m>& system, const Request& r) {
           .x0 = begin<m>(r),
           .t0 = r.t0,
           .t1 = r.t1,
-          .absolute = tolerance.absolute / tolerance.relative};
+          .absolute = tolerance.absolute / tolerance.relative,
+          .largest_step = r.limits.largest_step};
+}
+
+/// May it run so? A bound on steps is for methods that choose them.
+bool obeys_bound(const ivp::MethodInfo& info, const Request& r) {
+  return !info.fixed_step() || !std::isfinite(r.limits.largest_step);
 }
 
 }  // namespace
@@ -140,13 +146,13 @@ std::string ProblemOfSize<m>::usual_method(const Request& r) const {
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
     const bool within = r.every || r.draw || !r.events.empty();
-    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within))
+    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && obeys_bound(info, r))
       q.among.methods.push_back(name);
   }
   if (r.settings.step || r.t0 == r.t1 || q.among.methods.empty()) return usual;
   const double tolerance = tolerance_of(r.settings).relative;
   q.level = -std::log10(tolerance);
-  const Look look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1);
+  const Look look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1, q.largest_step);
   if (!look.status.ok()) return usual;
   Status status;
   const std::vector<Ranked> ranked = rank_methods(q, look.features, read_evidence(), status);
@@ -157,6 +163,8 @@ template <int m>
 Chosen ProblemOfSize<m>::chosen(const Request& r, double digits) const {
   Question<m> q = question<m>(system(), r);
   if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
+  for (const std::string& name : built_method_names())
+    if (obeys_bound(any_method(name).info, r)) q.among.methods.push_back(name);
   const Evidence evidence = read_evidence();
   return choose(q, digits, evidence, looked_at(q, evidence));
 }
@@ -258,9 +266,12 @@ class ProblemOfSize<m>::Run {
   [[nodiscard]] std::pair<std::string, bool> verified(const ivp::Solution<m>& end) const {
     const Verified what = rows_.verified(tolerance_of(request_.settings));
     const scene::Doing doing("verifying the run by integration");
-    const Effort effort = effort_after(end.statistics, system_.size(), left_after(end));
+    Effort effort = effort_after(end.statistics, system_.size(), left_after(end));
+    effort.largest_step = request_.limits.largest_step;
     const ivp::State<m> x0 = begin<m>(request_);
-    const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps, .seconds = effort.seconds};
+    const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
+                             .seconds = effort.seconds,
+                             .largest_step = effort.largest_step};
     if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return {"", false};
     const Reference truth =
         problem_.reference(x0, request_.t0, what.times, needed_for(what.tolerance), effort);
@@ -341,7 +352,7 @@ Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choi
   constexpr double work = 6;  // seconds, or so
   std::optional<scene::Doing> doing("computing a reference");
   const Reference truth = reference(x0, r.t0, look_at(r.t0, r.t1, 64), {.relative = 1e-13, .absolute = 1e-30},
-                                    {work, left() / 3});
+                                    {work, left() / 3, r.limits.largest_step});
   ComparisonTable table(program, truth, x0.template cast<double>());
   for (std::size_t i = 0; i < methods.size(); ++i) {
     doing.emplace("running " + methods[i].method.name);
@@ -349,7 +360,7 @@ Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choi
     try {
       const auto run = any_integrator<m>(methods[i].method, methods[i].settings);
       const std::function<ivp::Solution<m>()> once = [&] {
-        return run(system, x0, r.t0, r.t1, {}, {r.limits.steps, share});
+        return run(system, x0, r.t0, r.t1, {}, {r.limits.steps, share, r.limits.largest_step});
       };
       const auto [end, time] = timed<m>(once, std::min(0.5, share / 2));
       table.add(methods[i], end.status, end.statistics, Eigen::VectorXd(end.x), time);

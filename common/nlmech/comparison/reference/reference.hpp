@@ -35,6 +35,8 @@ struct Effort {
   /// second.
   double work = 1;
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
+  /// Longest step of each computation, as of the run that is judged.
+  double largest_step = std::numeric_limits<double>::infinity();
 };
 
 /// A state in extended precision.

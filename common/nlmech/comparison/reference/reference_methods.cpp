@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/choice/features.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -79,19 +80,24 @@ Status states_by(const ivp::NamedIntegrator<n>& run, const ivp::System<n>& syste
 
 /// By absolute tolerances for components that decay, then by those needed.
 template <int n>
-Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& needed, double work,
+Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& needed, const Effort& effort,
                 const Way& way, double seconds, StatesAt& states) {
   const Stopwatch watch;
+  const AnyMethod method = any_method(judge.name);
+  if (method.info.estimate_misses_time && depends_on_time<n>(system, way.t0, way.x0.template cast<double>()))
+    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
   const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
-  const auto steps = static_cast<std::int64_t>(work * static_cast<double>(judge.most_steps));
+  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(judge.most_steps));
   Status status;
   for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
       Pace<n> pace(judge, way, steps);
-      status = states_by<n>(any_integrator<n>(any_method(judge.name), settings), system, way, pace.observer(),
-                            {.steps = steps, .seconds = seconds - watch.seconds()}, states);
+      const ivp::Limits limits{
+          .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
+      status =
+          states_by<n>(any_integrator<n>(method, settings), system, way, pace.observer(), limits, states);
     } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());
     }
@@ -101,9 +107,10 @@ Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& 
 }
 
 template <int n>
-Candidate candidate_of(const Judge& judge, const ivp::System<n>& system, const Needed& needed, double work) {
+Candidate candidate_of(const Judge& judge, const ivp::System<n>& system, const Needed& needed,
+                       const Effort& effort) {
   return {std::string(judge.name), "", false, [=](const Way& way, double seconds, StatesAt& states) {
-            return by_judge<n>(judge, system, needed, work, way, seconds, states);
+            return by_judge<n>(judge, system, needed, effort, way, seconds, states);
           }};
 }
 
@@ -114,8 +121,7 @@ std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Nee
                                          const Effort& effort) {
   std::vector<Candidate> all;
   for (const Judge& judge : judges) {
-    if (is_here(judge, system.second_order()))
-      all.push_back(candidate_of(judge, system, needed, effort.work));
+    if (is_here(judge, system.second_order())) all.push_back(candidate_of(judge, system, needed, effort));
   }
   return all;
 }

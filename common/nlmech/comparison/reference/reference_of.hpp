@@ -94,6 +94,7 @@ template <class Problem>
   for (const int order : {22, 28}) {
     problems::ReferenceOptions options;
     options.order = order;
+    options.largest_step = effort.largest_step;
     all.push_back({"Taylor series of order " + std::to_string(order), "Taylor series in extended precision",
                    true, [=](const Way& way, double seconds, StatesAt& states) {
                      return detail::taylor_either_way(problem, way, options, most_steps, seconds, states);

@@ -114,7 +114,7 @@ struct Packed {
     std::vector<Solution<n>> solutions(states.size());
     std::atomic<std::size_t> next = 0;
     in_threads(std::min(threads_for(threads), states.size()), [&] {
-      PairLanes<Problem, lanes> pair(problem, t0, t1, method, limits.steps);
+      PairLanes<Problem, lanes> pair(problem, t0, t1, method, limits);
       std::vector<std::size_t> failed;
       for (bool more = true; more || pair.busy() > 0;) {
         while (more && pair.free() > 0) {

@@ -23,14 +23,14 @@ class PairLanes {
   static constexpr int n = Problem::dimension;  ///< components of the state
 
   /// All outlive it. @param t0 begin and @param t1 end of all, apart
-  /// @param most steps of each, with those rejected
-  PairLanes(const Problem& problem, double t0, double t1, const Ode45& method, std::int64_t most)
+  /// @param limits of each, without a time
+  PairLanes(const Problem& problem, double t0, double t1, const Ode45& method, const Limits& limits)
       : problem_(problem),
         t0_(t0),
         t1_(t1),
         method_(method),
-        rule_(dormand_prince::step_rule(t0, t1, method)),
-        most_(most),
+        rule_(bounded(dormand_prince::step_rule(t0, t1, method), limits.largest_step)),
+        most_(limits.steps),
         segment_(t0, t1) {
     lanes_.fill(Lane(rule_));
     x0_ = x1_ = Packs::Zero();

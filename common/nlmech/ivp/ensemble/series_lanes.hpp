@@ -67,6 +67,7 @@ class SeriesLanes {
     }
     lane.start = &start;
     lane.limits = start.limits_from_now();
+    lane.control = StepControl(bounded(taylor_series::Rule::steps, lane.limits.largest_step));
     lane.number = number;
     lane.segment = segment;
     lane.now = {start.t0, start.x0, {}, {}};

@@ -95,7 +95,8 @@ Evidence<n> evidence_of(const System<n>& system, const State<n>& x0, double t0, 
   evidence.references.push_back(
       [&system, &x0, t0, t1, within](const Observer<n>& observer, const Limits& limits) {
         // A step costs as much as some ten of the series.
-        const Limits fewer = {std::max<std::int64_t>(limits.steps / 8, 1), limits.seconds};
+        Limits fewer = limits;
+        fewer.steps = std::max<std::int64_t>(limits.steps / 8, 1);
         const AdaptiveCollocation method{.relative_tolerance = within, .absolute_tolerance = within};
         return integrate(system, x0, t0, t1, method, observer, fewer);
       });

@@ -89,6 +89,8 @@ struct MethodInfo {
   std::optional<int> order = std::nullopt;          ///< of convergence; nothing if settings change it
   std::array<const SettingInfo*, 2> settings = {};  ///< that it has; the rest is null
   bool second_order_only = false;                   ///< for problems with accelerations alone
+  bool estimate_misses_time = false;                ///< its error estimate compares f at equal times alone:
+                                                    ///< 0 where f depends on t alone, too small where on both
 
   /// Does it take a step, and choose none by itself?
   [[nodiscard]] bool fixed_step() const { return steps == Steps::given; }

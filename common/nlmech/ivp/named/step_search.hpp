@@ -240,7 +240,8 @@ class SearchRuns {
     return std::abs(t1_ - t0_) / static_cast<double>(count);
   }
   [[nodiscard]] Limits left() const {
-    return {limits_.steps - work_.steps - work_.rejected, limits_.seconds - watch_.seconds()};
+    return {limits_.steps - work_.steps - work_.rejected, limits_.seconds - watch_.seconds(),
+            limits_.largest_step};
   }
   Solution<n> add(Solution<n> solution) {
     work_ += solution.statistics;

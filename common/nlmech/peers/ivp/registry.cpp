@@ -23,6 +23,7 @@ struct Peer {
   bool (*available)() noexcept;
   Family family;
   Method method;
+  bool estimate_misses_time = false;
   [[nodiscard]] std::string_view name() const {
     return std::visit([](const auto& m) { return m.name(); }, method);
   }
@@ -45,7 +46,9 @@ const std::array<Peer, 13>& peers() {
       {"GSL", &gsl_available, F::adams, Gsl{.formula = G::msadams}},
       {"GSL", &gsl_available, F::implicit, Gsl{.formula = G::msbdf}},
       {"Odeint", &odeint_available, F::runge_kutta, Odeint{.formula = O::dopri5}},
-      {"Odeint", &odeint_available, F::runge_kutta, Odeint{.formula = O::fehlberg78}},
+      // Its estimate is 41/840 h (k1 + k11 - k12 - k13), and these stages lie at the times t, t + h, t, t + h
+      // (E. Fehlberg, NASA TR R-287, 1968).
+      {"Odeint", &odeint_available, F::runge_kutta, Odeint{.formula = O::fehlberg78}, true},
       {"Odeint", &odeint_available, F::extrapolation, Odeint{.formula = O::bulirsch_stoer}},
       {"Odeint", &odeint_available, F::implicit, Odeint{.formula = O::rosenbrock4}},
   }};
@@ -81,7 +84,10 @@ bool is_peer(std::string_view name) {
 
 ivp::MethodInfo peer_info(std::string_view name) {
   const Peer& peer = find(name);
-  return {.name = peer.name(), .meaning = peer.library, .steps = ivp::Steps::chosen};
+  return {.name = peer.name(),
+          .meaning = peer.library,
+          .steps = ivp::Steps::chosen,
+          .estimate_misses_time = peer.estimate_misses_time};
 }
 
 bool peer_available(std::string_view name) { return find(name).available(); }

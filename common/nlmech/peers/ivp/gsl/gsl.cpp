@@ -98,10 +98,11 @@ struct Callbacks {
 
 class GslStepper final : public PeerStepper {
  public:
-  GslStepper(Equations& equations, const Gsl& method)
+  GslStepper(Equations& equations, const Gsl& method, double largest_step)
       : name_(method.name()),
         by_shorter_step_(method.formula != Gsl::Formula::msbdf),
         tolerances_{method.relative_tolerance, method.absolute_tolerance},
+        largest_step_(largest_step),
         callbacks_(equations),
         system_{&Callbacks::rhs, &Callbacks::jacobian, static_cast<std::size_t>(equations.size()),
                 &callbacks_},
@@ -134,7 +135,8 @@ class GslStepper final : public PeerStepper {
     t0_ = t1_;
     x0_ = x1_;
     double t = t1_;
-    (void)ErrorsAsCodes::met_singular_matrix();  // of dense output, or of others
+    h_ = std::copysign(std::min(std::abs(h_), largest_step_), h_);  // GSL's own bound is its driver's
+    (void)ErrorsAsCodes::met_singular_matrix();                     // of dense output, or of others
     const int code =
         gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t, end_, &h_, x1_.data());
     callbacks_.exceptions.rethrow();
@@ -207,6 +209,7 @@ class GslStepper final : public PeerStepper {
   std::string_view name_;
   bool by_shorter_step_;
   Tolerances tolerances_;
+  double largest_step_;
   Callbacks callbacks_;
   gsl_odeiv2_system system_;
   std::unique_ptr<gsl_odeiv2_driver, Free> driver_;
@@ -222,7 +225,7 @@ bool gsl_available() noexcept { return true; }
 
 Status integrate_by(Run& run, const Gsl& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
-  GslStepper stepper(run.equations, method);
+  GslStepper stepper(run.equations, method, run.limits.largest_step);
   return walk(method.name(), stepper, run);
 }
 

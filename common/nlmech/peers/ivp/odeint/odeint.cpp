@@ -8,12 +8,12 @@ namespace {
 
 class RosenbrockStepper final : public PeerStepper, detail::RosenbrockEquations {
  public:
-  RosenbrockStepper(Equations& equations, const Odeint& method)
+  RosenbrockStepper(Equations& equations, const Odeint& method, double largest_step)
       : equations_(equations),
         tolerances_{method.relative_tolerance, method.absolute_tolerance},
         method_(method.name()),
         formula_(*this, equations.size(), tolerances_.absolute, tolerances_.relative),
-        step_(method_),
+        step_(method_, largest_step),
         size_(static_cast<std::size_t>(equations.size())),
         slope_(size_) {}
 
@@ -59,7 +59,7 @@ class RosenbrockStepper final : public PeerStepper, detail::RosenbrockEquations 
 };
 
 Status run_rosenbrock4(Run& run, const Odeint& method) {
-  RosenbrockStepper stepper(run.equations, method);
+  RosenbrockStepper stepper(run.equations, method, run.limits.largest_step);
   return walk(method.name(), stepper, run);
 }
 

@@ -11,6 +11,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -62,14 +63,15 @@ struct OdeintRhs {
 /// rejected step for ever, or some hundred times, when its length has become zero or NaN.
 class OdeintStep {
  public:
-  /// For the sentences.
-  explicit OdeintStep(std::string_view method) : method_(method) {}
+  /// @param method for the sentences @param largest no step is longer
+  explicit OdeintStep(std::string_view method, double largest = std::numeric_limits<double>::infinity())
+      : method_(method), largest_(largest) {}
   /// On from @p t to @p end with a first step of @p step. @param reflected let Odeint's time be -t
   void begin(double t, double end, double step, bool reflected = false) {
     sign_ = reflected ? -1 : 1;
     t_ = sign_ * t;
     end_ = sign_ * end;
-    step_ = sign_ * step;
+    step_ = within(sign_ * step);
   }
   /// Time that has been reached, Odeint's.
   [[nodiscard]] double time() const { return t_; }
@@ -86,7 +88,7 @@ class OdeintStep {
       const bool to_end = last();
       t_ = to_end ? end_ : t_ + tried;
       // The length of a step that was cut says nothing about the next one.
-      if (std::isfinite(next) && !(to_end && std::abs(next) < std::abs(step_))) step_ = next;
+      if (std::isfinite(next) && !(to_end && std::abs(next) < std::abs(step_))) step_ = within(next);
       return {Attempt::Result::accepted, sign_ * t_, sign_ * tried, {}};
     }
     const bool shorter = finite && std::abs(next) < std::abs(tried) && next * tried > 0;
@@ -98,9 +100,13 @@ class OdeintStep {
   }
 
  private:
+  [[nodiscard]] double within(double step) const {
+    return std::copysign(std::min(std::abs(step), largest_), step);
+  }
   [[nodiscard]] bool last() const { return std::abs(end_ - t_) <= std::abs(step_) * (1 + 1e-12); }
 
   std::string_view method_;
+  double largest_;
   double t_ = 0, end_ = 0, step_ = 0, sign_ = 1;
 };
 
@@ -140,12 +146,12 @@ template <class E, class State, template <class> class Kind>
 class OdeintStepper final : public PeerStepper {
  public:
   /// @param equations outlive the stepper
-  OdeintStepper(E& equations, const Odeint& method)
+  OdeintStepper(E& equations, const Odeint& method, double largest_step)
       : equations_(equations),
         tolerances_{method.relative_tolerance, method.absolute_tolerance},
         method_(method.name()),
         controlled_(make(tolerances_)),
-        step_(method_) {
+        step_(method_, largest_step) {
     for (State* x : {&x0_, &x1_, &f0_, &f1_, &next_, &slope_}) {
       if constexpr (std::is_same_v<State, std::vector<double>>)
         x->resize(static_cast<std::size_t>(equations.size()));
@@ -258,7 +264,7 @@ class OdeintStepper final : public PeerStepper {
 template <class State, class E>
 [[nodiscard]] Status run_explicit_odeint(E& equations, Run& run, const Odeint& method) {
   const auto walk_with = [&]<template <class> class Kind>(std::type_identity<Kind<State>>) {
-    OdeintStepper<E, State, Kind> stepper(equations, method);
+    OdeintStepper<E, State, Kind> stepper(equations, method, run.limits.largest_step);
     return walk(method.name(), stepper, run);
   };
   switch (method.formula) {

@@ -14,7 +14,7 @@ using Memory = SundialsObject<void*, &free_arkode>;
 
 class ArkodeStepper final : public PeerStepper {
  public:
-  ArkodeStepper(Equations& equations, const Arkode& method)
+  ArkodeStepper(Equations& equations, const Arkode& method, double largest_step)
       : name_(method.name()),
         callbacks_{equations, {}},
         explicit_(method.formula == Arkode::Formula::erk ? &SundialsCallbacks::rhs : nullptr),
@@ -24,6 +24,7 @@ class ArkodeStepper final : public PeerStepper {
         arkode_(ARKStepCreate(explicit_, implicit_, 0, state_.get(), context_.get())),
         size_(equations.size()) {
     set_up(method);
+    if (std::isfinite(largest_step)) ARKStepSetMaxStep(arkode_.get(), largest_step);
   }
 
   Status begin(double t, const double* x, double end) override {
@@ -110,7 +111,7 @@ bool arkode_available() noexcept { return true; }
 
 Status integrate_by(Run& run, const Arkode& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
-  ArkodeStepper stepper(run.equations, method);
+  ArkodeStepper stepper(run.equations, method, run.limits.largest_step);
   return walk(method.name(), stepper, run);
 }
 

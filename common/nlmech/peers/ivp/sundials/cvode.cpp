@@ -15,7 +15,7 @@ using FixedPoint = SundialsObject<SUNNonlinearSolver, &SUNNonlinSolFree>;
 
 class CvodeStepper final : public PeerStepper {
  public:
-  CvodeStepper(Equations& equations, const Cvode& method)
+  CvodeStepper(Equations& equations, const Cvode& method, double largest_step)
       : name_(method.name()),
         callbacks_{equations, {}},
         state_(N_VNew_Serial(equations.size(), context_.get())),
@@ -23,6 +23,7 @@ class CvodeStepper final : public PeerStepper {
         cvode_(CVodeCreate(method.formula == Cvode::Formula::adams ? CV_ADAMS : CV_BDF, context_.get())),
         size_(equations.size()) {
     set_up(method);
+    if (std::isfinite(largest_step)) CVodeSetMaxStep(cvode_.get(), largest_step);
   }
 
   Status begin(double t, const double* x, double end) override {
@@ -128,7 +129,7 @@ bool cvode_available() noexcept { return true; }
 
 Status integrate_by(Run& run, const Cvode& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
-  CvodeStepper stepper(run.equations, method);
+  CvodeStepper stepper(run.equations, method, run.limits.largest_step);
   return walk(method.name(), stepper, run);
 }
 
