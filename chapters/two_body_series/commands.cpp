@@ -90,7 +90,10 @@ void declare_propagation(scene::Options& options, Propagation& p) {
   options.add("--zonal", p.zonal, "J2[,J3,...,J6] of the centre, the axis along z");
   options.add("--radius", p.radius, "that the zonal terms refer to").positive();
   options.add("--method", p.method, "kepler is the closed form").one_of({"series", "rkn1210", "kepler"});
-  options.add("--tolerance", p.tolerance, "of a step, relative to |r| and |v|; 1e-15 without it")
+  options
+      .add("--tolerance", p.tolerance,
+           "of a step, relative to |r| and |v|; 1e-15 without it. About a point mass rows are compared with "
+           "Kepler's solution: less than six digits are said, none are refused")
       .range(1e-18, 0.1);
   options.add("--threads", p.threads, "of --states, how many; without it one a processor").range(1, 1024);
   options.add("--shard", p.shard, "of --states, i/n: the i-th of n disjoint parts, for merge");

@@ -228,5 +228,21 @@ TEST(Kepler, WhatCannotBeMeantIsRefused) {
   EXPECT_THROW((void)kepler_condition({{0, 0, 0}, {1, 0, 0}}, 1, 1), std::invalid_argument);
 }
 
+// Parabolas to their last bits: where rounding of the energy times the distance leaves no digit, there is no
+// success, and before that large_condition() tells how many there are.
+TEST(Kepler, NearTheParabolaTheConditionRefuses) {
+  const State s{{0.8647618531675945, 0.5021821754165989, 0}, {-0.7101928432561789, 1.222957940972503, 0}};
+  EXPECT_EQ(propagate_kepler(s, 4.0552922763711963e+27, 1).status.outcome(), Outcome::outside_validity);
+  const State t{{1, 0, 0}, {0, 1.4142135623730951, 0}};
+  const KeplerSolution far = propagate_kepler(t, 1e18, 1), farther = propagate_kepler(t, 1e24, 1);
+  EXPECT_EQ(farther.status.outcome(), Outcome::outside_validity) << farther.status.text();
+  ASSERT_TRUE(far.status.ok()) << far.status.text();
+  const double kappa = kepler_condition(t, 1e18, 1).position;
+  EXPECT_LE(relative_distance(far.state.position, kepler(t, 1e18, 1).position), 8 * eps * kappa);
+  EXPECT_EQ(large_condition(t, far.state, 1e18, 1, 1e-6 / eps), kappa);
+  EXPECT_EQ(large_condition(t, far.state, 1e18, 1), 0);
+  EXPECT_EQ(large_condition(t, t, 0, 1, 1e3), 0);
+}
+
 }  // namespace
 }  // namespace nlmech::orbit::kepler_test

@@ -140,6 +140,24 @@ TEST(Porkchop, OppositePositionsHaveATransfer) {
   EXPECT_FALSE(porkchop(p).at(0, 0).exists());
 }
 
+// Back to the same place after whole revolutions: the period of one or two of them gives the speed there,
+// v^2 = 2/r - 1/a, which is taken in the direction of the body left.
+TEST(Porkchop, OnePositionHasATransferByWholeRevolutions) {
+  PorkchopProblem p;
+  p.from.state = {{1, 0, 0}, {0, 1, 0}};
+  p.to.state = {{1, 0, 0}, {0, 1.2, 0}};
+  p.departures = {0, 0, 1};
+  p.arrivals = {5, 5, 1};
+  p.to.epoch = 5;
+  EXPECT_FALSE(porkchop(p).at(0, 0).exists());
+  p.most_revolutions = 2;
+  const double speed = std::sqrt(2 - std::pow(2 * pi / 5, 2. / 3));  // one of them; two would cost more
+  const PorkchopCell cell = porkchop(p).at(0, 0);
+  EXPECT_EQ(cell.revolutions, 1);
+  EXPECT_NEAR(cell.v_departure, 1 - speed, 16 * eps);
+  EXPECT_NEAR(cell.v_arrival, 1.2 - speed, 16 * eps);
+}
+
 TEST(Porkchop, FailuresAreToldAndMistakesRefused) {
   PorkchopProblem p = two_orbits();
   p.arrivals = {1e60, 2e60, 3};

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -16,13 +15,13 @@
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/toml_text.hpp"
+#include "nlmech/support/degrees.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 const std::vector<std::string> header = {"departure", "arrival", "v_departure", "v_arrival", "revolutions"};
 
 /// A table of the file, with its path for complaints: "from" or "" for the whole.
@@ -88,30 +87,30 @@ class Reader {
   std::string name_, path_;
 };
 
-orbit::Elements shape_of(const Reader& r) {
+orbit::Conic shape_of(const Reader& r) {
   const double e = r.required("e");
   if (r.has("a") == r.has("p"))
     r.refuse(r.at("p"), fmt::format("give one of {} and {}", r.full("a"), r.full("p")));
   if (e < 0) r.refuse(r.at("e"), fmt::format("{} = {} must be 0 or more", r.full("e"), e));
   if (r.has("a")) {
     try {
-      return orbit::from_axis(r.required("a"), e);
+      return {orbit::from_axis(r.required("a"), e).periapsis_distance, 1 - e};
     } catch (const std::invalid_argument& error) {
       r.refuse(r.at("a"), fmt::format("{} = {}: {}", r.full("a"), r.required("a"), error.what()));
     }
   }
   const double p = r.required("p");
   if (!(p > 0)) r.refuse(r.at("p"), fmt::format("{} = {} must be positive", r.full("p"), p));
-  return {.semi_latus_rectum = p, .eccentricity = e};
+  return {p / (1 + e), 1 - e};
 }
 
-/// An angle in degrees, in radians; 0 without it.
+/// An angle in degrees; 0 without it.
 double angle_of(const Reader& r, std::string_view key, double least, double most) {
   const double value = r.number(key).value_or(0);
   if (!(value >= least && value <= most))
     r.refuse(r.at(key),
              fmt::format("{} = {} must be from {} to {} degrees", r.full(key), value, least, most));
-  return value * degree;
+  return value;
 }
 
 /// Lengths and mu in which all that a grid computes stays within doubles.
@@ -135,13 +134,13 @@ orbit::Ephemeris orbit_of(const Reader& r, double mu) {
     return body;
   }
   r.only({"a", "p", "e", "i", "raan", "argp", "nu", "epoch"});
-  orbit::Elements conic = shape_of(r);
-  conic.inclination = angle_of(r, "i", 0, 180);
-  conic.ascending_node = angle_of(r, "raan", -360, 360);
-  conic.periapsis_argument = angle_of(r, "argp", -360, 360);
-  conic.true_anomaly = angle_of(r, "nu", -360, 360);
+  const orbit::Conic conic = shape_of(r);
+  const orbit::Orientation orientation{sine_cosine_of_degrees(angle_of(r, "i", 0, 180)),
+                                       sine_cosine_of_degrees(angle_of(r, "raan", -360, 360)),
+                                       sine_cosine_of_degrees(angle_of(r, "argp", -360, 360))};
+  const double nu = angle_of(r, "nu", -360, 360);
   try {
-    body.state = orbit::state_of(conic, mu);
+    body.state = orbit::state_at_true_anomaly(conic, orientation, sine_cosine_of_degrees(nu / 2), mu);
   } catch (const std::invalid_argument& error) {
     r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
   }

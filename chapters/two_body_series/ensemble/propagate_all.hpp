@@ -25,7 +25,8 @@ struct CatalogueRequest {
 };
 
 /// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file, `...` its other columns. A row of
-/// an orbit that failed has the time that it reached.
+/// an orbit that failed has the time that it reached; one of less than six digits the status low_accuracy
+/// (see accuracy_of()), with a word on standard error.
 /// @returns the exit code: 1, with a word on standard error, if an orbit failed
 /// @throws InputError for whatever is wrong with the file, with line and value
 [[nodiscard]] int print_orbits(const CatalogueRequest& request);
