@@ -124,7 +124,7 @@ bool may_be_large(const Scaled& s, const State& end, double much) {
 }
 
 /// kappa of the position, or of the mean anomaly if that is larger, if it is @p least or more; else 0.
-double large_condition(const Scaled& s, const State& end, double least) {
+double condition_if_large(const Scaled& s, const State& end, double least) {
   // The estimate is rough: 1e4 on the safe side.
   if (!may_be_large(s, end, least / 1e4)) return 0;
   const double kappa = std::max(condition_of(s).position, phase_condition(s));
@@ -160,7 +160,7 @@ KeplerSolution propagate_kepler(const State& start, double time, double mu) {
                                   time);
     return solution;
   }
-  if (const double kappa = large_condition(s, end, no_digit); kappa != 0) {
+  if (const double kappa = condition_if_large(s, end, no_digit); kappa != 0) {
     solution.status = undetermined(time, kappa);
     return solution;
   }
@@ -186,7 +186,7 @@ double large_condition(const State& start, const State& end, double time, double
   check_arguments(start, time, mu, "large_condition");
   const Scaled s(start, time, mu);
   if (!s.possible) return std::numeric_limits<double>::infinity();
-  return large_condition(s, s.units.own(end), least);
+  return condition_if_large(s, s.units.own(end), least);
 }
 
 }  // namespace nlmech::orbit
