@@ -88,10 +88,9 @@ void declare_reverse(scene::Options& options, Request& request) {
   declare_common(options, request, "x, y, z");
   options.footer(
       "Latitude and longitude are those of the nearest point of the ellipsoid, and the height is the "
-      "distance "
-      "from it, negative inside. On the equatorial disc about the centre of an oblate ellipsoid (42.7 km in "
-      "the Earth) two points are nearest: z = 0 gives the northern one, z = -0 the southern; the centre has "
-      "the latitude 90. On the axis the longitude is 0, or 180 for x = -0.");
+      "distance from it, negative inside. On the equatorial disc about the centre of an oblate ellipsoid "
+      "(42.7 km in the Earth) two points are nearest: z = 0 gives the northern one, z = -0 the southern; the "
+      "centre itself has the latitude 90. On the axis the longitude is 0, or 180 for x = -0.");
 }
 
 /// In lower case and without what may stand between letters and digits: "WGS 84" is wgs84.

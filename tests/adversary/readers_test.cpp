@@ -30,7 +30,8 @@ const std::vector<std::string>& points() {
   static const std::vector<std::string> all = {
       "x,y,z\n1,2,3\n-4.5e3,0.25,1e-3\n",        "6378137,0,0\n",
       "# a comment\nx,y,z\n+1, 2 ,3\n\n7,8,9",   "x,y,z\r\n1,2,3\r\n",
-      "\xEF\xBB\xBFx,y,z\n0,0,6356752.314245\n", "1,2,3\n4,5,6\n7,8,9\n10,11,12\n"};
+      "\xEF\xBB\xBFx,y,z\n0,0,6356752.314245\n", "1,2,3\n4,5,6\n7,8,9\n10,11,12\n",
+      "t,\"Z\",Y,X,\n1,3,2,\"1\",\n#2,6,5,4,\n", "name,x,y,z\n\"a, b\",1,2,3\n#4,5,6,7\n"};
   return all;
 }
 

@@ -101,9 +101,8 @@ TEST(ParseNumbers, SaysWhatTheHeaderMustBe) {
                 "x;y;z'; cells are separated by commas alone, and numbers have a decimal point");
   EXPECT_EQ(complaint("x,y,z,X,x\n"), "points.csv: line 1: two columns are called x: 'x,y,z,X,x'");
   EXPECT_EQ(complaint("1,2,3\nx,y,z\n"), "points.csv: line 2, column 1 (x): 'x' is not a finite number");
-  EXPECT_EQ(
-      complaint("0,1,2,3\n"),
-      "points.csv: line 1: '0,1,2,3' has 4 cells and no line above names the columns; it must name x,y,z");
+  EXPECT_EQ(complaint("0,1,2,3\n"),
+            "points.csv: line 1: '0,1,2,3' does not name the columns; the first line must name x,y,z");
 }
 
 TEST(ParseNumbers, NamesFileLineColumnAndTextOfWhatIsNoNumber) {

@@ -193,8 +193,7 @@ TEST(States, ColumnsThatTheAnswerHasAlready) {
   EXPECT_EQ(f.output, "row,t,x,status\n");
   EXPECT_NE(f.errors.find("starts.csv: no row stands behind the header"), std::string::npos) << f.errors;
   scene::write_whole(folder / "starts.csv", "1\n2\n");
-  refused(words, folder.string(),
-          {"starts.csv: line 1", "no line above names the columns", "some of x,until"});
+  refused(words, folder.string(), {"starts.csv: line 1", "does not name the columns", "some of x,until"});
 }
 
 // What is not done in time says so in its row.

@@ -236,11 +236,11 @@ TEST_F(StatesCommand, BadInputIsNamed) {
   bad(head + "1,0,0,0,1,0,5,7\n", {"line 2", "'7'", "beyond the 7 columns"});
   bad("x,y,z,vx,vy,until\n" + row, {"line 1", "no column vz", "must name x,y,z,vx,vy,vz"});
   bad("JDTDB;X;Y;Z;VX;VY;VZ\n1;1;0;0;0;1;0\n", {"line 1", "no column x", "separated by commas"});
-  bad("1,0,0,0,1,0,5\n", {"line 1", "7 cells", "must name x,y,z,vx,vy,vz"});
+  bad("1,0,0,0,1,0,5\n", {"line 1", "'1,0,0,0,1,0,5'", "must name x,y,z,vx,vy,vz"});
   bad("x,y,z,vx,vy,vz,x,until\n", {"line 1", "two columns are called x"});
   bad("", {"is empty"});
   bad("name," + head + "a," + row + "# a comment, late\n",
-      {"line 3", "2 of 8 cells", "comments stand before the header"});
+      {"line 3", "'late'", "comments stand before the header"});
   bad("x,y,z,vx,vy,vz\n1,0,0,0,1,0\n", {"no column until"});
   bad(head + row, {"--until 3", "has a column until"}, {"--until", "3"});
   bad(head + row, {"until = 5", "10 million"}, {"--every", "1e-9"});

@@ -167,9 +167,8 @@ bool CsvColumns::read_header(std::string_view line, std::size_t number) {
   const bool has_names = std::any_of(column_.begin(), column_.end(), [](int known) { return known >= 0; });
   if (has_numbers && !has_names) {
     if (names_.size() != required_)
-      throw input_error(
-          "{}: line {}: '{}' has {} cells and no line above names the columns; it must name {}{}", name_,
-          number, echoed(line), names_.size(), expected(), hint(line));
+      throw input_error("{}: line {}: '{}' does not name the columns; the first line must name {}{}", name_,
+                        number, echoed(line), expected(), hint(line));
     std::iota(column_.begin(), column_.end(), 0);
     for (std::size_t i = 0; i < required_; ++i) cells_[i] = names_[i] = known_[i][0];
     return false;
