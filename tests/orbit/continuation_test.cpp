@@ -37,14 +37,16 @@ RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   RC_ASSERT(error_of(c, s, time, 1) <= kappa * (2 * n * tolerance + (8 + std::sqrt(n)) * eps));
 }
 
-// At the default tolerance rounding alone is left: one of eps a step at most, carried with compensation. At
-// the periapsis |E| is (1 - e) of its parts.
+// At the default tolerance rounding alone is left: one of eps a step at most, carried with compensation. The
+// baseline has no fused multiply-add and rounds twice where one rounds once. At the periapsis |E| is (1 - e)
+// of its parts.
 TEST(Continuation, DefaultIsAtTheLevelOfRounding) {
+  const double roundings = best_instruction_set() == InstructionSet::baseline ? 8 : 4;
   for (const double e : {0., 0.1, 0.7, 0.9, 0.99}) {
     const State s = at_periapsis(e);
     const double time = 2 * pi * 20.25;
     const Solution c = propagate(s, 0, time, unit);
-    EXPECT_LE(error_of(c, s, time, 1), 4 * eps * kepler_condition(s, time, 1).position) << e;
+    EXPECT_LE(error_of(c, s, time, 1), roundings * eps * kepler_condition(s, time, 1).position) << e;
     EXPECT_NEAR(energy(c.x, 1.0), -0.5,
                 4 / (1 - e) * eps * std::sqrt(static_cast<double>(c.statistics.steps)))
         << e;

@@ -41,10 +41,10 @@ TEST_F(Limits, ArePositiveNumbers) {
 }
 
 TEST_F(Limits, HoldWhileStandardInputHasNoEnd) {
-  const Finished done = shell("mkfifo never; exec 3<>never; $fixture double --limit 0.1 <&3");
+  const Finished done = shell("mkfifo never; exec 3<>never; $fixture double --limit 1 <&3");
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_EQ(done.output, "");
-  expect_sentence(done.errors, "double: not done within --limit 0.1 s (it was reading standard input)");
+  expect_sentence(done.errors, "double: not done within --limit 1 s (it was reading standard input)");
 }
 
 TEST_F(Limits, LeaveTheLastWordToACommandThatHeedsThem) {
@@ -65,10 +65,10 @@ TEST_F(Limits, DoNotCutAResultThatIsBeingPrinted) {
 
 TEST_F(Limits, KeepTheScenesThatAreDone) {
   const Finished done =
-      fixture({"run", "fig-1", "fig-2", "--no-plots", "--limit", "0.5"}, {"FIXTURE_FAULT=endless"});
+      fixture({"run", "fig-1", "fig-2", "--no-plots", "--limit", "3"}, {"FIXTURE_FAULT=endless"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_EQ(done.output, "results/fixture/fig-1.csv\nresults/fixture/fig-1.gp\nresults/fixture/fig-1.json\n");
-  expect_sentence(done.errors, "run: not done within --limit 0.5 s (it was computing fig-2)");
+  expect_sentence(done.errors, "run: not done within --limit 3 s (it was computing fig-2)");
   const auto files = written();
   EXPECT_EQ(files.size(), 3U) << "something is half written";
 }
@@ -78,7 +78,7 @@ TEST_F(Limits, EndGnuplotToo) {
   put(program, "#!/bin/sh\necho $$ > " + (folder_ / "child").string() + "\nexec sleep 1000\n");
   fs::permissions(program, fs::perms::owner_all);
   const Finished done =
-      shell("PATH=" + program.parent_path().string() + ":$PATH $fixture run fig-1 --limit 0.5");
+      shell("PATH=" + program.parent_path().string() + ":$PATH $fixture run fig-1 --limit 3");
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_EQ(done.output, "");
   expect_sentence(done.errors, "not done within");
