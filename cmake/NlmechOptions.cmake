@@ -5,8 +5,13 @@ set(NLMECH_ALL_CHAPTERS homotopy geodesy gss_control two_body_series rbf_ivp rbf
 # Established libraries that chapters compare with, behind our interfaces.
 set(NLMECH_ALL_PEERS geographiclib cvode arkode kinsol gsl odeint ipopt)
 
-set(NLMECH_CHAPTERS "all" CACHE STRING "Chapters to build: all, or a list of ${NLMECH_ALL_CHAPTERS}")
-set(NLMECH_PEERS "all" CACHE STRING "Peers to compare with: all, none, or a list of ${NLMECH_ALL_PEERS}")
+# Within another project (FetchContent, add_subdirectory) it is the library alone.
+set(default_selection all)
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(default_selection none)
+endif()
+set(NLMECH_CHAPTERS ${default_selection} CACHE STRING "Chapters to build: all, none, or a list of ${NLMECH_ALL_CHAPTERS}")
+set(NLMECH_PEERS ${default_selection} CACHE STRING "Peers to compare with: all, none, or a list of ${NLMECH_ALL_PEERS}")
 option(NLMECH_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(NLMECH_BOOK "Offer the target 'book'" ${PROJECT_IS_TOP_LEVEL})
 option(NLMECH_WARNINGS_ARE_ERRORS "Development: every warning is an error" OFF)

@@ -19,8 +19,9 @@ struct PathPoint {
 };
 
 /// Newton's iteration for f(x) = W load, x_i = value, dense.
+/// @param rounding of its steps, relative, at most: more where the tangent is nearly singular
 inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen::Index i, double value,
-                         PathPoint at) {
+                         PathPoint at, double rounding = 1e-9) {
   const Eigen::Index n = frame.size();
   Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + 1, n + 1);
   Eigen::VectorXd f(n), rest(n + 1);
@@ -38,7 +39,7 @@ inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen:
     at.x -= step.head(n);
     at.load -= step[n];
     const double length = step.head(n).norm() / (1 + at.x.norm());
-    if (length < 1e-9 && length >= before / 4) {  // it no longer shrinks: rounding
+    if (length < rounding && length >= before / 4) {  // it no longer shrinks: rounding
       at.slope = lu.solve(Eigen::VectorXd::Unit(n + 1, n))[n];
       return at;
     }

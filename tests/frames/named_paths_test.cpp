@@ -288,7 +288,8 @@ TEST(NamedPaths, EndWhereTheyAreTold) {
   const FramePaths until = paths_of(f, {.until = 0.5});
   EXPECT_EQ(until.points.back().load, 0.5);
   EXPECT_EQ(until.points.front().load, 0);
-  const FramePaths few = paths_of(f, {.steps = 3});
+  const FramePaths few = equilibrium_paths(f.frame, f.load, {.steps = 3});
+  EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
   EXPECT_EQ(few.points.size(), 4u);
   const FramePaths short_of = equilibrium_paths(f.frame, f.load, {.steps = 3, .until = 0.5});
   EXPECT_EQ(short_of.status.outcome(), Outcome::step_limit);
@@ -297,7 +298,7 @@ TEST(NamedPaths, EndWhereTheyAreTold) {
   EXPECT_EQ(past.points.back().load, 2);
   EXPECT_EQ(only(past, Kind::minimum).size(), 1u);
   EXPECT_THROW((void)equilibrium_paths(f.frame, f.load, {.steps = 0}), std::invalid_argument);
-  EXPECT_THROW((void)equilibrium_paths(f.frame, f.load, {.until = -1}), std::invalid_argument);
+  EXPECT_THROW((void)equilibrium_paths(f.frame, f.load, {.until = 0}), std::invalid_argument);
 }
 
 }  // namespace

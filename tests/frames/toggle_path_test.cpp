@@ -37,17 +37,19 @@ double first_maximum(const std::vector<ToggleEvent>& events) {
 struct Controlled {
   explicit Controlled(Toggle toggle)
       : frame(make_frame((toggle.full = true, toggle))), at{VectorXd::Zero(frame.frame.size()), 0, 1} {}
-  void go_to(double drop, int steps) {
+  void go_to(double drop, int steps, double rounding = 1e-9) {
     const double from = -at.x[frame.apex];
     for (int i = 1; i <= steps; ++i)
-      at = control(frame.frame, frame.load, frame.apex, -(from + (drop - from) * i / steps), at);
+      at = control(frame.frame, frame.load, frame.apex, -(from + (drop - from) * i / steps), at, rounding);
   }
-  [[nodiscard]] long negative() const {
+  /// Eigenvalues of the tangent, rising.
+  [[nodiscard]] VectorXd spectrum() const {
     Eigen::SparseMatrix<double> k;
     EXPECT_TRUE(frame.frame.tangent<double>(at.x, k).ok());
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(Eigen::MatrixXd(k), Eigen::EigenvaluesOnly);
-    return (spectrum.eigenvalues().array() < 0).count();
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(k), Eigen::EigenvaluesOnly)
+        .eigenvalues();
   }
+  [[nodiscard]] long negative() const { return (spectrum().array() < 0).count(); }
   ToggleFrame frame;
   PathPoint at;
 };
@@ -90,6 +92,72 @@ TEST(TogglePath, EventsAreWhereDenseEigenvaluesVanish) {
       last = e.drop * (1 + 1e-5);
     }
     EXPECT_EQ(negative, 0);
+  }
+}
+
+/// Two bifurcations that come into being at a height, both at a drop.
+struct Pair {
+  double height, drop;
+  bool is_symmetric;
+};
+
+/// Loads of a pair: of the roots of the eigenvalue of the dense tangent that vanishes at their drop; none if
+/// it does not come down to zero.
+std::vector<double> pair_by_eigenvalues(const Toggle& toggle, const Pair& pair) {
+  constexpr double wide = 0.01;  // of the drop: twice as far as the roots of these tests are apart, at least
+  Controlled walk(toggle);
+  walk.go_to(pair.drop, 200);
+  Eigen::Index which = 0;
+  walk.spectrum().cwiseAbs().minCoeff(&which);
+  const auto value = [&](double drop) {
+    // Along the vanishing direction alone, on which the eigenvalue depends by its square.
+    walk.go_to(drop, 1, 1e-5);
+    return walk.spectrum()[which];
+  };
+  const double sign = value(pair.drop - wide) > 0 ? 1 : -1;
+  double least = pair.drop;
+  for (double step = wide / 2; step > 1e-5; step /= 3) {  // the vertex of a parabola through three places
+    const double a = value(least - step), b = value(least), c = value(least + step);
+    least += step * (a - c) / (2 * (a - 2 * b + c));
+  }
+  std::vector<double> loads;
+  if (sign * value(least) > 0) return loads;
+  for (const double outside : {least - wide, least + wide}) {
+    double in = least, out = outside;
+    for (int i = 0; i < 16; ++i) (sign * value((in + out) / 2) > 0 ? out : in) = (in + out) / 2;
+    // By a chord: at the root itself displacements along the other branch are not determined.
+    const double inner = value(in), load = walk.at.load, outer = value(out);
+    loads.push_back(load + (walk.at.load - load) * inner / (inner - outer));
+  }
+  return loads;
+}
+
+// Near the height where a pair of bifurcations begins its roots are close together, at a distance that grows
+// like the root of the height beyond. Rounding of the nodes' places, 13 eps, changes a member's force by 2e-9
+// lb, and its eigenvalues like a height that is up to 1e-9 in another one: by so much less or more the roots
+// are apart.
+TEST(TogglePath, PairsOfBifurcationsFromWhereTheyBegin) {
+  for (const Pair& pair : {Pair{0.762947553, 0.50896, true}, Pair{1.2335566333, 0.47466, false}}) {
+    for (const double beyond : {-1e-5, -1e-6, -1e-7, 0., 1e-8, 3e-8, 1e-7, 3e-7, 6.4e-7, 1e-6, 2e-6, 1e-5}) {
+      const Toggle toggle{.height = pair.height + beyond, .elements = 4};
+      const TogglePath path = critical_points(toggle);
+      if (beyond == 0 && !path.status.ok()) continue;
+      ASSERT_TRUE(path.status.ok()) << toggle.height << path.status.text();
+      std::vector<double> found;
+      for (const ToggleEvent& e : path.events) {
+        if (e.kind == Kind::bifurcation && e.is_symmetric == pair.is_symmetric &&
+            std::abs(e.drop - pair.drop) < 0.01)
+          found.push_back(e.load);
+      }
+      if (beyond == 0) continue;  // one place but for rounding
+      const std::vector<double> expected = pair_by_eigenvalues(toggle, pair);
+      ASSERT_EQ(expected.size(), beyond > 0 ? 2U : 0U) << beyond;
+      ASSERT_EQ(found.size(), expected.size()) << toggle.height;
+      for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i], expected[i],
+                    1e-9 / beyond * std::abs(expected[0] - expected[1]) + 1e-7 * expected[i])
+            << toggle.height;
+    }
   }
 }
 

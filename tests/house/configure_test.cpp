@@ -1,6 +1,7 @@
 /// The build asks for what was selected, and says what is missing.
 #include <gtest/gtest.h>
 
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/process.hpp"
 #include "tests/house/house.hpp"
 #include "tests/places.hpp"
@@ -40,6 +41,30 @@ TEST_F(Configure, GeodesyNeedsNoNumericalLibrary) {
 
 TEST_F(Configure, NoChapterAtAllIsFine) {
   EXPECT_EQ(configure({"-DNLMECH_CHAPTERS=none", "-DNLMECH_PEERS=none"}).exit_code, 0);
+}
+
+// As FetchContent does it with a downloaded source: add_subdirectory().
+TEST_F(Configure, WithinAnotherProjectItIsTheLibraryAlone) {
+  TemporaryFolder project;
+  scene::write_whole(
+      (project / "CMakeLists.txt").string(),
+      "cmake_minimum_required(VERSION 3.25)\nproject(mine LANGUAGES CXX)\ninclude(FetchContent)\n"
+      "FetchContent_Declare(nlmech SOURCE_DIR \"" NLMECH_SOURCE_DIR
+      "\")\n"
+      "FetchContent_MakeAvailable(nlmech)\nadd_executable(mine main.cpp)\n"
+      "target_link_libraries(mine PRIVATE nlmech::support)\n");
+  const std::string build = (project / "build").string();
+  const scene::Finished made = scene::run_program({NLMECH_CMAKE, "-S", project.string(), "-B", build, "-G",
+                                                   NLMECH_GENERATOR, "-DCMAKE_CXX_COMPILER=" NLMECH_CXX},
+                                                  {});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const std::string targets =
+      scene::run_program({NLMECH_CMAKE, "--build", build, "--target", "help"}, {}).output;
+  for (const char* there : {"nlmech_ivp", "nlmech_frames", "nlmech_geodesy"})
+    EXPECT_NE(targets.find(there), std::string::npos) << there;
+  for (const char* absent :
+       {"homotopy", "reproduction", "unit_", "figures", "nlmech_scene", "every_integrator"})
+    EXPECT_EQ(targets.find(absent), std::string::npos) << absent;
 }
 
 TEST_F(Configure, SaysWhichChaptersThereAre) {

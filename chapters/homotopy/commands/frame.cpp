@@ -12,10 +12,12 @@
 #include "chapters/homotopy/commands/frame_file.hpp"
 #include "chapters/homotopy/commands/frame_picture.hpp"
 #include "nlmech/frames/named/frame_paths.hpp"
+#include "nlmech/frames/named/mesh_error.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -27,18 +29,25 @@ struct Words {
   std::optional<int> steps, branches;
   std::optional<double> until, turn;
   std::string load_case;
+  double limit = scene::Options::usual_limit;
+  Stopwatch time = {};
   DynamicWords dynamic;
+  /// Wall time that is left, s.
+  [[nodiscard]] double left() const { return std::max(limit - time.seconds(), 1e-3); }
 };
 
 void declare(scene::Options& options, Words& words) {
   options.add("file", words.file, "the frame, TOML; - is standard input").required();
-  options.add("--steps", words.steps, "along each branch, at most; without it 200").range(1, 100'000);
   options
-      .add(
-          "--until", words.until,
-          "load factor of either sign at which a branch ends; without it twice the greatest of its limit and "
-          "branch points up to twice the first, if it has one")
-      .positive();
+      .add("--steps", words.steps,
+           "along each branch, at most; without it 200. A branch that does not come to its end by then is a "
+           "failure")
+      .range(1, 100'000);
+  options.add(
+      "--until", words.until,
+      "load factor of either sign at which a branch ends, not 0; negative: the path sets out to negative "
+      "ones; "
+      "without it twice the greatest of its limit and branch points up to twice the first, if it has one");
   options
       .add("--turn", words.turn,
            "angle by which a path turns in a step, rad, about; without it 0.15; what shorter steps are told "
@@ -53,6 +62,7 @@ void declare(scene::Options& options, Words& words) {
       .range(0, 1000);
   options.add("--case", words.load_case, "which load case, of a file with several");
   options.add("--plot", words.plot, "FILE.svg: load factor against the largest displacement, and shapes");
+  options.limit(words.limit);
   declare_dynamic(options, words.dynamic);
 }
 
@@ -61,11 +71,13 @@ frames::FrameWalk walk_of(const Words& words) {
   frames::FrameWalk walk;
   walk.steps = words.steps.value_or(walk.steps);
   walk.turn = words.turn.value_or(walk.turn);
+  walk.seconds = words.left();
   return walk;
 }
 
 /// No option is typed that the mode does not heed. The shape of an imperfection is that of a path.
 void require_heeded(const Words& words, const FrameFile& file) {
+  if (words.until && *words.until == 0) throw InputError("--until 0: the frame is at rest there");
   if (!words.dynamic.is_wanted) return require_none(words.dynamic);
   const std::array typed = {std::pair{"--until", words.until.has_value()},
                             std::pair{"--branches", words.branches.has_value()},
@@ -88,13 +100,17 @@ bool is_given(const frames::NamedFrame& frame, const frames::NamedMotion& motion
   return std::binary_search(frame.given.begin(), frame.given.end(), motion.unknown);
 }
 
-std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& paths, bool with_branch) {
+/// Estimated errors by the length of the elements, of each point.
+using MeshErrors = std::vector<std::optional<double>>;
+
+std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& paths, const MeshErrors& errors,
+                   bool with_branch) {
   std::string text(with_branch ? "branch,load_factor" : "load_factor");
   for (const frames::NamedMotion& m : frame.motions) text.append(",").append(scene::csv_field(m.name));
   for (const frames::NamedMotion& m : frame.motions) {
     if (is_given(frame, m)) text.append(",").append(scene::csv_field(m.name + ".force"));
   }
-  text += ",negative_eigenvalues,kind\n";
+  text += ",mesh_error,negative_eigenvalues,kind\n";
   const std::vector<Eigen::VectorXd> forces = reactions(frame, paths);
   for (std::size_t i = 0; i < paths.points.size(); ++i) {
     const frames::FramePoint& p = paths.points[i];
@@ -104,21 +120,68 @@ std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& pa
     for (const frames::NamedMotion& m : frame.motions) {
       if (is_given(frame, m)) text += fmt::format(",{:.12g}", forces[i][m.unknown]);
     }
+    text += errors[i] ? fmt::format(",{:.2g}", *errors[i]) : ",";
     text += fmt::format(",{},{}\n", p.negative, to_string(p.kind));
   }
   return text;
 }
 
-/// The frame of the file, its imperfection built in.
-frames::NamedFrame frame_of(const FrameFile& file, const Words& words) {
-  frames::NamedFrame perfect = build_frame(file, words.elements);
-  if (!file.model.imperfection) return perfect;
-  const frames::Imperfect made = imperfect(perfect, *file.model.imperfection, walk_of(words));
-  if (!made.status.ok()) throw Failure(made.status);
-  scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
-                          file.model.imperfection->amplitude, to_string(made.buckled.kind),
-                          made.buckled.load));
-  return made.frame;
+/// The frame of the file with so many elements, its imperfection built in.
+frames::Imperfect frame_of(const FrameFile& file, const Words& words, int elements) {
+  const frames::NamedFrame perfect = build_frame(file, elements);
+  if (!file.model.imperfection) return {perfect, {}, {}};
+  return imperfect(perfect, *file.model.imperfection, walk_of(words));
+}
+
+/// A frame's paths, and what their mesh makes of them.
+struct Estimated {
+  frames::FramePaths paths;
+  MeshErrors errors;
+  int second = 0;  ///< elements of the second mesh
+  Status status;   ///< of the second mesh
+};
+
+/// Follows the paths, and then those of a second mesh as far as time allows.
+Estimated estimated(const FrameFile& file, const Words& words, const frames::NamedFrame& frame,
+                    frames::FrameWalk walk) {
+  Estimated e;
+  e.paths = equilibrium_paths(frame, walk);
+  e.errors.resize(e.paths.points.size());
+  e.second = frames::second_mesh(words.elements, frame.members.size());
+  const frames::Imperfect second = frame_of(file, words, e.second);
+  e.status = second.status;
+  if (!e.status.ok()) return e;
+  walk.steps += walk.steps / 2;
+  walk.seconds = words.left();
+  const frames::FramePaths compared = equilibrium_paths(second.frame, walk);
+  if (e.paths.status.ok()) e.status = compared.status;
+  e.errors = frames::mesh_errors(
+      {frame, e.paths, second.frame, compared, frames::mesh_factor(words.elements, e.second)}, words.left());
+  return e;
+}
+
+/// Says how good the mesh is.
+void tell_of_mesh(const Estimated& e, const Words& words) {
+  double worst = 0;
+  int alone = 0;
+  for (std::size_t i = 0; i < e.errors.size(); ++i) {
+    worst = std::max(worst, e.errors[i].value_or(0));
+    if (e.errors[i] == 1 && e.paths.points[i].kind != frames::FramePoint::Kind::step) ++alone;
+  }
+  scene::tell(
+      fmt::format("frame: mesh errors up to {:.2g}, relative, estimated from {} and {} elements a member; "
+                  "column mesh_error{}",
+                  worst, words.elements, e.second, worst > 0.01 ? "; more --elements reduce them" : ""));
+  if (alone > 0)
+    scene::tell(
+        fmt::format("frame: limit and branch points that {} elements a member do not have: {}; take more "
+                    "--elements",
+                    e.second, alone));
+  if (!e.status.ok())
+    scene::tell(
+        fmt::format("frame: mesh errors are not known where the path with {} elements a member was not "
+                    "followed: {}",
+                    e.second, e.status.sentence()));
 }
 
 /// Says what leaves the paths and is not followed.
@@ -145,7 +208,7 @@ void tell_of_unfollowed(const frames::FramePaths& paths) {
 
 void move(const Words& words, const FrameFile& file, const frames::NamedFrame& frame,
           const scene::Picture& picture) {
-  const FrameRun run = run_frame(file, frame, words.dynamic);
+  const FrameRun run = run_frame(file, frame, words.dynamic, words.left());
   scene::print_result(csv_of(frame, run));
   if (picture.wanted()) picture.draw([&] { return motion_picture(frame, run); });
   if (!run.status.ok()) throw Failure(run.status);
@@ -154,23 +217,32 @@ void move(const Words& words, const FrameFile& file, const frames::NamedFrame& f
 
 void work(const Words& words) {
   const scene::Picture picture(words.plot);
-  const FrameFile file =
+  FrameFile file =
       read_frame(words.file, words.load_case.empty() ? std::nullopt : std::optional(words.load_case));
   require_heeded(words, file);
-  const frames::NamedFrame frame = frame_of(file, words);
+  file.model.may_move = words.dynamic.is_wanted && !file.model.imperfection;
+  const frames::Imperfect made = frame_of(file, words, words.elements);
+  if (!made.status.ok()) throw Failure(made.status);
+  if (file.model.imperfection)
+    scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
+                            file.model.imperfection->amplitude, to_string(made.buckled.kind),
+                            made.buckled.load));
+  const frames::NamedFrame& frame = made.frame;
   if (words.dynamic.is_wanted) return move(words, file, frame, picture);
   frames::FrameWalk walk = walk_of(words);
   walk.until = words.until;
   walk.branches = words.branches.value_or(0);
-  const frames::FramePaths paths = equilibrium_paths(frame, walk);
+  const Estimated e = estimated(file, words, frame, walk);
+  const frames::FramePaths& paths = e.paths;
   if (paths.points.empty()) throw Failure(paths.status);
-  scene::print_result(csv_of(frame, paths, walk.branches > 0));
+  scene::print_result(csv_of(frame, paths, e.errors, walk.branches > 0));
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
   if (!paths.status.ok())
     throw Failure(Status::failure(
         paths.status.outcome(), fmt::format("frame: all points found are printed, and a path did not get to "
                                             "its end: {}",
                                             paths.status.sentence())));
+  tell_of_mesh(e, words);
   tell_of_unfollowed(paths);
 }
 
@@ -181,8 +253,10 @@ void add_frame_command(scene::Commands& all) {
       "frame",
       "The equilibrium path of a plane frame of your own under growing dead loads or given displacements, "
       "from rest, as CSV: load_factor, displacements of the named nodes that are not held, forces on given "
-      "ones, negative_eigenvalues (of the tangent stiffness: 0 is stable), kind: step, maximum, minimum, "
-      "bifurcation. With --dynamic its motion: time, load_factor, displacements, energies",
+      "ones, mesh_error (relative, estimated by other elements: of limit and branch points the load factor, "
+      "else "
+      "displacements and forces), negative_eigenvalues (of the tangent stiffness: 0 is stable), kind: step, "
+      "maximum, minimum, bifurcation. With --dynamic its motion: time, load_factor, displacements, energies",
       declare, work);
 }
 

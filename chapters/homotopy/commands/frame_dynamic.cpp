@@ -12,6 +12,7 @@
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -84,8 +85,12 @@ std::vector<Eigen::Index> compared_of(const frames::Frame& frame) {
 /// Runs of one motion with several steps.
 class Runs {
  public:
-  Runs(const frames::FrameMotion& motion, const DynamicWords& words)
-      : motion_(motion), system_(motion), words_(words), compared_(compared_of(motion.frame().frame)) {}
+  Runs(const frames::FrameMotion& motion, const DynamicWords& words, double seconds)
+      : motion_(motion),
+        system_(motion),
+        words_(words),
+        seconds_(seconds),
+        compared_(compared_of(motion.frame().frame)) {}
 
   /// A run. @param coarse another one, from which its displacements differ by a share of difference_
   /// @param has_rows are its moments wanted?
@@ -94,9 +99,10 @@ class Runs {
     frames::FrameEnergies energies(motion_);
     FrameRun run;
     run.moments.push_back(moment_of(motion_, 0, motion_.rest(), energies));
-    double next = words_.every.value_or(0), most = 0, apart = 0;
+    double most = 0, apart = 0;
     std::size_t compared = 0;
     const auto see = [&](const ivp::Step<Eigen::Dynamic>& step) {
+      if (has_rows && words_.every) add_rows(step, energies, run.moments);
       energies.take(step);
       const bool is_last = step.t1 == *words_.time;
       for (; coarse != nullptr && compared < coarse->moments.size(); ++compared) {
@@ -106,18 +112,18 @@ class Runs {
         most = std::max(most, here(compared_).cwiseAbs().maxCoeff());
         apart = std::max(apart, (here(compared_) - other.x(compared_)).cwiseAbs().maxCoeff());
       }
-      // A row between is that of the first step that ends there or later.
-      if (!has_rows || (step.t1 < next && !is_last)) return true;
+      if (!has_rows || words_.every) return true;
       if (run.moments.size() > most_rows)
         throw InputError(
             fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
                         "say --every",
                         most_rows, step.t1));
       run.moments.push_back(moment_of(motion_, step.t1, step.x1, energies));
-      if (words_.every) next = (std::floor(step.t1 / *words_.every) + 1) * *words_.every;
       return true;
     };
-    run.status = integrate(system_, motion_.rest(), 0, *words_.time, see, {}).status;
+    run.status = integrate(system_, motion_.rest(), 0, *words_.time, see,
+                           {.seconds = std::max(seconds_ - time_.seconds(), 1e-3)})
+                     .status;
     difference_ = most > 0 ? apart / most : 0;
     run.imbalance = energies.greatest > 0 ? energies.imbalance / energies.greatest : 0;
     if (run.status.ok() && !(run.imbalance <= most_imbalance))
@@ -128,6 +134,31 @@ class Runs {
               "step, a smaller tolerance, or newmark, which does not dissipate",
               method_of(words_), run.imbalance, most_imbalance));
     return run;
+  }
+
+  /// A part of a step, from its start.
+  struct PartOfStep {
+    const ivp::Step<Eigen::Dynamic>& step;
+    double t0, t1;
+    const Eigen::VectorXd &x0, &x1;
+    [[nodiscard]] Eigen::VectorXd at(double t) const { return step.at(t); }
+  };
+
+  /// Rows at the times within a step that were asked for, by its dense output.
+  /// @param before energies at its start
+  void add_rows(const ivp::Step<Eigen::Dynamic>& step, const frames::FrameEnergies& before,
+                std::vector<Moment>& rows) const {
+    // The end of the motion is a row; a time that is the end but for rounding is none of its own.
+    const double every = *words_.every, end = *words_.time, last = std::ceil(end / every - 1e-9);
+    for (;;) {
+      const auto number = static_cast<double>(rows.size());
+      const double t = number < last ? number * every : end;
+      if (number > last || t > step.t1) return;
+      const Eigen::VectorXd x = step.at(t);
+      frames::FrameEnergies energies = before;
+      energies.take(PartOfStep{step, step.t0, t, step.x0, x});
+      rows.push_back(moment_of(motion_, t, x, energies));
+    }
   }
 
   /// The run with a step that is held to one with half of it. A step that nobody asked for is halved until
@@ -166,6 +197,8 @@ class Runs {
   const frames::FrameMotion& motion_;
   ivp::System<Eigen::Dynamic> system_;
   const DynamicWords& words_;
+  double seconds_;
+  Stopwatch time_;
   std::vector<Eigen::Index> compared_;
   double difference_ = 0;
 };
@@ -189,7 +222,10 @@ void declare_dynamic(scene::Options& options, DynamicWords& words) {
            "changes no displacement by more than a hundredth of the largest")
       .positive();
   options.add("--tolerance", words.tolerance, "with --dynamic: instead of a step").positive();
-  options.add("--every", words.every, "with --dynamic: time between two rows; without it each step has one")
+  options
+      .add("--every", words.every,
+           "with --dynamic: rows at multiples of this time and at the end, by the method's dense output; "
+           "without it each step has one")
       .positive();
 }
 
@@ -205,7 +241,8 @@ void require_none(const DynamicWords& words) {
   }
 }
 
-FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words) {
+FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words,
+                   double seconds) {
   if (!words.time) throw InputError("--dynamic needs a --time at which it ends");
   const LoadHistory history = history_of(words);
   if (words.every && *words.time / *words.every > static_cast<double>(most_rows))
@@ -217,7 +254,7 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
       throw InputError(
           fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
                       *words.time / *settings.step, most_rows));
-    return Runs(motion, words).held(settings);
+    return Runs(motion, words, seconds).held(settings);
   } catch (const frames::ModelError& error) {
     complain_of(file, error);
   }

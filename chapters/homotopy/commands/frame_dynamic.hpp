@@ -46,17 +46,18 @@ struct Moment {
 
 /// A motion.
 struct FrameRun {
-  std::vector<Moment> moments;  ///< rows of the result, rest first
-  double imbalance = 0;         ///< the most energy that was too much or missing, over the greatest energy
+  std::vector<Moment>
+      moments;           ///< rows of the result, rest first: at the ends of steps, or at the times asked for
+  double imbalance = 0;  ///< the most energy that was too much or missing, over the greatest energy
   /// Of the integrator; a failure, too, for an imbalance of more than a hundredth, or if displacements with a
   /// fixed step and with half of it differ by more than a hundredth of the largest.
   Status status;
 };
 
-/// Moves the frame from rest.
+/// Moves the frame from rest. @param seconds of wall time, after which the rows so far are its moments
 /// @throws InputError naming an option that is missing or does not fit, or the entry of the file without mass
 [[nodiscard]] FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame,
-                                 const DynamicWords& words);
+                                 const DynamicWords& words, double seconds);
 
 /// The rows as CSV.
 [[nodiscard]] std::string csv_of(const frames::NamedFrame& frame, const FrameRun& run);

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 
 #include "chapters/homotopy/commands/commands.hpp"
+#include "nlmech/frames/named/mesh_error.hpp"
 #include "nlmech/frames/toggle_path.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
@@ -20,6 +23,31 @@ frames::TogglePath path_of(const TypedToggle& typed) {
   if (typed.model == "element") return critical_points(toggle);
   static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
   return critical_points(frames::Williams{.height = typed.height});
+}
+
+/// Says how good the mesh is, by the points of a second one.
+void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
+  const int elements = elements_of(typed),
+            second = frames::second_mesh(elements, 2U * static_cast<unsigned>(elements));
+  const frames::TogglePath other =
+      critical_points(frames::Toggle{.height = typed.height, .elements = second});
+  const auto is_same = [](const frames::ToggleEvent& a, const frames::ToggleEvent& b) {
+    return a.kind == b.kind && a.is_symmetric == b.is_symmetric;
+  };
+  if (!other.status.ok() || !std::ranges::equal(path.events, other.events, is_same)) {
+    scene::tell(fmt::format(
+        "limit-points: the mesh error is not known: with {} elements a member in place of {} {}", second,
+        elements, other.status.ok() ? "there are other points" : other.status.sentence()));
+    return;
+  }
+  double worst = 0;
+  for (std::size_t i = 0; i < path.events.size(); ++i)
+    worst = std::max(worst, std::abs(1 - other.events[i].load / path.events[i].load));
+  if (!path.events.empty())
+    scene::tell(
+        fmt::format("limit-points: mesh error of the loads up to {:.2g}, relative, estimated from {} and {} "
+                    "elements a member",
+                    std::min(1., worst * frames::mesh_factor(elements, second)), elements, second));
 }
 
 //! [rows of the toggle]
@@ -41,6 +69,7 @@ void limit_points(const TypedToggle& typed) {
     text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
                         e.is_symmetric ? "symmetric" : "antisymmetric");
   scene::print_result(text);
+  if (typed.model == "element") tell_of_mesh(typed, path);
   if (path.drop < 2.2 * typed.height)
     std::cerr << fmt::format(
         "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "

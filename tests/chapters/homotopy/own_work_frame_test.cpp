@@ -3,71 +3,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/files.hpp"
-#include "nlmech/scene/program/process.hpp"
-#include "tests/places.hpp"
+#include "tests/chapters/homotopy/own_frame.hpp"
 
 namespace nlmech::own_work_frame_test {
 namespace {
 
-using scene::Finished;
-
-Finished frame(const std::string& file, const std::vector<std::string>& words = {}) {
-  std::vector<std::string> all = {NLMECH_BINARY_DIR "/bin/homotopy", "frame", file};
-  all.insert(all.end(), words.begin(), words.end());
-  return scene::run_program(all, {});
-}
-
-/// A file of this process with a text.
-std::string written(const std::string& text) {
-  std::string file = testing::TempDir() + "own_frame_" + std::to_string(::getpid()) + ".toml";
-  scene::write_whole(file, text);
-  return file;
-}
-
-std::string shipped(const std::string& name) {
-  return NLMECH_SOURCE_DIR "/chapters/homotopy/frames/" + name + ".toml";
-}
-
-double number(const std::string& text) {
-  double value = NAN;
-  EXPECT_TRUE(scene::parse_number(text, value)) << text;
-  return value;
-}
-
-using Rows = std::vector<scene::CsvRecord>;
-
-/// The rows of a path, head included; it has to come to its end.
-Rows path_of(const std::string& file, const std::vector<std::string>& words = {}) {
-  const Finished f = frame(file, words);
-  EXPECT_EQ(f.exit_code, 0) << file << ": " << f.errors;
-  return scene::parse_csv(f.output, "output");
-}
-
-std::size_t column(const Rows& rows, const std::string& name) {
-  const auto& head = rows.at(0).cells;
-  for (std::size_t i = 0; i < head.size(); ++i) {
-    if (head[i] == name) return i;
-  }
-  ADD_FAILURE() << "no column " << name;
-  return 0;
-}
-
-/// Load factors of the rows of a kind.
-std::vector<double> loads(const Rows& rows, const std::string& kind) {
-  std::vector<double> all;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].cells.back() == kind) all.push_back(number(rows[i].cells.at(column(rows, "load_factor"))));
-  }
-  return all;
-}
+using namespace own_frame;
 
 void expect_limits(const Rows& rows, double maximum, double minimum, double tolerance) {
   ASSERT_EQ(loads(rows, "maximum").size(), 1U);
@@ -119,38 +67,70 @@ TEST(OwnFrame, ColumnCantileverAndPortal) {
   EXPECT_TRUE(loads(portal, "bifurcation").empty());
 }
 
-constexpr const char* beam = R"([nodes]
-A = [0, 0]
-B = [1, 0]
-[[members]]
-nodes = ["A", "B"]
-EA = 1000
-EI = 1
-[supports]
-A = ["x", "y", "rotation"]
-[loads]
-B = { y = -1 }
-)";
-
-std::string with(std::string text, const std::string& old, const std::string& other) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), other);
-}
-
 TEST(OwnFrame, EndsAndNames) {
   const Rows rows = path_of(written(beam), {"--until", "0.5"});
-  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"load_factor", "B.x", "B.y", "B.rotation",
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"load_factor", "B.x", "B.y", "B.rotation", "mesh_error",
                                                      "negative_eigenvalues", "kind"}));
   EXPECT_EQ(number(rows.back().cells[0]), 0.5);
   const Finished short_of = frame(written(beam), {"--until", "50", "--steps", "2"});
   EXPECT_EQ(short_of.exit_code, 1);
-  EXPECT_NE(short_of.errors.find("2 steps end at load"), std::string::npos) << short_of.errors;
+  EXPECT_NE(short_of.errors.find("2 steps end at a load factor"), std::string::npos) << short_of.errors;
   EXPECT_EQ(scene::parse_csv(short_of.output, "output").size(), 4U) << short_of.output;
   // A name that has a comma.
   std::string named = with(beam, "B = [1", "'B,1' = [1");
   named = with(with(named, "\"B\"", "\"B,1\""), "B = {", "'B,1' = {");
-  EXPECT_EQ(path_of(written(named), {"--steps", "1"})[0].cells[1], "B,1.x");
+  EXPECT_EQ(path_of(written(named), {"--until", "1"})[0].cells[1], "B,1.x");
+  // A load factor of the other sign, of which this beam's displacements are a mirror image.
+  const Rows down = path_of(written(beam), {"--until", "0.5"}),
+             up = path_of(written(beam), {"--until", "-0.5"});
+  EXPECT_EQ(number(up.back().cells[0]), -0.5);
+  EXPECT_NEAR(number(up.back().cells[2]), -number(down.back().cells[2]), 1e-12);
+  EXPECT_EQ(frame(written(beam), {"--until", "0"}).exit_code, 2);
+}
+
+// Every branch that does not come to its end says so: without a limit or branch point, and behind one.
+TEST(OwnFrame, AnEndAfterAllStepsIsAFailure) {
+  const auto expect = [](const std::string& file, const std::vector<std::string>& words, std::size_t points) {
+    const Finished f = frame(file, words);
+    EXPECT_EQ(f.exit_code, 1) << f.errors;
+    for (const char* said :
+         {"step_limit", "all points found are printed", "steps end at a load factor", "(until)"})
+      EXPECT_NE(f.errors.find(said), std::string::npos) << f.errors;
+    const Rows rows = scene::parse_csv(f.output, "output");
+    EXPECT_EQ(loads(rows, "maximum").size() + loads(rows, "minimum").size(), points);
+  };
+  expect(written(beam), {}, 0);
+  const std::string lee = scene::read_whole(shipped("lee")), stiff = "EA = 4.32e7\n";
+  std::string slender = lee;
+  for (std::size_t at = 0; (at = slender.find("EA = ", at)) != std::string::npos; at += stiff.size())
+    slender.replace(at, slender.find('\n', at) + 1 - at, stiff);
+  expect(written(slender), {}, 1);
+  expect(shipped("toggle"), {"--turn", "0.002"}, 0);
+}
+
+TEST(OwnFrame, TheLimitOfTimeKeepsThePoints) {
+  const Finished path = frame(shipped("lee"), {"--elements", "400", "--limit", "1"});
+  EXPECT_EQ(path.exit_code, 1) << path.errors;
+  EXPECT_NE(path.errors.find("time_limit"), std::string::npos) << path.errors;
+  EXPECT_GE(scene::parse_csv(path.output, "output").size(), 2U);
+  const Finished motion = frame(shipped("toggle"), {"--dynamic", "--time", "1000", "--step", "1e-4",
+                                                    "--every", "0.01", "--elements", "10", "--limit", "1"});
+  EXPECT_EQ(motion.exit_code, 1) << motion.errors;
+  EXPECT_NE(motion.errors.find("time_limit"), std::string::npos) << motion.errors;
+  EXPECT_GE(scene::parse_csv(motion.output, "output").size(), 2U);
+}
+
+// A bar that is 1 long and 1 stiff has no length left under a load of 1.
+TEST(OwnFrame, ABarWithoutLengthIsNamed) {
+  std::string bar = with(with(with(beam, "EA = 1000", "EA = 1"), "y = -1", "x = -1"), "[supports]",
+                         "[supports]\nB = [\"y\", \"rotation\"]");
+  const Finished f = frame(written(bar), {"--elements", "1", "--until", "2"});
+  EXPECT_EQ(f.exit_code, 1);
+  EXPECT_NE(f.errors.find("length left"), std::string::npos) << f.errors;
+  // Steps whose squares are no numbers.
+  EXPECT_NE(frame(written(beam), {"--until", "1e-300"}).errors.find("too small to be squared"),
+            std::string::npos);
+  EXPECT_EQ(number(path_of(written(beam), {"--until", "1e-100"}).back().cells[0]), 1e-100);
 }
 
 // Steps that turn less are shorter, and more of them lead to the same limit.
@@ -254,70 +234,6 @@ TEST(OwnFrame, OptionsOfTheOtherModeAreNamed) {
   // The steps are those on the way to the shape of an imperfection.
   EXPECT_NE(frame(shipped("level-brace"), {"--dynamic", "--time", "1", "--steps", "100"}).errors.find("mass"),
             std::string::npos);
-}
-
-TEST(OwnFrame, EnergiesOfAMotionBalance) {
-  const Finished f = frame(shipped("toggle"), {"--dynamic", "--factor", "30", "--time", "0.2"});
-  ASSERT_EQ(f.exit_code, 0) << f.errors;
-  const Rows rows = scene::parse_csv(f.output, "output");
-  const std::size_t kinetic = column(rows, "kinetic_energy"), strain = column(rows, "strain_energy"),
-                    work = column(rows, "work");
-  double greatest = 0, worst = 0;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const double done = number(rows[i].cells[work]);
-    greatest = std::max(greatest, std::abs(done));
-    worst = std::max(worst, std::abs(number(rows[i].cells[kinetic]) + number(rows[i].cells[strain]) - done));
-  }
-  // Beyond a hundredth the command itself says failure.
-  // period.
-  EXPECT_GT(greatest, 1);
-  EXPECT_LE(worst, 1e-2 * greatest);
-  // Steps far too long for it: no success.
-  const Finished blown =
-      frame(shipped("toggle"), {"--dynamic", "--time", "0.2", "--method", "explicit", "--step", "0.1"});
-  EXPECT_EQ(blown.exit_code, 1);
-  EXPECT_NE(blown.errors.find("of the greatest energy"), std::string::npos) << blown.errors;
-}
-
-// A rod of stiffness k = EA/l with a mass m at its end, under a sudden load P: P/k (1 - cos(w t)) with w^2 =
-// k/m, here 1, as long as strains are small.
-TEST(OwnFrame, AStepIsHeldToHalfOfIt) {
-  const std::string rod = R"([nodes]
-A = [0, 0]
-B = [0, 1]
-[[members]]
-nodes = ["A", "B"]
-elements = 1
-EA = 1e6
-EI = 1
-mass = 1e-9
-[supports]
-A = ["x", "y", "rotation"]
-B = ["x", "rotation"]
-[masses]
-B = { mass = 1e6 }
-[loads]
-B = { y = -1 }
-)";
-  const auto end_of = [](const Finished& f) {
-    const Rows rows = scene::parse_csv(f.output, "output");
-    return number(rows.back().cells[column(rows, "B.y")]);
-  };
-  const std::vector<std::string> words = {"--dynamic", "--time", "100", "--elements", "1", "--every", "1"};
-  const auto with_step = [&](const std::string& step) {
-    std::vector<std::string> all = words;
-    all.insert(all.end(), {"--step", step});
-    return frame(written(rod), all);
-  };
-  const double exact = -1e-6 * (1 - std::cos(100.));
-  const Finished chosen = frame(written(rod), words);
-  EXPECT_EQ(chosen.exit_code, 0) << chosen.errors;
-  EXPECT_NEAR(end_of(chosen), exact, 2e-8);
-  // A period of 2 pi in 12 steps: the phase lags by (w h)^2/12 a radian, 2 rad in all.
-  const Finished coarse = with_step("0.5");
-  EXPECT_EQ(coarse.exit_code, 1) << end_of(coarse);
-  for (const char* word : {"newmark", "half the step of 0.5", "--step", "dop853"})
-    EXPECT_NE(coarse.errors.find(word), std::string::npos) << coarse.errors;
 }
 
 TEST(OwnFrame, DrawsThePaths) {

@@ -208,13 +208,19 @@ class Path {
   [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                                      std::vector<CriticalPoint>& out);
-  [[nodiscard]] double softest();
-  [[nodiscard]] std::optional<double> dip_in(double low, double high, double sign, Eigen::Index negative);
+  /// Sizes of the greatest negative and the least positive eigenvalue.
+  struct AroundZero {
+    double negative, positive;
+  };
+  [[nodiscard]] AroundZero around_zero();
+  [[nodiscard]] std::optional<double> dip_in(double low, double high, double AroundZero::*side,
+                                             Eigen::Index negative);
   [[nodiscard]] Outcome splits(std::vector<double>& parts);
   [[nodiscard]] bool is_change_at(double part, CriticalPoint::Kind kind);
   [[nodiscard]] double part_of(const PathPoint& point) const;
   [[nodiscard]] double expected_slope(double part) const;
-  [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out);
+  [[nodiscard]] Outcome interpolate(const std::function<double(const PathPoint&)>& value, double farthest,
+                                    PathPoint& out);
   [[nodiscard]] Status failure(Outcome outcome, const char* what) const;
 
   PathMethod method_;

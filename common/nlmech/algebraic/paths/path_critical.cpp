@@ -130,7 +130,7 @@ Outcome Path::fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoi
 bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
   const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
   PathPoint ahead, behind;
-  for (const double reach : {2e-3, 1e-4}) {  // the second where another change is as near as the first
+  for (const double reach : {2e-3, 1e-4, 5e-6}) {  // shorter where another change is as near
     if (between(part - reach, behind) != Outcome::success || between(part + reach, ahead) != Outcome::success)
       return false;
     const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m};
@@ -181,8 +181,9 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     return null.m;
   };
   // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
+  const double low = bracket.low, high = bracket.high;
   Outcome outcome = narrow([](const PathPoint& p) { return static_cast<double>(p.sign); },
-                           0.02 * (bracket.high - bracket.low), bracket, out);
+                           0.02 * (high - low), bracket, out);
   if (outcome != Outcome::success) return outcome;
   border.y = null_direction(system_);
   for (const bool is_low : {true, false}) {
@@ -192,9 +193,14 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     (is_low ? bracket.low_value : bracket.high_value) = value(end);
   }
   if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
-  outcome = narrow(value, 1e-3, bracket, out);
-  if (outcome != Outcome::success) return outcome;
-  outcome = interpolate(value, out);
+  // Shorter where another branch point is near.
+  outcome = Outcome::not_converged;
+  for (double reach = 0.02; outcome == Outcome::not_converged && reach > one_place; reach /= 10) {
+    outcome = narrow(value, reach / 20, bracket, out);
+    if (outcome == Outcome::success) outcome = interpolate(value, reach, out);
+    const double part = part_of(out);
+    if (!(part > low - one_place && part < high + one_place)) outcome = Outcome::not_converged;
+  }
   if (outcome != Outcome::success) return outcome;
   if (!system_.linearise(out.at)) return Outcome::non_finite;
   direction = null_direction(system_);
@@ -213,20 +219,39 @@ double lagrange(const std::array<double, 6>& x, std::size_t first, std::size_t i
   return product;
 }
 
-/// The part at which the value vanishes, by the places from @p first on.
+/// The part at which the polynomial through the places from @p first on, the outer two before the others,
+/// vanishes; infinite if it does not between those two.
 double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& values, std::size_t first) {
-  double part = 0;
-  for (std::size_t i = first; i < parts.size(); ++i) part += lagrange(values, first, i, 0) * parts[i];
-  return part;
+  const auto value_at = [&](double part) {
+    double sum = 0;
+    for (std::size_t i = first; i < parts.size(); ++i) sum += lagrange(parts, first, i, part) * values[i];
+    return sum;
+  };
+  double low = parts[first], high = parts[first + 1];
+  const bool is_positive = values[first] > 0;
+  if ((values[first + 1] > 0) == is_positive) return HUGE_VAL;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = low + (high - low) / 2;
+    ((value_at(middle) > 0) == is_positive ? low : high) = middle;
+  }
+  return low + (high - low) / 2;
+}
+
+/// Do values at the offsets of interpolate() rise all the way, or fall?
+bool is_monotone(const std::array<double, 6>& v) {
+  const std::array<double, 6> sorted = {v[0], v[2], v[4], v[5], v[3], v[1]};
+  return std::ranges::is_sorted(sorted) || std::ranges::is_sorted(sorted, std::greater<>());
 }
 
 }  // namespace
 
-/// A point where value() is zero, next to @p out: by interpolation from points at some distance. At a branch
-/// point itself a correction is not determined along the other branch. Where six places and four do not
-/// agree, as next to another singular point, nearer ones are taken. Where those at two distances agree and
-/// the nearest do not, as by the rounding of thousands of unknowns, the better of the two holds.
-Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, PathPoint& out) {
+/// A point where value() is zero, next to @p out: by interpolation from points at distances up to @p
+/// farthest. At a branch point itself a correction is not determined along the other branch. Where six places
+/// and four do not agree, as next to another singular point, nearer ones are taken. Where those that agree
+/// differ from nearer ones, as by the rounding of thousands of unknowns, they hold.
+/// @return `not_converged`, too, where the value turns among the places: another zero is near
+Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, double farthest,
+                          PathPoint& out) {
   constexpr std::array<double, 6> offsets = {-1, 1, -0.6, 0.6, -0.2, 0.2};
   std::array<double, 6> parts{}, values{};
   std::array<PathVector, 6> places;
@@ -234,7 +259,8 @@ Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, 
   double middle = part_of(out), least = HUGE_VAL;
   int agreeing = 0;
   Outcome outcome = Outcome::success;
-  for (const double reach : {0.02, 2e-3, 2e-4}) {
+  for (const double nearer : {1., 0.1, 0.01}) {
+    const double reach = nearer * farthest;
     for (std::size_t i = 0; i < offsets.size() && outcome == Outcome::success; ++i) {
       parts[i] = middle + reach * offsets[i];
       outcome = between(parts[i], out);
@@ -242,14 +268,16 @@ Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, 
       values[i] = value(out);
       places[i] = out.at;
     }
+    if (outcome == Outcome::success && nearer == 1 && !is_monotone(values)) return Outcome::not_converged;
     if (outcome != Outcome::success) break;
     const double part = zero_of(parts, values, 0), off = std::abs(part - zero_of(parts, values, 2));
+    if (agreeing > 0 && !(std::abs(part - middle) <= 10 * least)) break;  // by rounding
     if (!(std::abs(part - middle) <= reach)) outcome = Outcome::not_converged;
-    if (reach < 1e-3 && off > 1e-4 * reach) outcome = Outcome::not_converged;
+    if (nearer == 0.01 && off > 1e-4 * reach) outcome = Outcome::not_converged;
     if (outcome != Outcome::success) break;
     middle = part;
     if (off <= 1e-3 * reach) ++agreeing;
-    if (agreeing == 2 && off > least && off > 1e-6 * reach && reach > 1e-3) continue;
+    if (agreeing == 2 && off > least && off > 1e-6 * reach && nearer > 0.01) continue;
     least = off;
     best = {Eigen::VectorXd::Zero(system_.size()), 0};
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -1,3 +1,5 @@
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +11,8 @@ namespace nlmech::algebraic {
 namespace {
 
 constexpr std::size_t places = 9;  // of a step that are looked at, both ends included
+constexpr Eigen::Index block = 3;  // vectors of an inverse iteration
+constexpr int rounds = 4;          // of it
 
 /// Where the parabola through three neighbours, a distance of 1 apart, has its least value, from the middle
 /// one.
@@ -24,32 +28,50 @@ Vertex vertex_of(double left, double middle, double right) {
 
 }  // namespace
 
-/// The eigenvalue of K that is nearest to zero, as inverse iteration finds it with the factors of the system.
-double Path::softest() {
-  const Eigen::VectorXd v = null_direction(system_);
-  system_.multiply(v, rest_);
-  return v.dot(rest_);
+/// Eigenvalues of K next to zero on both sides of it, from the factors of the system: Ritz values of the
+/// inverse on a few vectors, which are never nearer to zero than the eigenvalues themselves.
+Path::AroundZero Path::around_zero() {
+  const Eigen::Index n = system_.size();
+  Eigen::MatrixXd v(n, std::min<Eigen::Index>(n, block)), next(v.rows(), v.cols());
+  for (Eigen::Index i = 0; i < v.size(); ++i)
+    v.data()[i] = 1 + 0.5 * std::sin(1. + 3. * static_cast<double>(i));
+  Eigen::VectorXd column(n), solved(n);
+  for (int round = 0; round < rounds; ++round) {
+    v = Eigen::HouseholderQR<Eigen::MatrixXd>(v).householderQ() * Eigen::MatrixXd::Identity(n, v.cols());
+    for (Eigen::Index j = 0; j < v.cols(); ++j) {
+      column = v.col(j);
+      system_.solve(column, solved);
+      next.col(j) = solved;
+    }
+    if (round + 1 < rounds) v.swap(next);
+  }
+  const Eigen::MatrixXd inverse = v.transpose() * next;
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     (inverse + inverse.transpose()) / 2, Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  const double least = values[0], most = values[values.size() - 1];
+  return {least < 0 ? -1 / least : HUGE_VAL, most > 0 ? 1 / most : HUGE_VAL};
 }
 
 /// A place in an interval where an eigenvalue has another sign than at its ends, by golden section for the
-/// one nearest to zero.
-std::optional<double> Path::dip_in(double low, double high, double sign, Eigen::Index negative) {
+/// one nearest to zero on one side of it.
+std::optional<double> Path::dip_in(double low, double high, double AroundZero::*side, Eigen::Index negative) {
   PathPoint point;
-  return golden_section(low, high, 24, [&](double part) -> std::optional<double> {
+  return golden_section(low, high, 30, [&](double part) -> std::optional<double> {
     if (between(part, point) != Outcome::success || !system_.linearise(point.at)) return HUGE_VAL;
     if (point.negative != negative) return std::nullopt;
-    return sign * softest();
+    return around_zero().*side;
   });
 }
 
 /// Parts of the step between which eigenvalues change their signs, though from end to end they may not: two
 /// branch points within a step, which no sign at its ends shows. Looks at inner places of the cubic, and more
-/// closely where an eigenvalue comes down to near zero and returns. Changes that all go one way show at the
-/// ends.
+/// closely where the least positive eigenvalue, or the greatest negative one, comes near to zero and returns.
+/// Changes that all go one way show at the ends.
 Outcome Path::splits(std::vector<double>& parts) {
   parts.clear();
   if (!system_.equations().is_symmetric()) return Outcome::success;
-  std::array<double, places> soft{};
+  std::array<AroundZero, places> soft{};
   std::array<Eigen::Index, places> negative{};
   const auto part = [](std::size_t i) { return static_cast<double>(i) / (places - 1); };
   for (std::size_t i = 0; i < places; ++i) {
@@ -58,21 +80,33 @@ Outcome Path::splits(std::vector<double>& parts) {
                                             : between_by_cubic(before_, now_, part(i));
     if (!system_.linearise(at)) return Outcome::non_finite;
     negative[i] = system_.inertia().negative;
-    soft[i] = softest();
+    soft[i] = around_zero();
   }
+  const auto is_at_change = [&](std::size_t i) {
+    return negative[i] != negative[i - 1] || negative[i] != negative[i + 1];
+  };
   Eigen::Index all = 0;
   for (std::size_t i = 1; i < places; ++i) all += std::abs(negative[i] - negative[i - 1]);
   const bool is_one_way = all == std::abs(negative[places - 1] - negative[0]);
+  // Where an eigenvalue is as good as zero, the cubic is not near enough to the path to tell its sign.
+  for (std::size_t i = 1; i + 1 < places && !is_one_way; ++i) {
+    PathPoint point;
+    if (!is_at_change(i) || between(part(i), point) != Outcome::success || !system_.linearise(point.at))
+      continue;
+    negative[i] = point.negative;
+    soft[i] = around_zero();
+  }
   for (std::size_t i = 1; i + 1 < places; ++i) {
-    if (negative[i] != negative[i - 1] || negative[i] != negative[i + 1]) {
+    if (is_at_change(i)) {
       if (!is_one_way) parts.push_back(part(i));
       continue;
     }
-    const double sign = soft[i] > 0 ? 1 : -1;
-    const Vertex vertex = vertex_of(sign * soft[i - 1], sign * soft[i], sign * soft[i + 1]);
-    const bool is_near = std::abs(vertex.at) <= 1 && vertex.value < 0.3 * std::abs(soft[i]);
-    if (!is_near || soft[i - 1] * sign <= 0 || soft[i + 1] * sign <= 0) continue;
-    if (const auto dip = dip_in(part(i - 1), part(i + 1), sign, negative[i])) parts.push_back(*dip);
+    for (const auto side : {&AroundZero::negative, &AroundZero::positive}) {
+      const double left = soft[i - 1].*side, right = soft[i + 1].*side;
+      const Vertex vertex = vertex_of(left, soft[i].*side, right);
+      if (!(std::abs(vertex.at) <= 1 && vertex.value < 0.3 * std::max(left, right))) continue;
+      if (const auto dip = dip_in(part(i - 1), part(i + 1), side, negative[i])) parts.push_back(*dip);
+    }
   }
   std::sort(parts.begin(), parts.end());
   return Outcome::success;

@@ -282,10 +282,10 @@ NamedFrame build(const FrameModel& model, int elements) {
   // Whether a frame is a mechanism does not depend on what its members are divided into.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<LooseMotion> loose;
-  if (held.empty()) loose = {0, Motion::x};
+  if (held.empty() && !model.may_move) loose = {0, Motion::x};
   bool is_all_held = false;
   try {
-    if (!loose) loose = loose_motion(frame_of(whole, held));
+    if (!loose && !model.may_move) loose = loose_motion(frame_of(whole, held));
   } catch (const std::invalid_argument&) {
     is_all_held = true;  // nothing can move but inside of members
   }

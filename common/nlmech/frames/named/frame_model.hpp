@@ -85,6 +85,7 @@ struct FrameModel {
   std::vector<NamedMass> masses;                  ///< beside those of members
   Damping damping;                                ///< of motions in time
   std::optional<Imperfection> imperfection = {};  ///< for imperfect(); build() makes the perfect frame
+  bool may_move = false;                          ///< a mechanism is a frame too, for motions in time
 };
 
 /// Which of the lists of a FrameModel.
@@ -156,8 +157,8 @@ inline constexpr int most_beam_columns = 100'000;
 /// member, a member of no length, EA or EI that is not positive, an arc that does not span its nodes, numbers
 /// that are not finite, a load on a held or a given motion or on no rotation, neither load nor displacement,
 /// a displacement that is held or stands twice, masses or damping that are negative, a mode below 1, more
-/// than most_beam_columns; and for a frame that can move without a strain in any member (a mechanism, a part
-/// that nothing holds), blaming the node that moves most
+/// than most_beam_columns; and, unless it may, for a frame that can move without a strain in any member (a
+/// mechanism, a part that nothing holds), blaming the node that moves most
 /// @throws std::invalid_argument if @p elements is not positive
 [[nodiscard]] NamedFrame build(const FrameModel& model, int elements);
 

@@ -1,5 +1,7 @@
 #include "nlmech/frames/named/frame_paths.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/named/walked_frame.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::frames {
 namespace {
@@ -42,15 +45,21 @@ class Walk {
   Walk(const WalkedFrame& walked, const FrameWalk& how)
       : how_(how),
         walked_(walked),
-        first_(std::min(first_load(walked), how.until.value_or(HUGE_VAL) / 20)),
+        first_(std::min(first_load(walked), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
         path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = walked.scale()},
               walked.equations, Eigen::VectorXd::Zero(walked.equations.size()), 0) {}
 
   FramePaths all() {
-    Status status = path_.start();
+    Status status = path_.start(how_.until.value_or(1) > 0);
+    if (status.ok() && path_.now().negative > 0)
+      status =
+          failed_with(Outcome::singular_matrix,
+                      "frame: by rounding {} eigenvalues of the stiffness at rest are negative: its elements "
+                      "are too short beside it, or its stiffnesses too far apart; take fewer elements",
+                      path_.now().negative);
     if (status.ok()) status = along(0);
     note(status);
-    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    for (std::size_t i = 0; i < crossings_.size() && out_.status.outcome() != Outcome::time_limit; ++i) {
       for (const int half : {0, 1}) follow_half(i, half);
     }
     out_.statistics = path_.statistics();
@@ -120,7 +129,7 @@ class Walk {
     Status status = follow(
         path_, [this](const Path&) { return list(); }, how_.steps, met_);
     if (!lost_.ok()) return std::exchange(lost_, {});
-    if (status.outcome() == Outcome::step_limit && !how_.until) status = {};
+    if (status.outcome() == Outcome::step_limit) return after_all_steps();
     // Where branches cross, the signs of what vanishes there are those of rounding.
     if (!status.ok() && status.outcome() != Outcome::step_limit) {
       if (Crossing* const met = ahead()) {
@@ -128,11 +137,53 @@ class Walk {
         status = {};
       }
     }
+    return status.outcome() == Outcome::step_underflow ? why_no_step(status) : status;
+  }
+
+  /// A path that ends where a beam-column has no length left, or at loads whose squares are none, says so.
+  [[nodiscard]] Status why_no_step(const Status& status) const {
+    const auto [left, x, y] = walked_.shortest(path_.now().x, path_.now().load);
+    if (left < 1e-3)
+      return failed_with(
+          status.outcome(),
+          "frame: at a load factor of {:.10g} a beam-column at ({:.6g}, {:.6g}) has {:.1e} of its "
+          "length left, and the path ends: members shorten in proportion to their force, all the way",
+          path_.now().load, x, y, left);
+    if (first_ < 1e-140)
+      return failed_with(status.outcome(),
+                         "frame: the load factors of steps, {:.2g}, are too small to be squared; take "
+                         "smaller loads and greater factors",
+                         first_);
     return status;
   }
 
+  /// What a branch that does not come to its end says.
+  [[nodiscard]] Status after_all_steps() const {
+    const double end = end_load();
+    return failed_with(
+        Outcome::step_limit,
+        "frame: {} steps end at a load factor of {:.10g}, {}; allow more steps, or longer ones "
+        "(turn){}",
+        how_.steps, path_.now().load,
+        std::isfinite(end) ? fmt::format("before {:.10g}", end)
+                           : std::string("before the limit or branch point that they are to meet"),
+        how_.until ? "" : ", or say where it is to end (until)");
+  }
+
+  /// Is there no time for a step as long as the last one?
+  bool is_late() {
+    const double now = time_.seconds(), last = now - std::exchange(asked_, now);
+    if (now + last <= how_.seconds) return false;
+    lost_ =
+        failed_with(Outcome::time_limit,
+                    "frame: the time ends at a load factor of {:.10g}, after {:.3g} s; allow more, or longer "
+                    "steps (turn)",
+                    path_.now().load, now);
+    return true;
+  }
+
   [[nodiscard]] double end_load() const {
-    if (how_.until) return *how_.until;
+    if (how_.until) return std::abs(*how_.until);
     return greatest_ > 0 && how_.critical == 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
   }
 
@@ -171,7 +222,7 @@ class Walk {
     }
     if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
     add(FramePoint::Kind::step, path_.now(), path_.now().negative);
-    return false;
+    return is_late();
   }
 
   /// 1 if all critical points of the last step make eigenvalues negative, -1 if all make them positive, else
@@ -255,7 +306,8 @@ class Walk {
   std::vector<Crossing> crossings_;
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0, begin_ = 0;
-  double foremost_ = 0, greatest_ = 0;
+  double foremost_ = 0, greatest_ = 0, asked_ = 0;
+  Stopwatch time_;
   Status lost_;
   int branch_ = 0, criticals_ = 0;
 };
@@ -264,8 +316,8 @@ void require(const FrameWalk& walk) {
   if (walk.steps < 1 || walk.branches < 0 || walk.critical < 0)
     throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", walk.steps,
                            walk.branches, walk.critical);
-  if (walk.until && !(*walk.until > 0 && std::isfinite(*walk.until)))
-    throw invalid_argument("equilibrium_paths: until = {}; it must be positive", *walk.until);
+  if (walk.until && !(*walk.until != 0 && std::isfinite(*walk.until)))
+    throw invalid_argument("equilibrium_paths: until = {}; it must be finite and not 0", *walk.until);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,13 +18,16 @@ namespace nlmech::frames {
 
 /// How far to walk.
 struct FrameWalk {
-  int steps = 200;                   ///< along each branch, at most; positive
-  std::optional<double> until = {};  ///< load factor of either sign at which each branch ends, positive
-  int branches = 0;                  ///< to be followed besides the path from rest, at most
-  double turn = 0.15;                ///< of the tangent in a step, as it should be, rad
+  int steps = 200;  ///< along each branch, at most; positive
+  /// Load factor of either sign at which each branch ends, not 0; negative: the path sets out to negative
+  /// ones.
+  std::optional<double> until = {};
+  int branches = 0;    ///< to be followed besides the path from rest, at most
+  double turn = 0.15;  ///< of the tangent in a step, as it should be, rad
   /// The path from rest ends at its limit or branch point of this number, not at a multiple of their loads;
   /// 0: goes on.
   int critical = 0;
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time of all branches, positive
 };
 
 /// A point of a path.
@@ -63,10 +67,11 @@ struct FramePaths {
 /// order in which they were met. Where several eigenvalues vanish at once, the directions of branches are not
 /// those of the null vectors: such a point is listed, and no branch of it followed.
 ///
-/// A branch ends at a load factor of `until`; where it meets a branch point that is known; or after its
-/// steps, which is a success unless `until` was given. Without `until` it ends at twice the greatest load
-/// factor of a limit or branch point on it, its first one included; those of more than twice the first do not
-/// count.
+/// A branch ends at a load factor of `until`, or where it meets a branch point that is known. Without `until`
+/// it ends at twice the greatest load factor of a limit or branch point on it, its first one included; those
+/// of more than twice the first do not count. An end after its steps is a failure, `step_limit`; one after
+/// `seconds`, asked before each step, `time_limit`. `singular_matrix`: elements so short that by rounding the
+/// frame is unstable at rest.
 ///
 /// Tests hold limit and branch points to those of tests/frames/structures_test.cpp and to closed forms (a
 /// two-bar truss, Euler's loads, a cantilever that rolls up to a circle).

@@ -49,7 +49,7 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
     if (p.kind != FramePoint::Kind::step && ++met == mode) out.buckled = p;
   }
   if (met < mode) {
-    if (out.status.ok())
+    if (out.status.ok() || out.status.outcome() == Outcome::step_limit)
       out.status = Status::failure(
           Outcome::not_converged,
           fmt::format(

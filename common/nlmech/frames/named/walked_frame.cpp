@@ -56,6 +56,20 @@ void WalkedFrame::forget_turns(Eigen::VectorXd& change) const {
   }
 }
 
+ShortestMember WalkedFrame::shortest(const Eigen::VectorXd& x, double load) const {
+  ShortestMember found{HUGE_VAL, 0, 0};
+  const Eigen::VectorXd all = whole(x, load);
+  for (std::size_t i = 0; i < frame.members().size(); ++i) {
+    const Node &a = frame.nodes()[static_cast<std::size_t>(frame.members()[i].first)],
+               &b = frame.nodes()[static_cast<std::size_t>(frame.members()[i].second)];
+    const Vector<double, 6> d = frame.ends<double>(all, i);
+    const double left =
+        std::hypot(b.x - a.x + d[3] - d[0], b.y - a.y + d[4] - d[1]) / std::hypot(b.x - a.x, b.y - a.y);
+    if (left < found.left) found = {left, a.x, a.y};
+  }
+  return found;
+}
+
 double first_load(const WalkedFrame& walked) {
   algebraic::Loaded& equations = walked.equations;
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(equations.size());

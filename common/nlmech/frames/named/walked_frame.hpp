@@ -10,6 +10,12 @@
 
 namespace nlmech::frames {
 
+/// A beam-column that has lost most of its length.
+struct ShortestMember {
+  double left;  ///< length of the chord over that at rest
+  double x, y;  ///< its first node at rest
+};
+
 /// A frame as equations, and all of its displacements from the unknowns of these.
 struct WalkedFrame {
   const Frame& frame;                   ///< must outlive this object
@@ -30,6 +36,8 @@ struct WalkedFrame {
   /// Takes whole turns from a difference of displacements by scale(), if each member has turned so at both
   /// its ends: the frame is the same then.
   void forget_turns(Eigen::VectorXd& change) const;
+  /// The beam-column that has lost most of its length under a load. @param x unknowns of the equations
+  [[nodiscard]] ShortestMember shortest(const Eigen::VectorXd& x, double load) const;
 };
 
 /// See first_load() of a NamedFrame.

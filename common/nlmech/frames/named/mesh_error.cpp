@@ -1,0 +1,208 @@
+#include "nlmech/frames/named/mesh_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nlmech/algebraic/symmetric_solver.hpp"
+#include "nlmech/frames/named/walked_frame.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::frames {
+namespace {
+
+using Points = std::vector<FramePoint>;
+
+constexpr double most_apart = 0.5;  // of the load factor: limit or branch points farther apart are two
+
+/// A stretch of a branch between two limit or branch points that both meshes have.
+struct Stretch {
+  std::size_t begin, end;  ///< of points, the ends included
+};
+
+/// First and last point of a branch, if it has any.
+std::optional<Stretch> branch_of(const Points& points, int branch) {
+  const auto is_of = [&](const FramePoint& p) { return p.branch == branch; };
+  const auto first = std::ranges::find_if(points, is_of);
+  if (first == points.end()) return std::nullopt;
+  const auto behind = std::find_if_not(first, points.end(), is_of);
+  return Stretch{static_cast<std::size_t>(first - points.begin()),
+                 static_cast<std::size_t>(behind - points.begin()) - 1};
+}
+
+/// How far apart the loads of two limit or branch points are, relative to the first.
+double apart(const FramePoint& a, const FramePoint& b) {
+  return a.load == b.load ? 0 : std::abs(a.load - b.load) / std::abs(a.load);
+}
+
+/// Compares the points of a mesh with the paths of the second one.
+class Comparison {
+ public:
+  Comparison(const MeshPair& meshes, double seconds)
+      : m_(meshes), seconds_(seconds), errors_(meshes.paths.points.size()) {}
+
+  std::vector<std::optional<double>> all() {
+    return with_equations(m_.second, [&](const WalkedFrame& second) {
+      scale_ = second.scale();
+      for (int branch = 0; branch <= m_.paths.branches; ++branch) {
+        const auto mine = branch_of(m_.paths.points, branch), other = branch_of(m_.compared.points, branch);
+        if (mine && other) compare(second, *mine, *other);
+      }
+      return std::move(errors_);
+    });
+  }
+
+ private:
+  /// The points of a branch, from one shared limit or branch point to the next.
+  void compare(const WalkedFrame& second, const Stretch& mine, const Stretch& other) {
+    const bool is_whole = m_.compared.status.ok();
+    std::size_t begin = mine.begin, reached = other.begin, from = reached;
+    for (std::size_t i = mine.begin; i <= mine.end; ++i) {
+      if (m_.paths.points[i].kind == FramePoint::Kind::step) continue;
+      const auto met = same_point(m_.paths.points[i], {from, other.end});
+      if (met) errors_[i] = share(apart(m_.paths.points[i], m_.compared.points[*met]));
+      if (!met && is_whole) errors_[i] = 1;
+      if (!met) continue;
+      compare_steps(second, {begin, i}, {reached, *met}, true);
+      begin = i, reached = *met, from = reached + 1;
+    }
+    compare_steps(second, {begin, mine.end}, {reached, other.end}, is_whole);
+  }
+
+  /// The limit or branch point of the second mesh that one of the first is.
+  [[nodiscard]] std::optional<std::size_t> same_point(const FramePoint& p, const Stretch& among) const {
+    for (std::size_t j = among.begin; j <= among.end; ++j) {
+      const FramePoint& q = m_.compared.points[j];
+      if (q.kind == p.kind && apart(p, q) <= most_apart) return j;
+    }
+    return std::nullopt;
+  }
+
+  void compare_steps(const WalkedFrame& second, const Stretch& mine, const Stretch& other, bool is_whole) {
+    for (std::size_t i = mine.begin; i <= mine.end && time_.seconds() < seconds_; ++i) {
+      const FramePoint& p = m_.paths.points[i];
+      if (p.kind != FramePoint::Kind::step) continue;
+      if (p.load == 0) {
+        errors_[i] = 0;
+        continue;
+      }
+      if (const auto off = off_path(second, p, other, is_whole)) errors_[i] = share(*off);
+    }
+  }
+
+  /// How far a point is from that of the second mesh under the same load, on a stretch of its path; infinite
+  /// if there is none, nothing if it was not found.
+  [[nodiscard]] std::optional<double> off_path(const WalkedFrame& second, const FramePoint& p,
+                                               const Stretch& near, bool is_whole) const {
+    const Points& points = m_.compared.points;
+    const double load = p.load;
+    const auto off = [&](std::size_t j) { return points[j].load - load; };
+    std::size_t at = near.begin;
+    for (std::size_t j = near.begin; j < near.end; ++j) {
+      if ((off(j) > 0) != (off(j + 1) > 0)) {
+        at = j;
+        break;
+      }
+      if (std::abs(off(j + 1)) < std::abs(off(at))) at = j + 1;
+    }
+    const std::size_t next = at < near.end ? at + 1 : at > near.begin ? at - 1 : at;
+    const bool is_between = (off(at) > 0) != (off(next) > 0);
+    const double part = is_between ? off(at) / (off(at) - off(next)) : 0;
+    const auto free = [&](const Eigen::VectorXd& x) { return second.driven ? second.driven->free(x) : x; };
+    const Eigen::VectorXd start = free(points[at].x), way = part * (free(points[next].x) - start);
+    const double size = (free(points[next].x) - start).cwiseProduct(scale_).norm();
+    // Slender members bear small turns alone.
+    for (const int parts : {1, 4, 16}) {
+      Eigen::VectorXd x = start;
+      bool is_settled = true;
+      for (int i = 1; i <= parts && is_settled; ++i) {
+        const double share = static_cast<double>(i) / parts;
+        x += way / parts;
+        is_settled = settle(second.equations, points[at].load - share * off(at), size, x);
+      }
+      if (is_settled && (x - start - way).cwiseProduct(scale_).norm() <= size)
+        return difference(p, second.whole(x, load));
+    }
+    if (is_between || !is_whole) return std::nullopt;
+    return std::abs(off(at) / load);  // beyond a limit point
+  }
+
+  /// Newton's iteration under a load, until its steps are rounding. @param size of a step of the path, scaled
+  [[nodiscard]] bool settle(algebraic::Loaded& equations, double load, double size,
+                            Eigen::VectorXd& x) const {
+    algebraic::SymmetricSolver solver;
+    Eigen::VectorXd f, step(x.size());
+    double before = HUGE_VAL;
+    for (int k = 0; k < 20; ++k) {
+      equations.residual(x, load, f);
+      equations.linearise(x, load);
+      solver.take(*equations.sparse(), scale_);
+      if (!f.allFinite() || !solver.is_finite()) return false;
+      solver.factorise();
+      solver.solve(f.cwiseQuotient(scale_), step);
+      x -= step.cwiseQuotient(scale_);
+      const double length = step.norm();
+      if (!(length <= 4 * size) || (k > 4 && length > 2 * before && length > 1e-4 * size)) return false;
+      if (length <= 1e-12 * size || (length <= 1e-6 * size && length > before / 2)) return true;
+      before = length;
+    }
+    return false;
+  }
+
+  /// Between displacements of named nodes, relative to the largest, and between forces on given motions.
+  [[nodiscard]] double difference(const FramePoint& p, const Eigen::VectorXd& x) const {
+    double largest = 0, most = 0;
+    for (const bool with_rotations : {false, true}) {
+      for (std::size_t i = 0; i < m_.frame.motions.size(); ++i) {
+        const NamedMotion &a = m_.frame.motions[i], &b = m_.second.motions[i];
+        if ((a.motion == Motion::rotation) != with_rotations) continue;
+        largest = std::max(largest, std::abs(p.x[a.unknown]));
+        most = std::max(most, std::abs(p.x[a.unknown] - x[b.unknown]));
+      }
+      if (largest > 0) break;
+    }
+    const double of_moves = largest > 0 ? most / largest : 0;
+    return m_.frame.given.empty() ? of_moves : std::max(of_moves, difference_of_forces(p, x));
+  }
+
+  [[nodiscard]] double difference_of_forces(const FramePoint& p, const Eigen::VectorXd& x) const {
+    Eigen::VectorXd mine, other;
+    if (!has_values(m_.frame.frame.force<double>(p.x, mine)) ||
+        !has_values(m_.second.frame.force<double>(x, other)))
+      return 1;
+    double largest = 0, most = 0;
+    for (std::size_t i = 0; i < m_.frame.given.size(); ++i) {
+      largest = std::max(largest, std::abs(mine[m_.frame.given[i]]));
+      most = std::max(most, std::abs(mine[m_.frame.given[i]] - other[m_.second.given[i]]));
+    }
+    return largest > 0 ? most / largest : 0;
+  }
+
+  [[nodiscard]] double share(double difference) const { return std::min(1., m_.factor * difference); }
+
+  const MeshPair& m_;
+  double seconds_;
+  Stopwatch time_;
+  std::vector<std::optional<double>> errors_;
+  Eigen::VectorXd scale_;
+};
+
+}  // namespace
+
+int second_mesh(int elements, std::size_t beam_columns) {
+  constexpr std::size_t many = 2000;
+  if (elements == 1) return 3;
+  if (beam_columns > many) return std::max(1, elements * 2 / 3);
+  return elements + (elements + 1) / 2;
+}
+
+double mesh_factor(int elements, int others) {
+  const double ratio = static_cast<double>(elements) / others;
+  return 1 / std::abs(1 - ratio * ratio);
+}
+
+std::vector<std::optional<double>> mesh_errors(const MeshPair& meshes, double seconds) {
+  return Comparison(meshes, seconds).all();
+}
+
+}  // namespace nlmech::frames
