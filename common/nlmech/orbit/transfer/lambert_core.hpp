@@ -209,7 +209,7 @@ struct Found {
                                      bool falls) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   if (!(x > low && x < high)) x = halfway(low, high);
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity();  // unknown: the first step, or one after halfway()
   for (int i = 1; i <= 400; ++i) {
     const TimeCurve::At a = curve.at(x);
     const double f = a.t - wanted;
@@ -223,7 +223,8 @@ struct Found {
     const bool inside = next > low && next < high;
     // Shorter than eps, or so once more by the ratio in which the steps shrink; or rounding of T alone.
     if (size <= scale) return {inside ? next : x, i, true};
-    if (inside && i > 1 && size * (size / before) <= scale / 16) return {next, i, true};
+    const bool shrinks = before < std::numeric_limits<double>::infinity();
+    if (inside && shrinks && size * (size / before) <= scale / 16) return {next, i, true};
     if (std::abs(f) <= 64 * eps * wanted && !(size < before / 2)) return {x, i, true};
     if (inside && i % 8 != 0) {
       x = next;
