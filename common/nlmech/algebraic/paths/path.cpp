@@ -82,14 +82,6 @@ Outcome Path::start_tangent(const PathVector& along) {
 Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   if (!system_.linearise(point.at)) return Outcome::non_finite;
   system_.certify();
-  // What the rounding of K has left of Newton's iteration.
-  if (system_.is_long()) {
-    if (!system_.residual(point.at)) return Outcome::non_finite;
-    rest_ = -system_.f();
-    if (!system_.solve_bordered(direction, rest_, 0, step_)) return Outcome::singular_matrix;
-    point.at.y += step_.y;
-    point.at.m += step_.m;
-  }
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
   if (!system_.solve_bordered(direction, zero, 1, step_)) return Outcome::singular_matrix;
   const double length = step_.norm();
