@@ -85,6 +85,85 @@ TEST(Path, FollowsTheBendAndNotTheBranchStraightAhead) {
   }
 }
 
+/// F = -load x - x^3 - tiny: the path from x = tiny/(-load) has one maximum, at x^3 = tiny/2, and turns off
+/// there. Straight ahead lies the other half of the pitchfork, which is unstable throughout.
+struct ImperfectSubcritical : Loaded {
+  explicit ImperfectSubcritical(double t) : tiny(t) {}
+  [[nodiscard]] Eigen::Index size() const override { return 1; }
+  void residual(const VectorXd& x, double load, VectorXd& f) override {
+    f.setConstant(1, -load * x[0] - x[0] * x[0] * x[0] - tiny);
+  }
+  void linearise(const VectorXd& x, double load) override {
+    slope = -load - 3 * x[0] * x[0];
+    along = -x[0];
+  }
+  void load_vector(VectorXd& q) const override { q.setConstant(1, along); }
+  void matrix(MatrixXd& k) const override { k.setConstant(1, 1, slope); }
+  double tiny, slope = 0, along = 0;
+};
+
+// Whatever the imperfection and the first step: one maximum, in closed form, and no bifurcation.
+TEST(Path, TurnsOffAtAnImperfectBifurcation) {
+  for (const double tiny : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    for (const double first : {0.01, 0.1, 1., 10.}) {
+      ImperfectSubcritical fork(tiny);
+      // The load counts as much as the small displacement of the start: steps become long beside it.
+      Path path({.first = first, .longest = 1e15}, fork, VectorXd::Constant(1, tiny), -1);
+      ASSERT_TRUE(path.start().ok());
+      std::vector<CriticalPoint> found;
+      const Status status = follow(
+          path, [](const Path& p) { return p.now().load < -0.5 && p.now().x[0] > 0.5; }, 2000, found);
+      ASSERT_TRUE(status.ok()) << tiny << ' ' << first << ' ' << status.text();
+      ASSERT_EQ(found.size(), 1u) << tiny << ' ' << first;
+      EXPECT_EQ(found[0].kind, CriticalPoint::Kind::maximum);
+      const double load = -3 * std::cbrt(tiny * tiny / 4);
+      EXPECT_NEAR(found[0].point.load, load, 1e-9 * -load);
+    }
+  }
+}
+
+/// Two unknowns that a spring of stiffness 1e14 joins: V = spring (x - y)^2/2 + (1 - load) x^2/2. In double
+/// the entry spring + 1 - load of K is rounded by 0.01, in long double of 64 bits by 1e-5.
+struct StiffPair : Loaded {
+  static constexpr double spring = 1e14;
+  [[nodiscard]] Eigen::Index size() const override { return 2; }
+  void residual(const VectorXd& x, double load, VectorXd& f) override {
+    f.resize(2);
+    f << spring * (x[0] - x[1]) + (1 - load) * x[0], -spring * (x[0] - x[1]);
+  }
+  void linearise(const VectorXd& x, double load) override {
+    k.resize(2, 2);
+    k << spring + 1 - load, -spring, -spring, spring;
+    q.resize(2);
+    q << -x[0], 0;
+  }
+  void load_vector(VectorXd& out) const override { out = q; }
+  void matrix(MatrixXd& out) const override { out = k; }
+  bool long_matrix(const VectorXd&, double load, Eigen::SparseMatrix<long double>& out) override {
+    Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> exact(2, 2);
+    const long double stiff = spring;
+    exact << stiff + 1 - load, -stiff, -stiff, stiff;
+    out = exact.sparseView();
+    return true;
+  }
+  MatrixXd k;
+  VectorXd q;
+};
+
+// The eigenvalue (1 - load)/2 beside one of 2e14 has its sign from long double.
+TEST(Path, CountsAnEigenvalueThatTheRoundingOfKHides) {
+  if (std::numeric_limits<long double>::digits <= std::numeric_limits<double>::digits) GTEST_SKIP();
+  StiffPair pair;
+  PathSystem system(pair, VectorXd::Zero(2), 0, VectorXd::Ones(2));
+  for (const double off : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    for (const double load : {1 - off, 1 + off}) {
+      ASSERT_TRUE(system.linearise(system.scaled(VectorXd::Zero(2), load)));
+      system.certify();
+      EXPECT_EQ(system.inertia().negative, load > 1 ? 1 : 0) << load;
+    }
+  }
+}
+
 /// Two pitchforks at once: V = (x^4 + z^4)/4 - load (x^2 + z^2)/2 + (y - load)^2/2.
 struct TwoPitchforks : Pitchfork {
   [[nodiscard]] Eigen::Index size() const override { return 3; }

@@ -192,7 +192,7 @@ TEST(Imperfections, ALevelBraceLosesByTwoThirds) {
     ASSERT_TRUE(f.status.ok()) << f.status.text();
     EXPECT_EQ(f.buckled.kind, Kind::bifurcation);
     EXPECT_NEAR(f.buckled.load, 1 / (1 + 1e-6), 1e-10);
-    EXPECT_EQ(f.frame.frame.nodes()[0].x, e);
+    EXPECT_DOUBLE_EQ(f.frame.frame.nodes()[0].x, e);
     EXPECT_NEAR(f.frame.frame.nodes()[1].y, 1, 1e-9 * std::abs(e));
     const double column = std::hypot(1, e), sine = std::abs(e) / column;
     EXPECT_NEAR(first_limit(f.frame).load, column / (1 - e) * std::pow(1 - std::pow(sine, 2. / 3), 1.5),

@@ -146,6 +146,37 @@ void SymmetricSolver::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) c
 
 double SymmetricSolver::norm() const { return factors_->norm; }
 
+double SymmetricSolver::size_of_factors() const {
+  const Factors& f = *factors_;
+  if (!f.is_sparse) return f.norm;
+  const auto& pivots = f.ldlt.vectorD();
+  Eigen::VectorXd sums = pivots.cwiseAbs();
+  const auto lower = f.ldlt.matrixL();
+  const Sparse& l = lower.nestedExpression();
+  for (Eigen::Index j = 0; j < l.cols(); ++j) {
+    for (Sparse::InnerIterator i(l, j); i; ++i) {
+      if (i.row() > j) sums[i.row()] += i.value() * i.value() * std::abs(pivots[j]);
+    }
+  }
+  return sums.maxCoeff();
+}
+
+Eigen::VectorXd row_scale_of(const Sparse& b) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(b.rows()), greatest;
+  for (int k = 0; k < 3; ++k) {
+    greatest.setZero(b.rows());
+    for (Eigen::Index j = 0; j < b.cols(); ++j) {
+      for (Sparse::InnerIterator i(b, j); i; ++i)
+        greatest[i.row()] = std::max(greatest[i.row()], std::abs(i.value()) / (scale[i.row()] * scale[j]));
+    }
+    for (Eigen::Index i = 0; i < b.rows(); ++i) {
+      if (greatest[i] > 0 && std::isfinite(greatest[i]))
+        scale[i] *= std::exp2(std::round(std::log2(greatest[i]) / 2));
+    }
+  }
+  return scale;
+}
+
 Eigen::VectorXd scale_of(const Eigen::VectorXd& diagonal) {
   const double greatest = diagonal.size() > 0 ? diagonal.cwiseAbs().maxCoeff() : 0;
   if (!(greatest > 0) || !diagonal.allFinite()) return Eigen::VectorXd::Ones(diagonal.size());

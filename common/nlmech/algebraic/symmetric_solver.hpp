@@ -68,6 +68,10 @@ class SymmetricSolver {
   void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
   /// Largest sum of |entries| in a row of S^-1 B S^-1: a bound for its eigenvalues.
   [[nodiscard]] double norm() const;
+  /// The factors are those of a matrix that differs from this one by a few eps times so much: the greatest
+  /// diagonal entry of |L| |D| |L^T|, or norm() of a dense matrix. That of a positive definite one is its
+  /// greatest diagonal entry.
+  [[nodiscard]] double size_of_factors() const;
 
  private:
   struct Factors;
@@ -79,6 +83,10 @@ class SymmetricSolver {
 /// none below 1e-8 of the greatest; all 1 if B is zero or not finite. With them S^-1 B S^-1 has diagonal
 /// entries of 1, and |S x|^2/2 is the energy of the unknowns, each by itself.
 [[nodiscard]] Eigen::VectorXd scale_of(const Eigen::VectorXd& diagonal);
+
+/// Scales, powers of 2, with which no row of S^-1 B S^-1 has a greatest entry far from 1, also where diagonal
+/// entries are small: the square roots of the greatest entries of rows, three times over.
+[[nodiscard]] Eigen::VectorXd row_scale_of(const Eigen::SparseMatrix<double>& b);
 
 /// The diagonal of the matrix of equations.
 /// @tparam E Equations or Loaded

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
@@ -108,6 +109,25 @@ void Frame::make_pattern() {
       part.slots[i] = std::lower_bound(first, last, static_cast<int>(row)) - rows;
     }
   }
+}
+
+double Frame::data_rounding(const Displacements<double>& v) const {
+  require_size(v.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    const Vector<double, 6> d = displacements_of<double>(part, v);
+    const Node &a = nodes_[static_cast<std::size_t>(members_[i].first)],
+               &b = nodes_[static_cast<std::size_t>(members_[i].second)];
+    const double far = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    const double l = std::hypot(part.beam.dx, part.beam.dy);
+    const double along = (part.beam.dx * (d[3] - d[0]) + part.beam.dy * (d[4] - d[1])) / l,
+                 across = (part.beam.dx * (d[4] - d[1]) - part.beam.dy * (d[3] - d[0])) / l;
+    const double bent = part.beam.ei / (l * l * l) *
+                        std::max(std::abs(12 * across - 6 * l * (d[2] + d[5])), std::abs(l * (d[2] - d[5])));
+    sum += eps / 2 * far * (part.beam.ea / l * std::abs(along) + bent);
+  }
+  return sum;
 }
 
 Eigen::Index Frame::unknown(int node, Motion motion) const {

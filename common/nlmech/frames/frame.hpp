@@ -115,6 +115,12 @@ class Frame {
   [[nodiscard]] Status tangent(const Displacements<T>& x, Eigen::SparseMatrix<T>& k,
                                Coupling coupling = Coupling::consistent) const;
 
+  /// How much the work of the forces dU/dx along @p v may change if the places of nodes are changed in their
+  /// last digits: by half a unit of the greatest coordinate of each member, times its stiffnesses EA/l and
+  /// 12 EI/l^3 with the relative motion of its ends, summed over the members.
+  /// @throws std::invalid_argument if v has another size
+  [[nodiscard]] double data_rounding(const Displacements<double>& v) const;
+
   /// The state of one member, to look at its axial force and moments.
   /// @throws std::invalid_argument if x has another size or there is no such member
   template <class T>

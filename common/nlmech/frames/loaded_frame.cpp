@@ -30,6 +30,11 @@ void LoadedFrame::linearise(const Eigen::VectorXd& x, double load) {
   if (!has_values(status_)) tangent_.coeffs().setConstant(nan);
 }
 
+bool LoadedFrame::long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+  static_cast<void>(load);
+  return has_values(frame_.tangent<long double>(x.cast<long double>(), k));
+}
+
 LoadedWilliams::LoadedWilliams(const Williams& toggle) : toggle_(toggle) {
   for (const double number : {toggle.height, toggle.length, toggle.ea, toggle.ei}) {
     if (!(number > 0 && std::isfinite(number)))

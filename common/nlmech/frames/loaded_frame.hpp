@@ -31,6 +31,12 @@ class LoadedFrame : public algebraic::Loaded {
   void matrix(Eigen::MatrixXd& k) const override { k = tangent_; }
   /// See Loaded.
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
+  /// See Loaded.
+  bool long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) override;
+  /// See Frame.
+  [[nodiscard]] double data_rounding(const Eigen::VectorXd& v) const override {
+    return frame_.data_rounding(v);
+  }
   /// What the frame said last.
   [[nodiscard]] Status status() const override { return status_; }
 

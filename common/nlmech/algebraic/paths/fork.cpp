@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
@@ -40,10 +41,25 @@ class Reduced {
   /// The derivatives by s and the load, with those of x along them.
   Outcome derive(const PathVector& at) {
     if (!system_.linearise(at)) return Outcome::non_finite;
+    system_.certify();
     const bool is_solved = system_.solve_bordered(row_.y, row_, zero_, 1, along) &&
                            system_.solve_bordered(row_.y, row_, -system_.load_vector(), 0, under);
     slope = {along.m, under.m};
     return is_solved ? Outcome::success : Outcome::singular_matrix;
+  }
+
+  /// How much mu may change by the last digits of x and of the equations' data.
+  double rounding(const PathVector& at) {
+    double most = system_.equations().data_rounding(system_.unscaled(row_.y));
+    if (!system_.residual(at)) return most;
+    const double here = row_.y.dot(system_.f());
+    PathVector shaken{{}, at.m};
+    double changes = 0;
+    for (std::uint64_t sequence = 0; sequence < 4; ++sequence) {
+      shake(at.y, sequence, shaken.y);
+      if (system_.residual(shaken)) changes = std::max(changes, std::abs(row_.y.dot(system_.f()) - here));
+    }
+    return most + changes;
   }
 
   double mu = 0;
@@ -105,7 +121,7 @@ Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
     if (outcome == Outcome::success) outcome = reduced.derive(at);
     if (outcome != Outcome::success) break;
     // Next to a bifurcation that a small force parts, mu is that force.
-    if (!(std::abs(reduced.mu) <= 1e-9 * system.norm_of_matrix() * at.norm())) return Outcome::not_converged;
+    if (!(std::abs(reduced.mu) <= 16 * reduced.rounding(at))) return Outcome::wrong_branch;
     fork.null = reduced.along.y.normalized();
     fork.negative = std::min(negative[0], negative[1]);
     // Of bend: 2 mixed ds dload + bend(1, 1) dload^2 = 0 along it.

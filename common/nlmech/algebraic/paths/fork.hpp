@@ -30,8 +30,9 @@ struct Fork {
 /// @param fork `at`: near the bifurcation, and then it; all else is filled in
 /// @param reach how far the bifurcation may be, scaled, and differences go to a hundredth of it
 /// @param load the same for the load, scaled
-/// @return success; `not_converged`, `non_finite` or `singular_matrix`, @p fork being of no use then; also if
-/// mu does not vanish there: no branches cross, but two pass each other
+/// @return success; `wrong_branch` if mu does not vanish there, but for 16 times the rounding of F and of the
+/// data of the equations: no branches cross, but two pass each other; `not_converged`, `non_finite` or
+/// `singular_matrix`. @p fork is of no use after a failure
 [[nodiscard]] Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load);
 
 }  // namespace nlmech::algebraic

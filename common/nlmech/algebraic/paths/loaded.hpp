@@ -33,6 +33,19 @@ class Loaded {
   virtual void matrix(Eigen::MatrixXd& k) const = 0;
   /// K as the equations store it, if that is sparse; see Equations.
   [[nodiscard]] virtual const Eigen::SparseMatrix<double>* sparse() const { return nullptr; }
+  /// K at (x, load) in long double, for the sign of an eigenvalue that the rounding of K hides. Without it
+  /// the K of linearise() is all there is.
+  /// @return false if the equations have none
+  virtual bool long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+    static_cast<void>(x), static_cast<void>(load), static_cast<void>(k);
+    return false;
+  }
+  /// How much v^T F may change if the data of the equations, such as places of nodes, change in their last
+  /// digits; 0 if that is not known. An imperfection of a structure that is smaller is none.
+  [[nodiscard]] virtual double data_rounding(const Eigen::VectorXd& v) const {
+    static_cast<void>(v);
+    return 0;
+  }
   /// Is K symmetric everywhere?
   [[nodiscard]] virtual bool is_symmetric() const { return true; }
   /// Why F or K did not exist where it was asked for last, if the equations know.

@@ -12,8 +12,9 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double converged = 1e-8;  // of a step: the next correction would be the square of this
-constexpr double stalled = 1e-4;    // corrections of this size that no longer shrink are rounding
+constexpr double converged = 1e-8;       // of a step: the next correction would be the square of this
+constexpr double load_converged = 1e-6;  // of the greatest load, in the same correction
+constexpr double stalled = 1e-4;         // corrections of this size that no longer shrink are rounding
 
 constexpr double most_noise = 1e-2;  // of a step: longer corrections are none of rounding, whatever they are
 constexpr double least_to_edge = 1e-3;  // of a first step: as near as a walk goes to where it may not go on
@@ -62,7 +63,7 @@ Status Path::start(bool upwards) {
   // The first step changes the load by `first`.
   first_length_ = length_ = first / std::max(std::abs(now_.tangent.m), 0.1);
   previous_tangent_ = now_.tangent;
-  before_ = now_;
+  earlier_ = before_ = now_;
   return {};
 }
 
@@ -80,6 +81,7 @@ Outcome Path::start_tangent(const PathVector& along) {
 
 Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   if (!system_.linearise(point.at)) return Outcome::non_finite;
+  system_.certify();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
   if (!system_.solve_bordered(direction, zero, 1, step_)) return Outcome::singular_matrix;
   const double length = step_.norm();
@@ -87,14 +89,17 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   point.negative = system_.inertia().negative;
   // The bordered determinant, with the tangent for the row, has the sign of that with any row along it.
   point.sign = system_.bordered_sign();
+  // Of both forms the second has the right sign next to a limit point in a steep path.
   point.slope = point.tangent.m;
+  if (system_.equations().is_symmetric() && std::isnormal(system_.bordered_ratio()))
+    point.slope = 1 / (system_.bordered_ratio() * length);
   point.x = system_.unscaled(point.at.y);
   point.load = point.at.m / system_.load_scale();
   return Outcome::success;
 }
 
 Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector& at, int& count) {
-  double before = HUGE_VAL;
+  double before = HUGE_VAL, before_load = HUGE_VAL;
   for (count = 1; count <= method_.iterations; ++count) {
     if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
     rest_ = -system_.f();
@@ -103,7 +108,12 @@ Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector
     const double length = step_.norm();
     at.y += step_.y;
     at.m += step_.m;
-    if (length <= converged * size || (length <= stalled * size && length > before / 2))
+    // Where displacements have come to outgrow those of the start, the load is a small part of all lengths.
+    greatest_ = std::max({greatest_, std::abs(now_.at.m), std::abs(at.m)});
+    const bool is_load_done =
+        std::abs(step_.m) <= load_converged * greatest_ || (count > 4 && std::abs(step_.m) > before_load / 2);
+    before_load = std::abs(step_.m);
+    if (is_load_done && (length <= converged * size || (length <= stalled * size && length > before / 2)))
       return Outcome::success;
     if (count > 2 && length > before / 2 && length <= most_noise * size &&
         length <= 64 * noise_at(normal, at))
@@ -217,13 +227,27 @@ bool Path::go_to(const PathPoint& next) {
   if (!is_continuous(next, changes)) return false;
   PathPoint kept = std::exchange(before_, std::exchange(now_, next));
   critical_.clear();
-  if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success)
+  if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success) {
+    earlier_ = std::move(kept);
     return true;
+  }
   critical_.clear();
   now_ = std::exchange(before_, std::move(kept));
   return false;
 }
 //! [one path]
+
+bool Path::take_back() {
+  const double length = PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm() / 4;
+  if (!(length >= method_.shortest * first_length_)) return false;
+  now_ = std::exchange(before_, earlier_);
+  previous_tangent_ = before_.tangent;
+  length_ = length;
+  factor_ /= 4;
+  critical_.clear();
+  ++system_.statistics.rejected;
+  return true;
+}
 
 /// Do the equations say so of the place asked for last?
 bool Path::is_other_branch() const {

@@ -122,6 +122,9 @@ class Path {
   /// @return success; `step_underflow` if no step is short enough; `wrong_branch` if what lies ahead is what
   /// the equations call another branch, up to a thousandth of a first step; `non_finite`
   [[nodiscard]] Status advance();
+  /// Goes back to before(), from where the next step is a quarter as long; before() is of no use until then.
+  /// @return false, and nothing is done, if that step would be shorter than the shortest
+  [[nodiscard]] bool take_back();
   /// The last point.
   [[nodiscard]] const PathPoint& now() const { return now_; }
   /// The point before it.
@@ -196,6 +199,7 @@ class Path {
   /// A part of the step where the slope has the other sign though it has the same at both ends.
   [[nodiscard]] Outcome slope_between(std::optional<Bracket>& first);
   [[nodiscard]] Outcome branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direction);
+  [[nodiscard]] Outcome settle_branch(PathPoint& point);
   /// A place within a step, and what tells its neighbours apart.
   struct Mark {
     double part, slope;
@@ -225,14 +229,15 @@ class Path {
 
   PathMethod method_;
   PathSystem system_;
-  PathPoint now_, before_;
+  PathPoint now_, before_, earlier_;
   PathVector step_, previous_tangent_;
   Eigen::VectorXd rest_, free_, forced_;
   std::vector<CriticalPoint> critical_;  // between before_ and now_, but for pairs that no sign shows
-  double first_length_ = 0, length_ = 0, factor_ = 1;
+  double first_length_ = 0, length_ = 0, factor_ = 1, greatest_ = 0;
 };
 
-/// Walks on until @p is_done says so, asked before every step, and lists the critical points on the way.
+/// Walks on until @p is_done says so, asked before every step, and lists the critical points on the way. A
+/// step whose critical points are not found is repeated, shorter.
 /// @param path started; stands at its last point afterwards
 /// @param steps at most so many
 /// @param found gets the points, in order

@@ -73,7 +73,9 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   if (changes.count() == 1 && low.sign * high.sign < 0) {
     Eigen::VectorXd direction;
     const auto sign = [](const Mark& m) { return static_cast<double>(m.sign); };
-    const Outcome outcome = branch_in({low.part, sign(low), high.part, sign(high)}, point, direction);
+    Outcome outcome = branch_in({low.part, sign(low), high.part, sign(high)}, point, direction);
+    if (outcome == Outcome::success) outcome = settle_branch(point);
+    if (outcome == Outcome::wrong_branch) return outcome;
     if (outcome == Outcome::success) return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
   }
   if (changes.fold && changes.branches == 1 && fork_in(low, high, out) == Outcome::success)
@@ -89,6 +91,25 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   if (changes.fold) outcome = add_critical(limit, 1, point, out);
   if (outcome != Outcome::success || changes.branches == 0) return outcome;
   return add_critical(CriticalPoint::Kind::bifurcation, changes.branches, point, out);
+}
+
+/// Do branches cross at a point of branch_in(), or does the path turn off there by a gap, past which it was
+/// interpolated? Where they cross but for rounding, the point becomes the crossing.
+Outcome Path::settle_branch(PathPoint& point) {
+  if (!system_.equations().is_symmetric()) return Outcome::success;
+  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  const double length = chord.norm(),
+               load = std::max({std::abs(before_.at.m), std::abs(now_.at.m), std::abs(chord.m)});
+  Fork fork{point.at};
+  const Outcome outcome = refine_fork(system_, fork, 0.2 * length, 0.2 * load);
+  if (outcome != Outcome::success) return outcome == Outcome::wrong_branch ? outcome : Outcome::success;
+  const PathVector off{fork.at.y - point.at.y, fork.at.m - point.at.m};
+  if (off.norm() <= 1e-5 * length) return Outcome::success;
+  point.at = fork.at;
+  point.x = system_.unscaled(fork.at.y);
+  point.load = fork.at.m / system_.load_scale();
+  point.arc = before_.arc + PathVector{fork.at.y - before_.at.y, fork.at.m - before_.at.m}.norm();
+  return Outcome::success;
 }
 
 //! [a fork from the branch that leaves it]
@@ -176,8 +197,9 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
   null.y.resize(system_.size());
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
   const auto value = [&](const PathPoint& p) {
-    if (!system_.linearise(p.at) || !system_.solve_bordered(border.y, border, zero, 1, null))
-      return HUGE_VAL * 0;
+    if (!system_.linearise(p.at)) return HUGE_VAL * 0;
+    system_.certify();
+    if (!system_.solve_bordered(border.y, border, zero, 1, null)) return HUGE_VAL * 0;
     return null.m;
   };
   // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
@@ -304,11 +326,14 @@ Status follow(Path& path, const std::function<bool(const Path&)>& is_done, std::
       return failed_with(Outcome::step_limit,
                          "path: {} steps end at load {:.10g}, arc {:.6g}; allow more, or longer ones (turn)",
                          steps, path.now().load, path.now().arc);
-    Status status = path.advance();
-    // A place that the equations themselves call another branch is none to go on from.
-    if (status.ok()) status = path.system().status();
-    if (!status.ok()) return status;
-    const Outcome outcome = path.critical_points(here);
+    Outcome outcome = Outcome::success;
+    do {
+      Status status = path.advance();
+      // A place that the equations themselves call another branch is none to go on from.
+      if (status.ok()) status = path.system().status();
+      if (!status.ok()) return status;
+      outcome = path.critical_points(here);
+    } while (outcome != Outcome::success && path.take_back());
     if (outcome != Outcome::success)
       return failed_with(outcome,
                          "path: between the loads {:.10g} and {:.10g} eigenvalues of dF/dx change their "

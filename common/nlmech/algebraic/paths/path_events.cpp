@@ -224,6 +224,7 @@ Status Path::switch_branch(const PathPoint& point, const PathVector& across, dou
   critical_.clear();
   before_ = point;
   before_.tangent = normal;
+  earlier_ = before_;
   now_ = next;
   now_.arc = point.arc + std::abs(length);
   length_ = std::min(std::abs(length), first_length_);

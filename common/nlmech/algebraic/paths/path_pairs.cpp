@@ -59,6 +59,7 @@ std::optional<double> Path::dip_in(double low, double high, double AroundZero::*
   PathPoint point;
   return golden_section(low, high, 30, [&](double part) -> std::optional<double> {
     if (between(part, point) != Outcome::success || !system_.linearise(point.at)) return HUGE_VAL;
+    system_.certify();
     if (point.negative != negative) return std::nullopt;
     return around_zero().*side;
   });
@@ -79,6 +80,7 @@ Outcome Path::splits(std::vector<double>& parts) {
                           : i + 1 == places ? now_.at
                                             : between_by_cubic(before_, now_, part(i));
     if (!system_.linearise(at)) return Outcome::non_finite;
+    system_.certify();
     negative[i] = system_.inertia().negative;
     soft[i] = around_zero();
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
@@ -56,7 +57,8 @@ bool PathSystem::residual(const PathVector& at) {
 
 bool PathSystem::linearise(const PathVector& at) {
   x_ = at.y.cwiseQuotient(scale_);
-  equations_.linearise(x_, at.m / load_scale_);
+  place_ = {x_, at.m / load_scale_};
+  equations_.linearise(x_, place_.m);
   ++statistics.jacobians;
   equations_.load_vector(q_);
   q_ = q_.cwiseQuotient(scale_) / load_scale_;
@@ -66,10 +68,7 @@ bool PathSystem::linearise(const PathVector& at) {
 bool PathSystem::factorise() {
   ++statistics.factorisations;
   if (equations_.is_symmetric()) {
-    symmetric_.take_from(equations_, scale_);
-    if (!symmetric_.is_finite()) return false;
-    inertia_ = symmetric_.factorise();
-    return true;
+    return factorise_symmetric();
   }
   equations_.matrix(dense_);
   if (!dense_.allFinite()) return false;
@@ -86,23 +85,70 @@ bool PathSystem::factorise() {
   return true;
 }
 
+bool PathSystem::factorise_symmetric() {
+  is_long_ = false;
+  if (const Eigen::SparseMatrix<double>* const k = equations_.sparse()) {
+    sparse_ = *k;
+  } else {
+    equations_.matrix(dense_);
+    sparse_ = dense_.sparseView();
+  }
+  // Unknowns of a path may have scales by which its matrix is ill-conditioned; its factors need not.
+  const Eigen::VectorXd scale = row_scale_of(sparse_);
+  balance_ = scale_.cwiseQuotient(scale);
+  symmetric_.take(sparse_, scale);
+  if (!symmetric_.is_finite()) return false;
+  inertia_ = symmetric_.factorise();
+  work_.setZero(size());
+  for (Eigen::Index j = 0; j < sparse_.cols(); ++j) {
+    for (Eigen::SparseMatrix<double>::InnerIterator i(sparse_, j); i; ++i)
+      work_[i.row()] += std::abs(i.value()) / (scale_[i.row()] * scale_[j]);
+  }
+  matrix_norm_ = work_.maxCoeff();
+  return true;
+}
+
+void PathSystem::certify() {
+  if (!equations_.is_symmetric() || is_long_) return;
+  // The eigenvalue of the balanced matrix that is nearest to zero, by inverse iteration.
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(size()), next;
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
+  for (int k = 0; k < 3; ++k) {
+    symmetric_.solve(v.normalized(), next);
+    v = next;
+  }
+  if (inertia_.zero == 0 && 1 > 64 * eps * symmetric_.size_of_factors() * v.norm()) return;
+  if (!equations_.long_matrix(place_.y, place_.m, long_matrix_)) long_matrix_ = sparse_.cast<long double>();
+  is_long_ = long_.factorise(long_matrix_, scale_.cwiseQuotient(balance_));
+  if (is_long_) inertia_ = long_.inertia();
+}
+
 void PathSystem::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
-  if (equations_.is_symmetric())
-    symmetric_.multiply(v, out);
+  if (is_long_)
+    out =
+        (long_matrix_ * v.cwiseQuotient(balance_).cast<long double>()).cast<double>().cwiseQuotient(balance_);
+  else if (equations_.is_symmetric())
+    out = (sparse_ * v.cwiseQuotient(scale_)).cwiseQuotient(scale_);
   else
     out.noalias() = dense_ * v;
 }
 
 void PathSystem::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  if (equations_.is_symmetric())
-    symmetric_.solve(b, x);
-  else
+  if (!equations_.is_symmetric()) {
     x = lu_.solve(b);
+    return;
+  }
+  balanced_ = b.cwiseProduct(balance_);
+  if (is_long_)
+    long_.solve(balanced_, x);
+  else
+    symmetric_.solve(balanced_, x);
+  x = x.cwiseProduct(balance_);
 }
 
 void PathSystem::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   if (equations_.is_symmetric())
-    symmetric_.solve(b, x);
+    solve(b, x);
   else
     x = lu_.transpose().solve(b);
 }
@@ -132,6 +178,7 @@ bool PathSystem::solve_bordered(const Eigen::VectorXd& column, const PathVector&
   solve_transposed(row.y, left_);
   solve(column_, right_);
   const double delta_transposed = row.m - left_.dot(column_), delta = row.m - row.y.dot(right_);
+  ratio_ = delta;
   sign_ = (delta < 0 ? -1 : 1) * (inertia_.negative % 2 == 0 ? 1 : -1);
   rest_.y = f;
   rest_.m = h;
@@ -168,7 +215,7 @@ void PathSystem::multiply_at(const PathVector& at, const Eigen::VectorXd& v, Eig
 }
 
 double PathSystem::norm_of_matrix() const {
-  return equations_.is_symmetric() ? symmetric_.norm() : dense_.cwiseAbs().rowwise().sum().maxCoeff();
+  return equations_.is_symmetric() ? matrix_norm_ : dense_.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
 }  // namespace nlmech::algebraic

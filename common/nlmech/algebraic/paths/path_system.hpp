@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "nlmech/algebraic/paths/loaded.hpp"
+#include "nlmech/algebraic/paths/long_factors.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/support/statistics.hpp"
 
@@ -52,6 +53,12 @@ class PathSystem {
   [[nodiscard]] double residual_norm() const { return norm_; }
   /// K and q there, K factorised; false if they are not finite.
   bool linearise(const PathVector& at);
+  /// Makes sure of inertia(): if an eigenvalue is so near to zero that the rounding of K and its factors may
+  /// have changed its sign, K is taken and factorised in long double, for inertia(), solve() and multiply()
+  /// until the next linearise().
+  void certify();
+  /// Are K and its factors in long double?
+  [[nodiscard]] bool is_long() const { return is_long_; }
   /// Signs of the eigenvalues of K; if it is not symmetric, `negative` is 1 where det K < 0, and else 0.
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }
   /// q.
@@ -74,6 +81,9 @@ class PathSystem {
                       double h, PathVector& out);
   /// Sign of the determinant of the matrix of the last bordered system.
   [[nodiscard]] int bordered_sign() const { return sign_; }
+  /// That determinant by the one of K. With f = 0 and h = 1 it is 1/m, to as many digits as K^-1 q has: its
+  /// sign and that of inertia() go together.
+  [[nodiscard]] double bordered_ratio() const { return ratio_; }
 
   /// What the equations say of the place asked for last.
   [[nodiscard]] Status status() const { return equations_.status(); }
@@ -84,14 +94,22 @@ class PathSystem {
 
  private:
   bool factorise();
+  bool factorise_symmetric();
   void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   void eliminate(const PathVector& row, double delta, double delta_transposed, const PathVector& right,
                  PathVector& out);
 
   Loaded& equations_;
   Eigen::VectorXd scale_, x_, f_, q_, column_, left_, right_, work_;
-  double load_scale_ = 1, norm_ = 0;
+  mutable Eigen::VectorXd balanced_;
+  double load_scale_ = 1, norm_ = 0, matrix_norm_ = 0, ratio_ = 0;
+  PathVector place_;         // of linearise(), not scaled
+  Eigen::VectorXd balance_;  // S by the scales of the factors
   SymmetricSolver symmetric_;
+  LongFactors long_;
+  bool is_long_ = false;
+  Eigen::SparseMatrix<double> sparse_;
+  Eigen::SparseMatrix<long double> long_matrix_;
   Eigen::MatrixXd dense_, other_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Inertia inertia_;

@@ -64,4 +64,12 @@ void DrivenFrame::linearise(const Eigen::VectorXd& x, double load) {
   column_ = free(all_ * frame_.displacement - frame_.load);
 }
 
+bool DrivenFrame::long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+  Eigen::SparseMatrix<long double> all;
+  if (!has_values(frame_.frame.tangent<long double>(whole(x, load).cast<long double>(), all))) return false;
+  k = tangent_.cast<long double>();
+  for (const auto& [from, to] : slots_) k.valuePtr()[to] = all.valuePtr()[from];
+  return true;
+}
+
 }  // namespace nlmech::frames

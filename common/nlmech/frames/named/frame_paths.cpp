@@ -46,7 +46,12 @@ class Walk {
       : how_(how),
         walked_(walked),
         first_(std::min(first_load(walked), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
-        path_({.first = first_, .turn = how.turn, .iterations = 16, .aim = 8, .scale = walked.scale()},
+        path_({.first = first_,
+               .turn = how.turn,
+               .longest = 1e12,
+               .iterations = 16,
+               .aim = 8,
+               .scale = walked.scale()},
               walked.equations, Eigen::VectorXd::Zero(walked.equations.size()), 0) {}
 
   FramePaths all() {

@@ -110,7 +110,8 @@ struct Imperfect {
                                   const FrameWalk& walk = {});
 
 /// A load factor for a first step: it moves no node by more than a thousandth of the frame's size by linear
-/// theory and turns none by more than 0.02 rad, and with these displacements the frame is still stable.
+/// theory, turns none by more than 0.02 rad and no member's ends against each other by more than a tenth of
+/// its length, and with these displacements the frame is still stable.
 [[nodiscard]] double first_load(const Frame& frame, const Eigen::VectorXd& load);
 /// The same of a frame some of whose motions may be given.
 [[nodiscard]] double first_load(const NamedFrame& frame);

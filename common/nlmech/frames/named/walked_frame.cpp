@@ -25,6 +25,11 @@ double excess_of(const Frame& frame, const Eigen::VectorXd& x) {
   for (std::size_t i = 0; i < frame.members().size(); ++i) {
     const Vector<double, 6> d = frame.ends<double>(x, i);
     for (int j = 0; j < 6; ++j) worst = std::max(worst, std::abs(d[j]) / (j % 3 == 2 ? turn : far));
+    // A member that is short beside the frame is not to be turned inside out.
+    const Member& m = frame.members()[i];
+    const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
+               &b = frame.nodes()[static_cast<std::size_t>(m.second)];
+    worst = std::max(worst, std::hypot(d[3] - d[0], d[4] - d[1]) / (0.1 * std::hypot(b.x - a.x, b.y - a.y)));
   }
   return worst;
 }
