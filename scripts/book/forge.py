@@ -4,9 +4,9 @@
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
 A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; likewise for long tables and tables of run times. A table whose numbers hang on rounding is marked by the
-chapter's page and left out, [caption](path "hangs on rounding"), or loses the rows and columns that are named there,
-[caption](path "hangs on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
+names the command for the others; likewise for long tables and tables of run times. A table whose numbers depend on rounding is marked by the
+chapter's page and left out, [caption](path "depends on rounding"), or loses the rows and columns that are named there,
+[caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
 as they like where both are below 1e-10 and are noise. All else is compared by the letter.
 """
 import pathlib
@@ -25,8 +25,8 @@ IN_TABLE = re.compile(r"(?<![\w.#-])-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?(?![\w.])
 IDENTIFIER = re.compile(r"(`[^`]*`|\[[^]]*\]\([^)]*\))|\bnlmech::\w+(?:::\w+)*")
 LIST_MARK = re.compile(f"^([{TIMED}{COMPUTED}][0-9]+{END})([.)])(?=\\s|$)")
 MOST_ROWS = 24
-ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number hangs on rounding: its "
-          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "hangs on rounding"), and names no such number.')
+ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number depends on rounding: its "
+          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "depends on rounding"), and names no such number.')
 NOISE = 1e-10
 
 
@@ -96,7 +96,7 @@ class ForgePage(Page):
                 note = ""
                 if given:
                     rows = without(rows, given.removeprefix(f"{ROUNDING}: ").split("; "), path)
-                    note = f"\n\n*Without what hangs on rounding; `{chapter} run {scene}` writes all.*"
+                    note = f"\n\n*Without what depends on rounding; `{chapter} run {scene}` writes all.*"
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
                 return f"{mark}{caption}\n\n{table}{note}"
         elif not is_table and kept.exists():

@@ -59,8 +59,8 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
                  sums[time].share(&GuessCounts::good), std::max(0.0, known - 0.2), known + 0.2,
                  "recorded of 600 other guesses; sampling");
   const double good = sums[inferred].share(&GuessCounts::good);
-  show.between("saddles among the six that are drawn, T = 2", saddles, 0, 6,
-               "by the second variation; x1x1 from zeros is one where rounding lets that start arrive");
+  show.between("saddles among the six that are drawn, T = 2", saddles, 1, 6,
+               "x1x1 from zeros at least, by the second variation");
   show.between("share of guesses that find the cheapest, T = 2", sums[inferred].share(&GuessCounts::cheapest),
                0, good, "some of those that find an extremal");
   show.between("share of guesses that end on no solution, T = 2",
