@@ -40,11 +40,11 @@ struct Sprung {
   }
 };
 
-/// Points of a path within half of a load that are no steps.
+/// Points of a path within a tenth of a load that are no steps.
 std::vector<FramePoint> criticals(const NamedFrame& frame, const FrameWalk& walk, double around) {
   std::vector<FramePoint> some;
   for (const FramePoint& p : equilibrium_paths(frame, walk).points) {
-    if (p.kind != Kind::step && std::abs(p.load - around) < around / 2) some.push_back(p);
+    if (p.kind != Kind::step && std::abs(p.load - around) < around / 10) some.push_back(p);
   }
   return some;
 }
@@ -72,7 +72,7 @@ TEST(SprungColumns, TipOverOnceWhateverTheStiffnessesAndTheMesh) {
 }
 
 TEST(SprungColumns, TheEndDoesNotMatter) {
-  for (const double until : {1300., 1500., 2500., 5000.}) {
+  for (const double until : {1500., 2500., 5000.}) {
     expect_one_point({10, 120, 2.9e7, 2.9e10, 1e5, 1e12}, 2, {.until = until});
     expect_one_point({10, 120, 2.9e7, 2.9e10, 300, 1e12}, 2, {.until = until});
     expect_one_point({10, 120, 2.9e7, 2.9e10, 1000, 1e12}, 1, {.until = until});
