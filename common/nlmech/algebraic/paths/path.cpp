@@ -87,6 +87,7 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   const double length = step_.norm();
   point.tangent = {step_.y / length, step_.m / length};
   point.negative = system_.inertia().negative;
+  point.is_rounded = system_.is_long();
   // The bordered determinant, with the tangent for the row, has the sign of that with any row along it.
   point.sign = system_.bordered_sign();
   // Of both forms the second has the right sign next to a limit point in a steep path.
@@ -226,12 +227,14 @@ bool Path::go_to(const PathPoint& next) {
   const PathChanges changes = changes_between(now_, next, system_.equations().is_symmetric());
   if (!is_continuous(next, changes)) return false;
   PathPoint kept = std::exchange(before_, std::exchange(now_, next));
+  parted_before_ = parted_;
   critical_.clear();
   if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success) {
     earlier_ = std::move(kept);
     return true;
   }
   critical_.clear();
+  parted_ = parted_before_;
   now_ = std::exchange(before_, std::move(kept));
   return false;
 }
@@ -245,6 +248,7 @@ bool Path::take_back() {
   length_ = length;
   factor_ /= 4;
   critical_.clear();
+  parted_ = parted_before_;
   ++system_.statistics.rejected;
   return true;
 }

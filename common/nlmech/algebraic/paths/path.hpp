@@ -57,6 +57,7 @@ struct PathPoint {
   int sign = 0;               ///< of the determinant of K bordered by q and the tangent: changes at branches
   PathVector at;              ///< the same point, scaled
   PathVector tangent;         ///< unit tangent, scaled, along the walk
+  bool is_rounded = false;    ///< is an eigenvalue of K that near to zero that double does not tell its sign?
 };
 
 /// A point of a path where dF/dx is singular.
@@ -205,8 +206,10 @@ class Path {
     double part, slope;
     Eigen::Index negative;
     int sign;
+    bool is_rounded;
   };
   [[nodiscard]] Mark mark(double part, const PathPoint& point) const;
+  [[nodiscard]] bool is_of_rounding(const Mark& low, const Mark& high, PathPoint& fold);
   /// The bifurcation between two places at which the load has an extremum.
   [[nodiscard]] Outcome fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
@@ -232,6 +235,7 @@ class Path {
   PathPoint now_, before_, earlier_;
   PathVector step_, previous_tangent_;
   Eigen::VectorXd rest_, free_, forced_;
+  std::optional<PathVector> parted_, parted_before_;  // the last bifurcation that rounding has parted
   std::vector<CriticalPoint> critical_;  // between before_ and now_, but for pairs that no sign shows
   double first_length_ = 0, length_ = 0, factor_ = 1, greatest_ = 0;
 };

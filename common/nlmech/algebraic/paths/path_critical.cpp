@@ -26,7 +26,7 @@ std::string_view to_string(CriticalPoint::Kind kind) noexcept {
 }
 
 Path::Mark Path::mark(double part, const PathPoint& point) const {
-  return {part, point.slope, point.negative, point.sign};
+  return {part, point.slope, point.negative, point.sign, point.is_rounded};
 }
 
 Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
@@ -44,8 +44,11 @@ Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   if (pair) parts.insert(std::upper_bound(parts.begin(), parts.end(), pair->high), pair->high);
   if (parts.empty()) {
     out = critical_;
-    return out.empty() ? critical_in(mark(0, before_), mark(1, now_), out) : outcome;
+    return out.empty() && parted_.has_value() == parted_before_.has_value()
+               ? critical_in(mark(0, before_), mark(1, now_), out)
+               : outcome;
   }
+  parted_ = parted_before_;
   Mark low = mark(0, before_);
   PathPoint point;
   for (const double part : parts) {
@@ -68,6 +71,14 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   const auto limit = low.slope > 0 ? CriticalPoint::Kind::maximum : CriticalPoint::Kind::minimum;
   if (changes.count() == 1 && changes.fold) {
     const Outcome outcome = fold_in({low.part, low.slope, high.part, high.slope}, point);
+    if (outcome == Outcome::success && is_of_rounding(low, high, point)) {
+      const bool is_known =
+          parted_ && PathVector{parted_->y - point.at.y, parted_->m - point.at.m}.norm() <=
+                         PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
+      if (is_known) return outcome;
+      parted_ = point.at;
+      return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
+    }
     return outcome == Outcome::success ? add_critical(limit, 1, point, out) : outcome;
   }
   if (changes.count() == 1 && low.sign * high.sign < 0) {
@@ -91,6 +102,20 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   if (changes.fold) outcome = add_critical(limit, 1, point, out);
   if (outcome != Outcome::success || changes.branches == 0) return outcome;
   return add_critical(CriticalPoint::Kind::bifurcation, changes.branches, point, out);
+}
+
+/// Is a limit point that of a bifurcation which nothing but rounding has parted? Then the path, which bends
+/// there or not as the last digits say, has a bifurcation in its place.
+bool Path::is_of_rounding(const Mark& low, const Mark& high, PathPoint& fold) {
+  if (!low.is_rounded || !high.is_rounded) return false;
+  const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
+  Fork fork{fold.at};
+  if (refine_fork(system_, fork, chord.norm() + fold.at.y.norm(), std::abs(fold.at.m)) != Outcome::success)
+    return false;
+  fold.at = fork.at;
+  fold.x = system_.unscaled(fork.at.y);
+  fold.load = fork.at.m / system_.load_scale();
+  return true;
 }
 
 /// Do branches cross at a point of branch_in(), or does the path turn off there by a gap, past which it was
@@ -165,7 +190,8 @@ bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
 /// Adds it, if K is singular there and the path one.
 Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                            std::vector<CriticalPoint>& out) {
-  if (!is_change_at(part_of(point), kind)) return Outcome::not_converged;
+  const bool is_parted = parted_ && parted_->m == point.at.m;
+  if (!is_parted && !is_change_at(part_of(point), kind)) return Outcome::not_converged;
   double norm = 0;  // of K around: at the point of one unknown it vanishes itself
   for (const PathVector& at : {before_.at, now_.at, point.at}) {
     if (!system_.linearise(at)) return Outcome::non_finite;
