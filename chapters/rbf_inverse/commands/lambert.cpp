@@ -147,9 +147,8 @@ std::string lambert(const Arc& a) {
     throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
-  return fmt::format(
-      "vx0,vy0,vz0,vx1,vy1,vz1,miss\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n", t.v1[0],
-      t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
+  return fmt::format("vx0,vy0,vz0,vx1,vy1,vz1,miss\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n",
+                     t.v1[0], t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
 }
 
 /// `porkchop`
@@ -269,11 +268,10 @@ std::string merge(const Parts& typed) {
 }  // namespace
 
 void add_lambert_commands(scene::Commands& all) {
-  all.add(
-      "lambert",
-      "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss. The "
-      "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
-      declare_arc, lambert);
+  all.add("lambert",
+          "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss. The "
+          "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
+          declare_arc, lambert);
   all.add("porkchop",
           "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
           "departure,arrival,v_departure,v_arrival,revolutions",

@@ -48,8 +48,7 @@ TEST(OwnMotion, RowsOfAMotionAreAtTheTimesAskedFor) {
     const Rows rows = path_of(shipped("toggle"), words);
     ASSERT_EQ(rows.size(), 6U);
     const std::array<double, 5> times = {0, 0.05, 0.1, 0.15, 0.18};
-    for (const std::size_t i : {0U, 1U, 2U, 3U, 4U})
-      EXPECT_EQ(number(rows[i + 1].cells[0]), times[i]);
+    for (const std::size_t i : {0U, 1U, 2U, 3U, 4U}) EXPECT_EQ(number(rows[i + 1].cells[0]), times[i]);
     ends.push_back(number(rows[4].cells[column(rows, "B.y")]));
   }
   // Of the largest displacement, 0.215, a hundredth is what a fixed step may be off by.

@@ -223,10 +223,10 @@ void declare_problem(scene::Options& options, Words& words, const std::string& m
               "an equation, or several with ; between: \"x'' + 0.1 x' + x + a x^3 = cos(t); a = 3\"");
   options.add("--file", words.file, "a file of equations, definitions and initial values");
   options.add("--set", words.set, "name=value of a parameter; more of them with blanks between");
-  options.add(
-      "--initial", words.initial,
-      "initial state: \"x=1, x'=0\", or numbers in the order of the columns, in which the text first names the "
-      "unknowns; the problem's own without it");
+  options.add("--initial", words.initial,
+              "initial state: \"x=1, x'=0\", or numbers in the order of the columns, in which the text first "
+              "names the "
+              "unknowns; the problem's own without it");
   options.add("--from", words.from, "time at which it begins; the problem's own without it");
   if (many.empty())
     options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
@@ -322,9 +322,10 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
     options.add(
         "--plot", words.plot,
         "draws the unknowns against time, or the section: a name.svg, over an older such picture alone");
-    options.add("--states", words.states,
-                "CSV with a run a row: columns are unknowns and parameters, named exactly as in the equations; "
-                "others are handed on; - is standard input");
+    options.add(
+        "--states", words.states,
+        "CSV with a run a row: columns are unknowns and parameters, named exactly as in the equations; "
+        "others are handed on; - is standard input");
     options.add("--threads", words.threads, "of --states, how many; without it one a processor")
         .range(1, 1024);
     options.add("--shard", words.shard,
