@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <string>
 
@@ -28,7 +29,7 @@ frames::TogglePath path_of(const TypedToggle& typed) {
 /// Says how good the mesh is, by the points of a second one.
 void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
   const int elements = elements_of(typed),
-            second = frames::second_mesh(elements, 2U * static_cast<unsigned>(elements));
+            second = frames::second_mesh(elements, 2 * static_cast<std::size_t>(elements));
   const frames::TogglePath other =
       critical_points(frames::Toggle{.height = typed.height, .elements = second});
   const auto is_same = [](const frames::ToggleEvent& a, const frames::ToggleEvent& b) {

@@ -172,7 +172,8 @@ scene::Table table_of(const std::vector<Runs>& motions) {
 void draw(const std::vector<Runs>& motions, scene::Show& show) {
   scene::Plot& plot = show.plots("RBF-Coll follows the chaotic motion too, with short steps");
   scene::Table data({{"motion"}, {"method"}, {"step"}, {"error"}});
-  constexpr std::array styles = {1, 3, 5, 2, 8}, order = {0, 2, 1, 3, 4};  // in the key
+  constexpr std::array styles = {1, 3, 5, 2, 8};
+  constexpr std::array<std::size_t, 5> order = {0, 2, 1, 3, 4};  // in the key
   for (const Runs& runs : motions) {
     const bool chaotic = runs.motion.name == "chaotic";
     scene::Panel& panel = plot.panel("mean length of a step", chaotic ? "error of {/:Italic u}(100)" : "");
