@@ -145,28 +145,29 @@ class Streams {
     for (const int stream : {1, 2}) {
       int ends[2] = {-1, -1};
       EXPECT_EQ(::pipe2(ends, O_CLOEXEC | O_NONBLOCK), 0);
-      before_[stream - 1] = ::dup(stream);
+      before_.at(place(stream)) = ::dup(stream);
       ::dup2(ends[1], stream);
       ::close(ends[1]);
-      read_[stream - 1] = ends[0];
+      read_.at(place(stream)) = ends[0];
     }
   }
   Streams(const Streams&) = delete;
   Streams& operator=(const Streams&) = delete;
   ~Streams() {
     for (const int stream : {1, 2}) {
-      ::dup2(before_[stream - 1], stream);
-      ::close(before_[stream - 1]);
-      ::close(read_[stream - 1]);
+      ::dup2(before_.at(place(stream)), stream);
+      ::close(before_.at(place(stream)));
+      ::close(read_.at(place(stream)));
     }
   }
   std::string written(int stream) {
     std::array<char, 65536> buffer{};
-    const ssize_t count = ::read(read_[stream - 1], buffer.data(), buffer.size());
+    const ssize_t count = ::read(read_.at(place(stream)), buffer.data(), buffer.size());
     return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
   }
 
  private:
+  static std::size_t place(int stream) { return static_cast<std::size_t>(stream - 1); }
   std::array<int, 2> before_{}, read_{};
 };
 

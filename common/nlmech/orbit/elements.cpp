@@ -155,7 +155,7 @@ State in_space(const Conic& conic, const Orientation& o, const InPlane& p, doubl
   const Vec towards(co * cw - so * ci * sw, so * cw + co * ci * sw, si * sw);
   const Vec ahead(-co * sw - so * ci * cw, -so * sw + co * ci * cw, si * cw);
   const double q = conic.periapsis_distance, speed = root_of_ratio(mu, q);
-  const State state{q * p.x * towards + q * p.y * ahead, speed * (p.vx * towards + p.vy * ahead)};
+  State state{q * p.x * towards + q * p.y * ahead, speed * (p.vx * towards + p.vy * ahead)};
   if (state.position.isZero(0) || !state.position.allFinite() || !state.velocity.allFinite()) {
     throw invalid_argument(
         "periapsis distance {}, e = {} and mu = {} lead to a distance or a speed that is beyond the range of "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nlmech/support/sentences.hpp"
+
 namespace nlmech::orbit::detail {
 namespace {
 

@@ -73,7 +73,7 @@ struct Closed {
 
 /// The motions of a shape given by the library, as HalfToggle has them.
 RealVector motions(const frames::ToggleFrame& half, const Eigen::VectorXd& x, int elements) {
-  RealVector all = RealVector::Zero(3 * elements);
+  RealVector all = RealVector::Zero(3 * Eigen::Index{elements});
   for (int i = 1; i <= elements; ++i) {
     int place = 3 * i - 3;
     for (const auto motion : {frames::Motion::x, frames::Motion::y, frames::Motion::rotation}) {

@@ -103,8 +103,9 @@ Element HalfToggle::element_force(const Element& d) const {
 
 Element HalfToggle::ends(const RealVector& x, int element) const {
   Element d = Element::Zero();
-  if (element > 0) d.head(3) = x.segment(3 * element - 3, 3);
-  d.tail(3) = x.segment(3 * element, 3);
+  const Eigen::Index end = 3 * Eigen::Index{element};
+  if (element > 0) d.head(3) = x.segment(end - 3, 3);
+  d.tail(3) = x.segment(end, 3);
   return d;
 }
 
@@ -112,8 +113,9 @@ RealVector HalfToggle::force(const RealVector& x) const {
   RealVector f = RealVector::Zero(size());
   for (int i = 0; i < m_; ++i) {
     const Element e = element_force(ends(x, i));
-    if (i > 0) f.segment(3 * i - 3, 3) += e.head(3);
-    f.segment(3 * i, 3) += e.tail(3);
+    const Eigen::Index end = 3 * Eigen::Index{i};
+    if (i > 0) f.segment(end - 3, 3) += e.head(3);
+    f.segment(end, 3) += e.tail(3);
   }
   return f;
 }
@@ -200,7 +202,7 @@ std::optional<AtDrop> HalfToggle::at(Real drop, const AtDrop& near) const {
 std::optional<AtDrop> HalfToggle::next_of(const AtDrop& from, Real step) const {
   AtDrop guess = from;
   guess.x += step * way(stiffness(from.x));
-  const auto next = at(from.drop + step, guess);
+  auto next = at(from.drop + step, guess);
   if (!next || !std::isfinite(next->load)) return {};
   // No jump to a neighbouring branch: what the straight guess was off by is a small part of the way.
   const Real way_gone = (guess.x - from.x).norm(), missed = (next->x - guess.x).norm();

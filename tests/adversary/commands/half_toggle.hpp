@@ -41,7 +41,7 @@ class HalfToggle {
  public:
   HalfToggle(double height, int elements);
 
-  [[nodiscard]] Eigen::Index size() const { return 3 * m_; }
+  [[nodiscard]] Eigen::Index size() const { return 3 * Eigen::Index{m_}; }
   /// Forces that hold it.
   [[nodiscard]] RealVector force(const RealVector& x) const;
   /// Differences of force().
