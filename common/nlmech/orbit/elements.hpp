@@ -75,7 +75,9 @@ struct Conic {
 /// Where a conic lies: sines and cosines of i, Omega and omega of Elements, which sine_cosine_of_degrees()
 /// gives exactly for quarter turns.
 struct Orientation {
-  SineCosine inclination, ascending_node, periapsis_argument;  ///< i, Omega, omega
+  SineCosine inclination;         ///< of i
+  SineCosine ascending_node;      ///< of Omega
+  SineCosine periapsis_argument;  ///< of omega
 };
 
 /// The state on @p conic at a true anomaly, within 16 eps of |r| and |v| for these numbers taken as exact

@@ -13,7 +13,8 @@ namespace nlmech::frames {
 /// A beam-column that has lost most of its length.
 struct ShortestMember {
   double left;  ///< length of the chord over that at rest
-  double x, y;  ///< its first node at rest
+  double x;     ///< of its first node at rest
+  double y;     ///< of its first node at rest
 };
 
 /// A frame as equations, and all of its displacements from the unknowns of these.
