@@ -57,11 +57,10 @@ template <class T, class F>
 /// Where Kepler's motion leads to: E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of
 /// the periapsis.
 template <class T>
-[[nodiscard]] BasicState<T> conic(const State& start, double time, double gravity) {
+[[nodiscard]] BasicState<T> conic(const BasicState<T>& s, const T& t, const T& mu) {
   using std::abs, std::asinh, std::atan2, std::cos, std::cosh, std::floor, std::log, std::pow, std::sin,
       std::sinh, std::sqrt;
-  const BasicState<T> s = as<T>(start);
-  const T mu = gravity, t = time, r0 = length(s.position), alpha = 2 / r0 - s.velocity.dot(s.velocity) / mu;
+  const T r0 = length(s.position), alpha = 2 / r0 - s.velocity.dot(s.velocity) / mu;
   const Vector3<T> h = cross(s.position, s.velocity);
   const T p = h.dot(h) / mu, along = s.position.dot(s.velocity) / sqrt(mu);
   const Vector3<T> apse = cross(s.velocity, h) / mu - s.position / r0;
@@ -99,6 +98,11 @@ template <class T>
                          -bound, bound, T(0));
   const T r = (p + d * d) / 2, rate = sqrt(mu) / r;
   return in_frame((p - d * d) / 2, sqrt(p) * d, -d * rate, sqrt(p) * rate);
+}
+
+template <class T>
+[[nodiscard]] BasicState<T> conic(const State& start, double time, double gravity) {
+  return conic<T>(as<T>(start), T(time), T(gravity));
 }
 
 /// |a - b|.

@@ -164,6 +164,24 @@ TEST(Kepler, ConditionIsTheGrowthOfErrors) {
   EXPECT_NEAR(kappa.position / sum, 1, 1e-3);  // differences of first order
 }
 
+// A fast body that has not reached the centre is on a straight line, whose end changes by |r| with each
+// component of the position, by |v t| with each of the velocity and with the time. The shape of its
+// hyperbola, which a change of 1e-16 may turn from straight to open, does not enter; gravity does by
+// 1/(v^2 (1 - part)^2), less than 1e-4.
+TEST(Kepler, TheConditionOfAnApproachIsThatOfAStraightLine) {
+  for (const double speed : {1e4, 1e7, 1e8, 1e12}) {
+    for (const double aside : {0., 1e-17, 1e-16, 1e-12}) {
+      const State inwards{{1, 0, 0}, {-speed, speed * aside, 0}}, outwards{{1, 0, 0}, -inwards.velocity};
+      for (const double part : {1e-8, 3e-3, 0.25, 0.9, 0.99}) {
+        const double expected = (3 + 4 * part) / (1 - part), time = part / speed;
+        EXPECT_NEAR(kepler_condition(inwards, time, 1).position / expected, 1, 1e-4) << speed << " " << part;
+        EXPECT_NEAR(kepler_condition(outwards, -time, 1).position / expected, 1, 1e-4)
+            << speed << " " << part;
+      }
+    }
+  }
+}
+
 // The universal variables in 50 digits against Kepler's own equation in 50: two computations, one motion.
 TEST(Kepler, UniversalVariablesAgreeWithKeplersEquationInExtendedPrecision) {
   const State states[] = {

@@ -34,7 +34,61 @@ BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<
   return flyby.state(D(plain.at_time(wanted.value)), wanted);
 }
 
-/// The moved state with its derivatives, found as by kepler_state().
+/// A fast body on its way to the centre, by universal variables with k + sigma = (p - 2)/(k - sigma), which
+/// is small, taken out of the sums, so that nothing cancels. Units and times as in Universal.
+template <class T>
+struct Approach {
+  T k;       ///< (-alpha)^(1/2)
+  T excess;  ///< k + sigma
+
+  /// Everything at one s, as in Universal.
+  struct At {
+    T time;        ///< since r_0
+    T r;           ///< distance
+    T u1, u2, u3;  ///< U_n
+  };
+  [[nodiscard]] At at(const T& s) const {
+    using std::exp;
+    const T x = k * s, fade = exp(T(-x));
+    const Stumpff<T> c = stumpff(T(-x * x));
+    const T u1 = s * c.c1, u2 = s * s * c.c2, u3 = s * s * s * c.c3;
+    return {(1 - fade) / k + excess * u2 + u3, fade + excess * u1 + u2, u1, u2, u3};
+  }
+  /// s at a time, to the square root of rounding, by Newton's iteration from its lower bound: x grows by 1 a
+  /// step at most, up to 36 for the nearest double to the centre.
+  [[nodiscard]] T at_time(const T& wanted) const {
+    T s = wanted, change = s;
+    for (int i = 0; i < 100 && std::abs(change) * k > 1e-8; ++i) {
+      const At a = at(s);
+      change = (wanted - a.time) / a.r;
+      s += change;
+    }
+    return s;
+  }
+};
+
+/// Lagrange's coefficients of an approach with their derivatives, in units of r_0.
+LagrangeCoefficients<D> approach_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v,
+                                                  const D& time) {
+  const double sign = time.value < 0 ? -1 : 1;
+  const D sigma = sign * direction.dot(v), t = sign * time, k = sqrt(v.dot(v) - 2);
+  const Vector3<D> across = v - sign * sigma * direction;
+  const Approach<D> approach{k, (across.dot(across) - 2) / (k - sigma)};
+  const D s = Approach<double>{k.value, approach.excess.value}.at_time(t.value);
+  auto at = approach.at(s);
+  at = approach.at(s + (t - at.time) / at.r);
+  return {1 - at.u2, sign * (t - at.u3), -sign * at.u1 / at.r, 1 - at.u2 / at.r, 0};
+}
+
+/// Is a hyperbola integrated inwards still on a nearly straight line to where it will be? Derivatives from
+/// the periapsis, whose eccentricity changes by v^2 with the data, cancel there by as much. A straight line
+/// leaves the part 1 - |v t| of the distance; gravity bends it by 1/(v^2 that), less than v^(-1/2)/8 here.
+bool is_approach(double speed, double time) {
+  return (1 - speed * std::abs(time)) * speed * std::sqrt(speed) > 8;
+}
+
+/// The moved state with its derivatives, found as by kepler_state(), and on an approach without the
+/// periapsis.
 BasicState<D> with_derivatives(const State& start, double time, double mu) {
   BasicState<D> s;
   for (int i = 0; i < 3; ++i) {
@@ -47,6 +101,11 @@ BasicState<D> with_derivatives(const State& start, double time, double mu) {
   D t = D::variable(time, 7) * rate;
   const detail::Universal<D> u{2 - v.dot(v), direction.dot(v)};
   if (value_of(u.alpha) < -1 && value_of(u.sigma) * time < 0) {
+    if (is_approach(std::sqrt(v.dot(v).value), t.value)) {
+      LagrangeCoefficients<D> c = approach_with_derivatives(direction, v, t);
+      c.g /= rate, c.f_rate *= rate;
+      return moved(s, c);
+    }
     const BasicState<D> end = flyby_with_derivatives(direction, v, t);
     return {r0 * end.position, speed * end.velocity};
   }
