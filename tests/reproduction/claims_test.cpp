@@ -105,6 +105,18 @@ TEST_F(ClaimsOnDisk, AreJudgedByTheirEvidence) {
   }
 }
 
+TEST_F(ClaimsOnDisk, ARangeStandsInPlaceOfANumberThatDependsOnRounding) {
+  put(folder_ / "tables/published/roy.csv",
+      "place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,"
+      "erratum,reading\ntable-1,low,height,1,m,value,2..40 by rounding,,differs,digits,,,,,\n");
+  const auto judged = judge("roy,1,moon,round,REPRODUCTION,table-1/low/height,1 to 3,holds,why");
+  EXPECT_TRUE(judged[0].passes);
+  EXPECT_EQ(judged[0].value, 3) << "which the verdict is of";
+  EXPECT_NE(claims_page(judged).find("height | 2..40 by rounding | 1 to 3 | holds | why |"),
+            std::string::npos)
+      << claims_page(judged);
+}
+
 TEST_F(ClaimsOnDisk, AnotherVerdictOrNoEvidenceIsAMiss) {
   EXPECT_FALSE(judge("roy,1,moon,round,fig-1,radius,at least 3,holds,")[0].passes);
   for (const char* evidence : {"fig-1,colour,at most 2,does not hold", "fig-2,radius,at most 2,does not hold",

@@ -107,6 +107,15 @@ Values measured_of(const std::string& source, const std::vector<Checked>& checks
   return found;
 }
 
+/// The range in place of such a number, where rounding decides which number of it is found; else empty.
+std::string range_of(const Claim& claim, const std::vector<Checked>& checks) {
+  if (claim.scene != printed_numbers) return "";
+  const auto found = std::ranges::find_if(checks, [&](const Checked& c) {
+    return c.value.source == claim.source && c.value.name() == claim.source + "/" + claim.quantity;
+  });
+  return found == checks.end() || range_by_rounding(found->value).empty() ? "" : nominal_text(*found);
+}
+
 Verdict verdict_of(const Claim& claim, double value) {
   if (claim.expected == Verdict::not_stated) return Verdict::not_stated;
   return within(claim.means, value) ? Verdict::holds : Verdict::does_not_hold;
@@ -141,7 +150,10 @@ Table totals(const std::vector<JudgedClaim>& claims) {
   return table;
 }
 
-Cell number_or_blank(double value) { return std::isnan(value) ? Cell("") : Cell(value); }
+Cell shown_value(const JudgedClaim& c) {
+  if (!c.range.empty()) return c.range;
+  return std::isnan(c.value) ? Cell("") : Cell(c.value);
+}
 
 }  // namespace
 
@@ -173,12 +185,13 @@ std::vector<JudgedClaim> judge_claims(const std::vector<std::string>& built, con
     refuse(std::none_of(places.begin(), places.end(),
                         [&](const Place& place) { return place.chapter == claim.chapter; }),
            list.string(), fmt::format("no chapter '{}' in places.csv", echoed(claim.chapter)));
-    JudgedClaim j{std::move(claim), std::nan(""), Verdict::not_built, true};
+    JudgedClaim j{std::move(claim), std::nan(""), "", Verdict::not_built, true};
     if (std::find(built.begin(), built.end(), j.claim.chapter) != built.end()) {
       const Values values = values_for(j.claim);
       const auto value = values.find(j.claim.quantity);
       const bool there = value != values.end();
       if (there) j.value = value->second;
+      j.range = range_of(j.claim, checks);
       j.verdict = verdict_of(j.claim, j.value);
       j.passes = j.verdict == j.claim.expected && (there || j.claim.quantity.empty());
     }
@@ -209,9 +222,8 @@ std::string claims_page(const std::vector<JudgedClaim>& claims) {
                                                   {"verdict"},
                                                   {"reading"}}));
     }
-    sources.back().second.add({c.claim.place, c.claim.chapter, c.claim.text, evidence(c),
-                               number_or_blank(c.value), c.claim.means, std::string(to_string(c.verdict)),
-                               c.claim.reading});
+    sources.back().second.add({c.claim.place, c.claim.chapter, c.claim.text, evidence(c), shown_value(c),
+                               c.claim.means, std::string(to_string(c.verdict)), c.claim.reading});
   }
   for (const auto& [source, table] : sources)
     page += fmt::format("\n## Claims of {}\n\n{}", source, table.markdown());

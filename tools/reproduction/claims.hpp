@@ -36,8 +36,9 @@ struct Claim {
 
 /// A claim, and what the evidence on disk says of it.
 struct JudgedClaim {
-  Claim claim;                                         ///< as listed
-  double value = 0;                                    ///< of the quantity; NaN if it is not there
+  Claim claim;        ///< as listed
+  double value = 0;   ///< of the quantity; NaN if it is not there
+  std::string range;  ///< that stands in its place, where rounding decides which number of it is found
   scene::Verdict verdict = scene::Verdict::not_built;  ///< by the evidence
   bool passes = false;                                 ///< the expected verdict, or the chapter is not built
 };

@@ -83,7 +83,7 @@ std::string judged_table(const Rows& rows, const Guide& guide) {
                {"reading"}});
   for (const Checked* c : rows) {
     table.add({place_link(*c, guide), c->value.row, c->value.quantity, printed(c->value), c->value.tolerance,
-               shown(c->measured.nominal), shown(c->measured.inferred), verdict_text(*c),
+               nominal_text(*c), shown(c->measured.inferred), verdict_text(*c),
                reading_and_reason(c->value)});
   }
   return table.markdown();
@@ -127,7 +127,9 @@ std::string reproduction_page(const std::vector<Checked>& values, const Guide& g
       "# What was reproduced\n\n"
       "One row for every number that a source prints. *Nominal* is what we get from the text as it stands, "
       "*inferred* what we get under a reading that evidence points to, *within* the tolerance that decides: "
-      "`digits` is one unit of the last printed digit. The words of the verdicts are explained in the "
+      "`digits` is one unit of the last printed digit. A range *by rounding* stands in place of a number "
+      "that "
+      "differs from machine to machine within it. The words of the verdicts are explained in the "
       "[glossary](../docs/glossary.md). Written by `make check`.\n\n" +
       counts(chapters, guide).markdown();
   for (const auto& [chapter, rows] : chapters) {

@@ -213,6 +213,24 @@ TEST_F(Check, SaysThatAReportLacksAFileOrAValue) {
   EXPECT_EQ(said(), (folder_ / "results/ours/check.csv").string() + ": line 2: not 5 cells");
 }
 
+TEST_F(Check, ShowsTheRangeOfANumberThatDependsOnRounding) {
+  const auto text = [](std::string nominal, std::optional<double> measured) {
+    Checked c{{}, "ours", {measured, {}}, {}, {}};
+    c.value.printed = "1", c.value.value = 1, c.value.tolerance = "digits",
+    c.value.expected = Verdict::differs;
+    c.value.nominal = std::move(nominal);
+    c.judgement = judge(c.value, c.measured);
+    return nominal_text(c);
+  };
+  EXPECT_EQ(text("5..70 by rounding: why", 12.5), "5..70 by rounding");
+  EXPECT_EQ(text("5..70 by rounding", 12.5), "5..70 by rounding");
+  EXPECT_EQ(text("5..70 by rounding", 100), "100") << "which fails";
+  EXPECT_EQ(text("5..70 by rounding", {}), "");
+  EXPECT_EQ(text("5..70 of twelve", 12.5), "12.5");
+  EXPECT_EQ(text("12.5 by rounding", 12.5), "12.5") << "no range";
+  EXPECT_EQ(text("", 12.5), "12.5");
+}
+
 TEST_F(Check, ReportsEveryValueAndMarksTheMisses) {
   publish(
       "table-1,good,x,1,m,error,,,reproduced,0.1,why,,,,as "

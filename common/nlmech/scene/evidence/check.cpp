@@ -168,6 +168,13 @@ std::string verdict_text(const Checked& checked) {
   return text;
 }
 
+std::string nominal_text(const Checked& checked) {
+  const std::string_view range = range_by_rounding(checked.value);
+  return checked.judgement.passes && checked.measured.nominal && !range.empty()
+             ? std::string(range)
+             : shown(checked.measured.nominal);
+}
+
 std::string reading_text(const PublishedValue& value) {
   if (value.tried == 0) return value.reading;
   return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);

@@ -57,6 +57,10 @@ void write_check(const ChapterCheck& check, const std::string& chapter, const st
 /// The verdict in words, with the expected one where it is another.
 [[nodiscard]] std::string verdict_text(const Checked& checked);
 
+/// The nominal number to four digits; the range that the file states in its place, where rounding decides
+/// which number of it is found and this one lies in it. Empty if there is none.
+[[nodiscard]] std::string nominal_text(const Checked& checked);
+
 /// How the text was understood, with the evidence for it: "the other norm (2 tried; explains 2 of 2 rows)".
 [[nodiscard]] std::string reading_text(const PublishedValue& value);
 

@@ -173,6 +173,16 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
 
 }  // namespace
 
+std::string_view range_by_rounding(const PublishedValue& value) {
+  constexpr std::string_view mark = " by rounding";
+  const std::string_view text = value.nominal;
+  const auto end = text.find(' ');
+  const bool is_range = leading_range(text) && text.substr(0, end).find("..") != std::string_view::npos;
+  return is_range && end != std::string_view::npos && text.substr(end).starts_with(mark)
+             ? text.substr(0, end + mark.size())
+             : std::string_view();
+}
+
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::reproduced: return "reproduced";

@@ -103,6 +103,10 @@ struct Place {
 /// All rows of `<data>/tables/places.csv`. @throws InputError naming file and line
 [[nodiscard]] std::vector<Place> read_places(const std::filesystem::path& data_folder);
 
+/// "0.03..1e5 by rounding", if that is how `nominal` begins: rounding decides which number of the range is
+/// found, so that pages show the range in its place. Empty for other values.
+[[nodiscard]] std::string_view range_by_rounding(const PublishedValue& value);
+
 /// The chapter that owns a published value. @throws InputError if `places.csv` does not list its place
 [[nodiscard]] const std::string& owner(const PublishedValue& value, const std::vector<Place>& places);
 
