@@ -207,7 +207,7 @@ TEST_P(Structures, TheLowToggleHasNoLimitPoint) {
 
 // The elastica has its own reference to 12 digits; frames converge to it like m^-2, so two of them
 // extrapolate to m^-4: 1e-7 for 16 and 32 elements of this toggle, by the size of the next difference.
-// oracle: homotopy_elastica
+// oracle: homotopy_elastica elastica * maximum*, elastica * minimum*
 TEST(Elastica, IsWhereFramesConvergeTo) {
   const auto expect = [](double height, double drop_max, double high, double drop_min, double low) {
     const Elastica elastica({.height = height});

@@ -1,4 +1,4 @@
-"""Limit points of the toggle of Elgohary 2015, Table 2.1, as an extensible elastica: half of it by shooting from the clamped base.
+"""Limit points of the toggle of Elgohary 2015, Table 2.1, and its drops under 36 lb, as an extensible elastica: half of it by shooting from the clamped base.
 
 With the constant force (h, v) across every section: theta' = m/EI, x' = (1 + N/EA) cos theta, y' = (1 + N/EA) sin theta,
 m' = (1 + N/EA) (h sin theta - v cos theta), N = h cos theta + v sin theta, over the length of the unloaded member."""
@@ -56,6 +56,17 @@ class Half:
                 return b, -2 * x[1]
         raise ArithmeticError("no convergence")
 
+    def under(self, unknown, load, drop):
+        """The drop near a given one at which the half carries a load, by Newton's iteration."""
+        x = unknown
+        for _ in range(20):
+            x, slope = self.solve(x, drop)
+            move = (-2 * x[1] - load) / (-2 * slope[1])
+            drop -= move
+            if abs(move) < D("1e-9"):  # and the next would be as small as its square
+                return drop
+        raise ArithmeticError("no convergence")
+
 
 def main():
     head()
@@ -68,6 +79,12 @@ def main():
             at, load = half.fold(x, D(near), D(near) + D("0.001"))
             row(f"elastica {height} {name}", load, 12)
             row(f"elastica {height} {name} at", at, 6)
+    half, x, drop = Half("0.44"), [D(-1), D(-1), D(1)], D(0)
+    for branch, near in (("rising", "0.12"), ("falling", "0.36")):
+        while drop < D(near):
+            drop += D("0.04")
+            x, _ = half.solve(x, drop)
+        row(f"elastica 0.44 36 lb {branch}", half.under(x, D(36), drop), 9)
 
 
 main()

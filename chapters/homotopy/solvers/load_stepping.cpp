@@ -152,7 +152,8 @@ void check_steps(const Stepped& steps, const std::string& which, scene::Show& sh
   show.at_most(
       "loads without a solution, " + which, unsolved(steps.up) + unsolved(steps.down), has_limits ? 2 : 0,
       has_limits
-          ? "on a branch none; of jumps one in a hundred takes more than 1000 iterations (load-stepping)"
+          ? "on a branch none; less than one jump in twenty takes more than 1000 iterations (load-stepping), "
+            "which each of the two may do once"
           : "the damped iteration stays on the side of the root where it starts, or is near");
   if (!has_limits) return;
   show.at_most("found points on the falling branch, " + which,
