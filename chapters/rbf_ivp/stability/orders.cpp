@@ -100,7 +100,8 @@ Groups all_series() {
                   by_steps("mcpi N = 5", 6, "N odd: quadrature of degree N", 10, Mcpi{.order = 5})},
       std::vector{by_steps("lgl N = 4", 3, lobatto, 10, lgl4), by_steps("lgl N = 5", 4, lobatto, 10, lgl5),
                   by_steps("radau N = 4", 5, radau, 10, radau4), by_steps("radau N = 5", 7, radau, 5, radau5),
-                  by_steps("rbf-coll N = 4 c = 0.3", 3, flat, 10, RbfCollocation{.nodes = 4, .shape = 0.3}),
+                  // Not flatter: their matrix has a condition like (c h)^(2 - 2 N), 6e7 here.
+                  by_steps("rbf-coll N = 4 c = 1", 3, flat, 10, RbfCollocation{.nodes = 4, .shape = 1}),
                   by_steps("rbf-coll N = 5 c = 1", 4, flat, 8, RbfCollocation{.nodes = 5, .shape = 1}),
                   by_steps("rbf-coll N = 7 c h = 1.5", 0, "N odd: R(0) = 1 but R'(0) is not", 10,
                            RbfCollocation{.nodes = 7}),
@@ -168,11 +169,8 @@ void put(const Groups& groups, const std::vector<Order>& linear, scene::Show& sh
       orders.push_back({s.method, s.expected, s.observed(),
                         fmt::format("three masses to 8 s, steps {:.3g} and {:.3g} s",
                                     s.points[s.points.size() - 2].step, s.points.back().step)});
-      const double room = s.method.starts_with("rbf-coll N = 4") ? 0.15 : 0.05;
-      show.between("observed order of " + s.method, s.observed(), s.expected - room, s.expected + room,
-                   s.theory +
-                       "; 0.05 for the next term of the error at these steps, 0.1 for the rounding of "
-                       "matrices of radial functions");
+      show.between("observed order of " + s.method, s.observed(), s.expected - 0.05, s.expected + 0.05,
+                   s.theory + "; 0.05 for the next term of the error at these steps");
     }
   }
   for (const Order& o : linear) {
