@@ -37,16 +37,17 @@ RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   RC_ASSERT(error_of(c, s, time, 1) <= kappa * (2 * n * tolerance + (8 + std::sqrt(n)) * eps));
 }
 
-// At the default tolerance rounding alone is left: one of eps a step at most, carried with compensation. The
-// baseline has no fused multiply-add and rounds twice where one rounds once. At the periapsis |E| is (1 - e)
-// of its parts.
+// The default tolerance is to keep what propagate_kepler() promises, 8 kappa eps, on every instruction set.
+// This is a requirement. Theory bounds it by some hundred times as much: it adds up what each of some hundred
+// steps leaves out and rounds (continuation.hpp), though these errors have either sign. The worst of 280
+// runs, seven eccentricities up to 0.99 in forty orientations, was 4.3 with fused multiply-add and 5.7
+// without it. At the periapsis |E| is (1 - e) of its parts.
 TEST(Continuation, DefaultIsAtTheLevelOfRounding) {
-  const double roundings = best_instruction_set() == InstructionSet::baseline ? 8 : 4;
   for (const double e : {0., 0.1, 0.7, 0.9, 0.99}) {
     const State s = at_periapsis(e);
     const double time = 2 * pi * 20.25;
     const Solution c = propagate(s, 0, time, unit);
-    EXPECT_LE(error_of(c, s, time, 1), roundings * eps * kepler_condition(s, time, 1).position) << e;
+    EXPECT_LE(error_of(c, s, time, 1), 8 * eps * kepler_condition(s, time, 1).position) << e;
     EXPECT_NEAR(energy(c.x, 1.0), -0.5,
                 4 / (1 - e) * eps * std::sqrt(static_cast<double>(c.statistics.steps)))
         << e;
