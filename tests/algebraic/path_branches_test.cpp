@@ -139,7 +139,7 @@ struct StiffPair : Loaded {
   }
   void load_vector(VectorXd& out) const override { out = q; }
   void matrix(MatrixXd& out) const override { out = k; }
-  bool long_matrix(const VectorXd&, double load, Eigen::SparseMatrix<long double>& out) override {
+  bool long_matrix(const LongVector&, double load, Eigen::SparseMatrix<long double>& out) override {
     Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> exact(2, 2);
     const long double stiff = spring;
     exact << stiff + 1 - load, -stiff, -stiff, stiff;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/frames/named_walks.hpp"
 
@@ -77,6 +78,33 @@ TEST(SprungColumns, TheEndDoesNotMatter) {
     expect_one_point({10, 120, 2.9e7, 2.9e10, 300, 1e12}, 2, {.until = until});
     expect_one_point({10, 120, 2.9e7, 2.9e10, 1000, 1e12}, 1, {.until = until});
   }
+}
+
+// Members of EA = EI = 1e10 and more beside a spring of 10: double does not tell the eigenvalue that changes
+// its sign to seven digits.
+TEST(SprungColumns, TipOverOnceWhereDoubleDoesNotTellTheSpring) {
+  if (std::numeric_limits<long double>::digits <= std::numeric_limits<double>::digits) GTEST_SKIP();
+  for (const double stiff : {1e10, 1e11}) {
+    for (const double far : {6., 60., 6e3}) {
+      for (const int elements : {1, 3, 4, 8})
+        expect_one_point({6, 10, stiff, stiff, far}, elements, {.until = 75});
+    }
+  }
+}
+
+// The bar buckles where it is shortened by pi^2 EI/far, and straightens again. References: two straight bars,
+// Newton's iteration in 34 digits for the equilibrium with that shortening, and for the limit load.
+TEST(SprungColumns, BuckleTheBarAndHangFromItsLimitLoad) {
+  const Sprung sprung{10, 120, 2.9e7, 2.9e10, 1e5, 1e12};
+  const FramePaths paths = paths_of(build(sprung.model(), 1), {.until = 1300});
+  const auto forks = only(paths, Kind::bifurcation), minima = only(paths, Kind::minimum);
+  ASSERT_EQ(forks.size(), 3u);
+  ASSERT_EQ(minima.size(), 1u);
+  // A load is converged to 1e-6 of the greatest one.
+  EXPECT_NEAR(forks[0].load, sprung.critical(), 1e-6 * 1300);
+  EXPECT_NEAR(forks[1].load, 682.42161433067, 1e-6 * 1300);
+  EXPECT_NEAR(forks[2].load, -682.32727680827, 1e-6 * 1300);
+  EXPECT_NEAR(minima[0].load, -1193.8210755524, 1e-6 * 1300);
 }
 
 /// A frame with one node moved.

@@ -30,9 +30,20 @@ void LoadedFrame::linearise(const Eigen::VectorXd& x, double load) {
   if (!has_values(status_)) tangent_.coeffs().setConstant(nan);
 }
 
-bool LoadedFrame::long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+bool LoadedFrame::long_matrix(const algebraic::LongVector& x, double load,
+                              Eigen::SparseMatrix<long double>& k) {
   static_cast<void>(load);
-  return has_values(frame_.tangent<long double>(x.cast<long double>(), k));
+  return has_values(frame_.tangent<long double>(x, k));
+}
+
+bool LoadedFrame::long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) {
+  algebraic::LongVector forces;
+  status_ = frame_.force<long double>(x, forces);
+  if (has_values(status_))
+    f = (forces - load * direction_.cast<long double>()).cast<double>();
+  else
+    f.setConstant(size(), nan);
+  return true;
 }
 
 LoadedWilliams::LoadedWilliams(const Williams& toggle) : toggle_(toggle) {

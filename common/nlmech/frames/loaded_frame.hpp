@@ -32,7 +32,9 @@ class LoadedFrame : public algebraic::Loaded {
   /// See Loaded.
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
   /// See Loaded.
-  bool long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) override;
+  bool long_matrix(const algebraic::LongVector& x, double load, Eigen::SparseMatrix<long double>& k) override;
+  /// See Loaded.
+  bool long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) override;
   /// See Frame.
   [[nodiscard]] double data_rounding(const Eigen::VectorXd& v) const override {
     return frame_.data_rounding(v);

@@ -52,8 +52,7 @@ Outcome refine_fold(PathSystem& system, PathVector& at, Eigen::VectorXd& directi
     // A short step that no longer shrinks is rounding; of a structure of many elements it may be long.
     if (length > before / 2 && (length <= 1e-11 * reach || (k > 6 && length <= 1e-5 * reach)))
       return Outcome::success;
-    at.y += step.y;
-    at.m += step.m;
+    system.move(at, step);
     if (length <= 2 * eps * reach) return Outcome::success;
     if (!(length <= 2 * reach)) return Outcome::not_converged;
     before = length;

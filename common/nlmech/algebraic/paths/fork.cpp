@@ -27,8 +27,9 @@ class Reduced {
       if (!system_.solve_bordered(row_.y, row_, rest, 0, step)) return Outcome::singular_matrix;
       ++system_.statistics.newton_iterations;
       const double length = step.y.norm();
-      at.y += step.y;
       mu += step.m;
+      step.m = 0;
+      system_.move(at, step);
       const double size = at.norm();
       if (length <= 4 * eps * size) return Outcome::success;
       // Steps that no longer shrink are those of rounding, which are long in a frame of many slender members.
@@ -72,45 +73,57 @@ class Reduced {
   Eigen::VectorXd zero_;
 };
 
+/// How the derivatives of mu change.
+struct Bend {
+  Eigen::Matrix2d by;          ///< second derivatives by s and the load
+  Eigen::Index negative[2]{};  ///< negative eigenvalues under less load and more
+};
+
+/// By central differences over @p change of s and of the load, from a place that derive() has been asked of.
+Outcome bend_at(PathSystem& system, const Reduced& reduced, const PathVector& at,
+                const Eigen::Vector2d& change, Bend& bend) {
+  for (const int i : {0, 1}) {
+    Eigen::Vector2d ends[2];
+    for (const int side : {0, 1}) {
+      const double way = side == 0 ? -change[i] : change[i];
+      PathVector place = at;
+      place.y += way * (i == 0 ? reduced.along.y : reduced.under.y);
+      if (i == 1) place.m += way;
+      Reduced there = reduced;
+      Outcome outcome = there.correct(place);
+      if (outcome == Outcome::success) outcome = there.derive(place);
+      if (outcome != Outcome::success) return outcome;
+      ends[side] = there.slope;
+      // Under more load and less, the eigenvalue that vanishes has both signs; next to zero its own is that
+      // of rounding.
+      if (i == 1) bend.negative[side] = system.inertia().negative;
+    }
+    bend.by.col(i) = (ends[1] - ends[0]) / (2 * change[i]);
+  }
+  return Outcome::success;
+}
+
 }  // namespace
 
 Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
+  constexpr double near = 1e-3;  // of the reach: from there second derivatives are those of the place before
   if (!system.linearise(fork.at)) return Outcome::non_finite;
   Reduced reduced(system, null_direction(system));
   PathVector& at = fork.at;
   const PathVector start = at;
-  Eigen::Matrix2d bend;
+  Bend bend;
   double before = HUGE_VAL;
   Outcome outcome = reduced.correct(at);
   for (int k = 0; k < 20 && outcome == Outcome::success; ++k) {
     outcome = reduced.derive(at);
+    if (outcome == Outcome::success && before > near)
+      outcome = bend_at(system, reduced, at, {0.01 * reach, 0.01 * load}, bend);
     if (outcome != Outcome::success) break;
-    const Eigen::VectorXd along = reduced.along.y, under = reduced.under.y;
-    const Eigen::Vector2d slope = reduced.slope, change{0.01 * reach, 0.01 * load};
-    Eigen::Index negative[2] = {0, 0};
-    for (const int i : {0, 1}) {
-      Eigen::Vector2d ends[2];
-      for (const int side : {0, 1}) {
-        const double way = side == 0 ? -change[i] : change[i];
-        PathVector place = at;
-        place.y += way * (i == 0 ? along : under);
-        if (i == 1) place.m += way;
-        Reduced there = reduced;
-        outcome = there.correct(place);
-        if (outcome == Outcome::success) outcome = there.derive(place);
-        if (outcome != Outcome::success) return outcome;
-        ends[side] = there.slope;
-        // Under more load and less, the eigenvalue that vanishes has both signs; next to zero its own is that
-        // of rounding.
-        if (i == 1) negative[side] = system.inertia().negative;
-      }
-      bend.col(i) = (ends[1] - ends[0]) / (2 * change[i]);
-    }
-    const double mixed = (bend(0, 1) + bend(1, 0)) / 2;
-    const Eigen::Vector2d step = bend.partialPivLu().solve(-slope);
+    const double mixed = (bend.by(0, 1) + bend.by(1, 0)) / 2;
+    const Eigen::Vector2d step = bend.by.partialPivLu().solve(-reduced.slope);
     const double length = std::max(std::abs(step[0]) / reach, std::abs(step[1]) / load);
     if (!(length <= 1)) return Outcome::not_converged;
-    at.y += step[0] * along + step[1] * under;
+    at.y += step[0] * reduced.along.y + step[1] * reduced.under.y;
     at.m += step[1];
     outcome = reduced.correct(at);
     const PathVector gone{at.y - start.y, 0};
@@ -123,9 +136,9 @@ Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
     // Next to a bifurcation that a small force parts, mu is that force.
     if (!(std::abs(reduced.mu) <= 16 * reduced.rounding(at))) return Outcome::wrong_branch;
     fork.null = reduced.along.y.normalized();
-    fork.negative = std::min(negative[0], negative[1]);
-    // Of bend: 2 mixed ds dload + bend(1, 1) dload^2 = 0 along it.
-    const double share = mixed != 0 ? -bend(1, 1) / (2 * mixed) : 0;
+    fork.negative = std::min(bend.negative[0], bend.negative[1]);
+    // Of the second derivatives: 2 mixed ds dload + by(1, 1) dload^2 = 0 along it.
+    const double share = mixed != 0 ? -bend.by(1, 1) / (2 * mixed) : 0;
     fork.across = {reduced.under.y + share * reduced.along.y, 1};
     const double size = fork.across.norm();
     fork.across = {fork.across.y / size, 1 / size};

@@ -10,6 +10,9 @@
 
 namespace nlmech::algebraic {
 
+/// A column in long double.
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
 /// n equations F(x, load) = 0 for n unknowns x. K = dF/dx is symmetric, as it is where F is the gradient of a
 /// potential for every load, unless is_symmetric() says otherwise.
 class Loaded {
@@ -36,8 +39,14 @@ class Loaded {
   /// K at (x, load) in long double, for the sign of an eigenvalue that the rounding of K hides. Without it
   /// the K of linearise() is all there is.
   /// @return false if the equations have none
-  virtual bool long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+  virtual bool long_matrix(const LongVector& x, double load, Eigen::SparseMatrix<long double>& k) {
     static_cast<void>(x), static_cast<void>(load), static_cast<void>(k);
+    return false;
+  }
+  /// f = F(x, load) by sums in long double, of an x in long double; as residual().
+  /// @return false if the equations have none, and f is as it was
+  virtual bool long_residual(const LongVector& x, double load, Eigen::VectorXd& f) {
+    static_cast<void>(x), static_cast<void>(load), static_cast<void>(f);
     return false;
   }
   /// How much v^T F may change if the data of the equations, such as places of nodes, change in their last

@@ -87,7 +87,7 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   const double length = step_.norm();
   point.tangent = {step_.y / length, step_.m / length};
   point.negative = system_.inertia().negative;
-  point.is_rounded = system_.is_long();
+  point.is_rounded = system_.is_rounded();
   // The bordered determinant, with the tangent for the row, has the sign of that with any row along it.
   point.sign = system_.bordered_sign();
   // Of both forms the second has the right sign next to a limit point in a steep path.
@@ -101,18 +101,19 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
 
 Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector& at, int& count) {
   double before = HUGE_VAL, before_load = HUGE_VAL;
+  // Of points of the path: predictors and iterates may be far off.
+  greatest_ = std::max({greatest_, std::abs(now_.at.m), method_.first * system_.load_scale()});
   for (count = 1; count <= method_.iterations; ++count) {
     if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
     rest_ = -system_.f();
     if (!system_.solve_bordered(normal, rest_, 0, step_)) return Outcome::singular_matrix;
     ++system_.statistics.newton_iterations;
     const double length = step_.norm();
-    at.y += step_.y;
-    at.m += step_.m;
+    system_.move(at, step_);
     // Where displacements have come to outgrow those of the start, the load is a small part of all lengths.
-    greatest_ = std::max({greatest_, std::abs(now_.at.m), std::abs(at.m)});
-    const bool is_load_done =
-        std::abs(step_.m) <= load_converged * greatest_ || (count > 4 && std::abs(step_.m) > before_load / 2);
+    const double change = std::abs(step_.m);
+    const bool is_load_done = change <= load_converged * greatest_ ||
+                              (count > 4 && change <= stalled * greatest_ && change > before_load / 2);
     before_load = std::abs(step_.m);
     if (is_load_done && (length <= converged * size || (length <= stalled * size && length > before / 2)))
       return Outcome::success;
@@ -167,8 +168,7 @@ Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
     step_.y = free_ + d * forced_;
     step_.m = d;
     const double change = step_.norm();
-    at.y += step_.y;
-    at.m += step_.m;
+    system_.move(at, step_);
     if (change <= converged * length || (change <= stalled * length && change > before / 2))
       return Outcome::success;
     if (!(change <= 4 * length) || (count > 3 && change > 2 * before)) return Outcome::newton_diverged;

@@ -8,6 +8,12 @@
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
+namespace {
+
+constexpr double one_load = 1e-6;  // of the greatest load: as far as a correction may leave it, see path.cpp
+
+}  // namespace
+
 PathVector between_by_cubic(const PathPoint& begin, const PathPoint& end, double part) {
   const PathVector &a = begin.at, &b = end.at, &s = begin.tangent, &t = end.tangent;
   const double length = PathVector{b.y - a.y, b.m - a.m}.norm(), u = part, w = 1 - part;
@@ -165,6 +171,9 @@ Outcome Path::crossing(double load, const PathPoint& begin, const PathPoint& end
   const PathVector all{end.at.y - begin.at.y, end.at.m - begin.at.m};
   if (polish(out) != Outcome::success ||
       PathVector{out.at.y - coarse.at.y, out.at.m - coarse.at.m}.norm() > 1e-2 * all.norm()) {
+    // A load that jumps past the wanted one says that both ends are not on one path.
+    const double greatest = std::max({std::abs(m), std::abs(begin.at.m), std::abs(end.at.m)});
+    if (!(std::abs(coarse.at.m - m) <= one_load * greatest)) return Outcome::not_converged;
     out = coarse;
     out.load = load;
     if (!system_.residual({coarse.at.y, m})) return Outcome::non_finite;
@@ -197,7 +206,7 @@ Outcome Path::polish(PathPoint& point) {
       if (length <= 64 * noise) break;
       return Outcome::not_converged;
     }
-    point.at.y -= step;
+    system_.move(point.at, {-step, 0});
     before = length;
   }
   point.x = system_.unscaled(point.at.y);

@@ -8,6 +8,15 @@
 
 namespace nlmech::algebraic {
 
+namespace {
+
+// A structure buckles where its softest eigenvalue vanishes, so what rounding leaves unknown of it at rest is
+// unknown of critical loads. Long double, which takes three times as long, begins at seven digits: six are
+// then left for the loads.
+constexpr double enough_digits = 1e-7;
+
+}  // namespace
+
 PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load, const Eigen::VectorXd& scale)
     : equations_(equations), scale_(scale) {
   const Eigen::Index n = equations.size();
@@ -22,7 +31,11 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
   equations_.linearise(x, load);
   ++statistics.jacobians;
   if (scale_.size() == 0) scale_ = scale_of(diagonal_of(equations_));
-  if (!linearise(scaled(x, load))) return;
+  const PathVector start = scaled(x, load);
+  if (!linearise(start)) return;
+  is_stiff_ = equations_.is_symmetric() && rounding_of_softest() > enough_digits &&
+              equations_.long_residual(long_x(start), load, f_);
+  if (is_stiff_ && !linearise(start)) return;
   solve(q_, work_);
   const double length = work_.norm(), reach = scale_.cwiseProduct(x).norm();
   // At a limit point, and near one, K calls for displacements without bound: then those of the start must do.
@@ -46,9 +59,28 @@ PathVector PathSystem::scaled(const Eigen::VectorXd& x, double load) const {
   return {x.cwiseProduct(scale_), load * load_scale_};
 }
 
+LongVector PathSystem::long_x(const PathVector& at) const {
+  LongVector x = at.y.cast<long double>();
+  if (at.low.size() > 0) x += at.low.cast<long double>();
+  return x.cwiseQuotient(scale_.cast<long double>());
+}
+
+void PathSystem::move(PathVector& at, const PathVector& step) const {
+  at.m += step.m;
+  if (!is_stiff_) {
+    at.y += step.y;
+    return;
+  }
+  LongVector sum = at.y.cast<long double>() + step.y.cast<long double>();
+  if (at.low.size() > 0) sum += at.low.cast<long double>();
+  at.y = sum.cast<double>();
+  at.low = (sum - at.y.cast<long double>()).cast<double>();
+}
+
 bool PathSystem::residual(const PathVector& at) {
   x_ = at.y.cwiseQuotient(scale_);
-  equations_.residual(x_, at.m / load_scale_, f_);
+  if (!is_stiff_ || !equations_.long_residual(long_x(at), at.m / load_scale_, f_))
+    equations_.residual(x_, at.m / load_scale_, f_);
   ++statistics.right_hand_sides;
   norm_ = f_.norm();
   f_ = f_.cwiseQuotient(scale_);
@@ -57,8 +89,8 @@ bool PathSystem::residual(const PathVector& at) {
 
 bool PathSystem::linearise(const PathVector& at) {
   x_ = at.y.cwiseQuotient(scale_);
-  place_ = {x_, at.m / load_scale_};
-  equations_.linearise(x_, place_.m);
+  place_ = at;
+  equations_.linearise(x_, at.m / load_scale_);
   ++statistics.jacobians;
   equations_.load_vector(q_);
   q_ = q_.cwiseQuotient(scale_) / load_scale_;
@@ -86,7 +118,7 @@ bool PathSystem::factorise() {
 }
 
 bool PathSystem::factorise_symmetric() {
-  is_long_ = false;
+  is_long_ = is_rounded_ = false;
   if (const Eigen::SparseMatrix<double>* const k = equations_.sparse()) {
     sparse_ = *k;
   } else {
@@ -99,28 +131,41 @@ bool PathSystem::factorise_symmetric() {
   symmetric_.take(sparse_, scale);
   if (!symmetric_.is_finite()) return false;
   inertia_ = symmetric_.factorise();
+  zero_ = inertia_.zero;
   work_.setZero(size());
   for (Eigen::Index j = 0; j < sparse_.cols(); ++j) {
     for (Eigen::SparseMatrix<double>::InnerIterator i(sparse_, j); i; ++i)
       work_[i.row()] += std::abs(i.value()) / (scale_[i.row()] * scale_[j]);
   }
   matrix_norm_ = work_.maxCoeff();
+  if (is_stiff_) static_cast<void>(factorise_long());  // else factors in double must do
   return true;
 }
 
-void PathSystem::certify() {
-  if (!equations_.is_symmetric() || is_long_) return;
-  // The eigenvalue of the balanced matrix that is nearest to zero, by inverse iteration.
+bool PathSystem::factorise_long() {
+  if (!equations_.long_matrix(long_x(place_), place_.m / load_scale_, long_matrix_))
+    long_matrix_ = sparse_.cast<long double>();
+  is_long_ = long_.factorise(long_matrix_, scale_.cwiseQuotient(balance_));
+  if (is_long_) inertia_ = long_.inertia();
+  return is_long_;
+}
+
+/// How well the factors in double tell the eigenvalue of the balanced matrix that is nearest to zero, by
+/// inverse iteration: a bound of its error relative to itself.
+double PathSystem::rounding_of_softest() const {
+  if (zero_ > 0) return HUGE_VAL;
   Eigen::VectorXd v = Eigen::VectorXd::Zero(size()), next;
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
   for (int k = 0; k < 3; ++k) {
     symmetric_.solve(v.normalized(), next);
     v = next;
   }
-  if (inertia_.zero == 0 && 1 > 64 * eps * symmetric_.size_of_factors() * v.norm()) return;
-  if (!equations_.long_matrix(place_.y, place_.m, long_matrix_)) long_matrix_ = sparse_.cast<long double>();
-  is_long_ = long_.factorise(long_matrix_, scale_.cwiseQuotient(balance_));
-  if (is_long_) inertia_ = long_.inertia();
+  return eps * symmetric_.size_of_factors() * v.norm();
+}
+
+void PathSystem::certify() {
+  if (!equations_.is_symmetric() || is_rounded_ || 64 * rounding_of_softest() < 1) return;
+  is_rounded_ = is_long_ || factorise_long();
 }
 
 void PathSystem::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
@@ -201,9 +246,14 @@ bool PathSystem::solve_bordered(const Eigen::VectorXd& column, const PathVector&
 }
 
 void PathSystem::multiply_at(const PathVector& at, const Eigen::VectorXd& v, Eigen::VectorXd& out) {
+  ++statistics.jacobians;
+  if (Eigen::SparseMatrix<long double> k;
+      is_stiff_ && equations_.long_matrix(long_x(at), at.m / load_scale_, k)) {
+    out = (k * v.cwiseQuotient(scale_).cast<long double>()).cast<double>().cwiseQuotient(scale_);
+    return;
+  }
   x_ = at.y.cwiseQuotient(scale_);
   equations_.linearise(x_, at.m / load_scale_);
-  ++statistics.jacobians;
   x_ = v.cwiseQuotient(scale_);
   if (const Eigen::SparseMatrix<double>* const k = equations_.sparse()) {
     out.noalias() = *k * x_;

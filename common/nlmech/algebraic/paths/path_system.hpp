@@ -15,8 +15,9 @@ namespace nlmech::algebraic {
 
 /// A point or a direction in the space of scaled unknowns y = S x and load m = c load.
 struct PathVector {
-  Eigen::VectorXd y;  ///< S x
-  double m = 0;       ///< c load
+  Eigen::VectorXd y;         ///< S x
+  double m = 0;              ///< c load
+  Eigen::VectorXd low = {};  ///< what y leaves of S x, in a system that works in long double; empty: 0
   /// Euclid's product of both.
   [[nodiscard]] double dot(const PathVector& other) const { return y.dot(other.y) + m * other.m; }
   /// Euclid's length.
@@ -25,6 +26,9 @@ struct PathVector {
 
 /// F(x, load) = 0 with x = y/S, load = m/c and F divided by S, so that lengths mean something; its matrix
 /// K = S^-1 (dF/dx) S^-1, its column q = S^-1 (dF/dload)/c, and systems bordered by q and a row.
+///
+/// Where double does not tell the softest eigenvalue of K at the start to 7 digits, as in a frame of very
+/// stiff members, places, F, K and its factors are in long double all along.
 class PathSystem {
  public:
   /// @param equations must outlive this object
@@ -45,6 +49,10 @@ class PathSystem {
   /// Number of unknowns.
   [[nodiscard]] Eigen::Index size() const { return scale_.size(); }
 
+  /// Adds a step to a place, with what the sum in double leaves if the system works in long double.
+  void move(PathVector& at, const PathVector& step) const;
+  /// Does it work in long double all along?
+  [[nodiscard]] bool is_stiff() const { return is_stiff_; }
   /// F there, in f(); false if it is not finite.
   bool residual(const PathVector& at);
   /// The residual computed last, scaled.
@@ -57,8 +65,8 @@ class PathSystem {
   /// have changed its sign, K is taken and factorised in long double, for inertia(), solve() and multiply()
   /// until the next linearise().
   void certify();
-  /// Are K and its factors in long double?
-  [[nodiscard]] bool is_long() const { return is_long_; }
+  /// Has certify() found an eigenvalue so near to zero since the last linearise()?
+  [[nodiscard]] bool is_rounded() const { return is_rounded_; }
   /// Signs of the eigenvalues of K; if it is not symmetric, `negative` is 1 where det K < 0, and else 0.
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }
   /// q.
@@ -95,6 +103,9 @@ class PathSystem {
  private:
   bool factorise();
   bool factorise_symmetric();
+  bool factorise_long();
+  [[nodiscard]] double rounding_of_softest() const;
+  [[nodiscard]] LongVector long_x(const PathVector& at) const;
   void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   void eliminate(const PathVector& row, double delta, double delta_transposed, const PathVector& right,
                  PathVector& out);
@@ -103,16 +114,17 @@ class PathSystem {
   Eigen::VectorXd scale_, x_, f_, q_, column_, left_, right_, work_;
   mutable Eigen::VectorXd balanced_;
   double load_scale_ = 1, norm_ = 0, matrix_norm_ = 0, ratio_ = 0;
-  PathVector place_;         // of linearise(), not scaled
+  PathVector place_;         // of linearise()
   Eigen::VectorXd balance_;  // S by the scales of the factors
   SymmetricSolver symmetric_;
   LongFactors long_;
-  bool is_long_ = false;
+  bool is_long_ = false, is_rounded_ = false, is_stiff_ = false;
   Eigen::SparseMatrix<double> sparse_;
   Eigen::SparseMatrix<long double> long_matrix_;
   Eigen::MatrixXd dense_, other_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   Inertia inertia_;
+  Eigen::Index zero_ = 0;  // eigenvalues that are zero to the factors in double
   PathVector rest_, change_, shortened_;
   int sign_ = 0;
 };

@@ -64,9 +64,26 @@ void DrivenFrame::linearise(const Eigen::VectorXd& x, double load) {
   column_ = free(all_ * frame_.displacement - frame_.load);
 }
 
-bool DrivenFrame::long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) {
+algebraic::LongVector DrivenFrame::long_whole(const algebraic::LongVector& free, double load) const {
+  algebraic::LongVector x = load * frame_.displacement.cast<long double>();
+  x(free_) = free;
+  return x;
+}
+
+bool DrivenFrame::long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) {
+  algebraic::LongVector forces;
+  status_ = frame_.frame.force<long double>(long_whole(x, load), forces);
+  if (has_values(status_))
+    f = free((forces - load * frame_.load.cast<long double>()).cast<double>());
+  else
+    f.setConstant(size(), nan);
+  return true;
+}
+
+bool DrivenFrame::long_matrix(const algebraic::LongVector& x, double load,
+                              Eigen::SparseMatrix<long double>& k) {
   Eigen::SparseMatrix<long double> all;
-  if (!has_values(frame_.frame.tangent<long double>(whole(x, load).cast<long double>(), all))) return false;
+  if (!has_values(frame_.frame.tangent<long double>(long_whole(x, load), all))) return false;
   k = tangent_.cast<long double>();
   for (const auto& [from, to] : slots_) k.valuePtr()[to] = all.valuePtr()[from];
   return true;

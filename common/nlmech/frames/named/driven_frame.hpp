@@ -40,7 +40,9 @@ class DrivenFrame : public algebraic::Loaded {
   /// See Loaded.
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
   /// See Loaded.
-  bool long_matrix(const Eigen::VectorXd& x, double load, Eigen::SparseMatrix<long double>& k) override;
+  bool long_matrix(const algebraic::LongVector& x, double load, Eigen::SparseMatrix<long double>& k) override;
+  /// See Loaded.
+  bool long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) override;
   /// See Frame.
   [[nodiscard]] double data_rounding(const Eigen::VectorXd& v) const override {
     return frame_.frame.data_rounding(shape(v));
@@ -49,6 +51,8 @@ class DrivenFrame : public algebraic::Loaded {
   [[nodiscard]] Status status() const override { return status_; }
 
  private:
+  [[nodiscard]] algebraic::LongVector long_whole(const algebraic::LongVector& free, double load) const;
+
   const NamedFrame& frame_;
   std::vector<Eigen::Index> free_;  ///< of the frame's unknowns
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
