@@ -16,7 +16,7 @@ struct Lorenz {
 int main() {
   using namespace nlmech::ivp;
   const System lorenz(Lorenz{});
-  const std::vector<State<3>> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
+  const std::vector<State> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
   for (const auto& end : integrate_all(lorenz, std::span(starts), 0, 10, Series{.relative_tolerance = 1e-12}))
     std::printf("%s: %.6f, %.6f, %.6f\n", end.status.text().c_str(), end.x[0], end.x[1], end.x[2]);
 }

@@ -73,16 +73,12 @@ std::string costs(const std::vector<ProblemTrials>& all) {
 std::string looks() {
   std::string text =
       "problem,form,components,switches,operations,stiffness,decay,variation,condition of tolerances\n";
-  for (const AnyProblem& problem : problem_set()) {
-    std::visit(
-        [&](const auto& p) {
-          if (!p.has_solution()) return;
-          const comparison::Features f = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
-          text += fmt::format("{},{},{},{:d},{},{:.2f},{:.2f},{:.2f},{:.3g}\n", p.name, to_string(f.form),
-                              f.components, f.switches, f.operations, f.stiffness, f.decay, f.variation,
-                              p.tolerance_condition);
-        },
-        problem);
+  for (const SetProblem& p : problem_set()) {
+    if (!p.has_solution()) continue;
+    const comparison::Features f = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
+    text +=
+        fmt::format("{},{},{},{:d},{},{:.2f},{:.2f},{:.2f},{:.3g}\n", p.name, to_string(f.form), f.components,
+                    f.switches, f.operations, f.stiffness, f.decay, f.variation, p.tolerance_condition);
   }
   return text;
 }

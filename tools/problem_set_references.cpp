@@ -58,8 +58,8 @@ void add_links(const problems::TaylorStep<Real, n>& step, const Problem& problem
   const ivp::Direct<Problem> direct(problem);
   const auto start = static_cast<double>(step.start), length = static_cast<double>(step.length);
   const auto jacobian = [&](double from_start) {
-    const ivp::State<n> x = step.at(Real(from_start)).template cast<double>();
-    ivp::Jacobian<n> j(x.size(), x.size());
+    const ivp::State x = step.at(Real(from_start)).template cast<double>();
+    ivp::Jacobian j(x.size(), x.size());
     direct.jacobian(start + from_start, x, j);
     return Eigen::MatrixXd(j);
   };

@@ -39,8 +39,7 @@ struct Work {
 };
 
 /// To a time with a tolerance; nothing after a failure.
-template <int n>
-using Runner = std::function<std::optional<ivp::State<n>>(double end, double tolerance)>;
+using Runner = std::function<std::optional<ivp::State>(double end, double tolerance)>;
 
 /// A problem with the end of its solution in extended precision.
 template <class Problem, class Plain>
@@ -51,7 +50,7 @@ struct Case {
   Plain plain;  ///< the same equations as others write them
   double end;
   std::vector<double> times = {};
-  std::vector<Vector<long double, n>> states = {};
+  std::vector<ivp::LongState> states = {};
 
   Case(std::string label, const Problem& p, double until)
       : name(std::move(label)), problem(p), plain{p}, end(until) {
@@ -64,7 +63,7 @@ struct Case {
   }
 
   /// Median over the end times of the largest relative error of a component; nothing if a run fails.
-  [[nodiscard]] std::optional<double> error(const Runner<n>& run, double tolerance) const {
+  [[nodiscard]] std::optional<double> error(const Runner& run, double tolerance) const {
     std::vector<double> errors;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const auto x = run(times[i], tolerance);
@@ -82,8 +81,8 @@ struct Case {
 
 /// A method of integrate().
 template <class Problem, class System, class Make>
-Runner<Problem::dimension> by_integrate(const System& system, const Make& make) {
-  return [system, make](double end, double tolerance) -> std::optional<ivp::State<Problem::dimension>> {
+Runner by_integrate(const System& system, const Make& make) {
+  return [system, make](double end, double tolerance) -> std::optional<ivp::State> {
     const auto s = ivp::integrate(system, Problem::initial_state(), 0, end, make(tolerance));
     if (!s.status.ok()) return std::nullopt;
     return s.x;
@@ -92,15 +91,15 @@ Runner<Problem::dimension> by_integrate(const System& system, const Make& make) 
 
 /// Odeint's own loop on its own state.
 template <class Problem, class Plain>
-Runner<Problem::dimension> odeint_alone(const Plain& plain) {
+Runner odeint_alone(const Plain& plain) {
   constexpr std::size_t n = Problem::dimension;
-  return [plain](double end, double tolerance) -> std::optional<ivp::State<Problem::dimension>> {
-    const ivp::State<Problem::dimension> x0 = Problem::initial_state();
+  return [plain](double end, double tolerance) -> std::optional<ivp::State> {
+    const ivp::State x0 = Problem::initial_state();
     std::array<double, n> x;
     std::copy(x0.begin(), x0.end(), x.begin());
     const peers::Odeint method{peers::Odeint::Formula::fehlberg78, tolerance, tolerance};
     if (!peers::odeint_natively(method, plain, 0, end, x)) return std::nullopt;
-    return ivp::State<Problem::dimension>(x.data());
+    return ivp::State(Eigen::Map<const Vector<double, static_cast<int>(n)>>(x.data()));
   };
 }
 
@@ -112,7 +111,7 @@ std::vector<double> all_tolerances() {
 
 /// The fastest tolerance of a sweep that has the wanted digits; nothing if none has.
 template <class Case>
-std::optional<Work> fastest(const Case& c, const std::string& label, const Runner<Case::n>& runner,
+std::optional<Work> fastest(const Case& c, const std::string& label, const Runner& runner,
                             const std::vector<double>& tolerances = all_tolerances()) {
   std::optional<Work> best;
   double least = HUGE_VAL;
@@ -141,7 +140,7 @@ constexpr const char *alone = "odeint-fehlberg78 alone", *in_our_walk = "odeint-
 template <class Case, class Problem>
 void add_odeint(std::vector<Work>& all, const Case& c, const Problem& problem) {
   if (!peers::odeint_available()) return;
-  const Runner<Case::n> walked = by_integrate<Problem>(ivp::Direct(problem), [](double tolerance) {
+  const Runner walked = by_integrate<Problem>(ivp::Direct(problem), [](double tolerance) {
     return peers::OdeintDirect{{peers::Odeint::Formula::fehlberg78, tolerance, tolerance}};
   });
   std::vector<double> safe;
@@ -185,7 +184,7 @@ void lorenz_loop(double* a, double* b, double* c, int order) {
 void add_coefficients(std::vector<Work>& all) {
   static const ivp::System system{problems::Lorenz{}};
   static const ivp::Direct direct{problems::Lorenz{}};
-  const ivp::State<3> x(-3, 2, 21);
+  const ivp::State x{-3, 2, 21};
   for (const int order : {8, 16, 24, 32, 40, 64, 100}) {
     const auto name = [order](const char* way) {
       return fmt::format("coefficients to order {}, {}", order, way);

@@ -16,20 +16,20 @@ namespace nlmech::chapters::algebraic_series::bodies {
 namespace {
 
 using problems::FourBodies;
-using State = ivp::State<Eigen::Dynamic>;
+using State = ivp::State;
 
 struct Orbits {
-  std::vector<Sample<Eigen::Dynamic>> path;  ///< to t = 3000, every 5
-  double energy_drift = 0;                   ///< greatest, relative
-  double momentum_drift = 0;                 ///< greatest, relative to the momentum of body 4
+  std::vector<Sample> path;   ///< to t = 3000, every 5
+  double energy_drift = 0;    ///< greatest, relative
+  double momentum_drift = 0;  ///< greatest, relative to the momentum of body 4
 };
 
 Orbits orbits() {
   const FourBodies problem;
-  const ivp::System<Eigen::Dynamic> system(problem);
+  const ivp::System system(problem);
   const State x0 = FourBodies::initial_state();
   Orbits all;
-  all.path = sampled<Eigen::Dynamic>(system, x0, 0, FourBodies::final_time, accurate_series(), 5);
+  all.path = sampled(system, x0, 0, FourBodies::final_time, accurate_series(), 5);
   const auto invariants = [&](const State& x) { return problem.invariants(0.0, Vector<double, 24>(x)); };
   const Vector<double, 4> first = invariants(x0);
   const double momentum = first.head<3>().norm();
@@ -73,9 +73,9 @@ constexpr std::array curves = {Curve{1, 2, "body 1, mass 1"}, Curve{5, 2, "body 
                                Curve{3, 4, "body 3, mass 5"}, Curve{4, 2, "body 4, mass 1"}};
 
 void draw(const Orbits& all, scene::Show& show) {
-  scene::ColumnsOf<decltype(all.path)> columns = {{"t_s", &Sample<Eigen::Dynamic>::t}};
+  scene::ColumnsOf<decltype(all.path)> columns = {{"t_s", &Sample::t}};
   for (int i = 0; i < 12; ++i)
-    columns.push_back({fmt::format("{}{}", "xyz"[i % 3], i / 3 + 1), component<Eigen::Dynamic>(i)});
+    columns.push_back({fmt::format("{}{}", "xyz"[i % 3], i / 3 + 1), Component{i}});
   scene::Plot& plot = show.plots("Four bodies to t = 3000: bodies 1 and 2 are about to meet");
   plot.size(900, 520).data(scene::table_of(all.path, columns));
   for (const char up : {'y', 'z'}) {

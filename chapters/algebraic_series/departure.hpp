@@ -34,11 +34,11 @@ struct Departure {
 
 /// Runs a method from the begin of an example to @p end, which may lie beyond its own, as far as its
 /// reference reaches. A run that fails is cut off there.
-template <int n, class Method>
-[[nodiscard]] Departure departure(const comparison::Example<n>& example, const Method& method, double end) {
+template <class Method>
+[[nodiscard]] Departure departure(const comparison::Example& example, const Method& method, double end) {
   Departure seen;
-  const auto observe = [&](const ivp::Step<n>& step) {
-    const ivp::State<n> truth = example.reference(step.t1).template cast<double>();
+  const auto observe = [&](const ivp::Step& step) {
+    const ivp::State truth = example.reference(step.t1).template cast<double>();
     seen.t.push_back(step.t1);
     seen.error.push_back((step.x1 - truth).cwiseAbs().maxCoeff());
     return true;
@@ -49,39 +49,38 @@ template <int n, class Method>
 }
 
 /// The solution and the printed steps at a time.
-template <int n>
 struct Both {
-  double t;                      ///< time
-  ivp::State<n> exact, printed;  ///< states
+  double t;                   ///< time
+  ivp::State exact, printed;  ///< states
 };
 
 /// A motion by the printed steps beside the solution.
-template <int n>
 struct Motion {
-  std::vector<Both<n>> path;  ///< at equidistant times
-  Departure departure;        ///< of the printed steps
+  std::vector<Both> path;  ///< at equidistant times
+  Departure departure;     ///< of the printed steps
 };
 
 /// The motion of an example to @p end, which may lie beyond its own; states every @p dt.
-template <int n>
-[[nodiscard]] Motion<n> motion(const comparison::Example<n>& example, const ivp::Series& printed, double end,
-                               double dt) {
-  const auto exact = sampled<n>(example.system, example.x0, example.t0, end, accurate_series(), dt);
-  const auto steps = sampled<n>(example.system, example.x0, example.t0, end, printed, dt);
-  Motion<n> motion{{}, departure(example, printed, end)};
+[[nodiscard]] inline Motion motion(const comparison::Example& example, const ivp::Series& printed, double end,
+                                   double dt) {
+  const auto exact = sampled(example.system, example.x0, example.t0, end, accurate_series(), dt);
+  const auto steps = sampled(example.system, example.x0, example.t0, end, printed, dt);
+  Motion motion{{}, departure(example, printed, end)};
   for (std::size_t i = 0; i < exact.size(); ++i) motion.path.push_back({exact[i].t, exact[i].x, steps[i].x});
   return motion;
 }
 
 /// Reads one component of the solution.
-template <int n>
-[[nodiscard]] auto exact(Eigen::Index i) {
-  return [i](const Both<n>& b) { return b.exact[i]; };
-}
+struct Exact {
+  Eigen::Index i;  ///< which
+  /// Its value.
+  [[nodiscard]] double operator()(const Both& b) const { return b.exact[i]; }
+};
 /// Reads one component of what the printed steps give.
-template <int n>
-[[nodiscard]] auto printed(Eigen::Index i) {
-  return [i](const Both<n>& b) { return b.printed[i]; };
-}
+struct Printed {
+  Eigen::Index i;  ///< which
+  /// Its value.
+  [[nodiscard]] double operator()(const Both& b) const { return b.printed[i]; }
+};
 
 }  // namespace nlmech::chapters::algebraic_series

@@ -24,7 +24,7 @@ struct Euler {
 Euler with(double step, double until) {
   const auto& c = oscillator_example();
   Euler seen{step, {}, {}, {}};
-  const auto observe = [&](const ivp::Step<2>& s) {
+  const auto observe = [&](const ivp::Step& s) {
     const auto error = [&] { return std::abs(s.x1[0] - static_cast<double>(c.reference(s.t1)[0])); };
     if (!seen.visible && !(error() <= 0.05)) seen.visible = s.t1;
     if (!seen.large && !(std::abs(s.x1[0]) <= 1)) seen.large = s.t1;

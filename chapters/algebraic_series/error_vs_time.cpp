@@ -34,8 +34,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 }
 
 /// @param change of the begin, for the condition
-template <int n>
-scene::Scene scene_of(const comparison::Example<n>& (*example)(), const std::string& name,
+scene::Scene scene_of(const comparison::Example& (*example)(), const std::string& name,
                       const std::string& title, double change) {
   return comparison::cost_scene({.name = name,
                                  .problem = title,

@@ -21,8 +21,8 @@ using Digits35 = ExtendedReal<35>;
 /// @tparam Problem the equation; its parameters are taken in the precision of the reference
 /// @tparam Extended precision of the reference
 /// @param t0 begin, @param duration of the example, @param beyond how far the reference goes on
-template <template <class> class Problem, class Extended = Digits35, int n = Problem<double>::dimension>
-comparison::Example<n> example_of(const std::type_identity_t<Extended>& t0, double duration, double beyond) {
+template <template <class> class Problem, class Extended = Digits35>
+comparison::Example example_of(const std::type_identity_t<Extended>& t0, double duration, double beyond) {
   using Trajectory = problems::ReferenceTrajectory<Extended, Problem<Extended>>;
   constexpr int size = Problem<double>::dimension;
   const auto x0 = Problem<double>::initial_state();
@@ -31,18 +31,18 @@ comparison::Example<n> example_of(const std::type_identity_t<Extended>& t0, doub
   if (!trajectory->status().ok()) throw Failure(trajectory->status());
   // Times are doubles; that of the begin is not pi but the double next to it.
   const auto begin = static_cast<double>(t0);
-  const auto at = [trajectory, t0, begin](double t) -> Vector<long double, n> {
+  const auto at = [trajectory, t0, begin](double t) -> ivp::LongState {
     const Extended exact = t == begin ? t0 : Extended(t);
     return (*trajectory)(exact).template cast<long double>();
   };
-  ivp::State<n> amplitude = at(begin).template cast<double>().cwiseAbs();
+  ivp::State amplitude = at(begin).template cast<double>().cwiseAbs();
   constexpr int samples = 4000;
   for (int i = 1; i <= samples; ++i) {
-    const Vector<long double, n> x = at(begin + duration * i / samples);
+    const ivp::LongState x = at(begin + duration * i / samples);
     amplitude = amplitude.cwiseMax(x.template cast<double>().cwiseAbs());
   }
   return {.name = std::string(Problem<double>::name),
-          .system = ivp::System<n>(Problem<double>{}),
+          .system = ivp::System(Problem<double>{}),
           .x0 = x0,
           .t0 = begin,
           .t1 = begin + duration,

@@ -10,13 +10,13 @@ using FourBodies = problems::BasicBodies<Real, 4>;
 
 }  // namespace
 
-const comparison::Example<3>& lorenz_example() {
+const comparison::Example& lorenz_example() {
   static const auto example = example_of<problems::BasicLorenz>(0, 20, 20);
   return example;
 }
 
-const comparison::Example<Eigen::Dynamic>& bodies_example() {
-  static const auto example = example_of<FourBodies, Digits35, Eigen::Dynamic>(0, 3000, 0);
+const comparison::Example& bodies_example() {
+  static const auto example = example_of<FourBodies>(0, 3000, 0);
   return example;
 }
 

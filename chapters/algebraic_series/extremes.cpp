@@ -50,9 +50,8 @@ struct UnannouncedBranch {
   }
 };
 
-template <int n>
-Attempt attempt(std::string what, const ivp::System<n>& system, const ivp::State<n>& x0, double t0, double t1,
-                const ivp::Series& method, const std::function<double(const ivp::State<n>&)>& error,
+Attempt attempt(std::string what, const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                const ivp::Series& method, const std::function<double(const ivp::State&)>& error,
                 std::string remark = {}) {
   Attempt a{std::move(what), {}, {}, 0, std::move(remark)};
   try {
@@ -66,55 +65,54 @@ Attempt attempt(std::string what, const ivp::System<n>& system, const ivp::State
   return a;
 }
 
-template <int n>
-std::function<double(const ivp::State<n>&)> against(const ivp::State<n>& truth) {
-  return [truth](const ivp::State<n>& x) { return (x - truth).cwiseAbs().maxCoeff(); };
+std::function<double(const ivp::State&)> against(const ivp::State& truth) {
+  return [truth](const ivp::State& x) { return (x - truth).cwiseAbs().maxCoeff(); };
 }
 
 std::vector<Attempt> attempts() {
   std::vector<Attempt> all;
   const auto& lorenz = lorenz_example();
-  const ivp::State<3> at_one = lorenz.reference(1).cast<double>();
-  all.push_back(attempt<3>("Lorenz to t = 1, T = 0.1, N = 20", lorenz.system, lorenz.x0, 0, 1,
-                           published_series(0.1, 20), against<3>(at_one),
-                           "T below the radius, N too small: wrong, and no notice"));
-  all.push_back(attempt<3>("the same, T = 0.15", lorenz.system, lorenz.x0, 0, 1, published_series(0.15, 20),
-                           against<3>(at_one), "T above the radius"));
-  all.push_back(attempt<3>("the same by the radius", lorenz.system, lorenz.x0, 0, 1, accurate_series(),
-                           against<3>(at_one)));
+  const ivp::State at_one = lorenz.reference(1).cast<double>();
+  all.push_back(attempt("Lorenz to t = 1, T = 0.1, N = 20", lorenz.system, lorenz.x0, 0, 1,
+                        published_series(0.1, 20), against(at_one),
+                        "T below the radius, N too small: wrong, and no notice"));
+  all.push_back(attempt("the same, T = 0.15", lorenz.system, lorenz.x0, 0, 1, published_series(0.15, 20),
+                        against(at_one), "T above the radius"));
+  all.push_back(
+      attempt("the same by the radius", lorenz.system, lorenz.x0, 0, 1, accurate_series(), against(at_one)));
   const auto& duffing = forced_duffing_example();
-  all.push_back(attempt<2>("forced Duffing to t = 100, T = 0.5, N = 20", duffing.system, duffing.x0, 0, 100,
-                           published_series(0.5, 20), {}, "T close to the radius"));
+  all.push_back(attempt("forced Duffing to t = 100, T = 0.5, N = 20", duffing.system, duffing.x0, 0, 100,
+                        published_series(0.5, 20), {}, "T close to the radius"));
   const problems::FourBodies bodies;
-  const ivp::System<Eigen::Dynamic> four(bodies);
-  const ivp::State<Eigen::Dynamic> begin = problems::FourBodies::initial_state();
+  const ivp::System four(bodies);
+  const ivp::State begin = problems::FourBodies::initial_state();
   const double energy = bodies.invariants(0.0, problems::FourBodies::initial_state())[3];
-  all.push_back(attempt<Eigen::Dynamic>(
+  all.push_back(attempt(
       "four bodies to t = 5000, through an encounter at 0.039", four, begin, 0, 5000, accurate_series(),
-      [&](const ivp::State<Eigen::Dynamic>& x) {
+      [&](const ivp::State& x) {
         return std::abs(bodies.invariants(0.0, Vector<double, 24>(x))[3] / energy - 1);
       },
       "error: of the energy, relative"));
-  const ivp::System<2> relaxation(problems::VanDerPol{.mu = 1000});
-  all.push_back(attempt<2>(
+  const ivp::System relaxation(problems::VanDerPol{.mu = 1000});
+  all.push_back(attempt(
       "van der Pol, mu = 1000, to t = 2000", relaxation, {2, 0}, 0, 2000,
       {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
-      [](const ivp::State<2>& x) { return std::abs(x[0] - 1.706167732170465008); },
+      [](const ivp::State& x) { return std::abs(x[0] - 1.706167732170465008); },
       "stiff: steps bounded by stability"));
-  all.push_back(attempt<1>("y' = y^3 past its end", ivp::System<1>(problems::BlowUp{}), ivp::State<1>(1.0), 0,
-                           1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
-  all.push_back(attempt<2>("Bessel's equation into its singular point", ivp::System<2>(SingularCentre{}),
-                           {1.0, 1.0}, 1, 0, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
-  all.push_back(attempt<2>("Bessel's equation from its singular point", ivp::System<2>(SingularCentre{}),
-                           {1.0, 0.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
-  all.push_back(attempt<2>("a branch on the state", ivp::System<2>(UnannouncedBranch{}), {0.0, 1.0}, 0, 1,
-                           accurate_series(), {}, "no problem announces it"));
-  const ivp::System<2> free(problems::Duffing{});
+  all.push_back(attempt("y' = y^3 past its end", ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 1,
+                        {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
+  all.push_back(attempt("Bessel's equation into its singular point", ivp::System(SingularCentre{}),
+                        {1.0, 1.0}, 1, 0, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
+  all.push_back(attempt("Bessel's equation from its singular point", ivp::System(SingularCentre{}),
+                        {1.0, 0.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
+  all.push_back(attempt("a branch on the state", ivp::System(UnannouncedBranch{}), {0.0, 1.0}, 0, 1,
+                        accurate_series(), {}, "no problem announces it"));
+  const ivp::System free(problems::Duffing{});
   const double period = problems::Duffing{}.period(1.0);
   for (const int order : {2, 10, 100}) {
-    all.push_back(attempt<2>(fmt::format("free Duffing over a period, order {}", order), free, {1, 0}, 0,
-                             period, {.relative_tolerance = 1e-9, .absolute_tolerance = 1e-9, .order = order},
-                             against<2>({1, 0}), "tolerance 1e-9"));
+    all.push_back(attempt(fmt::format("free Duffing over a period, order {}", order), free, {1, 0}, 0, period,
+                          {.relative_tolerance = 1e-9, .absolute_tolerance = 1e-9, .order = order},
+                          against({1, 0}), "tolerance 1e-9"));
   }
   return all;
 }

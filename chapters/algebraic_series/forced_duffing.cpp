@@ -10,18 +10,18 @@
 namespace nlmech::chapters::algebraic_series::forced_duffing {
 namespace {
 
-Motion<2> compute() { return motion<2>(forced_duffing_example(), published_series(0.35, 20), 100, 0.05); }
+Motion compute() { return motion(forced_duffing_example(), published_series(0.35, 20), 100, 0.05); }
 
-scene::Table data_of(const Motion<2>& m, double end) {
-  const auto inside = m.path | std::views::take_while([end](const Both<2>& b) { return b.t <= end + 1e-9; });
-  return scene::table_of(inside, {{"tau", [](const Both<2>& b) { return b.t / 0.35; }},
-                                  {"u", exact<2>(0)},
-                                  {"v", exact<2>(1)},
-                                  {"u_printed", printed<2>(0)},
-                                  {"v_printed", printed<2>(1)}});
+scene::Table data_of(const Motion& m, double end) {
+  const auto inside = m.path | std::views::take_while([end](const Both& b) { return b.t <= end + 1e-9; });
+  return scene::table_of(inside, {{"tau", [](const Both& b) { return b.t / 0.35; }},
+                                  {"u", Exact{0}},
+                                  {"v", Exact{1}},
+                                  {"u_printed", Printed{0}},
+                                  {"v_printed", Printed{1}}});
 }
 
-void put_time(const Motion<2>& m, scene::Show& show) {
+void put_time(const Motion& m, scene::Show& show) {
   scene::Plot& plot = show.plots("Forced Duffing: the printed steps are right to the eye");
   plot.stacked({4, 3}).data(data_of(m, 50));
   plot.panel("", "{/:Italic u}").x_range(0, 143).columns("", "tau:u", {"lines linewidth 1.6", 1});
@@ -30,7 +30,7 @@ void put_time(const Motion<2>& m, scene::Show& show) {
       .log_y(1e-9, 10)
       .columns("", "tau:(abs(column('u_printed') - column('u')) + 1e-12)",
                {"lines dashtype solid linewidth 1.2", 5});
-  const ivp::State<2>&half = m.path.at(1000).exact, &full = m.path.back().exact;
+  const ivp::State &half = m.path.at(1000).exact, &full = m.path.back().exact;
   // oracle: algebraic_series_motions Duffing u(*, Duffing v(*, Duffing T = 0.35: greatest error, Duffing T =
   // 0.35: above 1e-3 from
   const char* known = "tools/oracles/algebraic_series_motions.py; rounding grows to 1e-11 on the way";
@@ -45,14 +45,14 @@ void put_time(const Motion<2>& m, scene::Show& show) {
             "tools/oracles/algebraic_series_motions.py: the fifth step");
 }
 
-void put_phase(const Motion<2>& m, scene::Show& show) {
+void put_phase(const Motion& m, scene::Show& show) {
   show.plot("Its phase plane: bounded, and never twice the same way", "{/:Italic u}",
             "d{/:Italic u}/d{/:Italic t}")
       .x_range(-4, 4)
       .y_range(-7, 7)
       .columns("", "u:v", {"lines linewidth 1.2", 1});
   show.figure().size(620, 600).data(data_of(m, 100));
-  const auto [least, most] = std::ranges::minmax(m.path | std::views::transform(exact<2>(0)));
+  const auto [least, most] = std::ranges::minmax(m.path | std::views::transform(Exact{0}));
   // oracle: algebraic_series_motions Duffing least, Duffing greatest
   const char* known =
       "tools/oracles/algebraic_series_motions.py; samples every 0.05 miss a peak by 0.02 or less";
@@ -83,21 +83,21 @@ struct Pair {
 };
 
 struct Starts {
-  std::vector<Pair> pairs;   ///< every twentieth to t = 100
-  ivp::State<2> half, full;  ///< from (3.1, 4.1), at t = 50 and 100
-  double growth;             ///< ln of the factor by which a small distance grows to t = 100
+  std::vector<Pair> pairs;  ///< every twentieth to t = 100
+  ivp::State half, full;    ///< from (3.1, 4.1), at t = 50 and 100
+  double growth;            ///< ln of the factor by which a small distance grows to t = 100
 };
 
-Starts start_nearby(const Motion<2>& m) {
+Starts start_nearby(const Motion& m) {
   const auto& c = forced_duffing_example();
-  const auto near = sampled<2>(c.system, {3.1, 4.1}, 0, 100, accurate_series(), 0.05);
+  const auto near = sampled(c.system, {3.1, 4.1}, 0, 100, accurate_series(), 0.05);
   Starts starts{{}, near.at(1000).x, near.back().x, 0};
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const Both<2>& b = m.path[i];
+    const Both& b = m.path[i];
     starts.pairs.push_back({b.t, b.exact[0], near[i].x[0], (near[i].x - b.exact).norm()});
   }
-  const ivp::State<4> x0 = {3, 4, 1, 1};
-  const auto end = ivp::integrate(ivp::System<4>(WithDistance{}), x0, 0, 100, accurate_series());
+  const ivp::State x0 = {3, 4, 1, 1};
+  const auto end = ivp::integrate(ivp::System(WithDistance{}), x0, 0, 100, accurate_series());
   if (!end.status.ok()) throw Failure(end.status);
   starts.growth = std::log(end.x.tail<2>().norm() / x0.tail<2>().norm());
   return starts;

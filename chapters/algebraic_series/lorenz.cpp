@@ -9,23 +9,21 @@
 namespace nlmech::chapters::algebraic_series::lorenz {
 namespace {
 
-using Path = std::vector<Both<3>>;
+using Path = std::vector<Both>;
 
-Motion<3> compute() {
-  return motion<3>(lorenz_example(), published_series(0.1, 20), lorenz_example().t1, 0.01);
-}
+Motion compute() { return motion(lorenz_example(), published_series(0.1, 20), lorenz_example().t1, 0.01); }
 
 scene::Table data_of(const Path& path) {
-  return scene::table_of(path, {{"t", &Both<3>::t},
-                                {"u", exact<3>(0)},
-                                {"v", exact<3>(1)},
-                                {"w", exact<3>(2)},
-                                {"u_printed", printed<3>(0)},
-                                {"v_printed", printed<3>(1)},
-                                {"w_printed", printed<3>(2)}});
+  return scene::table_of(path, {{"t", &Both::t},
+                                {"u", Exact{0}},
+                                {"v", Exact{1}},
+                                {"w", Exact{2}},
+                                {"u_printed", Printed{0}},
+                                {"v_printed", Printed{1}},
+                                {"w_printed", Printed{2}}});
 }
 
-void put_time(const Motion<3>& m, scene::Show& show) {
+void put_time(const Motion& m, scene::Show& show) {
   show.plot("Lorenz: as printed, T = 0.1 keeps the phase up to ten and misses the jumps", "{/:Italic t}",
             "{/:Italic v}")
       .x_range(0, 20)
@@ -50,7 +48,7 @@ void put_time(const Motion<3>& m, scene::Show& show) {
             3.3, 0.04, "tools/oracles/algebraic_series_motions.py: 3.3; steps are 0.1 long");
 }
 
-void put_phase(const Motion<3>& m, scene::Show& show) {
+void put_phase(const Motion& m, scene::Show& show) {
   scene::Plot& plot = show.plots("With the printed steps the butterfly has lost a wing");
   plot.size(900, 520).data(data_of(m.path));
   const auto panel = [&](const char* caption, const char* columns, const scene::Look& look) {
@@ -62,7 +60,7 @@ void put_phase(const Motion<3>& m, scene::Show& show) {
   };
   panel("solution", "u:w", {"lines linewidth 1.2", 1});
   panel("T = 0.1, N = 20, as printed", "u_printed:w_printed", {"lines dashtype solid linewidth 1.2", 5});
-  const auto [lowest, highest] = std::ranges::minmax_element(m.path, {}, exact<3>(0));
+  const auto [lowest, highest] = std::ranges::minmax_element(m.path, {}, Exact{0});
   const double least = lowest->exact[0], most = highest->exact[0];
   // oracle: algebraic_series_motions Lorenz least, Lorenz greatest
   const char* known =

@@ -14,16 +14,16 @@ namespace {
 constexpr double euler_step = 0.01;  // the paper names the method, not the step
 
 struct Motions {
-  std::vector<Sample<2>> series;  ///< T = 0.125, N = 50, every twentieth to 375 s
-  std::vector<Sample<2>> euler;   ///< forward Euler, the same to 40 s
-  Departure departure;            ///< of the series, to 750 s
+  std::vector<Sample> series;  ///< T = 0.125, N = 50, every twentieth to 375 s
+  std::vector<Sample> euler;   ///< forward Euler, the same to 40 s
+  Departure departure;         ///< of the series, to 750 s
 };
 
 Motions compute() {
   const auto& c = oscillator_example();
   const auto printed = published_series(0.125, 50);
-  return {sampled<2>(c.system, c.x0, c.t0, c.t1, printed, 0.05),
-          sampled<2>(c.system, c.x0, c.t0, c.t0 + 40, ivp::Euler{.step = euler_step}, 0.05),
+  return {sampled(c.system, c.x0, c.t0, c.t1, printed, 0.05),
+          sampled(c.system, c.x0, c.t0, c.t0 + 40, ivp::Euler{.step = euler_step}, 0.05),
           departure(c, printed, c.t0 + 750)};
 }
 
@@ -59,9 +59,8 @@ void put_phase(const Motions& m, scene::Show& show) {
       .x_range(-0.6, 0.6)
       .y_range(-0.4, 0.4)
       .columns("", "x:v", {"lines linewidth 0.8", 1});
-  show.figure().size(620, 600).data(
-      scene::table_of(m.series, {{"x", component<2>(0)}, {"v", component<2>(1)}}));
-  const auto [least, most] = std::ranges::minmax(m.series | std::views::transform(component<2>(0)));
+  show.figure().size(620, 600).data(scene::table_of(m.series, {{"x", Component{0}}, {"v", Component{1}}}));
+  const auto [least, most] = std::ranges::minmax(m.series | std::views::transform(Component{0}));
   // oracle: algebraic_series_motions oscillator least, oscillator greatest
   const char* known =
       "tools/oracles/algebraic_series_motions.py; samples every 0.05 s miss a peak by 1e-4 or less";

@@ -5,12 +5,12 @@
 
 namespace nlmech::chapters::algebraic_series {
 
-const comparison::Example<2>& forced_duffing_example() {
+const comparison::Example& forced_duffing_example() {
   static const auto example = example_of<problems::BasicForcedDuffing>(0, 50, 50);
   return example;
 }
 
-const comparison::Example<2>& oscillator_example() {
+const comparison::Example& oscillator_example() {
   static const auto example =
       example_of<problems::BasicStrongOscillator, long double>(std::numbers::pi_v<long double>, 375, 375);
   return example;

@@ -15,12 +15,12 @@ namespace nlmech::chapters::algebraic_series::poincare {
 namespace {
 
 using problems::StrongOscillator;
-using States = std::vector<ivp::State<2>>;
+using States = std::vector<ivp::State>;
 
 constexpr std::int64_t many = 20'000;
 // The elliptic orbit of 31 periods in the middle of the islands starts here at rest.
 /// Of the island. oracle: algebraic_series_motions period 31 at
-const ivp::State<2> centre(-0.500135737928720, 0);
+const ivp::State centre{-0.500135737928720, 0};
 
 void put_printed(const States& all, scene::Show& show) {
   const std::string time = "filipich-rosales/fig-6b/Poincare map/time of experiment";

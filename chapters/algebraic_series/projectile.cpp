@@ -10,24 +10,24 @@ namespace nlmech::chapters::algebraic_series::projectile {
 namespace {
 
 using problems::Projectile;
-using State = ivp::State<6>;
+using State = ivp::State;
 
 struct Flight {
-  std::vector<Sample<6>> path;  ///< up to the landing
-  Sample<6> apex, landing;
+  std::vector<Sample> path;  ///< up to the landing
+  Sample apex, landing;
   double x_without_wind = 0;  ///< at landing
 };
 
 /// Flies until z = 0 with the printed T = 0.01 and N = 20.
 Flight fly(const Projectile& problem) {
-  const ivp::System<6> system(problem);
+  const ivp::System system(problem);
   const State x0 = Projectile::initial_state();
-  const std::vector<ivp::Event<6>> events = {
+  const std::vector<ivp::Event> events = {
       {[](double, const State& x) { return x[2]; }, ivp::Crossing::falling, true},
       {[](double, const State& x) { return x[5]; }, ivp::Crossing::falling}};
   Flight flight;
   flight.path.push_back({0, x0});
-  const auto observe = [&flight](const ivp::Step<6>& step) {
+  const auto observe = [&flight](const ivp::Step& step) {
     flight.path.push_back({step.t1, step.x1});
     return true;
   };
@@ -49,14 +49,12 @@ Flight fly_with_and_without_wind() {
 }
 
 void draw(const Flight& flight, scene::Show& show) {
-  std::vector<Sample<6>> fifths;
+  std::vector<Sample> fifths;
   for (std::size_t i = 0; i < flight.path.size(); i += 5) fifths.push_back(flight.path[i]);
   fifths.push_back(flight.landing);
   scene::Plot& plot = show.plots("The printed wind: sideways, and ten times too far").stacked({3, 4});
-  plot.data(scene::table_of(fifths, {{"t_s", &Sample<6>::t},
-                                     {"x_m", component<6>(0)},
-                                     {"y_m", component<6>(1)},
-                                     {"z_m", component<6>(2)}}));
+  plot.data(scene::table_of(
+      fifths, {{"t_s", &Sample::t}, {"x_m", Component{0}}, {"y_m", Component{1}}, {"z_m", Component{2}}}));
   plot.panel("", "height {/:Italic z} (m)")
       .x_range(0, 40)
       .y_range(0, 160)

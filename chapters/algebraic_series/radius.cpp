@@ -24,45 +24,45 @@ struct Radii {
   [[nodiscard]] double least() const { return *std::min_element(radius.begin(), radius.end()); }
 };
 
-double greatest_of(const double* const* coefficients, int components, int k) {
+/// The coefficients of each component.
+using Rows = std::vector<const double*>;
+
+double greatest_of(const Rows& coefficients, int k) {
   double greatest = std::numeric_limits<double>::min();
-  for (int i = 0; i < components; ++i) greatest = std::max(greatest, std::abs(coefficients[i][k]));
+  for (const double* const c : coefficients) greatest = std::max(greatest, std::abs(c[k]));
   return greatest;
 }
 
 /// From the decay of the coefficients between orders 40 and 100: the slope of log max_i |c_k,i| by least
 /// squares, which averages over the beat of a pair of complex singularities. A pole of order m makes it too
 /// small by (m - 1)/70.
-double radius_at(const double* const* coefficients, int components) {
+double radius_at(const Rows& coefficients) {
   constexpr int first = 40, last = 100;
   constexpr double middle = (first + last) / 2.0;
   double above = 0, below = 0;
   for (int k = first; k <= last; ++k) {
-    above += (k - middle) * std::log(greatest_of(coefficients, components, k));
+    above += (k - middle) * std::log(greatest_of(coefficients, k));
     below += (k - middle) * (k - middle);
   }
   return std::exp(-above / below);
 }
 
 /// The root test at order 50: too small by the amplitude of the singularity, to the power 1/50.
-double root_test(const double* const* coefficients, int components) {
-  return std::pow(greatest_of(coefficients, components, 50), -1.0 / 50);
-}
+double root_test(const Rows& coefficients) { return std::pow(greatest_of(coefficients, 50), -1.0 / 50); }
 
-template <int n>
-Radii radii(const comparison::Example<n>& c, int samples) {
+Radii radii(const comparison::Example& c, int samples) {
   auto taylor = c.system.taylor(100);
   taylor.begin_segment(c.t0, c.x0);
   Radii found;
   for (int k = 0; k <= samples; ++k) {
     const double t = c.t0 + (c.t1 - c.t0) * k / samples;
-    const ivp::State<n> x = c.reference(t).template cast<double>();
+    const ivp::State x = c.reference(t).template cast<double>();
     taylor.expand(t, x);
-    const double* rows[n];
-    for (int i = 0; i < n; ++i) rows[i] = taylor.coefficients(i);
+    Rows rows;
+    for (int i = 0; i < c.system.size(); ++i) rows.push_back(taylor.coefficients(i));
     found.t.push_back(t - c.t0);
-    found.radius.push_back(radius_at(rows, n));
-    found.least_root = std::min(found.least_root, root_test(rows, n));
+    found.radius.push_back(radius_at(rows));
+    found.least_root = std::min(found.least_root, root_test(rows));
   }
   return found;
 }
@@ -99,8 +99,7 @@ struct Problem {
   }
 };
 
-template <int n>
-Problem problem_of(const std::string& name, const comparison::Example<n>& c, double end, bool quick,
+Problem problem_of(const std::string& name, const comparison::Example& c, double end, bool quick,
                    std::vector<Choice> choices) {
   Problem p{name, radii(c, quick ? 50 : 1000), std::move(choices)};
   for (Choice& choice : p.choices) {

@@ -11,31 +11,31 @@
 namespace nlmech::chapters::algebraic_series {
 
 /// A state at a time.
-template <int n>
 struct Sample {
-  double t;         ///< time
-  ivp::State<n> x;  ///< state
+  double t;      ///< time
+  ivp::State x;  ///< state
 };
 
 /// Reads one component of a sample, for tables and curves.
-template <int n>
-[[nodiscard]] auto component(Eigen::Index i) {
-  return [i](const Sample<n>& s) { return s.x[i]; };
-}
+struct Component {
+  Eigen::Index i;  ///< which
+  /// Its value.
+  [[nodiscard]] double operator()(const Sample& s) const { return s.x[i]; }
+};
 
 /// States at t0, t0 + dt, t0 + 2 dt, ... up to the end of an integration. @throws Failure if it fails
 /// @param limits bounds on its work
 /// @tparam Method any of the library's
-template <int n, class Method>
-[[nodiscard]] std::vector<Sample<n>> sampled(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
-                                             double t1, const Method& method, double dt,
-                                             const ivp::Limits& limits = {}) {
-  std::vector<Sample<n>> samples = {{t0, x0}};
+template <class Method>
+[[nodiscard]] std::vector<Sample> sampled(const ivp::System& system, const ivp::State& x0, double t0,
+                                          double t1, const Method& method, double dt,
+                                          const ivp::Limits& limits = {}) {
+  std::vector<Sample> samples = {{t0, x0}};
   // Rounding of k dt loses no sample at the end.
   const auto next = [&] { return t0 + dt * static_cast<double>(samples.size()); };
-  const auto observe = [&](const ivp::Step<n>& step) {
+  const auto observe = [&](const ivp::Step& step) {
     for (double t = next(); t <= step.t1 || (step.t1 == t1 && t <= t1 + 1e-9 * dt); t = next()) {
-      ivp::State<n> x;
+      ivp::State x;
       step.dense.at(std::min(t, step.t1), x);
       samples.push_back({t, x});
     }

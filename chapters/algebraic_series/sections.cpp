@@ -6,24 +6,23 @@
 
 namespace nlmech::chapters::algebraic_series {
 
-std::vector<ivp::State<2>> sections(const problems::StrongOscillator& problem, const ivp::State<2>& x0,
-                                    double t0, std::int64_t count, const ivp::Limits& limits) {
+std::vector<ivp::State> sections(const problems::StrongOscillator& problem, const ivp::State& x0, double t0,
+                                 std::int64_t count, const ivp::Limits& limits) {
   const double t1 = t0 + std::numbers::pi * static_cast<double>(count - 1);
-  const auto samples =
-      sampled<2>(ivp::System<2>(problem), x0, t0, t1, accurate_series(), std::numbers::pi, limits);
-  std::vector<ivp::State<2>> states;
+  const auto samples = sampled(ivp::System(problem), x0, t0, t1, accurate_series(), std::numbers::pi, limits);
+  std::vector<ivp::State> states;
   states.reserve(samples.size());
-  for (const Sample<2>& s : samples) states.push_back(s.x);
+  for (const Sample& s : samples) states.push_back(s.x);
   return states;
 }
 
-double rotation_number(const std::vector<ivp::State<2>>& sections) {
+double rotation_number(const std::vector<ivp::State>& sections) {
   constexpr double turn = 2 * std::numbers::pi;
   double sum = 0, weights = 0;
   const auto count = static_cast<double>(sections.size() - 1);
   for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
     // The motion goes clockwise; the angle between neighbours is taken without a jump.
-    const ivp::State<2>&a = sections[k], &b = sections[k + 1];
+    const ivp::State &a = sections[k], &b = sections[k + 1];
     double advance = std::atan2(a[1] * b[0] - a[0] * b[1], a.dot(b)) / turn;
     if (advance < 0) advance += 1;
     const double s = (static_cast<double>(k) + 0.5) / count, weight = std::exp(-1 / (s * (1 - s)));
@@ -33,8 +32,8 @@ double rotation_number(const std::vector<ivp::State<2>>& sections) {
   return sum / weights;
 }
 
-double island_radius(const std::vector<ivp::State<2>>& sections, const ivp::State<2>& centre,
-                     std::size_t begin, std::size_t end) {
+double island_radius(const std::vector<ivp::State>& sections, const ivp::State& centre, std::size_t begin,
+                     std::size_t end) {
   double greatest = 0;
   for (std::size_t k = (begin + 30) / 31 * 31; k < end; k += 31)
     greatest = std::max(greatest, (sections[k] - centre).norm());

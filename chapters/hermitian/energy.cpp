@@ -23,11 +23,11 @@ struct Energy {
 };
 
 // The derivative of one step by central differences, exact to some 1e-10.
-double determinant_less_one(const ivp::System<2>& system, const ivp::Hermitian& method) {
+double determinant_less_one(const ivp::System& system, const ivp::Hermitian& method) {
   constexpr double d = 1e-5;
   Eigen::Matrix2d map;
   for (int i = 0; i < 2; ++i) {
-    ivp::State<2> ahead(1, 0.3), behind = ahead;
+    ivp::State ahead{1, 0.3}, behind = ahead;
     ahead[i] += d;
     behind[i] -= d;
     map.col(i) = (ivp::integrate(system, ahead, 0, step, method).x -
@@ -39,14 +39,14 @@ double determinant_less_one(const ivp::System<2>& system, const ivp::Hermitian& 
 
 Energy energy_of(const ivp::HermitianPair& pair) {
   const problems::Duffing problem;
-  const ivp::System<2> system(problem);
-  const ivp::State<2> x0(1, 0.3);
+  const ivp::System system(problem);
+  const Vector<double, 2> x0(1, 0.3);
   const double at_first = problem.invariants(0.0, x0)[0];
   const ivp::Hermitian method{.operators = pair, .step = step};
   Energy e{std::string(pair.name), std::vector<double>(windows), 0, determinant_less_one(system, method)};
   double st = 0, se = 0, stt = 0, ste = 0, count = 0;
-  const auto look = [&](const ivp::Step<2>& s) {
-    const double error = problem.invariants(0.0, s.x1)[0] / at_first - 1;
+  const auto look = [&](const ivp::Step& s) {
+    const double error = problem.invariants(0.0, Vector<double, 2>(s.x1))[0] / at_first - 1;
     const auto window = static_cast<std::size_t>(std::min(windows - 1.0, s.t1 / end * windows));
     e.worst[window] = std::max(e.worst[window], std::abs(error));
     st += s.t1;

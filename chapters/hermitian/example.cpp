@@ -23,7 +23,7 @@ struct Pendulum {
 int main() {
   using namespace nlmech::ivp;
   const Hermitian method{.operators = laier, .relative_tolerance = 1e-11, .absolute_tolerance = 1e-11};
-  const auto end = integrate(Direct(Pendulum{}), State<2>(0.5, 0), 0, 20, method);
+  const auto end = integrate(System(Pendulum{}), State{0.5, 0}, 0, 20, method);
   std::printf("%s: q = %.9f, v = %.9f\n", end.status.text().c_str(), end.x[0], end.x[1]);
   return end.status.ok() ? 0 : 1;
 }

@@ -30,8 +30,8 @@ struct Attempt {
 /// A problem, its start and end, and the position there.
 struct Subject {
   std::string what;
-  ivp::System<2> system;
-  ivp::State<2> x0;
+  ivp::System system;
+  ivp::State x0;
   double end, truth;
 };
 
@@ -57,7 +57,7 @@ Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
 std::vector<Subject> relaxations() {
   const auto make = [](double mu, double end, double truth) {
     return Subject{fmt::format("van der Pol, mu = {}", mu),
-                   ivp::System<2>(problems::VanDerPol{.mu = mu}),
+                   ivp::System(problems::VanDerPol{.mu = mu}),
                    {2, 0},
                    end,
                    truth};
@@ -73,7 +73,7 @@ Subject fast_duffing(const std::string& what, double hardening, double x0) {
   const Vector<long double, 2> begin(x0, 0);
   const problems::ReferenceTrajectory<long double, problems::DrivenDuffing> reference(problem, begin, 0, 1);
   if (!reference.status().ok()) throw Failure(reference.status());
-  return {what, ivp::System<2>(problem), {x0, 0}, 1, static_cast<double>(reference(1)[0])};
+  return {what, ivp::System(problem), {x0, 0}, 1, static_cast<double>(reference(1)[0])};
 }
 
 std::vector<Attempt> attempts(bool quick) {
@@ -100,7 +100,7 @@ std::vector<Attempt> attempts(bool quick) {
   }
   for (const double z : {1e2, 1e4, 1e6}) {
     const Subject linear{fmt::format("linear, h omega = {:.0e}", z),
-                         ivp::System<2>(problems::LinearOscillator{.natural_frequency = z}),
+                         ivp::System(problems::LinearOscillator{.natural_frequency = z}),
                          {1, 0},
                          100,
                          std::cos(100 * z)};

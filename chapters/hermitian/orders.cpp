@@ -28,12 +28,12 @@ struct Error {
 };
 
 template <class Problem>
-void measure(std::vector<Error>& all, const Problem& problem, const ivp::State<2>& x0) {
+void measure(std::vector<Error>& all, const Problem& problem, const ivp::State& x0) {
   const problems::ReferenceTrajectory<long double, Problem> reference(problem, x0.cast<long double>().eval(),
                                                                       0, end);
   if (!reference.status().ok()) throw Failure(reference.status());
-  const ivp::State<2> truth = reference(end).template cast<double>();
-  const ivp::System<2> system(problem);
+  const ivp::State truth = reference(end).template cast<double>();
+  const ivp::System system(problem);
   for (const ivp::HermitianPair& pair : ivp::hermitian_table) {
     for (const double step : steps) {
       const auto run = ivp::integrate(system, x0, 0, end, ivp::Hermitian{.operators = pair, .step = step});

@@ -18,7 +18,7 @@ constexpr double unit = 1e-4, latest = 20;
 /// A step of two operators whose iteration may be cut short, which the library's may not.
 class Steps {
  public:
-  Steps(const ivp::System<2>& system, const Program& program, const ivp::HermitianPair& pair, double h)
+  Steps(const ivp::System& system, const Program& program, const ivp::HermitianPair& pair, double h)
       : system_(system), program_(program), weights_(ivp::solved_for_end(pair)), h_(h), x_(program.x0) {
     static_cast<void>(system_.second_derivative(clock(0), x_, f_, g_));
     if (!program.no_first) return;
@@ -26,15 +26,15 @@ class Steps {
     g_.setZero();
   }
 
-  [[nodiscard]] const ivp::State<2>& state() const { return x_; }
+  [[nodiscard]] const ivp::State& state() const { return x_; }
 
   void advance() {
     const auto& w = weights_;
     const double h = h_, t = clock(program_.old_load ? number_ : number_ + 1);
-    const ivp::State<2> known(x_[0] + h * x_[1] + h * h * (w.qa0 * f_[1] + h * w.qj0 * g_[1]),
-                              x_[1] + h * (w.va0 * f_[1] + h * w.vj0 * g_[1]));
+    const ivp::State known{x_[0] + h * x_[1] + h * h * (w.qa0 * f_[1] + h * w.qj0 * g_[1]),
+                           x_[1] + h * (w.va0 * f_[1] + h * w.vj0 * g_[1])};
     const Eigen::Vector2d a(h * h * w.qa1, h * w.va1), j(h * h * h * w.qj1, h * h * w.vj1);
-    ivp::Jacobian<2> fx, gx;
+    ivp::Jacobian fx, gx;
     for (int k = 0; k < program_.updates; ++k) {
       static_cast<void>(system_.second_derivative(t, x_, f_, g_, fx, gx));
       const Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity() - a * fx.row(1) - j * gx.row(1);
@@ -49,16 +49,16 @@ class Steps {
  private:
   [[nodiscard]] double clock(int number) const { return program_.begin + (program_.ahead + number) * h_; }
 
-  const ivp::System<2>& system_;
+  const ivp::System& system_;
   const Program& program_;
   ivp::HermitianStep weights_;
   double h_;
-  ivp::State<2> x_, f_, g_;
+  ivp::State x_, f_, g_;
   int number_ = 0;
 };
 
 // Where the velocity of the cubic between x0 and x1 vanishes, which has the sign's sense at x0 only.
-double top_of_cubic(const ivp::State<2>& x0, const ivp::State<2>& x1, double h, double sign) {
+double top_of_cubic(const ivp::State& x0, const ivp::State& x1, double h, double sign) {
   const double rise = sign * (x1[0] - x0[0]), v0 = sign * h * x0[1], v1 = sign * h * x1[1];
   const double b = 3 * rise - 2 * v0 - v1, c = v0 + v1 - 2 * rise;
   const double s = v0 / (-b + std::sqrt(b * b - 3 * c * v0));
@@ -77,7 +77,7 @@ Nine peaks_of(const std::array<Turn, 9>& turns, Reading reading, double sign) {
 }
 
 // All readings of one program.
-void add(std::vector<Combination>& all, const ivp::System<2>& system, const Program& program, double sign) {
+void add(std::vector<Combination>& all, const ivp::System& system, const Program& program, double sign) {
   std::array<Turn, 9> turns{};
   for (std::size_t i = 0; i < turns.size(); ++i)
     turns.at(i) = turn_of(system, program, peak_operators.at(i % 3), peak_steps.at(i / 3), sign);
@@ -112,15 +112,15 @@ PeakTable table_5() {
   return {"Table 5", "table-5", "van der Pol", van_der_pol_case(), -0.31932967523380421};
 }
 
-Turn turn_of(const ivp::System<2>& system, const Program& program, const ivp::HermitianPair& pair,
-             double step, double sign) {
-  const ivp::State<2> none(nan, nan);
+Turn turn_of(const ivp::System& system, const Program& program, const ivp::HermitianPair& pair, double step,
+             double sign) {
+  const ivp::State none{nan, nan};
   Steps steps(system, program, pair, step);
-  ivp::State<2> earlier = none, before = steps.state();
+  ivp::State earlier = none, before = steps.state();
   const auto last = static_cast<int>(std::lround(latest / step));
   for (int i = 0; i < last; ++i) {
     steps.advance();
-    const ivp::State<2> after = steps.state();
+    const ivp::State after = steps.state();
     if (!after.allFinite()) break;
     if (sign * before[1] > 0 && sign * after[1] <= 0) {
       steps.advance();
@@ -157,12 +157,12 @@ double peak_of(const Turn& turn, Reading reading, double sign) {
   return nan;
 }
 
-std::vector<ivp::State<2>> searched_starts() {
-  std::vector<ivp::State<2>> starts = {{0, 0}};
+std::vector<ivp::State> searched_starts() {
+  std::vector<ivp::State> starts = {{0, 0}};
   for (const double size : {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0}) {
     for (const double value : {size, -size}) {
-      starts.emplace_back(value, 0);
-      starts.emplace_back(0, value);
+      starts.push_back({value, 0});
+      starts.push_back({0, value});
     }
   }
   return starts;
@@ -170,9 +170,9 @@ std::vector<ivp::State<2>> searched_starts() {
 
 std::vector<Combination> duffing_combinations() {
   const problems::DrivenDuffing problem = laier_duffing();
-  const ivp::System<2> system(problem);
+  const ivp::System system(problem);
   std::vector<Combination> all;
-  for (const ivp::State<2>& x0 : searched_starts()) {
+  for (const ivp::State& x0 : searched_starts()) {
     // Cosine, minus sine, minus cosine, sine: quarters of the load's period.
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double begin = quarter * std::numbers::pi / 2 / problem.frequency;
@@ -188,9 +188,9 @@ std::vector<Combination> duffing_combinations() {
 }
 
 std::vector<Combination> van_der_pol_combinations() {
-  const ivp::System<2> system(laier_van_der_pol());
+  const ivp::System system(laier_van_der_pol());
   std::vector<Combination> all;
-  for (const ivp::State<2>& x0 : searched_starts()) {
+  for (const ivp::State& x0 : searched_starts()) {
     if (x0.isZero()) continue;
     for (const bool first : {false, true}) {
       for (const int updates : {1, 2, 50}) add(all, system, {x0, 0, 0, first, updates}, -1);

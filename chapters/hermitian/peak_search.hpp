@@ -47,7 +47,7 @@ struct PeakTable {
 
 /// What the paper does not say of the run that gave a number.
 struct Program {
-  ivp::State<2> x0;       ///< position and velocity at first
+  ivp::State x0;          ///< position and velocity at first
   double begin = 0;       ///< time on the load's clock at which the motion begins
   double ahead = 0;       ///< steps by which the load runs ahead besides
   bool no_first = false;  ///< acceleration and jerk are taken for 0 at the begin of the first step
@@ -57,14 +57,14 @@ struct Program {
 
 /// Ends of steps round the first turn, which is between the second and the third.
 struct Turn {
-  std::array<ivp::State<2>, 4> x;  ///< NaN where there is none
-  double step;                     ///< between them
+  std::array<ivp::State, 4> x;  ///< NaN where there is none
+  double step;                  ///< between them
 };
 
 /// Steps of @p program until one after the velocity has passed zero against @p sign; all NaN if it does not
 /// before 20 units of time. With 50 updates and no other oddity it is the run of ivp::Hermitian.
-[[nodiscard]] Turn turn_of(const ivp::System<2>& system, const Program& program,
-                           const ivp::HermitianPair& pair, double step, double sign);
+[[nodiscard]] Turn turn_of(const ivp::System& system, const Program& program, const ivp::HermitianPair& pair,
+                           double step, double sign);
 
 /// How a peak is read off the ends of steps.
 enum class Reading {
@@ -91,7 +91,7 @@ struct Combination {
 };
 
 /// Rest, and a position or a velocity of plus or minus 0.001, 0.002, 0.005 to 2 alone: 45 starts.
-[[nodiscard]] std::vector<ivp::State<2>> searched_starts();
+[[nodiscard]] std::vector<ivp::State> searched_starts();
 /// Starts, loads of plus or minus cosine or sine, ahead by -2 to 2 steps in halves, with and without a first
 /// acceleration, one Newton update with the old or the new load, two, or as many as it takes, five readings.
 [[nodiscard]] std::vector<Combination> duffing_combinations();

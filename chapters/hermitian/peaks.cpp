@@ -12,19 +12,17 @@ problems::DrivenDuffing laier_duffing() {
 
 problems::VanDerPol laier_van_der_pol() { return {.mu = 1.5}; }
 
-Case duffing_case() { return {.system = ivp::System<2>(laier_duffing()), .x0 = {0, 0}, .sign = 1}; }
+Case duffing_case() { return {.system = ivp::System(laier_duffing()), .x0 = {0, 0}, .sign = 1}; }
 
-Case van_der_pol_case() {
-  return {.system = ivp::System<2>(laier_van_der_pol()), .x0 = {0.01, 0}, .sign = -1};
-}
+Case van_der_pol_case() { return {.system = ivp::System(laier_van_der_pol()), .x0 = {0.01, 0}, .sign = -1}; }
 
 Peak first_peak(const Case& what, const ivp::Hermitian& method, double end) {
   Peak peak;
   bool found = false;
-  const auto look = [&](const ivp::Step<2>& step) {
+  const auto look = [&](const ivp::Step& step) {
     if (!(what.sign * step.x0[1] > 0 && what.sign * step.x1[1] <= 0)) return true;
     double before = step.t0, after = step.t1;
-    ivp::State<2> x = step.x0;
+    ivp::State x = step.x0;
     for (int halving = 0; halving < 60; ++halving) {
       const double middle = before + (after - before) / 2;
       step.dense.at(middle, x);

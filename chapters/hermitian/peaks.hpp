@@ -15,9 +15,9 @@ namespace nlmech::chapters::hermitian {
 
 /// What starts an oscillator of one degree of freedom, and which way it peaks.
 struct Case {
-  ivp::System<2> system;  ///< equation
-  ivp::State<2> x0;       ///< position and velocity at first
-  double sign;            ///< 1: a maximum; -1: a minimum
+  ivp::System system;  ///< equation
+  ivp::State x0;       ///< position and velocity at first
+  double sign;         ///< 1: a maximum; -1: a minimum
 };
 
 /// Equation (11) from rest; the paper names no start.

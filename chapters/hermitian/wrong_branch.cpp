@@ -36,14 +36,14 @@ struct Branches {
 };
 
 /// Runs from (2, 0) to the end. @param points gets those that a picture needs; may be null
-ivp::Solution<2> run(const ivp::Hermitian& method, std::vector<Point>* points = nullptr) {
-  const auto keep = [points](const ivp::Step<2>& s) {
+ivp::Solution run(const ivp::Hermitian& method, std::vector<Point>* points = nullptr) {
+  const auto keep = [points](const ivp::Step& s) {
     if (points &&
         (points->empty() || s.t1 - points->back().t > 0.2 || std::abs(s.x1[0] - points->back().x) > 0.02))
       points->push_back({s.t1, s.x1[0]});
     return true;
   };
-  return ivp::integrate(ivp::System<2>(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method, keep);
+  return ivp::integrate(ivp::System(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method, keep);
 }
 
 ivp::Hermitian unchecked(double step) { return {.step = step, .branch_tolerance = HUGE_VAL}; }

@@ -7,6 +7,7 @@
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::integrators::basin {
@@ -40,18 +41,18 @@ struct Outcome {
   double share = 0;   ///< of the starts that end to the right
 };
 
-ivp::State<2> start_of(int i, int j, int side) {
+ivp::State start_of(int i, int j, int side) {
   const double step = 5.0 / (side - 1);
   return {-2.5 + step * i, -2.5 + step * j};
 }
 
 Outcome compute(bool quick) {
   const int side = quick ? 21 : 101;
-  std::vector<ivp::State<2>> states;
+  std::vector<ivp::State> states;
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) states.push_back(start_of(i, j, side));
   }
-  const auto ends = ivp::integrate_all(TwoWells{}, std::span<const ivp::State<2>>(states), 0, until,
+  const auto ends = ivp::integrate_all(ivp::System(TwoWells{}), std::span<const ivp::State>(states), 0, until,
                                        ivp::Rk4{.step = period / steps_a_period}, 1);
   Outcome o;
   for (std::size_t k = 0; k < states.size(); ++k) {

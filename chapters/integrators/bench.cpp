@@ -29,10 +29,9 @@ struct Work {
 };
 
 // A chain of right-hand sides, each a little away from the last.
-template <int n>
-Work right_hand_sides(std::string name, const ivp::System<n>& system, const ivp::State<n>& x0) {
+Work right_hand_sides(std::string name, const ivp::System& system, const ivp::State& x0) {
   return {std::move(name), [system, x0] {
-            ivp::State<n> x = x0, f;
+            ivp::State x = x0, f;
             for (int i = 0; i < 1000; ++i) {
               system.rhs(1e-3 * i, x, f);
               x = x0 + 1e-9 * f;
@@ -40,8 +39,7 @@ Work right_hand_sides(std::string name, const ivp::System<n>& system, const ivp:
             benchmark::DoNotOptimize(x);
           }};
 }
-template <int n>
-Work steps(std::string name, const ivp::System<n>& system, const ivp::State<n>& x0) {
+Work steps(std::string name, const ivp::System& system, const ivp::State& x0) {
   return {std::move(name), [system, x0] {
             const auto end = ivp::integrate(system, x0, 0, 5, ivp::Series{});
             benchmark::DoNotOptimize(end.x[0]);
@@ -50,9 +48,8 @@ Work steps(std::string name, const ivp::System<n>& system, const ivp::State<n>& 
 
 template <class Problem>
 void add(const std::string& name, std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims) {
-  constexpr int n = Problem::dimension;
-  const ivp::System<n> written(Problem{}),
-      typed(expression::Problem<n>(expression::Equations({name, std::string(Problem::text)})));
+  const ivp::System written(Problem{}),
+      typed(expression::Problem(expression::Equations({name, std::string(Problem::text)})));
   const auto pair = [&](const std::string& what, auto work, double most) {
     const std::string ours = fmt::format("{}, {} typed", name, what),
                       theirs = fmt::format("{}, {} in C++", name, what);
@@ -60,8 +57,8 @@ void add(const std::string& name, std::vector<Work>& all, std::vector<scene::Spe
     all.push_back(work(theirs, written, Problem::state()));
     claims.push_back({fmt::format("{} against {}", ours, theirs), ours, theirs, 1 / most});
   };
-  pair("1000 right-hand sides", right_hand_sides<n>, most_rhs);
-  pair("series to t = 5", steps<n>, most_step);
+  pair("1000 right-hand sides", right_hand_sides, most_rhs);
+  pair("series to t = 5", steps, most_step);
 }
 
 int bench(int argc, char** argv) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "chapters/integrators/problem_set.hpp"
@@ -44,24 +43,22 @@ struct Judged {
 };
 
 /// Digits at the end of a run as the command names it.
-template <int n>
-double delivered(const SetProblem<n>& p, const comparison::Ranked& first) {
+double delivered(const SetProblem& p, const comparison::Ranked& first) {
   const ivp::Settings settings{.tolerance = first.tolerance,
                                .absolute_tolerance = first.tolerance * p.absolute};
-  const auto run = comparison::any_integrator<n>(comparison::any_method(first.method), settings);
-  const ivp::Solution<n> end = run(p.system, p.x0, p.t0, p.t1, {}, {});
+  const auto run = comparison::any_integrator(comparison::any_method(first.method), settings);
+  const ivp::Solution end = run(p.system, p.x0, p.t0, p.t1, {}, {});
   if (!end.status.ok()) return 0;
   return std::clamp(-std::log10(p.error(end.x, p.times.size() - 1)), 0.0, 16.0);
 }
 
 /// What the command says of a problem when nobody has solved it.
-template <int n>
-void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& judged) {
+void judge(const SetProblem& p, const Evidence& all, std::vector<Judged>& judged) {
   const auto solved = std::ranges::find(all.problems, p.name, &SolvedProblem::name);
   if (solved == all.problems.end()) return;
   const Evidence others = all.without(p.name);
-  const comparison::Question<n> question{p.system, p.x0, p.t0, p.t1, 9, p.absolute};
-  const comparison::Chosen looked = comparison::looked_at<n>(question, others);
+  const comparison::Question question{p.system, p.x0, p.t0, p.t1, 9, p.absolute};
+  const comparison::Chosen looked = comparison::looked_at(question, others);
   for (const int digits : asked) {
     double best = infinity;
     std::string fastest;
@@ -71,7 +68,7 @@ void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& jud
       best = std::min(best, cost);
     }
     if (fastest.empty()) continue;
-    const comparison::Chosen c = comparison::choose<n>(question, digits, others, looked);
+    const comparison::Chosen c = comparison::choose(question, digits, others, looked);
     const std::string first = c.ranked.empty() ? "none" : c.ranked.front().method;
     const auto expected = comparison::expectations(others, c.look.features, digits + std::log10(c.condition));
     judged.push_back({p.name, digits, first, fastest, cost_of(*solved, first, digits) / best,
@@ -84,8 +81,7 @@ void judge(const SetProblem<n>& p, const Evidence& all, std::vector<Judged>& jud
 std::vector<Judged> measure(bool /*quick*/) {
   const Evidence all = comparison::read_evidence();
   std::vector<Judged> judged;
-  for (const AnyProblem& problem : problem_set())
-    std::visit([&](const auto& p) { judge(p, all, judged); }, problem);
+  for (const SetProblem& p : problem_set()) judge(p, all, judged);
   return judged;
 }
 

@@ -32,17 +32,15 @@ struct Growth {
   std::vector<Point> over_time, over_masses;
 };
 
-template <int n>
-double energy(const ivp::System<n>& system, const ivp::State<n>& x) {
+double energy(const ivp::System& system, const ivp::State& x) {
   Eigen::VectorXd values(1);
   static_cast<void>(system.invariants(0, x, values));
   return values[0];
 }
 
-template <int n>
-bool add(const std::string& method, const ivp::System<n>& system, const ivp::State<n>& x0, double end,
-         double size, std::vector<Point>& points) {
-  const auto run = comparison::any_integrator<n>(comparison::any_method(method), {.tolerance = tolerance});
+bool add(const std::string& method, const ivp::System& system, const ivp::State& x0, double end, double size,
+         std::vector<Point>& points) {
+  const auto run = comparison::any_integrator(comparison::any_method(method), {.tolerance = tolerance});
   const Stopwatch watch;
   const auto solution = run(system, x0, 0, end, {}, {.seconds = 1});
   const double first = watch.seconds();
@@ -63,15 +61,14 @@ std::vector<Growth> measure(bool quick) {
     g.method = name;
     for (const double end : {10., 100., 1e3, 1e4, 1e5}) {
       if (quick && end > 1e3) break;
-      if (!add<2>(name, ivp::System<2>(problems::Duffing{}), problems::Duffing::initial_state(), end, end,
-                  g.over_time))
+      if (!add(name, ivp::System(problems::Duffing{}), problems::Duffing::initial_state(), end, end,
+               g.over_time))
         break;
     }
     for (const double count : {1., 3., 10., 30., 100., 300., 1000.}) {
       if (quick && count > 30) break;
       const problems::DuffingChain chain{.masses = count};
-      constexpr int any = Eigen::Dynamic;
-      if (!add<any>(name, ivp::System<any>(chain), chain.initial_state(), 10, count, g.over_masses)) break;
+      if (!add(name, ivp::System(chain), chain.initial_state(), 10, count, g.over_masses)) break;
     }
   }
   return all;

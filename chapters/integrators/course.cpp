@@ -35,15 +35,15 @@ std::vector<double> equidistant(double begin, double end, int count) {
 
 Course course(const expression::Equations& equations, const std::vector<double>& times,
               const std::string& method, const std::string& other) {
-  const ivp::System<any> system{expression::Problem<any>(equations)};
+  const ivp::System system{expression::Problem(equations)};
   const std::vector<double> x0 = expression::Equations(equations).initial_state("initial state", "");
-  const State<any> begin = Eigen::Map<const State<any>>(x0.data(), static_cast<Eigen::Index>(x0.size()));
+  const State begin = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
   const ivp::Settings settings{.tolerance = 1e-13};
   Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
-  State<any> size = begin.cwiseAbs();
+  State size = begin.cwiseAbs();
   const auto go = [&](const std::string& name, bool keep) {
-    const auto run = comparison::any_integrator<any>(comparison::any_method(name), settings);
-    State<any> x = begin;
+    const auto run = comparison::any_integrator(comparison::any_method(name), settings);
+    State x = begin;
     double t = equations.initial_time().value_or(0);
     for (const double next : times) {
       const auto end = run(system, x, t, next, {}, {});
@@ -57,7 +57,7 @@ Course course(const expression::Equations& equations, const std::vector<double>&
     }
     return x;
   };
-  const State<any> one = go(method, true);
+  const State one = go(method, true);
   if (!other.empty()) made.difference = ((one - go(other, false)).array().abs() / size.array()).maxCoeff();
   return made;
 }

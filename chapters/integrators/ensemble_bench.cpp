@@ -1,8 +1,7 @@
 /// @file
-/// `integrators_ensemble_bench`: Lorenz' equations for many initial states, in registers against one by one;
-/// Rk4 and Ode45 as this program is compiled, Series as the library's kernels are; by Google Benchmark.
-/// Writes results/bench/integrators_ensemble.json and tables/BENCH.md under the current folder; exit code 1
-/// if a claim is not held.
+/// `integrators_ensemble_bench`: Lorenz' equations for many initial states by Series, in registers against
+/// one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json and tables/BENCH.md under
+/// the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -27,9 +26,9 @@ struct Work {
   std::function<void()> run;
 };
 
-std::vector<ivp::State<3>> states(int count) {
-  std::vector<ivp::State<3>> all;
-  for (int i = 0; i < count; ++i) all.emplace_back(0.01 * i, 1, 0.02 * i);
+std::vector<ivp::State> states(int count) {
+  std::vector<ivp::State> all;
+  for (int i = 0; i < count; ++i) all.push_back({0.01 * i, 1, 0.02 * i});
   return all;
 }
 
@@ -38,45 +37,14 @@ void tell(const Work& work, double steps) {
              1e9 * time_repeats(work.run, 9).median / steps);
 }
 
-/// The problem itself, which the compiler sees.
-/// @param least how many times as fast in registers
-template <class Method>
-void add_inlined(const std::string& what, const Method& method, double until, double least,
-                 std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims) {
-  constexpr int count = 256;
-  const auto starts = states(count);
-  const Work together{fmt::format("lorenz, {}, {} starts, registers of {}", what, count, ivp::register_lanes),
-                      [=] {
-                        auto ends = ivp::integrate_all(
-                            problems::Lorenz{}, std::span<const ivp::State<3>>(starts), 0, until, method, 1);
-                        benchmark::DoNotOptimize(ends);
-                      }};
-  const Work alone{fmt::format("lorenz, {}, {} starts, one by one", what, count), [=] {
-                     const problems::Lorenz lorenz;
-                     for (const ivp::State<3>& start : starts) {
-                       auto end = ivp::integrate(ivp::Direct(lorenz), start, 0, until, method);
-                       benchmark::DoNotOptimize(end);
-                     }
-                   }};
-  double steps = 0;
-  for (const auto& end :
-       ivp::integrate_all(problems::Lorenz{}, std::span<const ivp::State<3>>(starts), 0, until, method, 1))
-    steps += static_cast<double>(end.statistics.steps);
-  for (const Work& work : {together, alone}) {
-    tell(work, steps);
-    all.push_back(work);
-  }
-  claims.push_back({fmt::format("{} against one by one", together.name), together.name, alone.name, least});
-}
-
 /// Steps of chosen length, of equations that the compiler has not seen, as typed ones.
 /// @param system outlives the measurement
-void add_series(const ivp::System<3>& system, std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims,
+void add_series(const ivp::System& system, std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims,
                 double tolerance) {
   constexpr int count = 512;
   constexpr double until = 5;
   const ivp::Series method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
-  std::vector<ivp::Start<3>> starts;
+  std::vector<ivp::Start> starts;
   for (const auto& x0 : states(count)) starts.push_back({&system, x0, 0, until, {}, {}});
   double steps = 0;
   for (const auto& start : starts)
@@ -93,7 +61,7 @@ void add_series(const ivp::System<3>& system, std::vector<Work>& all, std::vecto
     if (!available(set)) return;
     const Work together{
         fmt::format("lorenz, series to {:g}, {} starts, lanes of {}", tolerance, count, to_string(set)), [=] {
-          auto ends = ivp::integrate_all<3>(std::span<const ivp::Start<3>>(starts), method, 1, set);
+          auto ends = ivp::integrate_all(std::span<const ivp::Start>(starts), method, 1, set);
           benchmark::DoNotOptimize(ends);
         }};
     tell(together, steps);
@@ -114,12 +82,7 @@ int bench(int argc, char** argv) {
   chapters::begin_speed(argc, argv);
   std::vector<Work> all;
   std::vector<scene::SpeedClaim> claims;
-  add_inlined("rk4", ivp::Rk4{.step = 0.01}, 10, 4, all, claims);
-  for (const double tolerance : {1e-3, 1e-6})
-    add_inlined(fmt::format("ode45 to {:g}", tolerance),
-                ivp::Ode45{.relative_tolerance = tolerance, .absolute_tolerance = tolerance}, 5, 1.2, all,
-                claims);
-  const ivp::System<3> system(problems::Lorenz{});
+  const ivp::System system(problems::Lorenz{});
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) add_series(system, all, claims, tolerance);
   return chapters::judge_speed("integrators_ensemble", claims, chapters::measure_speed(all));
 }

@@ -38,8 +38,7 @@ class References {
   }
 
   /// Completes a problem that has a solution.
-  template <int n>
-  void complete(SetProblem<n>& p) const {
+  void complete(SetProblem& p) const {
     const auto found = known_.find(p.name);
     if (found == known_.end()) misfit(p.name);
     const Known& k = found->second;
@@ -47,9 +46,9 @@ class References {
     if (k.states.size() != p.times.size() || std::ssize(k.scales) != size) misfit(p.name);
     for (std::size_t i = 0; const auto& [t, x] : k.states) {
       if (t != p.times[i++] || std::ssize(x) != size) misfit(p.name);
-      p.truth.emplace_back(Eigen::Map<const Vector<long double, n>>(x.data(), size));
+      p.truth.emplace_back(Eigen::Map<const Vector<long double, Eigen::Dynamic>>(x.data(), size));
     }
-    p.flagged = Eigen::Map<const ivp::State<n>>(k.scales.data(), size);
+    p.flagged = Eigen::Map<const Eigen::VectorXd>(k.scales.data(), size);
     p.condition = k.condition;
     p.tolerance_condition = k.tolerance_condition;
   }
@@ -75,10 +74,9 @@ class References {
   std::map<std::string, Known> known_;
 };
 
-template <int n>
-SetProblem<n> made(std::string_view name, Kind kind, double absolute, std::int64_t length,
-                   ivp::System<n> system, const ivp::State<n>& x0, double t0, double t1) {
-  SetProblem<n> p{std::string(name), kind, absolute, length, std::move(system), x0, t0, t1, {}};
+SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t length, ivp::System system,
+                const ivp::State& x0, double t0, double t1) {
+  SetProblem p{std::string(name), kind, absolute, length, std::move(system), x0, t0, t1, {}};
   for (int k = 0; k < judged_times; ++k) p.times.push_back(judged_time(t0, t1, k));
   return p;
 }
@@ -94,20 +92,19 @@ std::string_view to_string(Kind kind) {
   return "extreme";
 }
 
-std::vector<AnyProblem> problem_set() {
+std::vector<SetProblem> problem_set() {
   const References references;
-  std::vector<AnyProblem> all;
+  std::vector<SetProblem> all;
   for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    constexpr int n = ivp::compiled_dimension<Problem>;
-    auto p = made<n>(c.name, c.kind, c.absolute, c.length, ivp::System<n>(c.problem),
-                     c.problem.initial_state(), Problem::initial_time, c.end);
+    auto p = made(c.name, c.kind, c.absolute, c.length, ivp::System(c.problem), c.problem.initial_state(),
+                  Problem::initial_time, c.end);
     if (by != By::nothing) references.complete(p);
     all.emplace_back(std::move(p));
   });
   const expression::Equations equations(
       expression::SourceText(std::string(Friction::name), Friction::equation));
-  auto p = made<2>(Friction::name, Kind::extreme, 1, 1, ivp::System<2>(expression::Problem<2>(equations)),
-                   {Friction::position, 0}, 0, Friction::end);
+  auto p = made(Friction::name, Kind::extreme, 1, 1, ivp::System(expression::Problem(equations)),
+                {Friction::position, 0}, 0, Friction::end);
   references.complete(p);
   all.emplace_back(std::move(p));
   return all;
@@ -120,10 +117,6 @@ std::vector<std::string> problem_names(bool solved) {
   });
   names.emplace_back(Friction::name);
   return names;
-}
-
-const std::string& name_of(const AnyProblem& problem) {
-  return std::visit([](const auto& p) -> const std::string& { return p.name; }, problem);
 }
 
 }  // namespace nlmech::chapters::integrators

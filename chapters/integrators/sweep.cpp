@@ -39,14 +39,13 @@ Timing timing_of(const std::function<void()>& run, double first, double all) {
 }
 
 /// The errors at the judged times: along a chain of runs from one to the next, and of @p end.
-template <int n>
-std::optional<double> error_of(const SetProblem<n>& p, const ivp::NamedIntegrator<n>& run,
-                               const ivp::Limits& limits, const ivp::State<n>& end) {
+std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& run,
+                               const ivp::Limits& limits, const ivp::State& end) {
   std::vector<double> errors = {p.error(end, p.times.size() - 1)};
-  ivp::State<n> x = p.x0;
+  ivp::State x = p.x0;
   double t = p.t0;
   for (std::size_t k = 0; k + 1 < p.times.size(); ++k) {
-    const ivp::Solution<n> s = run(p.system, x, t, p.times[k], {}, limits);
+    const ivp::Solution s = run(p.system, x, t, p.times[k], {}, limits);
     if (!s.status.ok()) break;  // the run to the end went well: it counts by what there is
     errors.push_back(p.error(s.x, k));
     x = s.x;
@@ -59,16 +58,14 @@ std::optional<double> error_of(const SetProblem<n>& p, const ivp::NamedIntegrato
 /// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
 /// not come through is not begun. Nothing of other ways, of searches for a step, whose runs are of any
 /// length, and where a run is bounded in seconds.
-template <int n>
-ivp::Solution<n> first_tenth(const SetProblem<n>& p, const comparison::AnyMethod& method,
-                             const ivp::NamedIntegrator<n>& run, ivp::Limits limits) {
+ivp::Solution first_tenth(const SetProblem& p, const comparison::AnyMethod& method,
+                          const ivp::NamedIntegrator& run, ivp::Limits limits) {
   if (p.length == 1 || method.info.fixed_step() || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
   limits.steps /= 10;
   return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
 }
 
-template <int n>
-Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double tolerance,
+Trial trial(const SetProblem& p, const comparison::AnyMethod& method, double tolerance,
             const Effort& effort) {
   Trial t{tolerance, "refused"};
   ivp::Settings settings{.tolerance = tolerance};
@@ -76,10 +73,10 @@ Trial trial(const SetProblem<n>& p, const comparison::AnyMethod& method, double 
   ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
   if (effort.seconds > 0) limits.seconds = effort.seconds;
   try {
-    const auto run = comparison::any_integrator<n>(method, settings);
+    const auto run = comparison::any_integrator(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
     std::clock_t begin = std::clock();
-    ivp::Solution<n> s = first_tenth(p, method, run, limits);
+    ivp::Solution s = first_tenth(p, method, run, limits);
     if (s.status.ok()) {
       begin = std::clock();
       s = once();
@@ -105,16 +102,15 @@ std::int64_t work_of(const Trial& t, int size) {
 /// Of so long a way a tolerance looser than this leaves no digit.
 constexpr int loosest_of_long = 7;
 
-MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const Effort& effort) {
+MethodTrials trials_of(const SetProblem& problem, const std::string& name, const Effort& effort) {
   const comparison::AnyMethod method = comparison::any_method(name);
   MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
-  const auto [length, size] =
-      std::visit([](const auto& p) { return std::pair(std::int64_t{p.length}, p.system.size()); }, problem);
+  const std::int64_t length = problem.length;
+  const int size = problem.system.size();
   const std::int64_t enough = all.chooses ? effort.enough * length : effort.enough / 6;
   for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
     if (length > 1 && power < loosest_of_long) continue;
-    all.trials.push_back(
-        std::visit([&](const auto& p) { return trial(p, method, std::pow(10, -power), effort); }, problem));
+    all.trials.push_back(trial(problem, method, std::pow(10, -power), effort));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
     if (is_last || work_of(last, size) > enough) break;
@@ -123,19 +119,15 @@ MethodTrials trials_of(const AnyProblem& problem, const std::string& name, const
   return all;
 }
 
-ProblemTrials trials_on(const AnyProblem& problem, const std::vector<std::string>& methods,
+ProblemTrials trials_on(const SetProblem& problem, const std::vector<std::string>& methods,
                         const Effort& effort) {
-  ProblemTrials p = std::visit(
-      [](const auto& q) {
-        return ProblemTrials{q.name,
-                             q.kind,
-                             q.has_solution(),
-                             q.condition,
-                             q.tolerance_condition,
-                             {},
-                             static_cast<double>(q.length)};
-      },
-      problem);
+  ProblemTrials p{problem.name,
+                  problem.kind,
+                  problem.has_solution(),
+                  problem.condition,
+                  problem.tolerance_condition,
+                  {},
+                  static_cast<double>(problem.length)};
   for (const std::string& name : methods) p.methods.push_back(trials_of(problem, name, effort));
   return p;
 }
@@ -144,7 +136,7 @@ ProblemTrials trials_on(const AnyProblem& problem, const std::vector<std::string
 
 std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods, const Effort& effort) {
   std::vector<ProblemTrials> all;
-  for (const AnyProblem& problem : problem_set()) all.push_back(trials_on(problem, methods, effort));
+  for (const SetProblem& problem : problem_set()) all.push_back(trials_on(problem, methods, effort));
   return all;
 }
 
@@ -185,9 +177,9 @@ scene::Result<ProblemTrials> sweep_of(const std::string& problem) {
       "fewer in search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 "
       "000 000; a Jacobian or factorisation counts as one a component), or 10 000 in search of a step",
       [problem](bool quick) {
-        const std::vector<AnyProblem> all = problem_set();
-        return trials_on(*std::ranges::find(all, problem, name_of), comparison::built_method_names(),
-                         quick ? look : full);
+        const std::vector<SetProblem> all = problem_set();
+        return trials_on(*std::ranges::find(all, problem, &SetProblem::name),
+                         comparison::built_method_names(), quick ? look : full);
       }};
 }
 

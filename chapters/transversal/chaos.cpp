@@ -26,7 +26,7 @@ struct Regimes {
   double at_50 = 0;                     ///< the chaotic position at t = 50, p = 5, h = 0.002
 };
 
-std::vector<ErrorAt> error_curve(const problems::DrivenDuffing& problem, const ivp::State<2>& x0) {
+std::vector<ErrorAt> error_curve(const problems::DrivenDuffing& problem, const ivp::State& x0) {
   const Truth truth(problem, x0.cast<long double>(), 0, compared);
   std::vector<ErrorAt> curve;
   double greatest = 0, next = 1;

@@ -34,14 +34,14 @@ double interpolated_cube(const std::vector<Point>& points, double t) {
 
 Block block() {
   const problems::DrivenDuffing problem;
-  const ivp::State<2> x0(1, 0);
+  const ivp::State x0{1, 0};
   Block b;
   b.points.push_back({0, x0});
-  const auto observe = [&b](const ivp::Step<2>& step) {
+  const auto observe = [&b](const ivp::Step& step) {
     for (std::size_t i = 0; i < step.times.size(); ++i)
       b.points.push_back({step.times[i], step.states.col(static_cast<Eigen::Index>(i))});
     for (int i = 0; i <= 200; ++i) {
-      ivp::State<2> x;
+      ivp::State x(2);
       // Every fiftieth sample is a point.
       const double t = i % 50 == 0 ? b.points[static_cast<std::size_t>(i / 50)].t : p * h * i / 200;
       step.dense.at(t, x);
@@ -53,7 +53,7 @@ Block block() {
     return true;
   };
   const ivp::Mtl method{.step = h, .points = p, .error_tolerance = 0};  // as in the source
-  const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, p * h, method, observe);
+  const auto s = ivp::integrate(ivp::System(problem), x0, 0, p * h, method, observe);
   if (!s.status.ok()) throw Failure(s.status);
   return b;
 }

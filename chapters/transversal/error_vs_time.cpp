@@ -34,7 +34,7 @@ std::vector<Contender> contenders(bool quick) {
   return all;
 }
 
-comparison::Example<2> example() { return comparison::example_of(problems::DrivenDuffing{}, 50); }
+comparison::Example example() { return comparison::example_of(problems::DrivenDuffing{}, 50); }
 
 void check(const comparison::Costs& costs, scene::Show& show) {
   const comparison::Curve& three = comparison::curve_of(costs.curves, "mtl, p = 3");

@@ -27,7 +27,7 @@ struct Pendulum {
 int main() {
   using namespace nlmech::ivp;
   const Mtl method{.step = 0.02, .points = 5, .error_tolerance = 1e-6};
-  const auto end = integrate(Direct(Pendulum{}), State<2>(1, 0), 0, 20, method);
+  const auto end = integrate(System(Pendulum{}), State{1, 0}, 0, 20, method);
   std::printf("%s: x = %.12f, v = %.12f\n", end.status.text().c_str(), end.x[0], end.x[1]);
   return end.status.ok() ? 0 : 1;
 }

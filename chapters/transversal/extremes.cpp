@@ -39,9 +39,9 @@ Mtl blind(Mtl m) {
 }
 
 template <class Problem>
-RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State<2>& x0, double end,
+RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State& x0, double end,
                   double truth, const Mtl& method) {
-  const auto s = ivp::integrate(ivp::System<2>(problem), x0, 0, end, method);
+  const auto s = ivp::integrate(ivp::System(problem), x0, 0, end, method);
   RunEnd f{
       what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
   if (s.status.ok()) f.error = std::abs(s.x[0] - truth);

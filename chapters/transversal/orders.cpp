@@ -40,7 +40,7 @@ Fall fall_of(const Truth& truth, const problems::DrivenDuffing& problem, int p, 
   // Steps that errors of the higher orders do not take below 1e-12, where roundings are.
   for (int k = 0; k < halvings; ++k) {
     const ivp::Mtl method{.step = 0.2 / (1 << k), .points = p, .basis = basis, .error_tolerance = 0};
-    const auto s = ivp::integrate(ivp::System<2>(problem), {1, 0}, 0, end, method);
+    const auto s = ivp::integrate(ivp::System(problem), {1, 0}, 0, end, method);
     if (!s.status.ok()) throw Failure(s.status);
     fall.samples.push_back({method.step, (s.x - truth(end).cast<double>()).cwiseAbs().maxCoeff()});
   }

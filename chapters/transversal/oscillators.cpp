@@ -20,16 +20,16 @@ problems::DrivenDuffing stand_in(double e2) {
 
 problems::DrivenDuffing ueda() { return {.damping = 0.05, .stiffness = 0, .hardening = 1, .force = 7.5}; }
 
-Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, double end,
-              const ivp::NamedIntegrator<2>& method, const Truth* truth) {
+Course course(const problems::DrivenDuffing& problem, const ivp::State& x0, double end,
+              const ivp::NamedIntegrator& method, const Truth* truth) {
   Course c;
   c.points.push_back({0, x0});
-  const auto observe = [&c](const ivp::Step<2>& step) {
+  const auto observe = [&c](const ivp::Step& step) {
     for (std::size_t i = 0; i < step.times.size(); ++i)
       c.points.push_back({step.times[i], step.states.col(static_cast<Eigen::Index>(i))});
     return true;
   };
-  const auto solution = method(ivp::System<2>(problem), x0, 0, end, observe, {});
+  const auto solution = method(ivp::System(problem), x0, 0, end, observe, {});
   c.status = solution.status;
   c.work = solution.statistics;
   for (const Point& p : c.points) {
@@ -42,17 +42,17 @@ Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, d
   return c;
 }
 
-ivp::NamedIntegrator<2> mtl(double step, int points) {
+ivp::NamedIntegrator mtl(double step, int points) {
   // The summary's procedure has no estimate: its long steps go on.
   const ivp::Mtl method{.step = step, .points = points, .error_tolerance = 0};
-  return [method](const ivp::System<2>& system, const ivp::State<2>& x0, double t0, double t1,
-                  const ivp::Observer<2>& observer, const ivp::Limits& limits) {
+  return [method](const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                  const ivp::Observer& observer, const ivp::Limits& limits) {
     return ivp::integrate(system, x0, t0, t1, method, observer, limits);
   };
 }
 
-ivp::NamedIntegrator<2> classical(std::string_view name, double step) {
-  return ivp::named_integrator<2>(name, {.step = step});
+ivp::NamedIntegrator classical(std::string_view name, double step) {
+  return ivp::named_integrator(name, {.step = step});
 }
 
 }  // namespace nlmech::chapters::transversal

@@ -26,8 +26,8 @@ using Truth = problems::ReferenceTrajectory<long double, problems::DrivenDuffing
 
 /// A state at a time.
 struct Point {
-  double t;         ///< time
-  ivp::State<2> x;  ///< position and velocity
+  double t;      ///< time
+  ivp::State x;  ///< position and velocity
   [[nodiscard]] double position() const { return x[0]; }
   [[nodiscard]] double velocity() const { return x[1]; }
 };
@@ -50,12 +50,12 @@ struct Course {
 
 /// Runs a method of fixed step from @p x0 at 0 to @p end.
 /// @param truth reaches @p end; null: no error
-[[nodiscard]] Course course(const problems::DrivenDuffing& problem, const ivp::State<2>& x0, double end,
-                            const ivp::NamedIntegrator<2>& method, const Truth* truth);
+[[nodiscard]] Course course(const problems::DrivenDuffing& problem, const ivp::State& x0, double end,
+                            const ivp::NamedIntegrator& method, const Truth* truth);
 
 /// `mtl` with p points and a step, without an estimate, as in the source.
-[[nodiscard]] ivp::NamedIntegrator<2> mtl(double step, int points);
+[[nodiscard]] ivp::NamedIntegrator mtl(double step, int points);
 /// A method by its name, with a step.
-[[nodiscard]] ivp::NamedIntegrator<2> classical(std::string_view name, double step);
+[[nodiscard]] ivp::NamedIntegrator classical(std::string_view name, double step);
 
 }  // namespace nlmech::chapters::transversal

@@ -51,7 +51,7 @@ std::vector<double> steps(bool quick) {
   return all;
 }
 
-ivp::NamedIntegrator<2> method(const std::string& name, double step) {
+ivp::NamedIntegrator method(const std::string& name, double step) {
   return name.starts_with("mtl") ? mtl(step, name.back() - '0') : classical(name, step);
 }
 

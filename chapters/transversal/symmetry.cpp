@@ -13,7 +13,7 @@ namespace nlmech::chapters::transversal::symmetry {
 namespace {
 
 constexpr double end = 600, step = 0.1, window = 20;
-const ivp::State<2> begin(1, 0), inside(1, 0.3);
+const ivp::State begin{1, 0}, inside{1, 0.3};
 
 /// The free oscillator x'' + x + x^3 = 0.
 problems::DrivenDuffing free_oscillator() { return {.force = 0}; }
@@ -34,11 +34,11 @@ struct Long {
   }
 };
 
-ivp::State<2> after(const ivp::NamedIntegrator<2>& method, const ivp::State<2>& x, double t0, double t1) {
-  return method(ivp::System<2>(free_oscillator()), x, t0, t1, {}, {}).x;
+ivp::State after(const ivp::NamedIntegrator& method, const ivp::State& x, double t0, double t1) {
+  return method(ivp::System(free_oscillator()), x, t0, t1, {}, {}).x;
 }
 
-Long long_run(const std::string& name, const ivp::NamedIntegrator<2>& method, int block) {
+Long long_run(const std::string& name, const ivp::NamedIntegrator& method, int block) {
   Long l{name, {}, 0, 0};
   const Course c = course(free_oscillator(), begin, end, method, nullptr);
   const double energy = free_oscillator().energy(begin);
@@ -53,7 +53,7 @@ Long long_run(const std::string& name, const ivp::NamedIntegrator<2>& method, in
   Eigen::Matrix2d map;
   constexpr double change = 1e-5;  // central differences: 1e-10 of truncation and of rounding
   for (int i = 0; i < 2; ++i) {
-    const ivp::State<2> d = change * ivp::State<2>::Unit(i);
+    const ivp::State d = change * ivp::State::Unit(2, i);
     map.col(i) = (after(method, inside + d, 0, block * step) - after(method, inside - d, 0, block * step)) /
                  (2 * change);
   }

@@ -94,7 +94,7 @@ bool is_bounded(const std::string& text) {
   const Equations equations(SourceText("E", text));
   const auto most = 200 * (static_cast<int>(text.size()) + 10);
   if (equations.graph().nodes() > most || equations.size() > most) return false;
-  const Problem<Eigen::Dynamic> problem(equations);
+  const Problem problem(equations);
   Vector<double, Eigen::Dynamic> x = Eigen::VectorXd::LinSpaced(equations.size(), -1, 2), f(equations.size());
   problem(0.5, x, f);
   if (problem.switches() > 0) {
@@ -154,10 +154,10 @@ Case judged(Draw& draw, const Judge& judge) {
 TEST(AdversaryEquations, ValuesAndDerivatives) {
   hunt({.quick = 300, .full = 100'000, .least_right = 0.3}, [](Draw& draw) {
     return judged(draw, [](const Trial& trial) -> std::optional<double> {
-      const ivp::System<2> system{Problem<2>(Equations(SourceText("E", trial.text)))};
-      const ivp::State<2> x(trial.point[1], trial.point[2]);
-      ivp::State<2> f, g;
-      ivp::Jacobian<2> j;
+      const ivp::System system{Problem(Equations(SourceText("E", trial.text)))};
+      const ivp::State x{trial.point[1], trial.point[2]};
+      ivp::State f(2), g(2);
+      ivp::Jacobian j;
       system.rhs(trial.point[0], x, f);
       system.jacobian(trial.point[0], x, j);
       if (!system.time_derivative(trial.point[0], x, g)) return std::nullopt;
@@ -184,8 +184,8 @@ TEST(AdversaryEquations, TaylorCoefficients) {
     return judged(draw, [](const Trial& trial) -> std::optional<double> {
       const auto truth = solution(trial.trees, trial.point, order);
       if (!truth) return std::nullopt;
-      const ivp::System<2> system{Problem<2>(Equations(SourceText("E", trial.text)))};
-      const ivp::State<2> x(trial.point[1], trial.point[2]);
+      const ivp::System system{Problem(Equations(SourceText("E", trial.text)))};
+      const ivp::State x{trial.point[1], trial.point[2]};
       auto series = system.taylor(order);
       series.begin_segment(trial.point[0], x);
       series.expand(trial.point[0], x, 1);

@@ -82,9 +82,8 @@ double load_frequency(Draw& draw, double interval) {
 
 /// The end of a run against the truth, in tolerances: of the difference of runs that is 2, and room for what
 /// samples along the way do not see; errors of steps add up, and @p condition multiplies them.
-template <int n>
-Case judge(const Asked& asked, const ivp::Solution<n>& s, const Column& truth, double sure,
-           const ivp::State<n>& condition, const std::string& what) {
+Case judge(const Asked& asked, const ivp::Solution& s, const Column& truth, double sure,
+           const ivp::State& condition, const std::string& what) {
   if (!s.status.ok()) return Case::refused(s.status.text());
   const double tolerance = *asked.settings.tolerance;
   if (!(sure <= tolerance / 10)) return Case::undecided();
@@ -108,12 +107,12 @@ Case oscillator(Draw& draw) {
   p.damping_ratio = draw.chance(0.5) ? 0 : draw.log_uniform(1e-6, 10);
   p.force = draw.chance(0.5) ? 0 : draw.signed_log(1e-3, 1e6);
   p.frequency = draw.chance(0.05) ? p.natural_frequency : load_frequency(draw, interval);
-  const ivp::State<2> x0(draw.chance(0.3) ? 0 : draw.signed_log(1e-3, 1e3),
-                         draw.chance(0.6) ? 0 : draw.signed_log(1e-3, 1e3));
+  const ivp::State x0{draw.chance(0.3) ? 0 : draw.signed_log(1e-3, 1e3),
+                      draw.chance(0.6) ? 0 : draw.signed_log(1e-3, 1e3)};
   const Asked asked = ask(draw, true, interval);
   const double backwards = draw.chance(0.2) ? -1 : 1, end = backwards * interval;
-  const auto s = ivp::named_integrator<2>(asked.info->name, asked.settings)(
-      ivp::System<2>(p), x0, 0, end, {}, {.steps = most_steps, .seconds = 20});
+  const auto s = ivp::named_integrator(asked.info->name, asked.settings)(
+      ivp::System(p), x0, 0, end, {}, {.steps = most_steps, .seconds = 20});
   const Real w = p.natural_frequency, W = p.frequency, z = p.damping_ratio;
   Square m = Square::Zero(4, 4);
   m(0, 1) = w;
@@ -137,8 +136,8 @@ Case oscillator(Draw& draw) {
   const double share = std::min(interval, 1 / v),
                growth = std::max(1.0, static_cast<double>(flow.topLeftCorner(2, 2).cwiseAbs().maxCoeff()));
   const double X = 1 + size, V = 1 + v * size;
-  const ivp::State<2> condition(growth * (X + V * share), growth * (V + v * X));
-  return judge<2>(
+  const ivp::State condition{growth * (X + V * share), growth * (V + v * X)};
+  return judge(
       asked, s, truth, sure, condition,
       fmt::format("linear --set natural-frequency={:.17g} --set damping-ratio={:.17g} --set force={:.17g} "
                   "--set frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} --method {}",
@@ -152,8 +151,8 @@ Case duffing(Draw& draw) {
   problems::Duffing p{.natural_frequency = draw.log_uniform(0.1, 1e5) / interval};
   p.hardening = draw.log_uniform(1e-4, 1e4) * std::pow(p.natural_frequency / amplitude, 2);
   const Asked asked = ask(draw, true, interval);
-  const auto s = ivp::named_integrator<2>(asked.info->name, asked.settings)(
-      ivp::System<2>(p), {amplitude, 0}, 0, interval, {}, {.steps = most_steps, .seconds = 20});
+  const auto s = ivp::named_integrator(asked.info->name, asked.settings)(
+      ivp::System(p), {amplitude, 0}, 0, interval, {}, {.steps = most_steps, .seconds = 20});
   if (!s.status.ok()) return Case::refused(s.status.text());
   const Real X = std::abs(amplitude), w2 = Real(p.natural_frequency) * p.natural_frequency,
              add = p.hardening * X * X;
@@ -168,8 +167,8 @@ Case duffing(Draw& draw) {
       8 * eps * (1 + angle) * size * std::max(1.0, rate / (1 + static_cast<double>(std::abs(truth[1]))));
   // An error of the amplitude changes the frequency: it grows with the angle.
   const double grown = 1 + angle, x = 1 + size, v = 1 + rate * size;
-  const ivp::State<2> condition(grown * (x + v / rate), grown * (v + rate * x));
-  return judge<2>(
+  const ivp::State condition{grown * (x + v / rate), grown * (v + rate * x)};
+  return judge(
       asked, s, truth, sure, condition,
       fmt::format("duffing --set natural-frequency={:.17g} --set hardening={:.17g} --initial {:.17g},0 "
                   "--until {:.17g} --method {}",
@@ -186,18 +185,18 @@ Case chain(Draw& draw) {
   p.c1 = draw.chance(0.5) ? 0 : draw.log_uniform(1e-3, 1e3);
   p.force = draw.log_uniform(1e-3, 1e3);
   p.frequency = load_frequency(draw, interval);
-  ivp::State<6> x0 = ivp::State<6>::Zero();
+  ivp::State x0 = ivp::State::Zero(6);
   if (draw.chance(0.3)) x0[draw.whole(0, 5)] = draw.signed_log(1e-3, 10);
   const Asked asked = ask(draw, true, interval);
-  const auto s = ivp::named_integrator<6>(asked.info->name, asked.settings)(
-      ivp::System<6>(p), x0, 0, interval, {}, {.steps = most_steps / 4, .seconds = 20});
+  const auto s = ivp::named_integrator(asked.info->name, asked.settings)(
+      ivp::System(p), x0, 0, interval, {}, {.steps = most_steps / 4, .seconds = 20});
   if (!s.status.ok()) return Case::refused(s.status.text());
   problems::ThreeMassChain free = p;
   free.force = 0;
   Square m = Square::Zero(8, 8);
   for (int i = 0; i < 6; ++i) {
-    ivp::State<6> f;
-    free(0.0, ivp::State<6>(ivp::State<6>::Unit(i)),
+    Vector<double, 6> f;
+    free(0.0, Vector<double, 6>(Vector<double, 6>::Unit(i)),
          f);  // small whole numbers and parameters: exact to rounding
     m.col(i).head(6) = f.cast<Real>();
   }
@@ -220,14 +219,14 @@ Case chain(Draw& draw) {
   const double fast = static_cast<double>(scale), radians = interval * (fast + p.frequency + p.c1 + 1);
   const double sure = 8 * eps * radians * size * fast;
   const double growth = std::max(1.0, static_cast<double>(flow.topLeftCorner(6, 6).cwiseAbs().maxCoeff()));
-  ivp::State<6> condition;
+  ivp::State condition(6);
   condition.head<3>().setConstant(growth * (1 + size + (1 + fast * size) * interval));
   condition.tail<3>().setConstant(growth * (1 + fast * size + fast * (1 + size)));
-  return judge<6>(asked, s, truth, sure, condition,
-                  fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
-                              "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
-                              p.k1, p.k4, p.c1, p.force, p.frequency, interval, asked.words(),
-                              fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
+  return judge(asked, s, truth, sure, condition,
+               fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
+                           "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
+                           p.k1, p.k4, p.c1, p.force, p.frequency, interval, asked.words(),
+                           fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
 }
 
 /// x' = A x.
@@ -256,19 +255,19 @@ Case system(Draw& draw) {
   }
   for (int i = 0; i < 9; ++i) basis(i / 3, i % 3) = draw.normal() + (i % 4 == 0 ? 2 : 0);
   p.a = basis * rates * basis.inverse();
-  ivp::State<3> x0(draw.normal(), draw.normal(), draw.normal());
+  ivp::State x0{draw.normal(), draw.normal(), draw.normal()};
   const Asked asked = ask(draw, false, interval);
   if (!p.a.allFinite()) return Case::undecided();
-  const auto s = ivp::named_integrator<3>(asked.info->name, asked.settings)(
-      ivp::System<3>(p), x0, 0, interval, {}, {.steps = most_steps, .seconds = 20});
+  const auto s = ivp::named_integrator(asked.info->name, asked.settings)(
+      ivp::System(p), x0, 0, interval, {}, {.steps = most_steps, .seconds = 20});
   if (!s.status.ok()) return Case::refused(s.status.text());
   const Square m = p.a.cast<Real>() * Real(interval), flow = exponential(m);
   const Column truth = flow * x0.cast<Real>();
   const double norm = static_cast<double>(m.cwiseAbs().rowwise().sum().maxCoeff());
   const double sure =
       16 * eps * norm * static_cast<double>(flow.cwiseAbs().maxCoeff()) * x0.cwiseAbs().maxCoeff();
-  return judge<3>(
-      asked, s, truth, sure / (1 + static_cast<double>(truth.cwiseAbs().minCoeff())), ivp::State<3>::Ones(),
+  return judge(
+      asked, s, truth, sure / (1 + static_cast<double>(truth.cwiseAbs().minCoeff())), ivp::State::Ones(3),
       fmt::format("x' = A x, A = ({}), x0 = ({}), to {:.17g}, {}",
                   fmt::join(std::vector<double>(p.a.data(), p.a.data() + 9), ","),
                   fmt::join(std::vector<double>(x0.begin(), x0.end()), ","), interval, asked.words()));

@@ -24,17 +24,16 @@ constexpr double digits_and_a_half = 30;
 bool has_codes() { return peers::peer_available("cvode-bdf") && peers::peer_available("odeint-rosenbrock4"); }
 
 /// A run and what is asked of it.
-template <int n>
 struct Question {
-  System<n> system;
-  State<n> x0;
+  System system;
+  State x0;
   double end;
   double relative, absolute;
 };
 
 /// Truth is what a multistep and a one-step method with tolerances 1e-4 and 1e-3 times as large agree on.
-template <int n, class Allowed>
-Case judge(const Question<n>& q, Allowed allowed, const std::string& what) {
+template <class Allowed>
+Case judge(const Question& q, Allowed allowed, const std::string& what) {
   const auto s =
       integrate(q.system, q.x0, 0, q.end,
                 AdaptiveCollocation{.relative_tolerance = q.relative, .absolute_tolerance = q.absolute}, {},
@@ -43,13 +42,13 @@ Case judge(const Question<n>& q, Allowed allowed, const std::string& what) {
   const double relative = 1e-3 * q.relative, absolute = 1e-3 * q.absolute;
   const Limits limits{.steps = 300'000};
   const auto run = [&](const char* name, double share) {
-    return peers::peer_integrator<n>(name, share * relative, share * absolute)(q.system, q.x0, 0, q.end, {},
-                                                                               limits);
+    return peers::peer_integrator(name, share * relative, share * absolute)(q.system, q.x0, 0, q.end, {},
+                                                                            limits);
   };
   const auto bdf = run("cvode-bdf", 0.1), rosenbrock = run("odeint-rosenbrock4", 1);
   if (!bdf.status.ok() || !rosenbrock.status.ok()) return Case::undecided();
-  const State<n> bound = allowed(rosenbrock.x);
-  const auto ratio = [&](const State<n>& a, const State<n>& b) {
+  const State bound = allowed(rosenbrock.x);
+  const auto ratio = [&](const State& a, const State& b) {
     return ((a - b).cwiseAbs().array() / bound.array()).maxCoeff();
   };
   if (!(ratio(bdf.x, rosenbrock.x) < 0.2)) return Case::undecided(what);
@@ -57,12 +56,11 @@ Case judge(const Question<n>& q, Allowed allowed, const std::string& what) {
 }
 
 /// Thirty tolerances of each component, and `more` of the change of time that errors of the phase amount to.
-template <int n>
-auto tolerances(const Question<n>& q, double time_per_tolerance) {
-  return [&q, time_per_tolerance](const State<n>& x) {
-    State<n> f(x.size());
+auto tolerances(const Question& q, double time_per_tolerance) {
+  return [&q, time_per_tolerance](const State& x) {
+    State f(x.size());
     q.system.rhs(q.end, x, f);
-    State<n> bound(x.size());
+    State bound(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i)
       bound[i] = digits_and_a_half * (q.absolute + q.relative * std::abs(x[i]) +
                                       q.relative * time_per_tolerance * std::abs(f[i]));
@@ -76,7 +74,7 @@ TEST(AdversaryStiffCodes, VanDerPol) {
   hunt({.quick = 5, .full = 1500}, [](Draw& draw) {
     const double mu = draw.log_uniform(1, 1e4), end = draw.uniform(0.1, 2) * (mu + 5),
                  tolerance = draw.log_uniform(1e-8, 1e-3);
-    const Question<2> q{System<2>(problems::VanDerPol{mu}), {2, 0}, end, tolerance, 1e-3 * tolerance / mu};
+    const Question q{System(problems::VanDerPol{mu}), {2, 0}, end, tolerance, 1e-3 * tolerance / mu};
     return judge(q, tolerances(q, 10 * (1 + mu)),
                  fmt::format("mu {:.17g}, end {:.17g}, tolerance {:.17g}", mu, end, tolerance));
   });
@@ -89,7 +87,7 @@ TEST(AdversaryStiffCodes, Robertson) {
                                 .k2 = 1e4 * draw.log_uniform(0.01, 100),
                                 .k3 = 3e7 * draw.log_uniform(0.01, 100)};
     const double end = draw.log_uniform(1e-3, 1e10), tolerance = draw.log_uniform(1e-8, 1e-3);
-    const Question<3> q{System<3>(p), p.initial_state(), end, tolerance, 1e-11 * tolerance};
+    const Question q{System(p), p.initial_state(), end, tolerance, 1e-11 * tolerance};
     return judge(q, tolerances(q, 0),
                  fmt::format("k {:.17g} {:.17g} {:.17g}, end {:.17g}, tolerance {:.17g}", p.k1, p.k2, p.k3,
                              end, tolerance));
@@ -102,8 +100,7 @@ TEST(AdversaryStiffCodes, Hires) {
   hunt({.quick = 5, .full = 1500}, [](Draw& draw) {
     const problems::Hires p{.k_plus = draw.log_uniform(10, 1e4)};
     const double end = draw.log_uniform(0.1, 1000), tolerance = draw.log_uniform(1e-8, 1e-3);
-    const Question<Eigen::Dynamic> q{System<Eigen::Dynamic>(p), p.initial_state(), end, tolerance,
-                                     1e-6 * tolerance};
+    const Question q{System(p), p.initial_state(), end, tolerance, 1e-6 * tolerance};
     return judge(q, tolerances(q, 10),
                  fmt::format("k-plus {:.17g}, end {:.17g}, tolerance {:.17g}", p.k_plus, end, tolerance));
   });

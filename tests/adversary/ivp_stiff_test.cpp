@@ -60,24 +60,22 @@ struct Forced {
   }
 };
 
-/// The same as a problem of n components, for double alone, with its Jacobian: quick to compile.
-template <int n>
-struct ForcedOfSize {
-  static constexpr int dimension = n;
+/// The same as a problem for double alone, with its Jacobian: quick to compile.
+struct ForcedProblem {
+  static constexpr int dimension = Eigen::Dynamic;
   const Forced* p;  // outlives it
 
-  void operator()(double t, const Vector<double, n>& x, Vector<double, n>& f) const { f = p->slope(t, x); }
-  void jacobian(double /*t*/, const Vector<double, n>& /*x*/, Matrix<double, n, n>& j) const { j = p->a; }
+  [[nodiscard]] int size() const { return static_cast<int>(p->a.rows()); }
+  void operator()(double t, const VectorXd& x, VectorXd& f) const { f = p->slope(t, x); }
+  void jacobian(double /*t*/, const VectorXd& /*x*/, MatrixXd& j) const { j = p->a; }
 };
 
 struct End {
   Status status;
   VectorXd x;
 };
-template <int n>
 End end_of(const Forced& p, const VectorXd& x0, double end, const AdaptiveCollocation& method) {
-  const auto s =
-      integrate(System<n>(ForcedOfSize<n>{&p}), State<n>(x0), 0, end, method, {}, {.steps = 20'000});
+  const auto s = integrate(System(ForcedProblem{&p}), State(x0), 0, end, method, {}, {.steps = 20'000});
   return {s.status, s.x};
 }
 
@@ -123,7 +121,7 @@ double turns(const Forced& p, double end) {
   return angle / (2 * std::numbers::pi);
 }
 
-Case forced_case(Draw& draw, Index n, decltype(end_of<2>)* integrated) {
+Case forced_case(Draw& draw, Index n) {
   const Forced p = draw_forced(draw, n);
   const double end = draw.log_uniform(1e-2, 30), tolerance = draw.log_uniform(1e-12, 1e-2);
   const double absolute = draw.chance(0.5) ? tolerance : tolerance * draw.log_uniform(1e-3, 1);
@@ -132,7 +130,7 @@ Case forced_case(Draw& draw, Index n, decltype(end_of<2>)* integrated) {
   if (draw.chance(0.7)) {
     for (double& x : x0) x += draw.signed_log(1e-8, 10);
   }
-  const End s = integrated(p, x0, end, {.relative_tolerance = tolerance, .absolute_tolerance = absolute});
+  const End s = end_of(p, x0, end, {.relative_tolerance = tolerance, .absolute_tolerance = absolute});
   if (!s.status.ok()) return Case::refused(s.status.text());
   const VectorXd exact = p.exact(end, x0);
   double size = x0.cwiseAbs().maxCoeff() + (p.mean.cwiseAbs() + p.amplitude.cwiseAbs()).maxCoeff();
@@ -152,11 +150,8 @@ Case forced_case(Draw& draw, Index n, decltype(end_of<2>)* integrated) {
 
 TEST(AdversaryStiff, LinearSystemsOfAnySpectrum) {
   hunt({.quick = 150, .full = 40'000}, [](Draw& draw) {
-    switch (draw.whole(0, 2)) {
-      case 0: return forced_case(draw, 2, end_of<2>);
-      case 1: return forced_case(draw, 3, end_of<3>);
-      default: return forced_case(draw, 6, end_of<6>);
-    }
+    constexpr Index sizes[] = {2, 3, 6};
+    return forced_case(draw, sizes[draw.whole(0, 2)]);
   });
 }
 
@@ -183,7 +178,7 @@ TEST(AdversaryStiff, SlowManifolds) {
                      .frequency = draw.log_uniform(0.01, 30)};
     const double end = draw.log_uniform(0.1, 20), tolerance = draw.log_uniform(1e-13, 1e-2);
     const auto s =
-        integrate(System<1>(p), State<1>(p.exact(0)), 0, end,
+        integrate(System(p), State{p.exact(0)}, 0, end,
                   AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = tolerance}, {},
                   {.steps = 100'000});
     if (!s.status.ok()) return Case::refused(s.status.text());
@@ -212,11 +207,11 @@ TEST(AdversaryStiff, KapsProblem) {
     const double end = draw.log_uniform(0.01, 10), tolerance = draw.log_uniform(1e-13, 1e-2);
     const double absolute = draw.chance(0.5) ? tolerance : tolerance * draw.log_uniform(1e-6, 1);
     const auto s =
-        integrate(System<2>(p), State<2>(1, 1), 0, end,
+        integrate(System(p), State{1, 1}, 0, end,
                   AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = absolute}, {},
                   {.steps = 100'000});
     if (!s.status.ok()) return Case::refused(s.status.text());
-    const State<2> exact(std::exp(-2 * end), std::exp(-end));
+    const State exact{std::exp(-2 * end), std::exp(-end)};
     // y1 follows y2^2, and has no less of the absolute error of y2 than 2 y2.
     const double most =
         ((s.x - exact).cwiseAbs().array() / (absolute + (tolerance + 10 * eps) * exact.array())).maxCoeff();

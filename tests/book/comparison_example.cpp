@@ -20,20 +20,20 @@ struct Bell {
 // The error of a method near the end, for each tolerance of its sweep.
 std::vector<nlmech::comparison::Accuracy> sweep(const std::string& method) {
   using namespace nlmech::comparison;
-  const Example<2> bell{.name = "bell",
-                        .system = nlmech::ivp::System(Bell{}),
-                        .x0 = {1, 0},
-                        .t0 = 0,
-                        .t1 = 2,
-                        .amplitude = {1, 1},
-                        .reference = [](double t) -> nlmech::Vector<long double, 2> {
-                          const long double s = t, half_root_pi = std::sqrt(std::acos(-1.0L)) / 2;
-                          return {std::exp(-s * s), half_root_pi * std::erf(s)};
-                        }};
+  const Example bell{.name = "bell",
+                     .system = nlmech::ivp::System(Bell{}),
+                     .x0 = {1, 0},
+                     .t0 = 0,
+                     .t1 = 2,
+                     .amplitude = {1, 1},
+                     .reference = [](double t) -> nlmech::Vector<long double, 2> {
+                       const long double s = t, half_root_pi = std::sqrt(std::acos(-1.0L)) / 2;
+                       return {std::exp(-s * s), half_root_pi * std::erf(s)};
+                     }};
   const Contender contender = by_tolerances(method, Kind::explicit_, true);
   std::vector<Accuracy> found;
   for (const Setting& setting : contender.settings) {
-    found.push_back(accuracy_of(bell, integrator<2>(contender, setting), {}));
+    found.push_back(accuracy_of(bell, integrator(contender, setting), {}));
   }
   return found;
 }

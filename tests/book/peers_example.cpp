@@ -14,8 +14,8 @@ struct Oscillator {  // x'' = -x, state (x, v)
 };
 
 // From rest at 1 to the time t. `peer` is one of peers::peer_names(): "cvode-adams", "gsl-rk8pd", ...
-nlmech::ivp::Solution<2> swing(const std::string& peer, double t) {
-  const auto integrate = nlmech::peers::peer_integrator<2>(peer, 1e-10);
+nlmech::ivp::Solution swing(const std::string& peer, double t) {
+  const auto integrate = nlmech::peers::peer_integrator(peer, 1e-10);
   return integrate(nlmech::ivp::System(Oscillator{}), {1, 0}, 0, t, {}, {});
 }
 // [example]
@@ -24,7 +24,7 @@ namespace {
 
 TEST(Example, Peers) {
   for (const std::string& peer : nlmech::peers::peer_names()) {
-    const nlmech::ivp::Solution<2> end = swing(peer, 10);
+    const nlmech::ivp::Solution end = swing(peer, 10);
     EXPECT_TRUE(end.status.ok()) << peer << ": " << end.status.text();
     // Errors of steps, 1e-10 each, add up over some hundred steps, more for low orders.
     EXPECT_NEAR(end.x[0], std::cos(10.0), 1e-6) << peer;

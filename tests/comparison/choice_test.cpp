@@ -20,8 +20,8 @@ namespace nlmech::comparison::choice_test {
 namespace {
 
 template <class Problem>
-Question<Problem::dimension> question(const Problem& problem, double end) {
-  return {ivp::System<Problem::dimension>(problem), problem.initial_state(), Problem::initial_time, end};
+Question question(const Problem& problem, double end) {
+  return {ivp::System(problem), problem.initial_state(), Problem::initial_time, end};
 }
 
 template <class Problem>
@@ -30,9 +30,9 @@ Features features(const Problem& problem, double end) {
   return look_at_problem(q.system, q.x0, q.t0, q.t1).features;
 }
 
-Features typed(const std::string& text, const ivp::State<2>& x0, double end) {
+Features typed(const std::string& text, const ivp::State& x0, double end) {
   const expression::Equations equations(expression::SourceText("equation", text));
-  return look_at_problem<2>(ivp::System<2>(expression::Problem<2>(equations)), x0, 0, end).features;
+  return look_at_problem(ivp::System(expression::Problem(equations)), x0, 0, end).features;
 }
 
 // The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
@@ -62,10 +62,10 @@ TEST(Look, TellsFormsAndSwitches) {
 
 TEST(Look, SaysThatASolutionEnds) {
   const auto q = question(problems::BlowUp{}, problems::BlowUp::final_time);
-  const Look look = look_at_problem<1>(q.system, q.x0, q.t0, q.t1);
+  const Look look = look_at_problem(q.system, q.x0, q.t0, q.t1);
   EXPECT_FALSE(look.status.ok());
   EXPECT_LT(look.seen, 1);
-  const Chosen none = choose<1>(q, 9, read_evidence(), looked_at<1>(q, read_evidence()));
+  const Chosen none = choose(q, 9, read_evidence(), looked_at(q, read_evidence()));
   EXPECT_TRUE(none.ranked.empty());
   EXPECT_THROW(static_cast<void>(choice_rows(none)), Failure);
 }
@@ -156,8 +156,8 @@ TEST(Choice, KeepsToTheMethodsThatMayBeChosen) {
 // -1) decays, and an error grows by e^t.
 TEST(Condition, IsTheGrowthOfErrors) {
   const expression::Equations equations(expression::SourceText("equation", "x'' = x"));
-  const Question<2> q{ivp::System<2>(expression::Problem<2>(equations)), {1, -1}, 0, 5};
-  const Chosen c = looked_at<2>(q, read_evidence());
+  const Question q{ivp::System(expression::Problem(equations)), {1, -1}, 0, 5};
+  const Chosen c = looked_at(q, read_evidence());
   EXPECT_EQ(c.condition_seen, 1);
   EXPECT_GT(c.condition, std::exp(5) / 3);
   EXPECT_LT(c.condition, std::exp(5) * 10);

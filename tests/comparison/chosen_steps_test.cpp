@@ -24,9 +24,9 @@ namespace {
 
 using ivp::State;
 
-ivp::System<2> typed(const std::string& equation) {
-  return ivp::System<2>(
-      expression::Problem<2>(expression::Equations(expression::SourceText("equation", equation))));
+ivp::System typed(const std::string& equation) {
+  return ivp::System(
+      expression::Problem(expression::Equations(expression::SourceText("equation", equation))));
 }
 
 /// Tolerances by which the worst method may be off at an end: gsl-msbdf on an oscillator (peers_ivp).
@@ -34,11 +34,11 @@ constexpr double worst = 45000;
 
 class EveryMethod : public ::testing::TestWithParam<std::string> {
  protected:
-  [[nodiscard]] static ivp::Solution<2> run(const std::string& equation, const State<2>& x0, double t0,
-                                            double t1, double tolerance, const ivp::Limits& limits,
-                                            const ivp::Observer<2>& observer = {}) {
-    return any_integrator<2>(any_method(GetParam()), {.tolerance = tolerance})(typed(equation), x0, t0, t1,
-                                                                               observer, limits);
+  [[nodiscard]] static ivp::Solution run(const std::string& equation, const State& x0, double t0, double t1,
+                                         double tolerance, const ivp::Limits& limits,
+                                         const ivp::Observer& observer = {}) {
+    return any_integrator(any_method(GetParam()), {.tolerance = tolerance})(typed(equation), x0, t0, t1,
+                                                                            observer, limits);
   }
 };
 
@@ -62,7 +62,7 @@ TEST_P(EveryMethod, TakesNoStepBeyondTheBound) {
   for (const double end : {10.0, -10.0}) {
     for (const double bound : {0.03, 0.7}) {
       double longest = 0, t = 0;
-      const auto look = [&](const ivp::Step<2>& step) {
+      const auto look = [&](const ivp::Step& step) {
         EXPECT_EQ(step.t0, t);
         t = step.t1;
         longest = std::max(longest, std::abs(step.t1 - step.t0) - 2 * ivp::spacing(10));
@@ -125,7 +125,7 @@ TEST_P(EveryMethod, EstimatesTheErrorOfAForce) {
 
 TEST(DependsOnTime, BySymbolsAndByClocks) {
   const auto depends = [](const std::string& equation) {
-    return depends_on_time<2>(typed(equation), 0, State<2>(1, 0.5));
+    return depends_on_time(typed(equation), 0, State{1, 0.5});
   };
   EXPECT_TRUE(depends("x'' = cos(10 t)"));
   EXPECT_TRUE(depends("x'' + x = 1e-300 t"));

@@ -31,7 +31,7 @@ struct Pole {
   }
 };
 
-Example<2> saddle(double end) {
+Example saddle(double end) {
   return {.name = "saddle",
           .system = ivp::System(Saddle{}),
           .x0 = {1, 1},
@@ -43,7 +43,7 @@ Example<2> saddle(double end) {
           }};
 }
 
-Example<2> pole() {
+Example pole() {
   return {.name = "pole",
           .system = ivp::System(Pole{}),
           .x0 = {1, 0},
@@ -123,8 +123,8 @@ TEST(CostCurves, AreFoundByName) {
 // rounding. That is the integrator's, some ten eps of e^3 in either end state, over the change of 1e-6 at the
 // begin.
 TEST(Condition, IsTheGrowthOfADifference) {
-  const auto series = ivp::named_integrator<2>("series", {.tolerance = 1e-16});
-  Example<2> c = saddle(3);
+  const auto series = ivp::named_integrator("series", {.tolerance = 1e-16});
+  Example c = saddle(3);
   c.amplitude = {1, 1};
   EXPECT_NEAR(condition_of(c, series), std::exp(3), 20 * std::exp(3) * 2.2e-16 / 1e-6);
   EXPECT_THROW(static_cast<void>(condition_of(pole(), series)), Failure);

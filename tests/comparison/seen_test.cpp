@@ -14,7 +14,7 @@ using State = Eigen::Vector2d;
 // A short run is kept whole.
 TEST(Samples, KeepAShortRun) {
   Samples samples(0, 10);
-  for (int k = 0; k <= 100; ++k) samples.add(0.1 * k, State(k, -k));
+  for (int k = 0; k <= 100; ++k) samples.add(0.1 * k, State{k, -k});
   const auto [t, x] = samples.component(1);
   ASSERT_EQ(t.size(), 101U);
   for (std::size_t k = 0; k < t.size(); ++k) EXPECT_EQ(x[k], -static_cast<double>(k));
@@ -28,7 +28,7 @@ TEST(Samples, KeepEveryPeakOfALongRun) {
     for (const double direction : {1.0, -1.0}) {
       Samples samples(0, direction * count);
       for (int k = 0; k < count; ++k)
-        samples.add(direction * k, State(std::sin(k), k == peak ? 5.0 : k == count / 3 ? -4.0 : 0.0));
+        samples.add(direction * k, State{std::sin(k), k == peak ? 5.0 : k == count / 3 ? -4.0 : 0.0});
       const auto [t, x] = samples.component(1);
       EXPECT_LE(t.size(), 8002U);
       EXPECT_GE(t.size(), 2000U);

@@ -22,8 +22,8 @@ namespace {
 using Real = ExtendedReal<40>;
 using expression::Equations;
 using expression::SourceText;
-using Typed = expression::Problem<Eigen::Dynamic>;
-using State = ivp::State<Eigen::Dynamic>;
+using Typed = expression::Problem;
+using State = ivp::State;
 
 template <class Problem>
 Vector<Real, Problem::dimension> reference(const Problem& problem, const State& x0, double t1) {
@@ -133,7 +133,7 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
   int ends = 0;
   for (const Case& c : cases()) {
     const Equations equations(SourceText("test", c.text));
-    const ivp::System<Eigen::Dynamic> system{Typed(equations)};
+    const ivp::System system{Typed(equations)};
     const Truth truth = truth_of(c, equations);
     const double scale = 1 + truth.end.cwiseAbs().maxCoeff();
     EXPECT_LT(truth.condition, 3000) << c.name;
@@ -142,10 +142,10 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
       if (!method.peer && method.info.steps == ivp::Steps::given) continue;
       if (method.info.second_order_only && !equations.second_order()) continue;
       const double tolerance = tolerance_of(name);
-      std::optional<ivp::Solution<Eigen::Dynamic>> end;
+      std::optional<ivp::Solution> end;
       try {
-        end = any_integrator<Eigen::Dynamic>(method, {.tolerance = tolerance})(system, c.x0, 0, c.end, {},
-                                                                               {.steps = 3'000'000});
+        end = any_integrator(method, {.tolerance = tolerance})(system, c.x0, 0, c.end, {},
+                                                               {.steps = 3'000'000});
       } catch (const std::invalid_argument& error) {
         // It is for accelerations that do not depend on velocities.
         EXPECT_EQ(name, "rkn1210") << error.what();
@@ -170,7 +170,7 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
   const Equations equations(SourceText(
       "test",
       "a' = -k1 a + k3 b c; b' = k1 a - k3 b c - k2 b^2; c' = k2 b^2; k1 = 0.04; k2 = 3e7; k3 = 1e4"));
-  const ivp::System<Eigen::Dynamic> system{Typed(equations)};
+  const ivp::System system{Typed(equations)};
   const auto exact = reference(Typed(equations), state({1, 0, 0}), 40);
   const State truth = exact.template cast<double>();
   std::set<std::string> arrived;
@@ -178,8 +178,8 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
     const AnyMethod method = any_method(name);
     if (!method.peer && method.info.steps == ivp::Steps::given) continue;
     if (method.info.second_order_only) continue;
-    const auto end = any_integrator<Eigen::Dynamic>(method, {.tolerance = 1e-11})(system, state({1, 0, 0}), 0,
-                                                                                  40, {}, {.steps = 20'000});
+    const auto end =
+        any_integrator(method, {.tolerance = 1e-11})(system, state({1, 0, 0}), 0, 40, {}, {.steps = 20'000});
     if (!end.status.ok()) {
       EXPECT_FALSE(end.status.text().empty());
       continue;

@@ -39,7 +39,7 @@ Verification verdict(const Problem& problem, const Vector<double, Problem::dimen
   Verified run{times, Eigen::MatrixXd(x0.size(), 16), tolerance};
   if (truth.status.ok()) run.states = truth.states.template cast<double>();
   run.states(0, 15) += error;
-  return verify<Problem::dimension>(ivp::System<Problem::dimension>(problem), x0, 0, run, truth, {});
+  return verify(ivp::System(problem), x0, 0, run, truth, {});
 }
 
 TEST(Verify, CountsTolerances) {
@@ -133,26 +133,26 @@ TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
   truth.doubt.setConstant(1e-6);
   Verified run{times, truth.states.cast<double>(), {1e-9, 1e-9}};
   run.states(0, 0) += 9e-7;
-  const ivp::System<2> system{problems::Duffing{}};
-  EXPECT_EQ(verify<2>(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::unknown);
+  const ivp::System system{problems::Duffing{}};
+  EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::unknown);
   run.states(0, 0) += 1e-4;
-  EXPECT_EQ(verify<2>(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::wrong);
+  EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::wrong);
 }
 
 // What a user reads: method, place, how far off, what the tolerance holds, what to change.
 // A run of a Duffing oscillator by its elliptic functions, off by some tolerances at the end, beside a method
 // that shares nothing with them; and one that does not arrive.
 TEST(Verify, AgreesWithAnotherMethod) {
-  const ivp::System<2> system{problems::Duffing{}};
+  const ivp::System system{problems::Duffing{}};
   const std::vector<double> times = {1, 2, 3};
-  const ivp::NamedIntegrator<2> other = ivp::named_integrator<2>("dop853", {.tolerance = 1e-10});
+  const ivp::NamedIntegrator other = ivp::named_integrator("dop853", {.tolerance = 1e-10});
   const auto agree = [&](double error, const ivp::Limits& limits) {
     Verified run{times, Eigen::MatrixXd(2, 3), {1e-9, 1e-9}};
     for (Eigen::Index k = 0; k < 3; ++k)
       run.states.col(k) = oracle::duffing(times[static_cast<std::size_t>(k)]);
     run.states.col(1).setConstant(std::nan(""));  // where it was not asked
     run.states(0, 2) += error * 1e-9 * (1 + std::abs(run.states(0, 2)));
-    return agrees<2>(system, {1, 0}, 0, run, other, limits);
+    return agrees(system, {1, 0}, 0, run, other, limits);
   };
   EXPECT_TRUE(agree(0, {}));
   EXPECT_TRUE(agree(most_tolerances - 10, {}));  // dop853's own error is some tenths of a tolerance

@@ -20,7 +20,7 @@ Equations read(const std::string& text, const Settings& settings = {}) {
   return Equations(SourceText("test", text), settings);
 }
 std::vector<double> slopes(const Equations& equations, const std::vector<double>& x, double t = 0) {
-  const Problem<Eigen::Dynamic> problem(equations);
+  const Problem problem(equations);
   Vector<double, Eigen::Dynamic> state = Eigen::Map<const Eigen::VectorXd>(
                                      x.data(), static_cast<Eigen::Index>(x.size())),
                                  slope(state.size());

@@ -16,9 +16,9 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// The right-hand side of `x' = text` (and y' = 0) at t, x, y.
 double value(const std::string& text, double t = 0, double x = 0, double y = 0) {
   const Equations equations(SourceText("test", "x' = " + text + "; y' = 0 x + 0 y"));
-  const Problem<2> problem(equations);
-  const Vector<double, 2> state(x, y);
-  Vector<double, 2> slope;
+  const Problem problem(equations);
+  Eigen::VectorXd state(2), slope(2);
+  state << x, y;
   problem(t, state, slope);
   return slope[0];
 }
@@ -105,7 +105,7 @@ TEST(Typed, ZerosAndNumbersThatAreNone) {
 // By one function where they change on one surface.
 TEST(Typed, SwitchesOnOneSurface) {
   const auto switches = [](const std::string& text) {
-    return Problem<2>(Equations(SourceText("test", text))).switches();
+    return Problem(Equations(SourceText("test", text))).switches();
   };
   EXPECT_EQ(switches("x'' = -x"), 0);
   EXPECT_EQ(switches("x'' = abs(x) + abs(-2 x) + sign(x/3) + max(0, x) + min(x, 0)"), 1);
@@ -120,7 +120,7 @@ TEST(Typed, StaysOnSeveralSurfaces) {
   const Equations equations(SourceText("test",
                                        "x'' = a - sign(x'); y'' + x'' = b - sign(y') - sign(x') + a;"
                                        "z' = -2 sign(z); a = 0.5; b = -0.25"));
-  const Problem<Eigen::Dynamic> problem(equations);
+  const Problem problem(equations);
   ASSERT_EQ(problem.switches(), 3);
   const auto stuck = problem.in_mode({0, 0, 0});
   const Vector<double, Eigen::Dynamic> x = Eigen::VectorXd::Zero(5);
@@ -152,22 +152,22 @@ constexpr const char* tangle =
 
 // Of x^y at 1 it is y, however large y is: here it has all its digits in double.
 TEST(Typed, DerivativesOfSteepPowers) {
-  const ivp::System<2> system{Problem<2>(Equations(SourceText("test", "x' = x^(y^2); y' = 0 x")))};
+  const ivp::System system{Problem(Equations(SourceText("test", "x' = x^(y^2); y' = 0 x")))};
   const double p = 0x1p17;
-  ivp::Jacobian<2> j;
-  system.jacobian(0, ivp::State<2>(1, p), j);
+  ivp::Jacobian j;
+  system.jacobian(0, ivp::State{1, p}, j);
   EXPECT_EQ(j(0, 0), p * p);
   EXPECT_EQ(j(0, 1), 0);
 }
 
 TEST(Typed, JacobiansAreThoseOfTheSameCode) {
-  const ivp::System<2> ours{Problem<2>(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
-  const ivp::State<2> x(0.4, -0.9);
-  ivp::Jacobian<2> a, b;
+  const ivp::System ours{Problem(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
+  const ivp::State x{0.4, -0.9};
+  ivp::Jacobian a, b;
   ours.jacobian(0.2, x, a);
   theirs.jacobian(0.2, x, b);
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 64 * eps * b.cwiseAbs().maxCoeff());
-  ivp::State<2> f, g, p, q;
+  ivp::State f(2), g(2), p(2), q(2);
   ASSERT_TRUE(ours.second_derivative(0.2, x, f, g));
   ASSERT_TRUE(theirs.second_derivative(0.2, x, p, q));
   EXPECT_LE((f - p).cwiseAbs().maxCoeff(), 64 * eps * p.cwiseAbs().maxCoeff());
@@ -175,8 +175,8 @@ TEST(Typed, JacobiansAreThoseOfTheSameCode) {
 }
 
 TEST(Typed, TaylorCoefficientsAreThoseOfTheSameCode) {
-  const ivp::System<2> ours{Problem<2>(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
-  const ivp::State<2> x(0.4, -0.9);
+  const ivp::System ours{Problem(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
+  const ivp::State x{0.4, -0.9};
   constexpr int order = 20;
   auto a = ours.taylor(order), b = theirs.taylor(order);
   a.begin_segment(0.2, x);

@@ -23,17 +23,17 @@ Dop853 within(double tolerance) { return {.relative_tolerance = tolerance, .abso
 TEST(Dop853, LocalErrorsHaveTheStatedExponents) {
   const Manufactured problem;
   const auto errors = [&](double h) {
-    State<2> middle;
-    const auto look = [&](const Step<2>& step) {
+    State middle(2);
+    const auto look = [&](const Step& step) {
       step.dense.at(0.5 * h, middle);
       return true;
     };
-    const auto solution = integrate(System(problem), State<2>(1, 0), 0, h, with_step(Dop853{}, h), look);
+    const auto solution = integrate(System(problem), State{1, 0}, 0, h, with_step(Dop853{}, h), look);
     EXPECT_EQ(solution.statistics.steps, 1);
-    return State<2>((solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
-                    (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff());
+    return State{(solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
+                 (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff()};
   };
-  const State<2> coarse = errors(0.3), fine = errors(0.15);
+  const State coarse = errors(0.3), fine = errors(0.15);
   EXPECT_NEAR(std::log2(coarse[0] / fine[0]), 9, 0.3);
   EXPECT_NEAR(std::log2(coarse[1] / fine[1]), 8, 0.3);
   const double global = largest_error(problem, with_step(Dop853{}, 2 / 6.), 0, 2);
@@ -43,7 +43,7 @@ TEST(Dop853, LocalErrorsHaveTheStatedExponents) {
 // q'' = -q from (1, 0).
 TEST(Dop853, MeetsItsTolerance) {
   for (const double tolerance : {1e-6, 1e-9, 1e-11, 1e-13}) {
-    const auto s = integrate(System(Oscillator{}), State<2>(1, 0), 0, 20, within(tolerance));
+    const auto s = integrate(System(Oscillator{}), State{1, 0}, 0, 20, within(tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     const double room = 10 * tolerance + 64 * eps;  // some dozen steps
     EXPECT_NEAR(s.x[0], std::cos(20), room);
@@ -54,7 +54,7 @@ TEST(Dop853, MeetsItsTolerance) {
 // Arenstorf's orbit closes after its period; errors of steps grow 1e4 times on the way.
 TEST(Dop853, ClosesArenstorfsOrbit) {
   const problems::Arenstorf problem;
-  const State<4> x0 = problems::Arenstorf::initial_state();
+  const State x0 = problems::Arenstorf::initial_state();
   const auto s = integrate(System(problem), x0, 0, problems::Arenstorf::final_time, within(1e-12));
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_LT((s.x - x0).cwiseAbs().maxCoeff(), 1e-6);
@@ -70,7 +70,7 @@ TEST(Dop853, SystemAndDirectAreTheSame) {
   EXPECT_LE(oracle::distance(a.x, oracle::duffing(30)), 1e-6);
 }
 
-// Three components go one by one, two and any number by pairs: an oscillator and a clock.
+// Three components are a pair and one: an oscillator and a clock.
 struct WithClock {
   static constexpr int dimension = 3;
   template <class T>
@@ -82,8 +82,8 @@ struct WithClock {
 };
 
 TEST(Dop853, SizesAgree) {
-  const auto three = integrate(System<3>(WithClock{}), State<3>(1, 0, 0), 0, 5, Dop853{});
-  const auto any = integrate(System<Eigen::Dynamic>(WithClock{}), State<3>(1, 0, 0), 0, 5, Dop853{});
+  const auto three = integrate(System(WithClock{}), State{1, 0, 0}, 0, 5, Dop853{});
+  const auto any = integrate(System(WithClock{}), State{1, 0, 0}, 0, 5, Dop853{});
   EXPECT_EQ(three.statistics.right_hand_sides, any.statistics.right_hand_sides);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(three.x[i], any.x[i], 64 * eps);
   EXPECT_NEAR(three.x[0], std::cos(5), 1e-8);
@@ -93,8 +93,8 @@ TEST(Dop853, SizesAgree) {
 // The largest error within steps of a tolerance of 1e-10, at which dense output of a lower order would show.
 TEST(Dop853, DenseOutputIsAsAccurateAsTheSteps) {
   double ends = 0, inside = 0;
-  State<2> x;
-  const auto watch = [&](const Step<2>& step) {
+  State x(2);
+  const auto watch = [&](const Step& step) {
     ends = std::max(ends, oracle::distance(step.x1, oracle::duffing(step.t1)));
     for (const double part : {0.1, 0.3, 0.5, 0.8}) {
       const double t = step.t0 + part * (step.t1 - step.t0);
@@ -112,12 +112,12 @@ TEST(Dop853, DenseOutputIsAsAccurateAsTheSteps) {
 
 // Slopes on both sides of the end of a step differ by rounding over the distance.
 TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
-  State<2> before = State<2>::Zero();
-  const auto watch = [&](const Step<2>& step) {
+  State before = State::Zero(2);
+  const auto watch = [&](const Step& step) {
     constexpr double d = 1e-5;
-    State<2> x;
+    State x(2);
     step.dense.at(step.t0 + d, x);
-    const State<2> slope = (x - step.x0) / d;
+    const State slope = (x - step.x0) / d;
     if (step.index > 1) {
       EXPECT_LT(oracle::distance(slope, before), 20 * d);  // second derivatives of size 2 and more
     }
@@ -133,15 +133,15 @@ TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
 // Eleven evaluations a trial, one for the start and for each step; three more where the solution within a
 // step is asked for.
 TEST(Dop853, CountsItsWork) {
-  const auto run = [](const Observer<2>& observer) {
-    return integrate(System(problems::Duffing{}), State<2>(1, 0), 0, 50, Dop853{}, observer).statistics;
+  const auto run = [](const Observer& observer) {
+    return integrate(System(problems::Duffing{}), State{1, 0}, 0, 50, Dop853{}, observer).statistics;
   };
   const auto s = run({});
   EXPECT_GT(s.rejected, 0);
   EXPECT_EQ(s.right_hand_sides, 11 * (s.steps + s.rejected) + s.steps + 1);
-  EXPECT_EQ(run([](const Step<2>&) { return true; }).right_hand_sides, s.right_hand_sides);
-  const auto some = run([](const Step<2>& step) {
-    State<2> x;
+  EXPECT_EQ(run([](const Step&) { return true; }).right_hand_sides, s.right_hand_sides);
+  const auto some = run([](const Step& step) {
+    State x(2);
     for (const double part : {0.5, 0.75}) {
       if (step.index <= 10) step.dense.at(step.t0 + part * (step.t1 - step.t0), x);
     }
@@ -156,11 +156,11 @@ TEST(Dop853, StopsAtDiscontinuities) {
   const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> reference(
       problem, Vector<long double, 2>(0, 0), 0, 10);
   std::vector<double> ends;
-  const auto note = [&](const Step<2>& step) {
+  const auto note = [&](const Step& step) {
     ends.push_back(step.t1);
     return true;
   };
-  const auto solution = integrate(System(problem), State<2>(0, 0), 0, 10, Dop853{}, note);
+  const auto solution = integrate(System(problem), State{0, 0}, 0, 10, Dop853{}, note);
   EXPECT_TRUE(solution.status.ok());
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 1);
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 1.0), 1);
@@ -172,7 +172,7 @@ TEST(Dop853, StopsAtDiscontinuities) {
 
 // y' = y^3 ends at t = 1/2.
 TEST(Dop853, UnderflowsAtABlowUp) {
-  const auto solution = integrate(System(problems::BlowUp{}), State<1>(1.0), 0, 1, Dop853{});
+  const auto solution = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Dop853{});
   EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << solution.status.text();
   EXPECT_NEAR(solution.t, 0.5, 1e-7);
   EXPECT_GT(solution.x[0], 1e3);
@@ -181,7 +181,7 @@ TEST(Dop853, UnderflowsAtABlowUp) {
 }
 
 TEST(Dop853, RefusesTheFirstStepThatIsTooLong) {
-  const auto solution = integrate(System(Manufactured{}), State<2>(1, 0), 0, 5, Dop853{.initial_step = 5});
+  const auto solution = integrate(System(Manufactured{}), State{1, 0}, 0, 5, Dop853{.initial_step = 5});
   EXPECT_TRUE(solution.status.ok());
   EXPECT_GE(solution.statistics.rejected, 1);
   EXPECT_LT((solution.x - Manufactured{}.exact(5)).cwiseAbs().maxCoeff(), 1e-7);
@@ -190,49 +190,49 @@ TEST(Dop853, RefusesTheFirstStepThatIsTooLong) {
 // Nothing is finite from 0.03 on: trials of 1, 1/5, 1/25 and 1/125.
 TEST(Dop853, ShrinksToAFifthWhereNothingIsFinite) {
   double first = 0;
-  const auto stop = [&](const Step<2>& step) {
+  const auto stop = [&](const Step& step) {
     first = step.t1;
     return false;
   };
   const auto solution =
-      integrate(System(Poisoned{.at = 0.03}), State<2>(1, 0), 0, 2, Dop853{.initial_step = 1}, stop);
+      integrate(System(Poisoned{.at = 0.03}), State{1, 0}, 0, 2, Dop853{.initial_step = 1}, stop);
   EXPECT_NEAR(first, 0.008, 4 * eps);
   EXPECT_EQ(solution.statistics.rejected, 3);
 }
 
 // The end of a step where f is not finite is no end, though no stage saw it: the next step could not begin.
 TEST(Dop853, EndsWhereNothingIsFinite) {
-  const auto s = integrate(System(Poisoned{}), State<2>(1, 0), 0, 1, Dop853{});
+  const auto s = integrate(System(Poisoned{}), State{1, 0}, 0, 1, Dop853{});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << s.status.text();
   EXPECT_TRUE(s.x.allFinite());
   EXPECT_NEAR(s.t, 0.5, 1e-6);
-  const auto none = integrate(System(Poisoned{.at = 1e-300}), State<2>(1, 0), 0, 1, Dop853{});
+  const auto none = integrate(System(Poisoned{.at = 1e-300}), State{1, 0}, 0, 1, Dop853{});
   EXPECT_EQ(none.status.outcome(), Outcome::non_finite) << none.status.text();
 }
 
 // At rest f says nothing of the way ahead: the first step is a tenth of it, and a push is not leapt over.
 TEST(Dop853, BeginsWithATenthOfTheWay) {
   double first = 0;
-  const auto stop = [&](const Step<2>& step) {
+  const auto stop = [&](const Step& step) {
     first = step.t1;
     return false;
   };
-  (void)integrate(System(Oscillator{}), State<2>(0, 0), 0, 2, Dop853{}, stop);
+  (void)integrate(System(Oscillator{}), State{0, 0}, 0, 2, Dop853{}, stop);
   EXPECT_EQ(first, 0.2);
   // Else by (atol + rtol)^(1/8) of the time in which the state changes by its size, here 1.
-  (void)integrate(System(Oscillator{}), State<2>(1, 1), 0, 20, within(1e-8), stop);
+  (void)integrate(System(Oscillator{}), State{1, 1}, 0, 20, within(1e-8), stop);
   EXPECT_NEAR(first, std::pow(2e-8, 1. / 8), 4 * eps);
 }
 
 TEST(Dop853, NoticesAStepThatDoesNotMoveTime) {
-  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, 2, Dop853{.largest_step = 1e-20});
+  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, 2, Dop853{.largest_step = 1e-20});
   EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow);
   EXPECT_EQ(solution.t, 1);
 }
 
 TEST(Dop853, CrossesTheSmallestInterval) {
   const double end = std::nextafter(1.0, 2.0);
-  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, end, Dop853{});
+  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, end, Dop853{});
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   EXPECT_EQ(solution.t, end);
 }

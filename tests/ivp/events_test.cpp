@@ -19,8 +19,8 @@ using testing::nan;
 constexpr Series accurate = {.relative_tolerance = 1e-15, .absolute_tolerance = 1e-15};
 
 // The first component less a level.
-Event<2> passes(double level, Crossing crossing = Crossing::either, bool ends = false) {
-  return {[level](double, const State<2>& x) { return x[0] - level; }, crossing, ends};
+Event passes(double level, Crossing crossing = Crossing::either, bool ends = false) {
+  return {[level](double, const State& x) { return x[0] - level; }, crossing, ends};
 }
 
 // q'' = -1.
@@ -36,7 +36,7 @@ struct Fall {
 // q = cos t passes zero at (k + 1/2) pi. Rounding of some ten steps, and half a spacing of the answer.
 TEST(Events, AreFoundToRounding) {
   const auto [end, hits] =
-      integrate_with_events(Direct(testing::Oscillator{}), State<2>(1, 0), 0, 30, accurate, {passes(0)});
+      integrate_with_events(System(testing::Oscillator{}), State{1, 0}, 0, 30, accurate, {passes(0)});
   EXPECT_TRUE(end.status.ok());
   EXPECT_EQ(end.t, 30);
   ASSERT_EQ(hits.size(), 10U);  // 9.5 pi < 30 < 10.5 pi
@@ -55,7 +55,7 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
   const bool backwards = *rc::gen::arbitrary<bool>();
   const double t1 = backwards ? -10.1 : 10.1;
   const auto [end, hits] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
-                                                 State<2>(1, 0), 0, t1, accurate, {passes(level)});
+                                                 State{1, 0}, 0, t1, accurate, {passes(level)});
   RC_ASSERT(end.status.ok());
   std::vector<double> truth;
   const double turn = 2 * std::numbers::pi, angle = std::acos(level);
@@ -72,7 +72,7 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
 TEST(Events, DirectionCountsAlongTheWay) {
   const System system(testing::Oscillator{});
   const auto count = [&](Crossing crossing, double t1) {
-    return integrate_with_events(system, State<2>(1, 0), 0, t1, Series{}, {passes(0, crossing)}).hits.size();
+    return integrate_with_events(system, State{1, 0}, 0, t1, Series{}, {passes(0, crossing)}).hits.size();
   };
   EXPECT_EQ(count(Crossing::falling, 12), 2U);  // pi/2 and 5 pi/2
   EXPECT_EQ(count(Crossing::rising, 12), 2U);   // 3 pi/2 and 7 pi/2
@@ -82,7 +82,7 @@ TEST(Events, DirectionCountsAlongTheWay) {
 
 TEST(Events, OfOneStepComeInTheirOrder) {
   const System system(Fall{});  // one step of any length is exact
-  const auto down = integrate_with_events(system, State<2>(1, 0), 0, 4, Series{.order = 4, .step = 4},
+  const auto down = integrate_with_events(system, State{1, 0}, 0, 4, Series{.order = 4, .step = 4},
                                           {passes(0.25), passes(0.75), passes(0.5)});
   ASSERT_EQ(down.hits.size(), 3U);
   EXPECT_EQ(down.solution.statistics.steps, 1);
@@ -97,7 +97,7 @@ TEST(Events, OfOneStepComeInTheirOrder) {
 TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
   const System system(Fall{});
   double t = 0, expected = 0, speed = 1;
-  State<2> x(0.5, 0);
+  State x{0.5, 0};
   for (int bounce = 0; bounce < 20; ++bounce) {
     const auto [end, hits] = integrate_with_events(system, x, t, t + 10, accurate,
                                                    {passes(0, Crossing::falling, true), passes(10)});
@@ -109,7 +109,7 @@ TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
     EXPECT_EQ(end.t, hits[0].t);
     speed /= 2;
     t = end.t;
-    x = State<2>(0, speed);
+    x = State{0, speed};
   }
 }
 
@@ -117,24 +117,24 @@ TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
 TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
   const System system(testing::Oscillator{});
   const auto error = [&](double step) {
-    const auto found = integrate_with_events(system, State<2>(1, 0), 0, 3, Rk4{.step = step}, {passes(0)});
+    const auto found = integrate_with_events(system, State{1, 0}, 0, 3, Rk4{.step = step}, {passes(0)});
     EXPECT_EQ(found.hits.size(), 1U);
     return std::abs(found.hits[0].t - std::numbers::pi / 2);
   };
   EXPECT_LT(error(0.05), 1e-6);
   EXPECT_GT(error(0.1) / error(0.05), 8);
-  const auto [end, hits] = integrate_with_events(system, State<2>(1, 0), 0, 3, Ode45{}, {passes(0)});
+  const auto [end, hits] = integrate_with_events(system, State{1, 0}, 0, 3, Ode45{}, {passes(0)});
   ASSERT_EQ(hits.size(), 1U);
   EXPECT_NEAR(hits[0].t, std::numbers::pi / 2, 1e-2);  // ode45's own tolerance is 1e-3
 }
 
 TEST(Events, MistakesAndFunctionsWithoutValue) {
   const System system(testing::Oscillator{});
-  EXPECT_THROW((void)integrate_with_events(system, State<2>(1, 0), 0, 3, Series{}, {Event<2>{}}),
+  EXPECT_THROW((void)integrate_with_events(system, State{1, 0}, 0, 3, Series{}, {Event{}}),
                std::invalid_argument);
   const auto [end, hits] = integrate_with_events(
-      system, State<2>(1, 0), 0, 3, Series{},
-      {{[](double t, const State<2>&) { return t < 1 ? 1. : nan; }, Crossing::either, false}});
+      system, State{1, 0}, 0, 3, Series{},
+      {{[](double t, const State&) { return t < 1 ? 1. : nan; }, Crossing::either, false}});
   EXPECT_EQ(end.status.outcome(), Outcome::non_finite);
   EXPECT_NE(end.status.text().find("event"), std::string::npos) << end.status.text();
   EXPECT_TRUE(hits.empty());
@@ -142,11 +142,10 @@ TEST(Events, MistakesAndFunctionsWithoutValue) {
 
 // Values at the places, 0.5 apart, but none between two of them, where the zero is looked for.
 TEST(Events, NoValueOnTheWayToTheZero) {
-  const auto value = [](double t, const State<2>&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
+  const auto value = [](double t, const State&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
   for (const bool ends : {false, true}) {
-    const auto [end, hits] =
-        integrate_with_events(System(Fall{}), State<2>(1, 0), 0, 4, Series{.order = 4, .step = 4},
-                              {{value, Crossing::either, ends}});
+    const auto [end, hits] = integrate_with_events(
+        System(Fall{}), State{1, 0}, 0, 4, Series{.order = 4, .step = 4}, {{value, Crossing::either, ends}});
     EXPECT_EQ(end.status.outcome(), Outcome::non_finite) << ends;
     EXPECT_TRUE(hits.empty()) << ends;
   }
@@ -154,8 +153,8 @@ TEST(Events, NoValueOnTheWayToTheZero) {
 
 TEST(Events, TheObserverStillEndsTheIntegration) {
   const System system(testing::Oscillator{});
-  const auto [end, hits] = integrate_with_events(system, State<2>(1, 0), 0, 30, Series{}, {passes(0)},
-                                                 [](const Step<2>& step) { return step.t1 < 2; });
+  const auto [end, hits] = integrate_with_events(system, State{1, 0}, 0, 30, Series{}, {passes(0)},
+                                                 [](const Step& step) { return step.t1 < 2; });
   EXPECT_EQ(end.status.outcome(), Outcome::interrupted);
   EXPECT_EQ(hits.size(), end.t > 1.5 * std::numbers::pi ? 2U : 1U);
 }

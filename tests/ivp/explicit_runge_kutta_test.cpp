@@ -53,9 +53,9 @@ TEST(ExplicitRungeKutta, TableausAreConsistent) {
 TEST(ExplicitRungeKutta, DenseOutputIsAsAccurateAsTheMethod) {
   const System system(problems::Duffing{});
   double worst = 0;
-  const auto s = integrate(system, {1, 0}, 0, 5, Rk6{.step = 0.05}, [&](const Step<2>& step) {
+  const auto s = integrate(system, {1, 0}, 0, 5, Rk6{.step = 0.05}, [&](const Step& step) {
     for (const double part : {0.0, 0.3, 0.7, 1.0}) {
-      State<2> x;
+      State x(2);
       const double t = step.t0 + part * (step.t1 - step.t0);
       step.dense.at(t, x);
       worst = std::max(worst, distance(x, oracle::duffing(t)));
@@ -83,7 +83,7 @@ TEST(ExplicitRungeKutta, BackwardsReturnsToTheStart) {
   ASSERT_TRUE(back.status.ok());
   EXPECT_EQ(back.t, 0);
   // Twice the error of 730 steps of order 6: 2e-13 each way in the test above's terms.
-  EXPECT_LT(distance(back.x, State<2>(1, 0)), 1e-12);
+  EXPECT_LT(distance(back.x, State{1, 0}), 1e-12);
 }
 
 TEST(ExplicitRungeKutta, RefusesAStepThatIsNone) {

@@ -45,7 +45,7 @@ TEST(StepGrid, AWholeNumberOfStepsHasNoRest) {
 TEST(Walk, LandsOnDiscontinuitiesAndOnTheEnd) {
   const System system(problems::ImpactDuffing{});
   std::vector<double> ends;
-  const auto s = integrate(system, {0, 0}, 0, 2, Rk4{.step = 0.3}, [&](const Step<2>& step) {
+  const auto s = integrate(system, {0, 0}, 0, 2, Rk4{.step = 0.3}, [&](const Step& step) {
     ends.push_back(step.t1);
     return true;
   });
@@ -58,13 +58,13 @@ TEST(Walk, NoTimeNoStep) {
   const System system(problems::Duffing{});
   const auto s = integrate(system, {0.3, -2}, 4, 4, Rk4{});
   EXPECT_TRUE(s.status.ok());
-  EXPECT_EQ(s.x, (State<2>(0.3, -2)));
+  EXPECT_EQ(s.x, (State{0.3, -2}));
   EXPECT_EQ(s.statistics.steps, 0);
 }
 
 TEST(Walk, BlowUpEndsWithASentence) {
   const System system(problems::BlowUp{});  // y' = y^3 from 1: infinite at t = 1/2
-  const auto s = integrate(system, State<1>(1), 0, 2, Rk4{.step = 0.01});
+  const auto s = integrate(system, State{1}, 0, 2, Rk4{.step = 0.01});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
   EXPECT_NE(s.status.sentence().find("rk4: the step of 0.01 from t = 0.5"), std::string::npos)
       << s.status.text();
@@ -116,7 +116,7 @@ TEST(Walk, LimitsHold) {
 TEST(Walk, TheObserverCanStop) {
   const System system(problems::Duffing{});
   const auto s =
-      integrate(system, {1, 0}, 0, 10, Rk4{.step = 0.01}, [](const Step<2>& step) { return step.index < 3; });
+      integrate(system, {1, 0}, 0, 10, Rk4{.step = 0.01}, [](const Step& step) { return step.index < 3; });
   EXPECT_EQ(s.status.outcome(), Outcome::interrupted);
   EXPECT_EQ(s.statistics.steps, 3);
   EXPECT_NEAR(s.t, 0.03, 1e-15);
@@ -124,7 +124,7 @@ TEST(Walk, TheObserverCanStop) {
 
 TEST(Integrate, RefusesWhatCannotBeMeant) {
   const System system(problems::Duffing{});
-  const System<Eigen::Dynamic> dynamic(problems::Duffing{});
+  const System dynamic(problems::Duffing{});
   EXPECT_THROW((void)integrate(system, {1, 0}, 0, HUGE_VAL, Rk4{}), std::invalid_argument);
   EXPECT_THROW((void)integrate(system, {1, 0}, std::nan(""), 1, Rk4{}), std::invalid_argument);
   EXPECT_THROW((void)integrate(dynamic, Eigen::VectorXd::Zero(3), 0, 1, Rk4{}), std::invalid_argument);

@@ -7,10 +7,8 @@
 #include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
-#include "nlmech/ivp/structural/generalized_alpha.hpp"
-#include "nlmech/ivp/structural/hht.hpp"
-#include "nlmech/ivp/structural/newmark.hpp"
 
 namespace nlmech::ivp::jump_test {
 namespace {

@@ -10,10 +10,10 @@ using namespace testing;
 
 TEST(EveryMethod, StandsStillForAnEmptyInterval) {
   for_each_method([](const auto& method) {
-    const auto solution = integrate(System(Oscillator{}), State<2>(1, 2), 3, 3, method);
+    const auto solution = integrate(System(Oscillator{}), State{1, 2}, 3, 3, method);
     EXPECT_TRUE(solution.status.ok());
     EXPECT_EQ(solution.t, 3);
-    EXPECT_EQ(solution.x, State<2>(1, 2));
+    EXPECT_EQ(solution.x, (State{1, 2}));
     EXPECT_EQ(solution.statistics.right_hand_sides, 0);
   });
 }
@@ -33,16 +33,15 @@ TEST(FixedSteps, LandOnTheEnd) {
   for_each_method([](const auto& method) {
     if constexpr (requires { method.step; }) {
       for (const double end : {1.0, -1.0}) {
-        const auto even = integrate(System(Oscillator{}), State<2>(1, 0), 0, end, with_step(method, 0.1));
+        const auto even = integrate(System(Oscillator{}), State{1, 0}, 0, end, with_step(method, 0.1));
         EXPECT_EQ(even.statistics.steps, 10) << method.name;
         EXPECT_EQ(even.t, end);
         double last = 0;
-        const auto note = [&](const Step<2>& step) {
+        const auto note = [&](const Step& step) {
           last = step.t1 - step.t0;
           return true;
         };
-        const auto odd =
-            integrate(System(Oscillator{}), State<2>(1, 0), 0, end, with_step(method, 0.3), note);
+        const auto odd = integrate(System(Oscillator{}), State{1, 0}, 0, end, with_step(method, 0.3), note);
         EXPECT_EQ(odd.statistics.steps, 4) << method.name;
         EXPECT_EQ(odd.t, end);
         EXPECT_NEAR(last, end * 0.1, 4 * eps);
@@ -54,7 +53,7 @@ TEST(FixedSteps, LandOnTheEnd) {
 TEST(FixedSteps, NoticeAStepThatDoesNotMoveTime) {
   for_each_method([](const auto& method) {
     if constexpr (requires { method.step; }) {
-      const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, 2, with_step(method, 1e-20));
+      const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, 2, with_step(method, 1e-20));
       EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << method.name;
       EXPECT_EQ(solution.t, 1);
     }
@@ -63,28 +62,28 @@ TEST(FixedSteps, NoticeAStepThatDoesNotMoveTime) {
 
 TEST(EveryMethod, KeepsToItsLimits) {
   for_each_method([](const auto& method) {
-    const auto used_up = integrate(System(Oscillator{}), State<2>(1, 0), 0, 100, method, {}, {.steps = 7});
+    const auto used_up = integrate(System(Oscillator{}), State{1, 0}, 0, 100, method, {}, {.steps = 7});
     EXPECT_EQ(used_up.status.outcome(), Outcome::step_limit) << method.name;
     EXPECT_LE(used_up.statistics.steps + used_up.statistics.rejected, 7) << method.name;
     EXPECT_LT(used_up.t, 100);
     EXPECT_NE(used_up.status.sentence().find(method.name), std::string::npos);
-    const auto late = integrate(System(Oscillator{}), State<2>(1, 0), 0, 100, method, {}, {.seconds = 0});
+    const auto late = integrate(System(Oscillator{}), State{1, 0}, 0, 100, method, {}, {.seconds = 0});
     EXPECT_EQ(late.status.outcome(), Outcome::time_limit) << method.name;
   });
 }
 
 TEST(EveryMethod, ObeysItsObserver) {
   for_each_method([](const auto& method) {
-    State<2> seen;
+    State seen(2);
     double time = 0;
-    const auto stop = [&](const Step<2>& step) {
+    const auto stop = [&](const Step& step) {
       seen = step.x1;
       EXPECT_EQ(step.t0, time);
       time = step.t1;
       EXPECT_EQ(step.times.back(), step.t1);
       return step.index < 3;
     };
-    const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 0, 100, method, stop);
+    const auto solution = integrate(System(Oscillator{}), State{1, 0}, 0, 100, method, stop);
     EXPECT_EQ(solution.status.outcome(), Outcome::interrupted) << method.name;
     EXPECT_EQ(solution.statistics.steps, 3);
     EXPECT_EQ(solution.t, time);
@@ -96,15 +95,15 @@ TEST(EveryMethod, ObeysItsObserver) {
 // Dense output joins the ends of every step.
 TEST(EveryMethod, DenseOutputMeetsTheEndsOfSteps) {
   for_each_method([](const auto& method) {
-    State<2> x;
-    const auto compare = [&](const Step<2>& step) {
+    State x(2);
+    const auto compare = [&](const Step& step) {
       step.dense.at(step.t0, x);
       EXPECT_LT((x - step.x0).cwiseAbs().maxCoeff(), 8 * eps) << method.name;
       step.dense.at(step.t1, x);
       EXPECT_LT((x - step.x1).cwiseAbs().maxCoeff(), 8 * eps) << method.name;
       return true;
     };
-    EXPECT_TRUE(integrate(System(Manufactured{}), State<2>(1, 0), 0, 1, method, compare).status.ok());
+    EXPECT_TRUE(integrate(System(Manufactured{}), State{1, 0}, 0, 1, method, compare).status.ok());
   });
 }
 
@@ -114,7 +113,7 @@ TEST(EveryMethod, SeesRightHandSidesThatAreNotFinite) {
     for (const double at : {-1.0, 0.5}) {
       const System system(Poisoned{at, value});
       for_each_method([&](const auto& method) {
-        const auto solution = integrate(system, State<2>(1, 0), 0, 2, method);
+        const auto solution = integrate(system, State{1, 0}, 0, 2, method);
         EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name << solution.status.text();
         EXPECT_TRUE(solution.x.allFinite()) << method.name;
         EXPECT_LE(solution.t, std::max(at + 0.01, 0.0)) << method.name;
@@ -127,7 +126,7 @@ TEST(EveryMethod, SeesRightHandSidesThatAreNotFinite) {
 
 TEST(EveryMethod, RefusesAnInitialStateThatIsNotFinite) {
   for_each_method([](const auto& method) {
-    const auto solution = integrate(System(Oscillator{}), State<2>(1, nan), 0, 2, method);
+    const auto solution = integrate(System(Oscillator{}), State{1, nan}, 0, 2, method);
     EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name;
   });
 }
@@ -148,7 +147,7 @@ struct EndsAtOne {
 
 TEST(EveryMethod, DoesNotCrossABlowUp) {
   for_each_method([](const auto& method) {
-    const auto solution = integrate(System(EndsAtOne{}), State<2>(1, 1), 0, 2, method);
+    const auto solution = integrate(System(EndsAtOne{}), State{1, 1}, 0, 2, method);
     EXPECT_FALSE(solution.status.ok()) << method.name;
     EXPECT_TRUE(solution.x.allFinite()) << method.name;
     EXPECT_GT(solution.t, 0.9) << method.name;
@@ -191,10 +190,10 @@ TEST(StructuralMethods, NeedAccelerations) {
     using Method = std::decay_t<decltype(method)>;
     if constexpr (std::is_same_v<Method, BackwardEuler> || std::is_same_v<Method, Ode45> ||
                   std::is_same_v<Method, Dop853>) {
-      EXPECT_TRUE(integrate(System(Rotation{}), State<2>(1, 0), 0, 1, method).status.ok());
+      EXPECT_TRUE(integrate(System(Rotation{}), State{1, 0}, 0, 1, method).status.ok());
     } else {
       try {
-        (void)integrate(System(Rotation{}), State<2>(1, 0), 0, 1, method);
+        (void)integrate(System(Rotation{}), State{1, 0}, 0, 1, method);
         ADD_FAILURE() << method.name << " accepted a problem without accelerations";
       } catch (const std::invalid_argument& error) {
         EXPECT_NE(std::string(error.what()).find("acceleration"), std::string::npos) << error.what();

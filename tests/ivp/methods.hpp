@@ -13,10 +13,8 @@
 #include "nlmech/ivp/implicit/backward_euler.hpp"
 #include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
-#include "nlmech/ivp/structural/generalized_alpha.hpp"
-#include "nlmech/ivp/structural/hht.hpp"
-#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/series/value_of.hpp"
 
@@ -43,7 +41,7 @@ struct Manufactured {
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
     problems::first_order_form(*this, t, x, dxdt);
   }
-  [[nodiscard]] State<2> exact(double t) const { return {amplitude * std::cos(t), -amplitude * std::sin(t)}; }
+  [[nodiscard]] State exact(double t) const { return {amplitude * std::cos(t), -amplitude * std::sin(t)}; }
 };
 
 // q'' = -w^2 q.
@@ -80,7 +78,7 @@ struct JumpingForce {
     return {};
   }
   // The solution at rest in 0 at t = 0.
-  [[nodiscard]] State<2> exact(double t) const {
+  [[nodiscard]] State exact(double t) const {
     if (t < at) return {before * t * t / 2, before * t};
     const double s = t - at;
     return {before * at * at / 2 + before * at * s + after * s * s / 2, before * at + after * s};
@@ -149,8 +147,8 @@ template <class Problem, class Method>
 [[nodiscard]] double largest_error(const Problem& problem, const Method& method, double t0, double t1,
                                    bool within = false) {
   double largest = 0;
-  State<2> x;
-  const auto measure = [&](const Step<2>& step) {
+  State x(2);
+  const auto measure = [&](const Step& step) {
     largest = std::max(largest, (step.x1 - problem.exact(step.t1)).cwiseAbs().maxCoeff());
     for (const double s : {0.3, 0.5, 0.9}) {
       const double t = step.t0 + s * (step.t1 - step.t0);
@@ -181,7 +179,7 @@ void for_each_method(Do&& action) {
 template <class Method>
 [[nodiscard]] std::string refusal(const Method& method) {
   try {
-    (void)integrate(System(Oscillator{}), State<2>(1, 0), 0, 1, method);
+    (void)integrate(System(Oscillator{}), State{1, 0}, 0, 1, method);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -82,17 +82,17 @@ TEST(Ode45, ErrorEstimateIsOfOrderFour) {
 TEST(Ode45, LocalErrorsHaveTheStatedExponents) {
   const Manufactured problem;
   const auto errors = [&](double h) {
-    State<2> middle;
-    const auto look = [&](const Step<2>& step) {
+    State middle(2);
+    const auto look = [&](const Step& step) {
       step.dense.at(0.5 * h, middle);
       return true;
     };
-    const auto solution = integrate(System(problem), State<2>(1, 0), 0, h, with_step(Ode45{}, h), look);
+    const auto solution = integrate(System(problem), State{1, 0}, 0, h, with_step(Ode45{}, h), look);
     EXPECT_EQ(solution.statistics.steps, 1);
-    return State<2>((solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
-                    (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff());
+    return State{(solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
+                 (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff()};
   };
-  const State<2> coarse = errors(0.1), fine = errors(0.05);
+  const State coarse = errors(0.1), fine = errors(0.05);
   EXPECT_NEAR(std::log2(coarse[0] / fine[0]), 6, 0.3);
   EXPECT_NEAR(std::log2(coarse[1] / fine[1]), 5, 0.3);
   const double global = largest_error(problem, with_step(Ode45{}, 2 / 50.), 0, 2);
@@ -101,11 +101,11 @@ TEST(Ode45, LocalErrorsHaveTheStatedExponents) {
 
 TEST(Ode45, RefinedOutputIsTheDenseOutput) {
   for (const int refine : {1, 4, 7}) {
-    State<2> x;
-    const auto compare = [&](const Step<2>& step) {
+    State x(2);
+    const auto compare = [&](const Step& step) {
       EXPECT_EQ(step.times.size(), static_cast<std::size_t>(refine));
       EXPECT_EQ(step.times.back(), step.t1);
-      EXPECT_EQ(State<2>(step.states.col(refine - 1)), step.x1);
+      EXPECT_EQ(State(step.states.col(refine - 1)), step.x1);
       for (int i = 0; i < refine; ++i) {
         const double t = step.t0 + (i + 1.0) / refine * (step.t1 - step.t0);
         EXPECT_NEAR(step.times[static_cast<std::size_t>(i)], t, 4 * eps * std::abs(t));
@@ -114,14 +114,14 @@ TEST(Ode45, RefinedOutputIsTheDenseOutput) {
       }
       return true;
     };
-    EXPECT_TRUE(integrate(System(Manufactured{}), State<2>(1, 0), 0, 5, Ode45{.refine = refine}, compare)
-                    .status.ok());
+    EXPECT_TRUE(
+        integrate(System(Manufactured{}), State{1, 0}, 0, 5, Ode45{.refine = refine}, compare).status.ok());
   }
 }
 
 // Six evaluations a trial, one for the start: the last stage of a step is the first of the next.
 TEST(Ode45, CountsItsWork) {
-  const auto s = integrate(System(problems::Duffing{}), State<2>(1, 0), 0, 50, Ode45{}).statistics;
+  const auto s = integrate(System(problems::Duffing{}), State{1, 0}, 0, 50, Ode45{}).statistics;
   EXPECT_GT(s.rejected, 0);
   EXPECT_EQ(s.right_hand_sides, 6 * (s.steps + s.rejected) + 1);
 }
@@ -133,11 +133,11 @@ TEST(Ode45, StopsAtDiscontinuities) {
   const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> reference(
       problem, Vector<long double, 2>(0, 0), 0, 10);
   std::vector<double> ends;
-  const auto note = [&](const Step<2>& step) {
+  const auto note = [&](const Step& step) {
     ends.push_back(step.t1);
     return true;
   };
-  const auto solution = integrate(System(problem), State<2>(0, 0), 0, 10, Ode45{}, note);
+  const auto solution = integrate(System(problem), State{0, 0}, 0, 10, Ode45{}, note);
   EXPECT_TRUE(solution.status.ok());
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 1);
   EXPECT_EQ(std::count(ends.begin(), ends.end(), 1.0), 1);
@@ -150,7 +150,7 @@ TEST(Ode45, StopsAtDiscontinuities) {
 // y' = y^3 ends at t = 1/2. The shortest step there is 16 spacings, 1.8e-15; how near it comes is a matter of
 // the accumulated error, about the tolerance.
 TEST(Ode45, UnderflowsAtABlowUp) {
-  const auto solution = integrate(System(problems::BlowUp{}), State<1>(1.0), 0, 1, Ode45{});
+  const auto solution = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Ode45{});
   EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << solution.status.text();
   EXPECT_NEAR(solution.t, 0.5, 1e-7);
   EXPECT_GT(solution.x[0], 1e3);
@@ -160,7 +160,7 @@ TEST(Ode45, UnderflowsAtABlowUp) {
 
 TEST(Ode45, RefusesTheFirstStepThatIsTooLong) {
   const auto solution =
-      integrate(System(Manufactured{}), State<2>(1, 0), 0, 5, Ode45{.initial_step = 5, .largest_step = 5});
+      integrate(System(Manufactured{}), State{1, 0}, 0, 5, Ode45{.initial_step = 5, .largest_step = 5});
   EXPECT_TRUE(solution.status.ok());
   EXPECT_GE(solution.statistics.rejected, 1);
   EXPECT_LT((solution.x - Manufactured{}.exact(5)).cwiseAbs().maxCoeff(), 1e-7);
@@ -170,19 +170,19 @@ TEST(Ode45, RefusesTheFirstStepThatIsTooLong) {
 // halves: 0.1, 0.05, 0.025, which is accepted.
 TEST(Ode45, ShrinksFirstToATenthAndThenByHalves) {
   double first = 0;
-  const auto stop = [&](const Step<2>& step) {
+  const auto stop = [&](const Step& step) {
     first = step.t1;
     return false;
   };
   const Ode45 method{.initial_step = 1, .largest_step = 1};
-  const auto solution = integrate(System(Poisoned{.at = 0.03}), State<2>(1, 0), 0, 2, method, stop);
+  const auto solution = integrate(System(Poisoned{.at = 0.03}), State{1, 0}, 0, 2, method, stop);
   EXPECT_EQ(first, 0.025);
   EXPECT_EQ(solution.statistics.rejected, 3);
 }
 
 // A largest step below the spacing of doubles at t would never arrive.
 TEST(Ode45, NoticesAStepThatDoesNotMoveTime) {
-  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, 2, Ode45{.largest_step = 1e-20});
+  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, 2, Ode45{.largest_step = 1e-20});
   EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow);
   EXPECT_EQ(solution.t, 1);
 }
@@ -190,7 +190,7 @@ TEST(Ode45, NoticesAStepThatDoesNotMoveTime) {
 // An interval of a few doubles is one step.
 TEST(Ode45, CrossesTheSmallestInterval) {
   const double end = std::nextafter(1.0, 2.0);
-  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 1, end, Ode45{});
+  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, end, Ode45{});
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   EXPECT_EQ(solution.t, end);
 }
@@ -198,7 +198,7 @@ TEST(Ode45, CrossesTheSmallestInterval) {
 // At t0 = 0 the spacing of doubles is 5e-324, and halving towards it must end too.
 TEST(Ode45, GivesUpWhereNothingIsFinite) {
   Poisoned problem{.at = 1e-300};
-  const auto solution = integrate(System(problem), State<2>(1, 0), 0, 1, Ode45{});
+  const auto solution = integrate(System(problem), State{1, 0}, 0, 1, Ode45{});
   EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << solution.status.text();
   EXPECT_TRUE(solution.x.allFinite());
 }

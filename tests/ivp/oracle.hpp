@@ -27,8 +27,8 @@ inline constexpr double duffing_period = 4.7680220291024608063;
 }
 
 /// Largest difference of components.
-template <class V>
-[[nodiscard]] double distance(const V& a, const V& b) {
+template <class A, class B>
+[[nodiscard]] double distance(const A& a, const B& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 

@@ -31,12 +31,12 @@ template <class Method>
 Table42 table_4_2(const Method& method, double end = 100 * P) {
   Rms rms;
   rms.add(0);
-  const auto measure = [&](const Step<2>& step) {
+  const auto measure = [&](const Step& step) {
     for (std::size_t i = 0; i < step.times.size(); ++i)
       rms.add(step.states(0, static_cast<Eigen::Index>(i)) - free_oscillation(step.times[i]));
     return true;
   };
-  const auto solution = integrate(System(problems::Duffing{}), State<2>(1, 0), 0, end, method, measure);
+  const auto solution = integrate(System(problems::Duffing{}), State{1, 0}, 0, end, method, measure);
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   return {rms.value(), solution.statistics};
 }
@@ -90,13 +90,13 @@ template <class Method>
 double table_4_4(const Method& first, const Method& second) {
   Rms rms;
   const auto add = [&](double t, double q) { rms.add(q - static_cast<double>(impact_reference()(t)[0])); };
-  const auto measure = [&](const Step<2>& step) {
+  const auto measure = [&](const Step& step) {
     add(step.t1, step.x1[0]);
     return true;
   };
   const System system(Unannounced<problems::ImpactDuffing>{});
   add(0, 0);
-  const auto middle = integrate(system, State<2>(0, 0), 0, 1, first, measure);
+  const auto middle = integrate(system, State{0, 0}, 0, 1, first, measure);
   add(1, middle.x[0]);
   const auto end = integrate(system, middle.x, 1, 499, second, measure);
   EXPECT_TRUE(middle.status.ok() && end.status.ok()) << end.status.text();
@@ -138,15 +138,15 @@ struct Table46 {
 };
 
 template <class Method>
-Table46 table_4_6(const Method& method, const State<6>& x0 = State<6>::Zero()) {
+Table46 table_4_6(const Method& method, const State& x0 = State::Zero(6)) {
   using Chain = problems::BasicThreeMassChain<long double>;
   static const problems::ReferenceTrajectory<long double, Chain> reference(
       Chain{}, Vector<long double, 6>::Zero(), 0, 200);
   Rms x1, x3;
   x1.add(0);
   x3.add(0);
-  const auto measure = [&](const Step<6>& step) {
-    const State<6> error = step.x1 - reference(step.t1).template cast<double>();
+  const auto measure = [&](const Step& step) {
+    const State error = step.x1 - reference(step.t1).template cast<double>();
     x1.add(error[0]);
     x3.add(error[2]);
     return true;
@@ -173,7 +173,7 @@ TEST(Table46, Hht) {
 // mass. oracle: rbf_ivp_methods 4.6 Explicit-? x1, 4.6 Explicit-? x3
 TEST(Table46, Explicit) {
   const auto errors = [](double h) {
-    State<6> x0 = State<6>::Zero();
+    State x0 = State::Zero(6);
     x0[4] = -h / 2 * 0.2;
     return table_4_6(CentralDifference{.step = h, .initial = VelocityTime::half_step_before}, x0);
   };

@@ -165,7 +165,7 @@ TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
 // q'' = -q from (1, 0).
 TEST(Rkn1210, MeetsItsTolerance) {
   for (const double tolerance : {1e-6, 1e-9, 1e-12, 1e-14}) {
-    const auto s = integrate(System(Oscillator{}), State<2>(1, 0), 0, 20,
+    const auto s = integrate(System(Oscillator{}), State{1, 0}, 0, 20,
                              Rkn1210{.relative_tolerance = tolerance, .absolute_tolerance = tolerance});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     // The embedded order 10 is controlled and order 12 is what is kept; rounding of some dozen steps.
@@ -187,8 +187,8 @@ TEST(Rkn1210, SystemAndDirectAreTheSame) {
 
 TEST(Rkn1210, DenseOutputIsOfTheSameOrder) {
   double largest = 0;
-  State<2> x;
-  const auto watch = [&](const Step<2>& step) {
+  State x(2);
+  const auto watch = [&](const Step& step) {
     for (const double part : {0.2, 0.5, 0.9, 1.0}) {
       const double t = step.t0 + part * (step.t1 - step.t0);
       step.dense.at(t, x);
@@ -203,7 +203,7 @@ TEST(Rkn1210, DenseOutputIsOfTheSameOrder) {
 }
 
 TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
-  const auto there = integrate(System(Oscillator{}), State<2>(1, 0), 0, -20, Rkn1210{});
+  const auto there = integrate(System(Oscillator{}), State{1, 0}, 0, -20, Rkn1210{});
   ASSERT_TRUE(there.status.ok());
   EXPECT_NEAR(there.x[0], std::cos(20), 1e-7);
   EXPECT_NEAR(there.x[1], std::sin(20), 1e-7);
@@ -214,7 +214,7 @@ TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
 
 TEST(Rkn1210, StopsAtDiscontinuities) {
   JumpingForce problem;
-  const auto s = integrate(System(problem), State<2>(0, 0), 0, 1, Rkn1210{});
+  const auto s = integrate(System(problem), State{0, 0}, 0, 1, Rkn1210{});
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_LE(oracle::distance(s.x, problem.exact(1)), 16 * eps);  // parabolas: exact on both sides
 }
@@ -222,21 +222,20 @@ TEST(Rkn1210, StopsAtDiscontinuities) {
 // A force that feels velocities is no problem of this method's, and says so. Van der Pol's from x = 1 shows
 // it only after the first step.
 TEST(Rkn1210, RefusesVelocities) {
-  EXPECT_THROW((void)integrate(System(Manufactured{}), State<2>(1, 0), 0, 1, Rkn1210{}),
-               std::invalid_argument);
-  const auto s = integrate(System(problems::VanDerPol{}), State<2>(1, 0.5), 0, 5, Rkn1210{});
+  EXPECT_THROW((void)integrate(System(Manufactured{}), State{1, 0}, 0, 1, Rkn1210{}), std::invalid_argument);
+  const auto s = integrate(System(problems::VanDerPol{}), State{1, 0.5}, 0, 5, Rkn1210{});
   EXPECT_EQ(s.status.outcome(), Outcome::outside_validity) << s.status.text();
 }
 
 TEST(Rkn1210, EndsWhereNothingIsFinite) {
-  const auto s = integrate(System(Poisoned{}), State<2>(1, 0), 0, 1, Rkn1210{});
+  const auto s = integrate(System(Poisoned{}), State{1, 0}, 0, 1, Rkn1210{});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << s.status.text();
   EXPECT_TRUE(s.x.allFinite());
   EXPECT_NEAR(s.t, 0.5, 1e-6);
-  const auto few = integrate(System(Oscillator{}), State<2>(1, 0), 0, 1e6, Rkn1210{}, {}, {.steps = 7});
+  const auto few = integrate(System(Oscillator{}), State{1, 0}, 0, 1e6, Rkn1210{}, {}, {.steps = 7});
   EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
-  const auto stopped = integrate(System(Oscillator{}), State<2>(1, 0), 0, 1e6, Rkn1210{},
-                                 [](const Step<2>& step) { return step.index < 3; });
+  const auto stopped = integrate(System(Oscillator{}), State{1, 0}, 0, 1e6, Rkn1210{},
+                                 [](const Step& step) { return step.index < 3; });
   EXPECT_EQ(stopped.status.outcome(), Outcome::interrupted);
 }
 

@@ -15,8 +15,7 @@ inline Series with_tolerance(double tolerance, int order = 0) {
 
 /// The state at t1 in long double.
 template <class Problem>
-State<Problem::dimension> reference(const Problem& problem, const State<Problem::dimension>& x0, double t0,
-                                    double t1) {
+State reference(const Problem& problem, const State& x0, double t0, double t1) {
   const problems::ReferenceTrajectory<long double, Problem> path(problem, x0.template cast<long double>(), t0,
                                                                  t1);
   EXPECT_TRUE(path.status().ok()) << path.status().text();

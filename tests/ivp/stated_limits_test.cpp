@@ -21,13 +21,13 @@ AdaptiveCollocation to(double tolerance) {
 // y2 is 8e-14 at 1e11 and 8e-17 at 1e14: under a tolerance far above it becomes negative, and then the sum is
 // kept by concentrations of both signs that grow without bound.
 TEST(StatedLimits, RobertsonDoesNotRunAway) {
-  const System<3> system(problems::Robertson{});
+  const System system(problems::Robertson{});
   const auto x0 = problems::Robertson::initial_state();
   int refused = 0;
   for (const double end : {1e11, 1e12, 1e14}) {
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-9}) {
       double lowest = 0;
-      const Observer<3> look = [&](const Step<3>& step) {
+      const Observer look = [&](const Step& step) {
         lowest = std::min(lowest, step.x1.minCoeff() / tolerance);
         return true;
       };
@@ -50,7 +50,7 @@ TEST(StatedLimits, RobertsonDoesNotRunAway) {
 }
 
 TEST(StatedLimits, BoundsHoldForwardsAndFromWithin) {
-  const System<3> system(problems::Robertson{});
+  const System system(problems::Robertson{});
   // Backwards concentrations do become negative, and from negative ones nothing is said.
   const auto back = integrate(system, {0.5, 1e-5, 0.5}, 1, 0.9, to(1e-8));
   EXPECT_NE(back.status.outcome(), Outcome::spurious_root) << back.status.text();
@@ -75,32 +75,31 @@ struct Boast {
 
 // Over ten units of time c = 1e-4 takes a thousandth of the energy, a million tolerances.
 TEST(StatedLimits, EnergyThatMovesIsNoSuccess) {
-  for (const auto& s : {integrate(System<2>(Boast{1e-4}), State<2>(1, 0), 0, 10, to(1e-9)),
-                        integrate(System<2>(Boast{1e-4}), State<2>(1, 0), 0, 10, Ode45{}),
-                        integrate(Direct(Boast{1e-4}), State<2>(1, 0), 0, -10, Ode45{}),
-                        integrate(System<2>(Boast{1e-4}), State<2>(1, 0), 0, 10, Series{})}) {
+  for (const auto& s : {integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, to(1e-9)),
+                        integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Ode45{}),
+                        integrate(System(Boast{1e-4}), State{1, 0}, 0, -10, Ode45{}),
+                        integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Series{})}) {
     EXPECT_EQ(s.status.outcome(), Outcome::spurious_root) << s.status.text();
     EXPECT_NE(s.status.sentence().find("conserves"), std::string::npos) << s.status.text();
   }
   // Steps that are given have no tolerance to be held to.
-  EXPECT_TRUE(integrate(System<2>(Boast{1e-4}), State<2>(1, 0), 0, 10, Rk4{.step = 0.1}).status.ok());
+  EXPECT_TRUE(integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Rk4{.step = 0.1}).status.ok());
   EXPECT_TRUE(
-      integrate(System<2>(Boast{1e-4}), State<2>(1, 0), 0, 10, Series{.order = 4, .step = 0.1}).status.ok());
+      integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Series{.order = 4, .step = 0.1}).status.ok());
 }
 
 TEST(StatedLimits, HonestRunsPass) {
   for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-12}) {
     const Ode45 ode45{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     for (const double end : {0.1, 10., 1000.}) {
-      for (const auto& s : {integrate(System<2>(Boast{}), State<2>(1, 0), 0, end, to(tolerance)),
-                            integrate(System<2>(Boast{}), State<2>(1, 0), 0, end, ode45),
-                            integrate(System(problems::Duffing{}), State<2>(3, 1), 0, end, to(tolerance)),
-                            integrate(System(problems::Duffing{}), State<2>(0, 1e-3), 0, end, ode45)})
+      for (const auto& s : {integrate(System(Boast{}), State{1, 0}, 0, end, to(tolerance)),
+                            integrate(System(Boast{}), State{1, 0}, 0, end, ode45),
+                            integrate(System(problems::Duffing{}), State{3, 1}, 0, end, to(tolerance)),
+                            integrate(System(problems::Duffing{}), State{0, 1e-3}, 0, end, ode45)})
         EXPECT_TRUE(s.status.ok()) << end << ' ' << tolerance << ' ' << s.status.text();
     }
     const auto hires = integrate(
-        System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
-        problems::Hires::final_time,
+        System(problems::Hires{}), problems::Hires::initial_state(), 0, problems::Hires::final_time,
         AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = 1e-4 * tolerance});
     EXPECT_TRUE(hires.status.ok()) << hires.status.text();
   }

@@ -26,12 +26,11 @@ namespace {
 using problems::Duffing;
 using problems::LinearOscillator;
 
-const State<2> one(1, 0);
+const State one{1, 0};
 
-template <int n>
-Solution<n> search(std::string_view name, double tolerance, const System<n>& system, const State<n>& x0,
-                   double end, const Limits& limits = {}) {
-  return named_integrator<n>(name, {.tolerance = tolerance})(system, x0, 0, end, {}, limits);
+Solution search(std::string_view name, double tolerance, const System& system, const State& x0, double end,
+                const Limits& limits = {}) {
+  return named_integrator(name, {.tolerance = tolerance})(system, x0, 0, end, {}, limits);
 }
 
 // ------------------------------------------------------------ the account
@@ -68,12 +67,12 @@ struct Growth {
 };
 
 /// A method that stays where it is, and its step a success.
-Solution<1> frozen(double /*step*/, const Observer<1>& observer, const Limits& /*limits*/) {
-  struct Dense : DenseOutput<1> {
-    void at(double /*t*/, State<1>& x) const override { x[0] = 1; }
+Solution frozen(double /*step*/, const Observer& observer, const Limits& /*limits*/) {
+  struct Dense : DenseOutput {
+    void at(double /*t*/, State& x) const override { x[0] = 1; }
   };
-  const State<1> x(1.0);
-  const Nodes<1> states = x;
+  const State x{1.0};
+  const Nodes states = x;
   const Dense dense;
   const double end = 1;
   observer({1, 0, 1, x, x, std::span(&end, 1), states, dense});
@@ -82,34 +81,34 @@ Solution<1> frozen(double /*step*/, const Observer<1>& observer, const Limits& /
 
 // Two runs that agree are not enough: a reference that moves, or an invariant, objects until nothing is left.
 TEST(StepSearch, EvidenceObjectsToRunsThatAgree) {
-  const State<1> x0(1.0);
+  const State x0{1.0};
   const StepSearch asked{.name = "frozen", .order = 2, .tolerance = 1e-3, .most_steps = 1 << 12};
-  const auto without = search_step<1>(asked, frozen, {}, 0, x0, 1, {}, {});
+  const auto without = search_step(asked, frozen, {}, 0, x0, 1, {}, {});
   EXPECT_TRUE(without.status.ok()) << without.status.text();
 
-  Evidence<1> moving;
-  moving.references.push_back([&x0](const Observer<1>& observer, const Limits& limits) {
-    return integrate(System<1>(Growth{}), x0, 0, 1, Rk6{.step = 0.1}, observer, limits);
+  Evidence moving;
+  moving.references.push_back([&x0](const Observer& observer, const Limits& limits) {
+    return integrate(System(Growth{}), x0, 0, 1, Rk6{.step = 0.1}, observer, limits);
   });
-  const auto with = search_step<1>(asked, frozen, moving, 0, x0, 1, {}, {});
+  const auto with = search_step(asked, frozen, moving, 0, x0, 1, {}, {});
   EXPECT_EQ(with.status.outcome(), Outcome::not_converged);
   EXPECT_NE(with.status.sentence().find("another method by 0.86"), std::string::npos) << with.status.text();
 
-  Evidence<1> lawful;
-  lawful.violation = [](double /*t*/, const State<1>& x) { return 5 * x[0]; };
-  const auto broken = search_step<1>(asked, frozen, lawful, 0, x0, 1, {}, {});
+  Evidence lawful;
+  lawful.violation = [](double /*t*/, const State& x) { return 5 * x[0]; };
+  const auto broken = search_step(asked, frozen, lawful, 0, x0, 1, {}, {});
   EXPECT_EQ(broken.status.outcome(), Outcome::not_converged);
   EXPECT_NE(broken.status.sentence().find("invariants"), std::string::npos) << broken.status.text();
 }
 
 TEST(StepSearch, AReferenceThatEndsEarlyConfirmsNothing) {
-  Evidence<1> none;
-  const State<1> x0(1.0);
-  none.references.push_back([&x0](const Observer<1>&, const Limits& limits) {
-    return Solution<1>{0.5, x0, step_limit("reference", 0.5, limits.steps), {}};
+  Evidence none;
+  const State x0{1.0};
+  none.references.push_back([&x0](const Observer&, const Limits& limits) {
+    return Solution{0.5, x0, step_limit("reference", 0.5, limits.steps), {}};
   });
   const StepSearch asked{.name = "frozen", .tolerance = 1e-3, .frequency = 1e9};
-  const auto s = search_step<1>(asked, frozen, none, 0, x0, 1, {}, {});
+  const auto s = search_step(asked, frozen, none, 0, x0, 1, {}, {});
   EXPECT_EQ(s.status.outcome(), Outcome::not_converged);
   for (const std::string word : {"no other method", "1e+09 rad", "earlier end"})
     EXPECT_NE(s.status.sentence().find(word), std::string::npos) << s.status.text();
@@ -118,9 +117,7 @@ TEST(StepSearch, AReferenceThatEndsEarlyConfirmsNothing) {
 // ------------------------------------------------------------ what is known of a system
 
 TEST(StepSearch, KnowsTheFrequenciesOfASystem) {
-  const auto highest = [](const LinearOscillator& p) {
-    return named::highest_frequency(System<2>(p), 0, one);
-  };
+  const auto highest = [](const LinearOscillator& p) { return named::highest_frequency(System(p), 0, one); };
   EXPECT_NEAR(highest({.natural_frequency = 7}), 7, 1e-13);
   EXPECT_NEAR(highest({.natural_frequency = 7, .force = 1, .frequency = -90}), 90, 0);
   EXPECT_NEAR(highest({.natural_frequency = 7, .frequency = 90}), 7, 1e-13);  // no force
@@ -128,23 +125,23 @@ TEST(StepSearch, KnowsTheFrequenciesOfASystem) {
 }
 
 TEST(StepSearch, CountsBrokenLawsInTolerances) {
-  const System<2> system(Duffing{});
-  const Evidence<2> evidence = named::evidence_of(system, one, 0, 1, 1e-6);
+  const System system(Duffing{});
+  const Evidence evidence = named::evidence_of(system, one, 0, 1, 1e-6);
   ASSERT_TRUE(evidence.violation);
-  const State<2> later = oracle::duffing(0.7);
+  const State later = oracle::duffing(0.7);
   EXPECT_LT(evidence.violation(0.7, later), 1e-6);
-  State<2> wrong = later;
+  State wrong = later;
   wrong[0] += 1e-5;  // the unit is 1e-6 (1 + |x|), and that of the velocity counts with it
   EXPECT_GT(evidence.violation(0.7, wrong), 1);
   EXPECT_LT(evidence.violation(0.7, wrong), 10);
 
   // Concentrations do not become negative.
-  const System<3> reaction(problems::Robertson{});
-  const State<3> begin = problems::Robertson::initial_state();
-  const Evidence<3> bounded = named::evidence_of(reaction, begin, 0, 1, 1e-6);
+  const System reaction(problems::Robertson{});
+  const State begin = problems::Robertson::initial_state();
+  const Evidence bounded = named::evidence_of(reaction, begin, 0, 1, 1e-6);
   ASSERT_TRUE(bounded.violation);
   EXPECT_EQ(bounded.violation(0, begin), 0);
-  EXPECT_NEAR(bounded.violation(1, State<3>(1 + 1e-5, -1e-5, 0)), 10, 0.1);
+  EXPECT_NEAR(bounded.violation(1, State{1 + 1e-5, -1e-5, 0}), 10, 0.1);
 }
 
 // ------------------------------------------------------------ what used to be accepted
@@ -152,12 +149,12 @@ TEST(StepSearch, CountsBrokenLawsInTolerances) {
 // Both runs have died out in their first steps.
 TEST(StepSearch, RunsThatHaveDiedOutAreNotAccepted) {
   const double w = 5000, tolerance = 1e-3;
-  const System<2> system(LinearOscillator{.natural_frequency = w});
+  const System system(LinearOscillator{.natural_frequency = w});
   for (const char* name : {"backward-euler", "hht", "generalized-alpha", "lgl-coll", "radau-coll"}) {
-    const auto s = search<2>(name, tolerance, system, one, 1, {.steps = 20'000});
+    const auto s = search(name, tolerance, system, one, 1, {.steps = 20'000});
     EXPECT_TRUE(!s.status.ok() || std::abs(s.x[0] - std::cos(w)) <= 5 * tolerance) << name << ": " << s.x[0];
   }
-  const auto s = search<2>("radau-coll", tolerance, system, one, 1);
+  const auto s = search("radau-coll", tolerance, system, one, 1);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_NEAR(s.x[0], std::cos(w), 5 * tolerance);
 }
@@ -167,14 +164,14 @@ TEST(StepSearch, RunsThatMeetALoadAtItsCrestsAreNotAccepted) {
   const LinearOscillator crests{.force = 10, .frequency = 6433.981754551896};  // 2 pi 1024
   const double right =
       10 * (std::cos(1) - std::cos(crests.frequency)) / (crests.frequency * crests.frequency - 1);
-  const auto s = search<2>("newmark", 1e-6, System<2>(crests), State<2>::Zero(), 1);
+  const auto s = search("newmark", 1e-6, System(crests), State::Zero(2), 1);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_NEAR(s.x[0], right, 2e-6);
 
   // And where the problem does not say what loads it.
   const problems::ThreeMassChain chain{.force = 10, .frequency = 6283.185307179586};
   for (const char* name : {"rk4", "rk6"}) {
-    const auto three = search<6>(name, 1e-9, System<6>(chain), State<6>::Zero(), 1.024);
+    const auto three = search(name, 1e-9, System(chain), State::Zero(6), 1.024);
     ASSERT_TRUE(three.status.ok()) << three.status.text();
     EXPECT_NEAR(three.x[1], -1.70e-7, 5e-10) << name;  // two other programs
   }
@@ -182,7 +179,7 @@ TEST(StepSearch, RunsThatMeetALoadAtItsCrestsAreNotAccepted) {
 
 // The amplification of Newmark's method tends to -1: after an even number of steps the state is back.
 TEST(StepSearch, RunsThatStandStillAreNotAccepted) {
-  const auto s = search<2>("newmark", 1e-9, System<2>(LinearOscillator{.natural_frequency = 1e10}), one, 1);
+  const auto s = search("newmark", 1e-9, System(LinearOscillator{.natural_frequency = 1e10}), one, 1);
   EXPECT_EQ(s.status.outcome(), Outcome::not_converged);
   EXPECT_NE(s.status.sentence().find("frequency of 1e+10 rad"), std::string::npos) << s.status.text();
   EXPECT_LT(s.statistics.steps, 10'000);
@@ -195,20 +192,19 @@ TEST(StepSearch, HoldsDenseOutput) {
     const double asked =
         name == std::string("explicit") || name == std::string("backward-euler") ? 1e-3 : tolerance;
     double worst = 0;
-    State<2> x;
-    const Observer<2> observe = [&](const Step<2>& s) {
+    State x(2);
+    const Observer observe = [&](const Step& s) {
       for (const double share : {0.31, 0.77}) {
         const double t = s.t0 + share * (s.t1 - s.t0);
         if (s.index % 37 != 1) continue;
         s.dense.at(t, x);
-        const State<2> truth = oracle::duffing(t);
+        const State truth = oracle::duffing(t);
         for (int i = 0; i < 2; ++i)
           worst = std::max(worst, std::abs(x[i] - truth[i]) / (1 + std::abs(truth[i])));
       }
       return true;
     };
-    const auto s =
-        named_integrator<2>(name, {.tolerance = asked})(System<2>(Duffing{}), one, 0, 3, observe, {});
+    const auto s = named_integrator(name, {.tolerance = asked})(System(Duffing{}), one, 0, 3, observe, {});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_LE(worst, 3 * asked) << name;
   }
@@ -218,12 +214,12 @@ TEST(StepSearch, HoldsDenseOutput) {
 TEST(StepSearch, FallsBackToAnotherReference) {
   const LinearOscillator creeping{.natural_frequency = 1e3, .damping_ratio = 5e3};  // rates 0.1 and 1e7
   const double rate = 1e3 / (5e3 + std::sqrt(5e3 * 5e3 - 1));
-  const auto s = search<2>("radau-coll", 1e-6, System<2>(creeping), State<2>(1, -rate), 10);
+  const auto s = search("radau-coll", 1e-6, System(creeping), State{1, -rate}, 10);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_NEAR(s.x[0], std::exp(-10 * rate), 4e-6);
 
   const testing::Unannounced<testing::Manufactured> plain;
-  const auto m = search<2>("rk4", 1e-8, System<2>(plain), plain.problem.exact(0), 3);
+  const auto m = search("rk4", 1e-8, System(plain), plain.problem.exact(0), 3);
   ASSERT_TRUE(m.status.ok()) << m.status.text();
   EXPECT_LE(oracle::distance(m.x, plain.problem.exact(3)), 4e-8);
 }

@@ -40,12 +40,12 @@ const problems::Duffing hard{.hardening = 1e6};
 template <class Method>
 double rms(const Method& method, double end) {
   double sum = 0;
-  const Observer<2> watch = [&](const Step<2>& step) {
+  const Observer watch = [&](const Step& step) {
     const double error = step.x1[0] - oracle::duffing(step.t1, hard)[0];
     sum += error * error;
     return true;
   };
-  const auto s = integrate(System<2>(hard), {1, 0}, 0, end, method, watch);
+  const auto s = integrate(System(hard), {1, 0}, 0, end, method, watch);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return std::sqrt(sum / static_cast<double>(s.statistics.steps));
 }
@@ -62,12 +62,12 @@ TEST(StiffDuffing, ErrorsOverHundredPeriods) {
 // From the constant state Newton's iteration does not find a whole period.
 TEST(StiffDuffing, AWholePeriodIsTooMuchForNewton) {
   const double P = hard.period(1.0);
-  const auto s = integrate(System<2>(hard), {1, 0}, 0, P, lobatto(P, 35));
+  const auto s = integrate(System(hard), {1, 0}, 0, P, lobatto(P, 35));
   EXPECT_TRUE(s.status.outcome() == Outcome::newton_diverged || s.status.outcome() == Outcome::not_converged)
       << s.status.text();
   expect_sentence(s.status, "lgl-coll", "t = 0");
   EXPECT_EQ(s.t, 0);
-  EXPECT_EQ(s.x, (State<2>(1, 0)));
+  EXPECT_EQ(s.x, (State{1, 0}));
 }
 
 // Three masses, the first one held by a spring of 1e8: omega = 7071.
@@ -81,10 +81,10 @@ const double omega = std::sqrt((1e8 + 1) / 2);
 /// Growth of the first mass in the steps from 20 to 25.
 template <class Method>
 double growth(const Method& method) {
-  State<6> x0 = State<6>::Zero();
+  State x0 = State::Zero(6);
   x0[0] = 1e-9;
   const auto amplitude = [&](int steps) {
-    const auto s = integrate(System<6>(stiff_chain()), x0, 0, steps * method.step, method);
+    const auto s = integrate(System(stiff_chain()), x0, 0, steps * method.step, method);
     EXPECT_TRUE(s.status.ok()) << s.status.text();
     return std::hypot(s.x[0], s.x[3] / omega);
   };
@@ -107,7 +107,7 @@ TEST(StiffChain, RadialFunctionsHaveItToo) {
 }
 
 /// The end of van der Pol's oscillator in extended precision.
-State<2> van_der_pol(double mu, double end) {
+State van_der_pol(double mu, double end) {
   const problems::VanDerPol problem{.mu = mu};
   const problems::ReferenceTrajectory<long double, problems::VanDerPol> truth(problem, {2, 0}, 0, end);
   EXPECT_TRUE(truth.status().ok()) << truth.status().text();
@@ -116,7 +116,7 @@ State<2> van_der_pol(double mu, double end) {
 
 template <class Method>
 double van_der_pol_error(double mu, double end, const Method& method) {
-  const auto s = integrate(System<2>(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method);
+  const auto s = integrate(System(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return distance(s.x, van_der_pol(mu, end));
 }
@@ -139,7 +139,7 @@ TEST(VanDerPol, SlowBranchWithLongSteps) {
 // in one of the steps after it, and the sentence says where.
 TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
   for (const PolynomialCollocation& method : {lobatto(1), radau(10)}) {
-    const auto s = integrate(System<2>(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 1000, method);
+    const auto s = integrate(System(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 1000, method);
     EXPECT_TRUE(s.x.allFinite());
     EXPECT_FALSE(s.status.ok());
     EXPECT_GT(s.t, 790);
@@ -149,7 +149,7 @@ TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
 
 // y' = y^3 from 1 ends at t = 1/2. Picard's iteration diverges there.
 TEST(BlowUp, EndsPicardsIteration) {
-  const auto s = integrate(System<1>(problems::BlowUp{}), State<1>(1.0), 0, 1, Mcpi{.step = 1e-2});
+  const auto s = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Mcpi{.step = 1e-2});
   EXPECT_EQ(s.status.outcome(), Outcome::not_converged);
   EXPECT_LE(s.t, 0.51);
   EXPECT_GT(s.t, 0.4);
@@ -160,9 +160,9 @@ TEST(BlowUp, EndsPicardsIteration) {
 // equations of a step that is no solution, and nothing but an error estimate could tell. The headers say so;
 // what is asserted here is that the state stays a number.
 TEST(BlowUp, IsPassedByCollocationOfFixedStep) {
-  const System<1> system(problems::BlowUp{});
+  const System system(problems::BlowUp{});
   for (const PolynomialCollocation& method : {lobatto(1e-2), radau(1e-2)}) {
-    const auto s = integrate(system, State<1>(1.0), 0, 1, method);
+    const auto s = integrate(system, State{1.0}, 0, 1, method);
     EXPECT_TRUE(s.x.allFinite());
     EXPECT_GE(s.t, 0.4);
   }
@@ -170,7 +170,7 @@ TEST(BlowUp, IsPassedByCollocationOfFixedStep) {
 
 TEST(NoNumber, EndsTheRunBeforeIt) {
   for (const double poison : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL}) {
-    const System<2> system(testing::Poisoned{.at = 1, .value = poison});  // q'' = -q up to t = 1
+    const System system(testing::Poisoned{.at = 1, .value = poison});  // q'' = -q up to t = 1
     const auto expect_end = [&](const auto& method, std::string_view name) {
       const auto s = integrate(system, {1, 0}, 0, 2, method);
       EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << name << ": " << s.status.text();
@@ -194,7 +194,7 @@ void with_each(double step, Check&& check) {
 }
 
 TEST(Times, AStepThatDoesNotMoveTimeIsRefused) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   with_each(0.5, [&](const auto& method, std::string_view name) {
     const auto s = integrate(system, {1, 0}, 1e16, 1e16 + 64, method);
     EXPECT_EQ(s.status.outcome(), Outcome::step_underflow) << s.status.text();
@@ -204,11 +204,11 @@ TEST(Times, AStepThatDoesNotMoveTimeIsRefused) {
 }
 
 TEST(Times, AnEmptyIntervalGivesTheStateBack) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   with_each(0.1, [&](const auto& method, std::string_view name) {
     const auto s = integrate(system, {1, 0}, 3, 3, method);
     EXPECT_TRUE(s.status.ok()) << name;
-    EXPECT_EQ(s.x, (State<2>(1, 0)));
+    EXPECT_EQ(s.x, (State{1, 0}));
     EXPECT_EQ(s.statistics.steps, 0);
   });
 }
@@ -217,14 +217,14 @@ TEST(Times, AnEmptyIntervalGivesTheStateBack) {
 // methods with symmetric nodes are the same but for rounding; those of Radau nodes, at the other side then,
 // are not.
 TEST(Times, BackwardsAsWellAsForwards) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   const double P = oracle::duffing_period;
   with_each(P / 10, [&](const auto& method, std::string_view name) {
     const auto ahead = integrate(system, {1, 0}, 0, P, method),
                back = integrate(system, {1, 0}, P, 0, method);
     ASSERT_TRUE(ahead.status.ok() && back.status.ok()) << name;
     EXPECT_EQ(back.t, 0);
-    const double error = distance(ahead.x, State<2>(1, 0));
+    const double error = distance(ahead.x, State{1, 0});
     EXPECT_NEAR(back.x[0], ahead.x[0], 1e-9 + error / 10) << name;
     EXPECT_NEAR(back.x[1], -ahead.x[1], 1e-9 + error / 10) << name;
   });
@@ -232,7 +232,7 @@ TEST(Times, BackwardsAsWellAsForwards) {
 
 // Polynomials of degree 1 with the equation at the end of the step: backward Euler.
 TEST(NumberOfNodes, TwoAreBackwardEuler) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   const auto euler = integrate(system, {1, 0}, 0, 2, BackwardEuler{.step = 0.1});
   for (const PolynomialCollocation& method : {lobatto(0.1, 2), radau(0.1, 2)}) {
     const auto s = integrate(system, {1, 0}, 0, 2, method);
@@ -242,23 +242,23 @@ TEST(NumberOfNodes, TwoAreBackwardEuler) {
 }
 
 TEST(NumberOfNodes, TwoHundred) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   const double P = oracle::duffing_period;
   // |D| is 200^2/2: rounding of the state enters the equations with that factor, the solution with less.
   for (const PolynomialCollocation& method : {lobatto(P / 2, 200), radau(P / 2, 200)}) {
     const auto s = integrate(system, {1, 0}, 0, P, method);
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_LT(distance(s.x, State<2>(1, 0)), 1000 * eps);
+    EXPECT_LT(distance(s.x, State{1, 0}), 1000 * eps);
   }
   const auto picard = integrate(system, {1, 0}, 0, P, Mcpi{.step = P / 4, .order = 199});
   ASSERT_TRUE(picard.status.ok()) << picard.status.text();
-  EXPECT_LT(distance(picard.x, State<2>(1, 0)), 1000 * eps);
+  EXPECT_LT(distance(picard.x, State{1, 0}), 1000 * eps);
 }
 
 // At both ends of the shape the basis is of no use, and the status says so; nothing in between is silent
 // about NaN.
 TEST(Shape, FromOneMillionthToAMillion) {
-  const System<2> system(problems::Duffing{});
+  const System system(problems::Duffing{});
   const double P = oracle::duffing_period, step = P / 10;
   for (int exponent = -6; exponent <= 6; ++exponent) {
     const double relative = std::pow(10.0, exponent);

@@ -19,13 +19,13 @@ using Real = ExtendedReal<50>;
 // Runs a method on q'' = -q from (1, 0) and compares every step with exact(n).
 template <class Method, class Exact>
 void expect_states(const Method& method, double t1, double tolerance, const Exact& exact) {
-  const auto compare = [&](const Step<2>& step) {
-    const State<2> expected = exact(static_cast<double>(step.index));
+  const auto compare = [&](const Step& step) {
+    const State expected = exact(static_cast<double>(step.index));
     EXPECT_NEAR(step.x1[0], expected[0], tolerance) << step.index;
     EXPECT_NEAR(step.x1[1], expected[1], tolerance) << step.index;
     return true;
   };
-  EXPECT_TRUE(integrate(System(Oscillator{}), State<2>(1, 0), 0, t1, method, compare).status.ok());
+  EXPECT_TRUE(integrate(System(Oscillator{}), State{1, 0}, 0, t1, method, compare).status.ok());
 }
 
 // Central differences on q'' = -q are a rotation: q_n = cos n phi with sin(phi/2) = h/2, v_n = -sin(n phi)
@@ -35,18 +35,18 @@ TEST(CentralDifference, RotatesTheLinearOscillator) {
     const double phi = 2 * std::asin(h / 2);
     const int steps = 400;
     expect_states(CentralDifference{.step = h}, steps * h, 16 * steps * eps, [&](double k) {
-      return State<2>(std::cos(k * phi), -std::sin(k * phi) * std::sin(phi) / h);
+      return State{std::cos(k * phi), -std::sin(k * phi) * std::sin(phi) / h};
     });
   }
 }
 
 // Beyond h omega = 2 the rotation becomes growth by exp(2 arcosh(h/2)) a step: 6.85 for h = 3.
 TEST(CentralDifference, BlowsUpBeyondItsStabilityLimit) {
-  const auto solution = integrate(System(Oscillator{}), State<2>(1, 0), 0, 30, CentralDifference{.step = 3});
+  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 0, 30, CentralDifference{.step = 3});
   const double growth = std::exp(2 * std::acosh(1.5));
   EXPECT_NEAR(std::abs(solution.x[0]), std::pow(growth, 10) / 2, 1e-6 * std::pow(growth, 10));
   EXPECT_EQ(
-      integrate(System(Oscillator{}), State<2>(1, 0), 0, 3000, CentralDifference{.step = 3}).status.outcome(),
+      integrate(System(Oscillator{}), State{1, 0}, 0, 3000, CentralDifference{.step = 3}).status.outcome(),
       Outcome::non_finite);
 }
 
@@ -56,11 +56,11 @@ TEST(CentralDifference, DampingLimitsTheStep) {
   const auto speed = [](double step) {
     const Manufactured damped{.damping = 1, .stiffness = 0, .cubic = 0};
     double largest = 0;
-    const auto late = [&](const Step<2>& s) {
+    const auto late = [&](const Step& s) {
       if (s.index > 900) largest = std::max(largest, std::abs(s.x1[1] - s.x0[1]));
       return true;
     };
-    (void)integrate(System(damped), State<2>(1, 1), 0, 1000 * step, CentralDifference{.step = step}, late);
+    (void)integrate(System(damped), State{1, 1}, 0, 1000 * step, CentralDifference{.step = step}, late);
     return largest;
   };
   EXPECT_LT(speed(0.98), 2);    // the forced motion, sin and cos of size 1
@@ -73,8 +73,9 @@ TEST(Newmark, RotatesTheLinearOscillator) {
     const double phi = 2 * std::atan(h / 2);
     const int steps = 400;
     // Rounding of a step: that of h^2 a / 4 and of Newton's solution, relative to a state of size 1.
-    expect_states(Newmark{.step = h}, steps * h, 16 * steps * (1 + h * h / 4) * eps,
-                  [&](double k) { return State<2>(std::cos(k * phi), -std::sin(k * phi)); });
+    expect_states(Newmark{.step = h}, steps * h, 16 * steps * (1 + h * h / 4) * eps, [&](double k) {
+      return State{std::cos(k * phi), -std::sin(k * phi)};
+    });
   }
 }
 
@@ -82,7 +83,7 @@ TEST(Newmark, RotatesTheLinearOscillator) {
 TEST(Newmark, WithoutBetaIsCentralDifferences) {
   const double h = 0.5, phi = 2 * std::asin(h / 2);
   expect_states(Newmark{.step = h, .beta = 0}, 100 * h, 3200 * eps, [&](double k) {
-    return State<2>(std::cos(k * phi), -std::sin(k * phi) * std::sin(phi) / h);
+    return State{std::cos(k * phi), -std::sin(k * phi) * std::sin(phi) / h};
   });
 }
 
@@ -118,7 +119,7 @@ void expect_linear(const Method& method, const Real& alpha_m, const Real& alpha_
   const Manufactured problem{.damping = 0.25, .stiffness = 4, .cubic = 0};
   Linear oracle(problem);
   const Real h(method.step);
-  const auto compare = [&](const Step<2>& step) {
+  const auto compare = [&](const Step& step) {
     oracle.step((step.index - 1) * h, h, alpha_m, alpha_f, beta, gamma, printed);
     EXPECT_NEAR(step.x1[0], static_cast<double>(oracle.q), 1e-13 * static_cast<double>(step.index));
     EXPECT_NEAR(step.x1[1], static_cast<double>(oracle.v), 1e-13 * static_cast<double>(step.index));
@@ -152,7 +153,7 @@ TEST(GeneralizedAlpha, FollowsItsDifferenceEquation) {
 TEST(GeneralizedAlpha, LeavesRhoOfHighFrequencies) {
   for (const double rho : {0.5, 0.8, 0.95}) {
     const auto after = [&](int steps) {
-      return std::abs(integrate(System(Oscillator{1e6}), State<2>(1, 0), 0, steps,
+      return std::abs(integrate(System(Oscillator{1e6}), State{1, 0}, 0, steps,
                                 GeneralizedAlpha{.step = 1, .rho_inf = rho})
                           .x[0]);
     };
@@ -211,14 +212,14 @@ TEST(CentralDifference, RestartFaultIsTheStatedOne) {
   const JumpingForce constant{.at = 100, .before = 2};
   const System system(constant);
   const double h = 0.125, other = 0.5;
-  const auto first = integrate(system, State<2>(0, 0), 0, 1,
+  const auto first = integrate(system, State{0, 0}, 0, 1,
                                CentralDifference{.step = h, .reported = VelocityTime::half_step_before});
   EXPECT_EQ(first.x[1], 2 * (1 - h / 2));
   const auto second = integrate(system, first.x, 1, 3,
                                 CentralDifference{.step = other, .initial = VelocityTime::half_step_before});
   EXPECT_NEAR(second.x[1], 2 * 3 + (other - h), 16 * eps);
   EXPECT_NEAR(second.x[0], 9 + 2 * (other - h), 32 * eps);
-  const auto right = integrate(system, State<2>(0, 0), 0, 1, CentralDifference{.step = h});
+  const auto right = integrate(system, State{0, 0}, 0, 1, CentralDifference{.step = h});
   const auto end = integrate(system, right.x, 1, 3, CentralDifference{.step = other});
   EXPECT_NEAR(end.x[0], 9, 32 * eps);
   EXPECT_NEAR(end.x[1], 6, 16 * eps);
@@ -227,8 +228,8 @@ TEST(CentralDifference, RestartFaultIsTheStatedOne) {
 // Both ways of giving velocities tell the same trajectory.
 TEST(CentralDifference, HalfStepVelocitiesContinueARun) {
   const System system(problems::Duffing{});
-  const auto whole = integrate(system, State<2>(1, 0), 0, 8, CentralDifference{.step = 0.0625});
-  const auto half = integrate(system, State<2>(1, 0), 0, 4,
+  const auto whole = integrate(system, State{1, 0}, 0, 8, CentralDifference{.step = 0.0625});
+  const auto half = integrate(system, State{1, 0}, 0, 4,
                               CentralDifference{.step = 0.0625, .reported = VelocityTime::half_step_before});
   const auto rest = integrate(system, half.x, 4, 8,
                               CentralDifference{.step = 0.0625, .initial = VelocityTime::half_step_before});
@@ -239,8 +240,8 @@ TEST(CentralDifference, HalfStepVelocitiesContinueARun) {
 // What is reported does not change the trajectory, not even across a jump.
 TEST(CentralDifference, HalfStepVelocitiesCrossJumps) {
   const System system(JumpingForce{});
-  const auto usual = integrate(system, State<2>(0, 0), 0, 1, CentralDifference{.step = 0.1});
-  const auto half = integrate(system, State<2>(0, 0), 0, 1,
+  const auto usual = integrate(system, State{0, 0}, 0, 1, CentralDifference{.step = 0.1});
+  const auto half = integrate(system, State{0, 0}, 0, 1,
                               CentralDifference{.step = 0.1, .reported = VelocityTime::half_step_before});
   EXPECT_EQ(half.x[0], usual.x[0]);
   EXPECT_NEAR(half.x[1], usual.x[1] - 0.05 * 2, 8 * eps);
@@ -251,7 +252,7 @@ TEST(CentralDifference, HalfStepVelocitiesCrossJumps) {
 RC_GTEST_PROP(StructuralMethods, SymmetricOnesAreReversible, ()) {
   const double amplitude = *rc::gen::inRange(1, 200) / 100.0, h = *rc::gen::inRange(1, 20) / 100.0;
   const System system(problems::Duffing{});
-  const State<2> x0(amplitude, 0.25);
+  const State x0{amplitude, 0.25};
   const auto return_error = [&](const auto& method) {
     const auto there = integrate(system, x0, 0, 50 * h, method);
     const auto back = integrate(system, there.x, 50 * h, 0, method);
@@ -267,13 +268,13 @@ TEST(CentralDifference, EnergyDoesNotDrift) {
   const problems::Duffing problem;
   const double period = problem.period(1.0);
   double early = 0, late = 0;
-  const auto measure = [&](const Step<2>& step) {
-    const double error = std::abs(problem.invariants(step.t1, step.x1)[0] - 0.75);
+  const auto measure = [&](const Step& step) {
+    const double error = std::abs(problem.invariants(step.t1, Vector<double, 2>(step.x1))[0] - 0.75);
     (step.t1 < 10 * period ? early : late) = std::max(step.t1 < 10 * period ? early : late, error);
     return true;
   };
-  EXPECT_TRUE(integrate(System(problem), State<2>(1, 0), 0, 500 * period,
-                        CentralDifference{.step = period / 50}, measure)
+  EXPECT_TRUE(integrate(System(problem), State{1, 0}, 0, 500 * period, CentralDifference{.step = period / 50},
+                        measure)
                   .status.ok());
   EXPECT_GT(early, 1e-4);         // there is an error at all
   EXPECT_LT(late, 1.02 * early);  // 50 times as long
@@ -286,7 +287,7 @@ TEST(StructuralMethods, CopeWithAStiffSpring) {
   problem.k1 = 1e8;
   for (const double h : {0.625, 0.0625, 1e-3}) {
     const auto check = [&](const auto& method) {
-      const auto solution = integrate(System(problem), State<6>::Zero(), 0, 2.5, method);
+      const auto solution = integrate(System(problem), State::Zero(6), 0, 2.5, method);
       EXPECT_TRUE(solution.status.ok()) << solution.status.text();
       EXPECT_LT(std::abs(solution.x[0]), 2e-8);
       EXPECT_GT(std::abs(solution.x[1]), 0.05);
@@ -314,11 +315,11 @@ TEST(StructuralMethods, KnowRoundingNoiseOfStiffForces) {
 
 TEST(StructuralMethods, FixedAndDynamicSizesAgree) {
   const Manufactured problem;
-  const System<2> fixed(problem);
-  const System<Eigen::Dynamic> dynamic(problem);
+  const System fixed(problem);
+  const System dynamic(problem);
   for_each_method([&](const auto& method) {
-    const auto a = integrate(fixed, State<2>(1, 0), 0, 3, method);
-    const auto b = integrate(dynamic, State<2>(1, 0), 0, 3, method);
+    const auto a = integrate(fixed, State{1, 0}, 0, 3, method);
+    const auto b = integrate(dynamic, State{1, 0}, 0, 3, method);
     ASSERT_TRUE(a.status.ok() && b.status.ok()) << method.name;
     EXPECT_LT((a.x - b.x).cwiseAbs().maxCoeff(), 1e-13) << method.name;  // order of summation
     EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name;

@@ -29,7 +29,7 @@ struct Corners {
   }
   int switches() const { return mode.empty() ? 2 : 0; }
   Corners in_mode(const Mode& m) const { return {stiffness, force, friction, m}; }
-  void surfaces(double /*t*/, const State<2>& x, std::span<double> values, std::span<double> rates) const {
+  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
     values[0] = x[0];
     // At rest, the share of -friction that holds the mass.
     values[1] = mode[1] == 0 ? 0.5 - (stiffness * x[0] + force * mode[0]) / (2 * friction) : x[1];
@@ -49,10 +49,10 @@ struct Corners {
 /// Methods that choose their steps, of every kind.
 const std::vector<std::string> methods = {"ode45", "dop853", "series", "adaptive-collocation"};
 
-ivp::Solution<2> run(const Corners& problem, const std::string& method, const State<2>& x0, double t1,
-                     double tolerance, const ivp::Observer<2>& observer = {}) {
-  return ivp::named_integrator<2>(method, {.tolerance = tolerance})(ivp::System(problem), x0, 0, t1, observer,
-                                                                    {});
+ivp::Solution run(const Corners& problem, const std::string& method, const State& x0, double t1,
+                  double tolerance, const ivp::Observer& observer = {}) {
+  return ivp::named_integrator(method, {.tolerance = tolerance})(ivp::System(problem), x0, 0, t1, observer,
+                                                                 {});
 }
 
 // Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4,
@@ -79,7 +79,7 @@ TEST(Switching, StepsEndAtCorners) {
     SCOPED_TRACE(method);
     std::vector<double> corners;
     double last = 0;
-    const auto watch = [&](const ivp::Step<2>& step) {
+    const auto watch = [&](const ivp::Step& step) {
       EXPECT_EQ(step.t0, last);
       EXPECT_NEAR(step.at(step.t0)[0], step.x0[0], 1e-9);
       last = step.t1;
@@ -100,13 +100,13 @@ TEST(Switching, StepsEndAtCorners) {
 TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
   ASSERT_TRUE(there.status.ok());
-  const auto back = ivp::named_integrator<2>("series", {.tolerance = 1e-13})(ivp::System(Corners{.force = 1}),
-                                                                             there.x, 5, 0, {}, {});
+  const auto back = ivp::named_integrator("series", {.tolerance = 1e-13})(ivp::System(Corners{.force = 1}),
+                                                                          there.x, 5, 0, {}, {});
   ASSERT_TRUE(back.status.ok());
   EXPECT_NEAR(back.x[0], 1, 1e-11);
   EXPECT_NEAR(back.x[1], 0.3, 1e-11);
   // At rest under friction: nothing says for how long it has been.
-  const auto rest = ivp::named_integrator<2>("series", {.tolerance = 1e-9})(
+  const auto rest = ivp::named_integrator("series", {.tolerance = 1e-9})(
       ivp::System(Corners{.stiffness = 1, .friction = 0.5}), {0.1, 0}, 5, 0, {}, {});
   EXPECT_EQ(rest.status.outcome(), Outcome::outside_validity);
   EXPECT_NE(rest.status.text().find("has no past"), std::string::npos) << rest.status.text();
@@ -138,7 +138,7 @@ struct Grazing {
   }
   int switches() const { return mode.empty() ? 1 : 0; }
   Grazing in_mode(const Mode& m) const { return {m}; }
-  void surfaces(double /*t*/, const State<2>& x, std::span<double> values, std::span<double> rates) const {
+  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
     values[0] = x[0];
     rates[0] = x[1];
   }
@@ -152,16 +152,15 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
     for (const double speed : {1e-2, 1e-3, 1e-5}) {
       // x = ((t - 1)^2 - speed^2)/2 down to the stop at 0.
       const Grazing problem;
-      const State<2> x0(0.5 - speed * speed / 2, -1);
+      const State x0{0.5 - speed * speed / 2, -1};
       const double meets = 1 - speed, leaves = meets + 2 * speed / 1001, end = 2;
       std::vector<double> ends;
-      const auto run =
-          ivp::named_integrator<2>(method, {.tolerance = 1e-11})(ivp::System(problem), x0, 0, end,
-                                                                 [&](const ivp::Step<2>& step) {
-                                                                   ends.push_back(step.t1);
-                                                                   return true;
-                                                                 },
-                                                                 {});
+      const auto run = ivp::named_integrator(method, {.tolerance = 1e-11})(ivp::System(problem), x0, 0, end,
+                                                                           [&](const ivp::Step& step) {
+                                                                             ends.push_back(step.t1);
+                                                                             return true;
+                                                                           },
+                                                                           {});
       ASSERT_TRUE(run.status.ok()) << run.status.text();
       const double rest = end - leaves;
       // The speed behind the stop carries the error of the times, some 1e-11, a thousand times enlarged.
@@ -176,7 +175,7 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
     }
     // Half a unit above the stop there is no switch: the smooth motion.
     const auto above =
-        ivp::named_integrator<2>(method, {.tolerance = 1e-11})(ivp::System(Grazing{}), {1, -1}, 0, 2, {}, {});
+        ivp::named_integrator(method, {.tolerance = 1e-11})(ivp::System(Grazing{}), {1, -1}, 0, 2, {}, {});
     ASSERT_TRUE(above.status.ok());
     EXPECT_NEAR(above.x[0], 1, 1e-9);
   }
@@ -189,7 +188,7 @@ struct Broken {
   void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const { dxdt[0] = 0 * x[0] + 1.0; }
   int switches() const { return mode.empty() ? 1 : 0; }
   Broken in_mode(const Mode& m) const { return {m}; }
-  void surfaces(double /*t*/, const State<1>& x, std::span<double> values, std::span<double> rates) const {
+  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
     values[0] = std::sqrt(3 - x[0]) + 1;
     rates[0] = -1;
   }
@@ -197,8 +196,8 @@ struct Broken {
 
 TEST(Switching, SaysWhereAFunctionIsNone) {
   for (const std::string method : {"ode45", "series"}) {
-    const auto run = ivp::named_integrator<1>(method, {.tolerance = 1e-9})(ivp::System(Broken{}),
-                                                                           State<1>(1.0), 0, 5, {}, {});
+    const auto run =
+        ivp::named_integrator(method, {.tolerance = 1e-9})(ivp::System(Broken{}), State{1.0}, 0, 5, {}, {});
     EXPECT_EQ(run.status.outcome(), Outcome::non_finite) << method;
     EXPECT_NE(run.status.text().find("switching function 1 is not a number"), std::string::npos)
         << run.status.text();
@@ -206,15 +205,15 @@ TEST(Switching, SaysWhereAFunctionIsNone) {
 }
 
 TEST(Switching, KeepsToItsLimits) {
-  const auto end = ivp::named_integrator<2>("ode45", {.tolerance = 1e-12})(
-      ivp::System(Corners{.force = 1}), {1, 0}, 0, 1000, {}, {.steps = 50});
+  const auto end = ivp::named_integrator("ode45", {.tolerance = 1e-12})(ivp::System(Corners{.force = 1}),
+                                                                        {1, 0}, 0, 1000, {}, {.steps = 50});
   EXPECT_EQ(end.status.outcome(), Outcome::step_limit) << end.status.text();
   EXPECT_LE(end.statistics.steps + end.statistics.rejected, 60);
 }
 
 TEST(Switching, StopsWhenToldTo) {
   int steps = 0;
-  const auto end = run({.force = 1}, "ode45", {1, 0}, 10, 1e-9, [&steps](const ivp::Step<2>&) {
+  const auto end = run({.force = 1}, "ode45", {1, 0}, 10, 1e-9, [&steps](const ivp::Step&) {
     ++steps;
     return steps < 3;
   });

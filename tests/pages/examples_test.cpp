@@ -40,12 +40,12 @@ TEST(Examples, EveryIntegratorBringsThePendulumBackOrSaysWhyNot) {
 /// that to 1e-8.
 TEST(Examples, ManyStartsEndWhereAnotherMethodEnds) {
   using namespace ivp;
-  const System<3> lorenz(problems::Lorenz{});
-  const std::vector<State<3>> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
+  const System lorenz(problems::Lorenz{});
+  const std::vector<State> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
   const auto lines = lines_in(output_of("many_starts"));
   ASSERT_EQ(lines.size(), starts.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    const auto end = named_integrator<3>("dop853", {.tolerance = 1e-13})(lorenz, starts[i], 0, 10, {}, {});
+    const auto end = named_integrator("dop853", {.tolerance = 1e-13})(lorenz, starts[i], 0, 10, {}, {});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     const Read printed = read(lines[i]);
     ASSERT_EQ(printed.numbers.size(), 3U) << lines[i];
@@ -59,11 +59,11 @@ TEST(Examples, ManyStartsEndWhereAnotherMethodEnds) {
 /// ten times t.
 TEST(Examples, LambertsArcsArrive) {
   using namespace ivp;
-  const System<6> motion(problems::TwoBody{});
+  const System motion(problems::TwoBody{});
   const auto lines = lines_in(output_of("lambert"));
   EXPECT_EQ(lines.size(), 4U);
   for (const std::string& line : lines) {
-    State<6> x;
+    State x(6);
     x << 2.87e6, 5.19e6, 2.85e6, 0, 0, 0;
     const auto equals = line.find("v = ");
     ASSERT_NE(equals, std::string::npos) << line;

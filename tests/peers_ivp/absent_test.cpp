@@ -17,7 +17,7 @@ TEST(AbsentPeers, AreKnownByName) {
   for (const std::string& name : all_peer_names()) {
     EXPECT_FALSE(peer_available(name));
     try {
-      (void)peer_integrator<2>(name, 1e-9);
+      (void)peer_integrator(name, 1e-9);
       FAIL() << name;
     } catch (const std::logic_error& error) {
       EXPECT_EQ(error.what(), absent_peer_sentence(name));
@@ -27,15 +27,15 @@ TEST(AbsentPeers, AreKnownByName) {
 
 TEST(AbsentPeers, RefuseToIntegrate) {
   const ivp::System system(Decay{});
-  const ivp::System<Eigen::Dynamic> dynamic{Decay{}};
+  const ivp::System dynamic{Decay{}};
   const auto refuses = [&](const auto& method, const std::string& library) {
     try {
-      (void)ivp::integrate(system, ivp::State<1>(1.0), 0, 1, method);
+      (void)ivp::integrate(system, ivp::State{1.0}, 0, 1, method);
       FAIL() << library;
     } catch (const std::logic_error& error) {
       EXPECT_EQ(error.what(), "this build has no " + library + " (NLMECH_PEERS)");
     }
-    const ivp::State<Eigen::Dynamic> x0 = ivp::State<1>(1.0);
+    const ivp::State x0 = ivp::State{1.0};
     EXPECT_THROW((void)ivp::integrate(dynamic, x0, 0, 1, method), std::logic_error);
   };
   refuses(Cvode{}, "CVODE");

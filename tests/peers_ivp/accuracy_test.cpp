@@ -15,7 +15,7 @@ using namespace testing;
 INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, ::testing::ValuesIn(all_peer_names()), test_name);
 
 // The free Duffing oscillator from rest at 1: x = cn(sqrt(2) t | m = 1/4), to rounding.
-ivp::State<2> duffing_exact(double t) {
+ivp::State duffing_exact(double t) {
   const double u = std::sqrt(2.0) * t;
   double cn = 0, dn = 0;
   const double sn = boost::math::jacobi_elliptic(0.5, u, &cn, &dn);
@@ -40,7 +40,7 @@ TEST_P(EveryPeer, FollowsTheDuffingOscillator) {
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
     double worst = 0, last = 0;
     std::int64_t steps = 0;
-    const auto compare = [&](const ivp::Step<2>& step) {
+    const auto compare = [&](const ivp::Step& step) {
       EXPECT_EQ(step.index, ++steps);
       EXPECT_EQ(step.t0, last);
       EXPECT_EQ(step.times.back(), step.t1);
@@ -49,7 +49,7 @@ TEST_P(EveryPeer, FollowsTheDuffingOscillator) {
       worst = std::max(worst, (step.x1 - duffing_exact(step.t1)).lpNorm<Eigen::Infinity>());
       return true;
     };
-    const auto solution = run<2>(ivp::System(problems::Duffing{}), {1, 0}, 0, 20, tolerance, compare);
+    const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 0, 20, tolerance, compare);
     ASSERT_TRUE(solution.status.ok()) << solution.status.text();
     EXPECT_EQ(solution.t, 20);
     EXPECT_EQ(last, 20);
@@ -65,30 +65,30 @@ TEST_P(EveryPeer, FollowsTheDuffingOscillator) {
 TEST_P(EveryPeer, InterpolatesItsSteps) {
   const bool cubic = GetParam() == "gsl-msbdf" || GetParam().starts_with("arkode");
   const double tolerance = 1e-9;
-  const auto compare = [&](const ivp::Step<2>& step) {
+  const auto compare = [&](const ivp::Step& step) {
     const double h = step.t1 - step.t0;
     const double bound = multiple(GetParam()) * tolerance + (cubic ? 28 * h * h * h * h / 384 : 0);
     for (const double part : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
       const double t = part == 1 ? step.t1 : step.t0 + part * h;
-      ivp::State<2> x;
+      ivp::State x(2);
       step.dense.at(t, x);
       EXPECT_LT((x - duffing_exact(t)).lpNorm<Eigen::Infinity>(), bound) << t << " within " << h;
     }
     return true;
   };
   for (const double end : {20.0, -20.0})
-    EXPECT_TRUE(run<2>(ivp::System(problems::Duffing{}), {1, 0}, 0, end, tolerance, compare).status.ok());
+    EXPECT_TRUE(run(ivp::System(problems::Duffing{}), {1, 0}, 0, end, tolerance, compare).status.ok());
 }
 
 // Looking at the steps, or between them, changes neither the solution nor what it costs.
 TEST_P(EveryPeer, DoesNotNoticeItsObserver) {
   const ivp::System system(problems::Duffing{});
-  const auto look = [](const ivp::Step<2>& step) {
-    ivp::State<2> x;
+  const auto look = [](const ivp::Step& step) {
+    ivp::State x(2);
     step.dense.at((step.t0 + step.t1) / 2, x);
     return x.allFinite();
   };
-  const auto alone = run<2>(system, {1, 0}, 0, 5), watched = run<2>(system, {1, 0}, 0, 5, 1e-9, look);
+  const auto alone = run(system, {1, 0}, 0, 5), watched = run(system, {1, 0}, 0, 5, 1e-9, look);
   EXPECT_EQ(alone.x, watched.x);
   EXPECT_EQ(alone.statistics.right_hand_sides, watched.statistics.right_hand_sides);
   EXPECT_EQ(alone.statistics.steps, watched.statistics.steps);
@@ -98,18 +98,18 @@ TEST_P(EveryPeer, DoesNotNoticeItsObserver) {
 // of time shows here.
 TEST_P(EveryPeer, RunsBackwards) {
   const ivp::System system(problems::Duffing{});
-  const auto there = run<2>(system, {1, 0}, 0, 20), back = run<2>(system, there.x, 20, 0);
+  const auto there = run(system, {1, 0}, 0, 20), back = run(system, there.x, 20, 0);
   ASSERT_TRUE(back.status.ok()) << back.status.text();
   EXPECT_EQ(back.t, 0);
-  EXPECT_LT((back.x - ivp::State<2>(1, 0)).lpNorm<Eigen::Infinity>(), 2 * multiple(GetParam()) * 1e-9);
+  EXPECT_LT((back.x - ivp::State{1, 0}).lpNorm<Eigen::Infinity>(), 2 * multiple(GetParam()) * 1e-9);
   EXPECT_LT(back.statistics.right_hand_sides, 3 * there.statistics.right_hand_sides);
 }
 
 TEST_P(EveryPeer, StandsStillForAnEmptyInterval) {
-  const auto solution = run<2>(ivp::System(problems::Duffing{}), {1, 0}, 3, 3);
+  const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 3, 3);
   EXPECT_TRUE(solution.status.ok());
   EXPECT_EQ(solution.t, 3);
-  EXPECT_EQ(solution.x, (ivp::State<2>(1, 0)));
+  EXPECT_EQ(solution.x, (ivp::State{1, 0}));
   EXPECT_EQ(solution.statistics.right_hand_sides, 0);
 }
 
@@ -128,9 +128,9 @@ struct Decays {
 template <int n>
 void expect_decays(const std::string& peer) {
   const int size = Decays<n>::size();
-  const ivp::System<n> system{Decays<n>{}};
-  const ivp::State<n> x0 = ivp::State<n>::Constant(size, 1);
-  const auto solution = peer_integrator<n>(peer, 1e-9)(system, x0, 0, 1, {}, {});
+  const ivp::System system{Decays<n>{}};
+  const ivp::State x0 = ivp::State::Constant(size, 1);
+  const auto solution = peer_integrator(peer, 1e-9)(system, x0, 0, 1, {}, {});
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
   for (int i = 0; i < size; ++i)
     EXPECT_NEAR(solution.x[i], std::exp(-(i + 1.0) / size), 100e-9) << i + 1 << " of " << size;
@@ -161,7 +161,7 @@ struct ProtheroRobinson {
 TEST_P(EveryPeer, IsNotSlowedByStiffnessIfImplicit) {
   if (!peer_is_implicit(GetParam())) GTEST_SKIP() << "explicit";
   const double tolerance = 1e-7;
-  const auto solution = run<1>(ivp::System(ProtheroRobinson{}), ivp::State<1>(1.0), 0, 3, tolerance);
+  const auto solution = run(ivp::System(ProtheroRobinson{}), ivp::State{1.0}, 0, 3, tolerance);
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
   EXPECT_NEAR(solution.x[0], std::cos(3.0), 10 * tolerance);
   EXPECT_LT(solution.statistics.steps + solution.statistics.rejected, 30000);
@@ -182,7 +182,7 @@ TEST_P(EveryPeer, CreepsWithVanDerPolIfImplicit) {
   const double end = mu * boost::math::quadrature::gauss<double, 30>::integrate(
                               [](double x) { return -1 / creep(x); }, 1.5, 2.0);
   const auto solution =
-      run<2>(ivp::System(problems::VanDerPol{mu}), ivp::State<2>(2, creep(2) / mu), 0, end, tolerance);
+      run(ivp::System(problems::VanDerPol{mu}), ivp::State{2, creep(2) / mu}, 0, end, tolerance);
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
   // On the way the distance of two solutions grows by p(1.5)/p(2) = 1.8 alone. Some hundred steps of
   // multistep formulas, which underrate their errors, make up to 330 tolerances.

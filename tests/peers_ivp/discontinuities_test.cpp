@@ -34,11 +34,11 @@ struct Kink {
 constexpr double roundings = 5000 * eps;
 
 TEST_P(EveryPeerAtJumps, NeverLooksAcrossOne) {
-  const auto there = run<1>(ivp::System(Kink{}), ivp::State<1>(0.0), 0, 1);
+  const auto there = run(ivp::System(Kink{}), ivp::State{0.0}, 0, 1);
   ASSERT_TRUE(there.status.ok()) << there.status.text();
   EXPECT_NEAR(there.x[0], -0.4, roundings);
   EXPECT_EQ(there.statistics.rejected, 0);
-  const auto back = run<1>(ivp::System(Kink{}), ivp::State<1>(-0.4), 1, 0);
+  const auto back = run(ivp::System(Kink{}), ivp::State{-0.4}, 1, 0);
   ASSERT_TRUE(back.status.ok()) << back.status.text();
   EXPECT_NEAR(back.x[0], 0, roundings);
   EXPECT_EQ(back.statistics.rejected, 0);
@@ -49,33 +49,33 @@ RC_GTEST_PROP(PeersAtJumps, NeverLookAcrossOneAnywhere, ()) {
   const std::string peer = *rc::gen::elementOf(peer_names());
   const double at = *rc::gen::inRange(1, 1'000'000) / 1e6;
   const bool forwards = *rc::gen::arbitrary<bool>();
-  const auto solution = peer_integrator<1>(peer, 1e-6)(ivp::System(Kink{at}), ivp::State<1>(0.0),
-                                                       forwards ? 0 : 1, forwards ? 1 : 0, {}, {});
+  const auto solution = peer_integrator(peer, 1e-6)(ivp::System(Kink{at}), ivp::State{0.0}, forwards ? 0 : 1,
+                                                    forwards ? 1 : 0, {}, {});
   RC_ASSERT(solution.status.ok());
   RC_ASSERT(std::abs(solution.x[0] - (forwards ? 2 * at - 1 : 1 - 2 * at)) < roundings);
 }
 
 // The impact of Table 4.3. States at 1/2 and 1 by Taylor series of order 64 in 60 digits.
 TEST_P(EveryPeerAtJumps, LandsOnTheCornersOfAnImpact) {
-  const ivp::State<2> half(0.04114876293396327914860, 0.2448313772903179460346);
-  const ivp::State<2> one(0.2345637237526737363950, 0.4279799258511257045665);
+  const ivp::State half{0.04114876293396327914860, 0.2448313772903179460346};
+  const ivp::State one{0.2345637237526737363950, 0.4279799258511257045665};
   std::set<double> ends;
   double worst = 0;
-  const auto note = [&](const ivp::Step<2>& step) {
+  const auto note = [&](const ivp::Step& step) {
     ends.insert(step.t1);
     if (step.t1 == 0.5) worst = std::max(worst, (step.x1 - half).lpNorm<Eigen::Infinity>());
     if (step.t1 == 1) worst = std::max(worst, (step.x1 - one).lpNorm<Eigen::Infinity>());
     return true;
   };
   const ivp::System system(problems::ImpactDuffing{});
-  const auto there = run<2>(system, {0, 0}, 0, 2, 1e-9, note);
+  const auto there = run(system, {0, 0}, 0, 2, 1e-9, note);
   ASSERT_TRUE(there.status.ok()) << there.status.text();
   EXPECT_TRUE(ends.contains(0.5) && ends.contains(1.0) && ends.contains(2.0));
   // Two short smooth pieces: errors add up over some ten (order 8) to some hundred (BDF) steps.
   EXPECT_LT(worst, 100e-9);
 
   ends.clear();
-  const auto back = run<2>(system, there.x, 2, 0, 1e-9, note);
+  const auto back = run(system, there.x, 2, 0, 1e-9, note);
   ASSERT_TRUE(back.status.ok()) << back.status.text();
   EXPECT_TRUE(ends.contains(1.0) && ends.contains(0.5) && ends.contains(0.0));
   EXPECT_LT(back.x.lpNorm<Eigen::Infinity>(), 400e-9);

@@ -26,7 +26,7 @@ TEST(SingularMatrix, IsNotTakenForASolvedStep) {
     // rosenbrock4 has 4/h - k.
     const Unlucky problem{name == "odeint-rosenbrock4" ? 4e6 : 2e6};
     const auto solution =
-        peer_integrator<1>(name, 1e-9)(ivp::System(problem), ivp::State<1>(0.0), 0, 1, {}, {.steps = 10000});
+        peer_integrator(name, 1e-9)(ivp::System(problem), ivp::State{0.0}, 0, 1, {}, {.steps = 10000});
     EXPECT_TRUE(solution.status.ok()) << solution.status.text();
     EXPECT_EQ(solution.x[0], 0) << name;
   }
@@ -34,12 +34,12 @@ TEST(SingularMatrix, IsNotTakenForASolvedStep) {
 
 TEST(GslErrors, GoToTheProgramsHandlerAgainAfterwards) {
   gsl_error_handler_t* before = gsl_set_error_handler(&handler);
-  const auto look = [](const ivp::Step<1>&) {
+  const auto look = [](const ivp::Step&) {
     gsl_error_handler_t* now = gsl_set_error_handler_off();  // which it is already
     EXPECT_NE(now, &handler);
     return true;
   };
-  (void)peer_integrator<1>("gsl-rk8pd", 1e-9)(ivp::System(Decay{}), ivp::State<1>(1.0), 0, 1, look, {});
+  (void)peer_integrator("gsl-rk8pd", 1e-9)(ivp::System(Decay{}), ivp::State{1.0}, 0, 1, look, {});
   EXPECT_EQ(gsl_set_error_handler(before), &handler);
 }
 

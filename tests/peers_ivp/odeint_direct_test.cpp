@@ -25,13 +25,11 @@ TEST(OdeintDirect, TakesTheSameSteps) {
     for (const double end : {20.0, -20.0}) {
       const auto a = ivp::integrate(direct, {1, 0}, 0, end, inlined(formula));
       const auto b = ivp::integrate(system, {1, 0}, 0, end, method);
-      const auto c = ivp::integrate(direct, {1, 0}, 0, end, method);  // states as std::vector
-      ASSERT_TRUE(a.status.ok() && b.status.ok() && c.status.ok()) << method.name();
+      ASSERT_TRUE(a.status.ok() && b.status.ok()) << method.name();
       EXPECT_EQ(a.statistics.steps, b.statistics.steps) << method.name();
       EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name();
       // Compiled separately: rounding may differ, a thousandth of the tolerance at most.
       EXPECT_LT((a.x - b.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
-      EXPECT_LT((a.x - c.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
     }
   }
 }

@@ -24,15 +24,13 @@ class EveryPeer : public ::testing::TestWithParam<std::string> {
     if (!peer_available(GetParam())) GTEST_SKIP() << absent_peer_sentence(GetParam());
   }
   /// Runs the peer of this test.
-  template <int n>
-  static ivp::Solution<n> run(const ivp::System<n>& system, const ivp::State<n>& x0, double t0, double t1,
-                              double tolerance = 1e-9, const ivp::Observer<n>& observer = {},
-                              const ivp::Limits& limits = {.steps = 1'000'000, .seconds = 20}) {
-    return peer_integrator<n>(GetParam(), tolerance)(system, x0, t0, t1, observer, limits);
+  static ivp::Solution run(const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                           double tolerance = 1e-9, const ivp::Observer& observer = {},
+                           const ivp::Limits& limits = {.steps = 1'000'000, .seconds = 20}) {
+    return peer_integrator(GetParam(), tolerance)(system, x0, t0, t1, observer, limits);
   }
   /// A failure says who failed and where.
-  template <int n>
-  static void expect_failure(const ivp::Solution<n>& solution, Outcome outcome) {
+  static void expect_failure(const ivp::Solution& solution, Outcome outcome) {
     const std::string& sentence = solution.status.sentence();
     EXPECT_EQ(solution.status.outcome(), outcome) << solution.status.text();
     EXPECT_TRUE(solution.x.allFinite()) << sentence;

@@ -23,7 +23,7 @@ TEST(Registry, HasThirteenPeers) {
 
 TEST(Registry, SaysWhichPeersThereAre) {
   try {
-    (void)peer_integrator<2>("lsoda", 1e-9);
+    (void)peer_integrator("lsoda", 1e-9);
     FAIL() << "there is no lsoda";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("there is no peer 'lsoda'; there is cvode-adams, cvode-bdf"),
@@ -39,7 +39,7 @@ TEST(Registry, SaysWhatIsAbsent) {
 
 TEST(Registry, RefusesTolerancesThatAreNone) {
   for (const double tolerance : {0.0, -1e-9, nan, infinity}) {
-    EXPECT_THROW((void)peer_integrator<1>("odeint-dopri5", tolerance), std::invalid_argument) << tolerance;
+    EXPECT_THROW((void)peer_integrator("odeint-dopri5", tolerance), std::invalid_argument) << tolerance;
   }
 }
 
@@ -47,7 +47,7 @@ TEST(Methods, RefuseTolerancesThatAreNone) {
   if (!cvode_available()) GTEST_SKIP();
   const ivp::System system(Decay{});
   const auto with = [&](double relative, double absolute) {
-    return ivp::integrate(system, ivp::State<1>(1.0), 0, 1,
+    return ivp::integrate(system, ivp::State{1.0}, 0, 1,
                           Cvode{.relative_tolerance = relative, .absolute_tolerance = absolute});
   };
   EXPECT_THROW((void)with(-1, 1e-9), std::invalid_argument);

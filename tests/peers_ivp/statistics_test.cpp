@@ -30,7 +30,7 @@ struct Counting {
 
 TEST_P(EveryPeerCounts, WhatTheEquationsCount) {
   const Counting problem;
-  const auto solution = run<2>(ivp::System(problem), {1, 0}, 0, 5, 1e-7);
+  const auto solution = run(ivp::System(problem), {1, 0}, 0, 5, 1e-7);
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
   const Statistics& s = solution.statistics;
   EXPECT_EQ(s.right_hand_sides, problem.counts->right_hand_sides);
@@ -58,14 +58,14 @@ struct Forced {
 
 TEST(TimeDerivative, IsExactByDualNumbers) {
   const ivp::System system(Forced{});
-  const ivp::System<Eigen::Dynamic> dynamic{Forced{}};
-  const ivp::State<2> x(0.3, -1.7);
+  const ivp::System dynamic{Forced{}};
+  const ivp::State x{0.3, -1.7};
   for (const double t : {-2.0, 0.0, 0.4, 5.0}) {
-    ivp::State<2> dfdt;
+    ivp::State dfdt(2);
     ASSERT_TRUE(system.time_derivative(t, x, dfdt));
     EXPECT_NEAR(dfdt[0], 1.7 * std::exp(-t), 8 * eps * 1.7 * std::exp(-t));
     EXPECT_NEAR(dfdt[1], 3 * std::cos(3 * t), 8 * eps * 3 * (1 + 3 * std::abs(t)));
-    ivp::State<Eigen::Dynamic> same(2);
+    ivp::State same(2);
     ASSERT_TRUE(dynamic.time_derivative(t, x, same));
     EXPECT_EQ(same, dfdt);
   }
@@ -73,13 +73,13 @@ TEST(TimeDerivative, IsExactByDualNumbers) {
 
 TEST(TimeDerivative, IsADifferenceForProblemsInDouble) {
   const ivp::System system(Counting{});
-  ivp::State<2> untouched(7, 7);
+  ivp::State untouched{7, 7};
   EXPECT_FALSE(system.time_derivative(0, {1, 2}, untouched));
-  EXPECT_EQ(untouched, (ivp::State<2>(7, 7)));
+  EXPECT_EQ(untouched, (ivp::State{7, 7}));
 
-  EquationsOf<ivp::System<2>> equations(system);
-  const ivp::State<2> x(1, 2);
-  ivp::State<2> dfdt;
+  EquationsOf<ivp::System> equations(system);
+  const ivp::State x{1, 2};
+  ivp::State dfdt(2);
   for (const double t : {-2.0, 0.0, 0.4, 50.0}) {
     equations.time_derivative(t, x.data(), dfdt.data());
     EXPECT_EQ(dfdt[0], 0);

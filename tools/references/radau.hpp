@@ -174,7 +174,7 @@ std::vector<Vector<Real, Problem::dimension>> radau_states(const Problem& proble
       m.setIdentity();
       for (std::size_t j = 0; j < s; ++j) {
         problem(Real(t + rule.c[j] * step), stage[j], slope[j]);
-        ivp::Jacobian<dimension> own(n, n);
+        ivp::Jacobian own(n, n);
         direct.jacobian(static_cast<double>(Real(t + rule.c[j] * step)), stage[j].template cast<double>(),
                         own);
         jacobians[j] = own;

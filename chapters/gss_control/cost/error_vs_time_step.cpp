@@ -156,11 +156,11 @@ class Field {
     }
   }
 
-  [[nodiscard]] History integrated(const ivp::System<Eigen::Dynamic>& system, const ModalLoop& loop,
+  [[nodiscard]] History integrated(const ivp::System& system, const ModalLoop& loop,
                                    const Eigen::VectorXd& shapes, double tolerance) const {
     History h;
-    const auto watch = [&](const ivp::Step<Eigen::Dynamic>& step) {
-      Eigen::VectorXd x;
+    const auto watch = [&](const ivp::Step& step) {
+      ivp::State x;
       while (h.theta.size() < times_.size() && times_[h.theta.size()] <= step.t1) {
         x.resize(step.x1.size());
         step.dense.at(times_[h.theta.size()], x);
@@ -171,7 +171,7 @@ class Field {
     };
     const peers::Cvode method{peers::Cvode::Formula::adams, tolerance, 1e-3 * tolerance};
     const auto solution = ivp::integrate(system, Eigen::VectorXd::Zero(loop.size()), 0, times_.back(), method,
-                                         ivp::Observer<Eigen::Dynamic>(watch), {.steps = 400'000});
+                                         ivp::Observer(watch), {.steps = 400'000});
     if (!solution.status.ok()) return {};
     return h;
   }
@@ -182,7 +182,7 @@ class Field {
       if ((quick_ && modes > 5) || !peers::cvode_available()) continue;
       const auto model = diagonalise(spacecraft::assumed_modes(loop_.parameters(), modes));
       const ModalLoop problem(model, designed_gains, 1);
-      const ivp::System<Eigen::Dynamic> system(problem);
+      const ivp::System system(problem);
       const Eigen::VectorXd shapes = model.mode_shapes(places.front());
       for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
         if (modes > 10 && tolerance != 1e-5) continue;

@@ -95,13 +95,13 @@ class Runs {
   /// A run. @param coarse another one, from which its displacements differ by a share of difference_
   /// @param has_rows are its moments wanted?
   FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr, bool has_rows = true) {
-    const auto integrate = ivp::named_integrator<Eigen::Dynamic>(method_of(words_), settings);
+    const auto integrate = ivp::named_integrator(method_of(words_), settings);
     frames::FrameEnergies energies(motion_);
     FrameRun run;
     run.moments.push_back(moment_of(motion_, 0, motion_.rest(), energies));
     double most = 0, apart = 0;
     std::size_t compared = 0;
-    const auto see = [&](const ivp::Step<Eigen::Dynamic>& step) {
+    const auto see = [&](const ivp::Step& step) {
       if (has_rows && words_.every) add_rows(step, energies, run.moments);
       energies.take(step);
       const bool is_last = step.t1 == *words_.time;
@@ -138,7 +138,7 @@ class Runs {
 
   /// A part of a step, from its start.
   struct PartOfStep {
-    const ivp::Step<Eigen::Dynamic>& step;
+    const ivp::Step& step;
     double t0, t1;
     const Eigen::VectorXd &x0, &x1;
     [[nodiscard]] Eigen::VectorXd at(double t) const { return step.at(t); }
@@ -146,8 +146,7 @@ class Runs {
 
   /// Rows at the times within a step that were asked for, by its dense output.
   /// @param before energies at its start
-  void add_rows(const ivp::Step<Eigen::Dynamic>& step, const frames::FrameEnergies& before,
-                std::vector<Moment>& rows) const {
+  void add_rows(const ivp::Step& step, const frames::FrameEnergies& before, std::vector<Moment>& rows) const {
     // The end of the motion is a row; a time that is the end but for rounding is none of its own.
     const double every = *words_.every, end = *words_.time, last = std::ceil(end / every - 1e-9);
     for (;;) {
@@ -195,7 +194,7 @@ class Runs {
 
  private:
   const frames::FrameMotion& motion_;
-  ivp::System<Eigen::Dynamic> system_;
+  ivp::System system_;
   const DynamicWords& words_;
   double seconds_;
   Stopwatch time_;

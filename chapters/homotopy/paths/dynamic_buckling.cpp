@@ -67,10 +67,10 @@ double slowest_frequency(const FrameMotion& motion) {
 Ride ride(const frames::NamedFrame& frame, double load, Eigen::Index down, double far,
           const std::string& method, double step, double time) {
   const FrameMotion motion(frame, {.factor = load});
-  const ivp::System<Eigen::Dynamic> system(motion);
+  const ivp::System system(motion);
   frames::FrameEnergies energies(motion);
   Ride out;
-  const auto see = [&](const ivp::Step<Eigen::Dynamic>& s) {
+  const auto see = [&](const ivp::Step& s) {
     energies.take(s);
     out.times.push_back(s.t1);
     out.drops.push_back(-s.x1[down]);
@@ -78,7 +78,7 @@ Ride ride(const frames::NamedFrame& frame, double load, Eigen::Index down, doubl
     out.has_passed = out.greatest > far;
     return !out.has_passed;
   };
-  const auto run = ivp::named_integrator<Eigen::Dynamic>(method, {.step = step});
+  const auto run = ivp::named_integrator(method, {.step = step});
   const auto end = run(system, motion.rest(), 0, time, see, {});
   if (!end.status.ok() && end.status.outcome() != Outcome::interrupted) throw Failure(end.status);
   out.imbalance = energies.imbalance / energies.greatest;

@@ -41,9 +41,9 @@ struct Variational {
   }
 };
 
-using System = ivp::System<Eigen::Dynamic>;
-using Integration = std::function<ivp::Solution<Eigen::Dynamic>(const System& system, const VectorXd& y,
-                                                                double t0, double t1)>;
+using System = ivp::System;
+using Integration =
+    std::function<ivp::Solution(const System& system, const VectorXd& y, double t0, double t1)>;
 
 /// The end conditions and the joints as functions of the states at the begins, integrated when these change.
 class Segments {

@@ -35,23 +35,21 @@ struct Work {
   std::function<void()> run;
 };
 
-template <int n>
-Work work_of(const Case<n>& c, const Contender& contender, const Setting& setting) {
+Work work_of(const Case& c, const Contender& contender, const Setting& setting) {
   return {fmt::format("{}, {}", c.name, contender.label()),
-          [&c, run = comparison::integrator<n>(contender, setting)] {
+          [&c, run = comparison::integrator(contender, setting)] {
             auto end = run(c.system, c.x0, c.t0, c.t1, {}, {});
             benchmark::DoNotOptimize(end);
           }};
 }
 
 /// The fastest setting of the sweep that has the wanted digits; nothing if none has.
-template <int n>
-std::optional<Work> fastest(const Case<n>& c, const Contender& contender) {
+std::optional<Work> fastest(const Case& c, const Contender& contender) {
   std::optional<Work> best;
   double least = HUGE_VAL;
   for (const Setting& setting : contender.settings) {
     const ivp::Limits limits{.steps = 2'000'000};
-    const auto accuracy = comparison::accuracy_of(c, comparison::integrator<n>(contender, setting), limits);
+    const auto accuracy = comparison::accuracy_of(c, comparison::integrator(contender, setting), limits);
     if (!accuracy.error || *accuracy.error > wanted) continue;
     Work work = work_of(c, contender, setting);
     const double seconds = time_repeats(work.run, 3).smallest;
@@ -64,8 +62,7 @@ std::optional<Work> fastest(const Case<n>& c, const Contender& contender) {
 }
 
 /// The fastest of the explicit libraries by its own loop (ARKODE: in our walk).
-template <int n>
-std::optional<Work> best_library(const Case<n>& c, const std::vector<Contender>& libraries,
+std::optional<Work> best_library(const Case& c, const std::vector<Contender>& libraries,
                                  const std::vector<chapters::rbf_ivp::NativePeer>& native) {
   std::optional<Work> best;
   double least = HUGE_VAL;
@@ -89,8 +86,7 @@ std::optional<Work> best_library(const Case<n>& c, const std::vector<Contender>&
 }
 
 /// Ours of one problem, and the fastest library on it as "best library".
-template <int n>
-std::vector<Work> rivals(const Case<n>& c, const chapters::rbf_ivp::StepScales& scales,
+std::vector<Work> rivals(const Case& c, const chapters::rbf_ivp::StepScales& scales,
                          const std::vector<std::string>& ours,
                          const std::vector<chapters::rbf_ivp::NativePeer>& native) {
   std::vector<Work> all;

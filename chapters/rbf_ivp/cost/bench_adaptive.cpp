@@ -51,12 +51,11 @@ struct Contest {
 };
 
 /// The fastest setting that reaches the wanted error.
-template <int n>
-std::optional<Work> fastest(const Case<n>& c, const comparison::Contender& contender, double wanted,
+std::optional<Work> fastest(const Case& c, const comparison::Contender& contender, double wanted,
                             const std::string& name) {
   std::optional<Work> best;
   for (const comparison::Setting& setting : contender.settings) {
-    const auto run = comparison::integrator<n>(contender, setting);
+    const auto run = comparison::integrator(contender, setting);
     const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
     if (!accuracy.error || *accuracy.error > wanted) continue;
     const auto once = [&c, run] {
@@ -76,8 +75,7 @@ struct BestLibrary {
   std::optional<Work> alone, walked;
 };
 
-template <int n>
-BestLibrary best_library(const Case<n>& c, const std::vector<chapters::rbf_ivp::NativePeer>& native,
+BestLibrary best_library(const Case& c, const std::vector<chapters::rbf_ivp::NativePeer>& native,
                          double wanted, const std::string& at) {
   BestLibrary best;
   for (const auto& contender : chapters::rbf_ivp::with_step_control(false)) {
@@ -97,19 +95,12 @@ BestLibrary best_library(const Case<n>& c, const std::vector<chapters::rbf_ivp::
   return best;
 }
 
-/// Ours, compiled with the problem.
-template <int n, class Problem>
-std::optional<Work> fastest_of_ours(const Case<n>& c, const Problem& problem, double wanted,
-                                    const std::string& name) {
+/// Ours.
+std::optional<Work> fastest_of_ours(const Case& c, double wanted, const std::string& name) {
   std::optional<Work> best;
   for (int digits = 4; digits <= 13; ++digits) {
-    const double tolerance = std::pow(10, -digits);
-    const ivp::AdaptiveCollocation method{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
-    const ivp::NamedIntegrator<n> run = [direct = ivp::Direct(problem), method](
-                                            const auto& /*system*/, const auto& x0, double t0, double t1,
-                                            const auto& observer, const auto& limits) {
-      return ivp::integrate(direct, x0, t0, t1, method, observer, limits);
-    };
+    const auto run = comparison::any_integrator(comparison::any_method("adaptive-collocation"),
+                                                {.tolerance = std::pow(10, -digits)});
     const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
     if (!accuracy.error || !(*accuracy.error <= wanted)) continue;
     const auto once = [&c, run] {
@@ -122,12 +113,11 @@ std::optional<Work> fastest_of_ours(const Case<n>& c, const Problem& problem, do
   return best;
 }
 
-/// Ours against the fastest of all peers, both compiled with the problem where the library allows it.
-template <int n, class Problem>
-void against_peers(Contest& contest, const Case<n>& c, const Problem& problem,
-                   const std::vector<chapters::rbf_ivp::NativePeer>& native, double wanted, double least) {
+/// Ours against the fastest of all peers, which are compiled with the problem where their library allows it.
+void against_peers(Contest& contest, const Case& c, const std::vector<chapters::rbf_ivp::NativePeer>& native,
+                   double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}", c.name, wanted);
-  const auto ours = fastest_of_ours(c, problem, wanted, at + ", adaptive-collocation inlined");
+  const auto ours = fastest_of_ours(c, wanted, at + ", adaptive-collocation");
   const BestLibrary best = best_library(c, native, wanted, at);
   fmt::print("{}: best library {}\n", at, best.alone ? best.name : "none: no other library gets there");
   if (!ours) fmt::print("{}: adaptive-collocation does not get there\n", at);
@@ -141,8 +131,7 @@ void against_peers(Contest& contest, const Case<n>& c, const Problem& problem,
 
 /// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
 /// functions, which reach nine digits.
-template <int n>
-void against_collocation(Contest& contest, const Case<n>& c, const chapters::rbf_ivp::StepScales& scales,
+void against_collocation(Contest& contest, const Case& c, const chapters::rbf_ivp::StepScales& scales,
                          const std::string& method, double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
   for (const auto& contender : chapters::rbf_ivp::contenders(scales, false)) {
@@ -157,17 +146,15 @@ void against_collocation(Contest& contest, const Case<n>& c, const chapters::rbf
 }
 
 /// @param run with a tolerance and an absolute one, to the end in place @return did it get there?
-template <int n>
-std::optional<Work> fastest_stiff(const Stiff<n>& p,
-                                  const std::function<bool(double, double, ivp::State<n>&)>& run,
+std::optional<Work> fastest_stiff(const Stiff& p, const std::function<bool(double, double, ivp::State&)>& run,
                                   double wanted, const std::string& name) {
   std::optional<Work> best;
   for (int half = 8; half <= 26; ++half) {
     const double tolerance = std::pow(10, -0.5 * half), absolute = tolerance * p.absolute;
-    ivp::State<n> x = p.x0;
+    ivp::State x = p.x0;
     if (!run(tolerance, absolute, x) || !(p.error(x) <= wanted)) continue;
     const auto once = [run, x0 = p.x0, tolerance, absolute] {
-      ivp::State<n> end = x0;
+      ivp::State end = x0;
       static_cast<void>(run(tolerance, absolute, end));
       benchmark::DoNotOptimize(end);
     };
@@ -177,27 +164,26 @@ std::optional<Work> fastest_stiff(const Stiff<n>& p,
   return best;
 }
 
-template <int n>
-bool by_collocation(const Stiff<n>& p, double relative, double absolute, ivp::State<n>& x) {
+bool by_collocation(const Stiff& p, double relative, double absolute, ivp::State& x) {
   const ivp::AdaptiveCollocation method{.relative_tolerance = relative, .absolute_tolerance = absolute};
   const auto s = ivp::integrate(p.system, x, 0, p.end, method, {}, {.steps = 2'000'000});
   x = s.x;
   return s.status.ok();
 }
 
-template <int n, class Problem, class Plain>
-void against_cvode(Contest& contest, const Stiff<n>& p, const Problem& problem, const Plain& plain,
+template <class Problem, class Plain>
+void against_cvode(Contest& contest, const Stiff& p, const Problem& problem, const Plain& plain,
                    double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}", p.name, wanted);
-  const auto ours = fastest_stiff<n>(
-      p, [p](double r, double a, ivp::State<n>& x) { return by_collocation(p, r, a, x); }, wanted,
+  const auto ours = fastest_stiff(
+      p, [p](double r, double a, ivp::State& x) { return by_collocation(p, r, a, x); }, wanted,
       at + ", adaptive-collocation");
   std::optional<Work> theirs;
   for (const chapters::rbf_ivp::NativePeer& peer : chapters::rbf_ivp::native_c_peers(problem, plain)) {
     if (peer.name != "cvode-bdf") continue;
-    theirs = fastest_stiff<n>(
+    theirs = fastest_stiff(
         p,
-        [run = peer.run, end = p.end](double r, double a, ivp::State<n>& x) {
+        [run = peer.run, end = p.end](double r, double a, ivp::State& x) {
           return run(r, a, 0, end, x.data());
         },
         wanted, at + ", cvode-bdf");
@@ -224,11 +210,11 @@ void add_peers(Contest& all) {
     const auto plain = [](const problems::Duffing& p) {
       return chapters::rbf_ivp::native_peers(p, chapters::PlainDuffing{p});
     };
-    against_peers(all, chapters::rbf_ivp::free_duffing_case(), free, plain(free), wanted, ahead);
-    against_peers(all, chapters::rbf_ivp::impact_case(), impact, impact_peers, wanted, level);
-    against_peers(all, chapters::rbf_ivp::three_mass_case(), chain,
+    against_peers(all, chapters::rbf_ivp::free_duffing_case(), plain(free), wanted, ahead);
+    against_peers(all, chapters::rbf_ivp::impact_case(), impact_peers, wanted, level);
+    against_peers(all, chapters::rbf_ivp::three_mass_case(),
                   chapters::rbf_ivp::native_peers(chain, chapters::PlainChain{chain}), wanted, level);
-    against_peers(all, chapters::rbf_ivp::held_back_case(), held_back, plain(held_back), wanted, ahead);
+    against_peers(all, chapters::rbf_ivp::held_back_case(), plain(held_back), wanted, ahead);
   }
 }
 

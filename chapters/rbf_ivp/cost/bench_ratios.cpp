@@ -34,12 +34,11 @@ std::string row_of(const std::vector<PublishedValue>& printed, const std::string
 
 /// The runs of a table, those of which it shows errors. A method that fails here would have no time worth
 /// printing.
-template <int n>
-void add_works(std::vector<Work>& all, const chapters::rbf_ivp::Example<n>& example,
+void add_works(std::vector<Work>& all, const chapters::rbf_ivp::Example& example,
                const std::vector<PublishedValue>& printed) {
-  for (const chapters::rbf_ivp::Row<n>& row : example.rows) {
-    const chapters::rbf_ivp::Case<n>& c = example.made();
-    const ivp::Solution<n> once = row.procedure(c, c.t1, {});
+  for (const chapters::rbf_ivp::Row& row : example.rows) {
+    const chapters::rbf_ivp::Case& c = example.made();
+    const ivp::Solution once = row.procedure(c, c.t1, {});
     if (!once.status.ok()) throw Failure(once.status);
     all.push_back(
         {example.table + ", " + row_of(printed, row.reading.method), [&c, procedure = row.procedure] {

@@ -17,11 +17,9 @@ struct Subject {
   const char* reason;
 };
 
-template <int n>
-scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), const StepScales& scales) {
+scene::Scene against_all(const Subject& subject, const Case& (*problem)(), const StepScales& scales) {
   const auto measure = [problem, scales](bool quick) -> Costs {
-    const auto accurate =
-        ivp::named_integrator<n>("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
+    const auto accurate = ivp::named_integrator("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
     return {comparison::cost_curves(problem(), contenders(scales, quick), quick),
             comparison::condition_of(problem(), accurate)};
   };
@@ -45,17 +43,16 @@ scene::Scene against_all(const Subject& subject, const Case<n>& (*problem)(), co
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {
-      against_all<2>({"duffing", "Free Duffing oscillator to t = 500", 2e-7, 2e-5,
-                      "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
-                     free_duffing_case, free_duffing_steps()),
-      against_all<2>({"impact", "Impact on the Duffing oscillator to t = 500", 1e-8, 2e-5,
-                      "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
-                      "amplitude"},
-                     impact_case, impact_steps()),
-      against_all<6>({"three-dof", "Three masses to t = 200", 8e-10, 8e-8,
-                      "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
-                     three_mass_case, three_mass_steps())};
+  return {against_all({"duffing", "Free Duffing oscillator to t = 500", 2e-7, 2e-5,
+                       "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
+                      free_duffing_case, free_duffing_steps()),
+          against_all({"impact", "Impact on the Duffing oscillator to t = 500", 1e-8, 2e-5,
+                       "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
+                       "amplitude"},
+                      impact_case, impact_steps()),
+          against_all({"three-dof", "Three masses to t = 200", 8e-10, 8e-8,
+                       "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
+                      three_mass_case, three_mass_steps())};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp::error_vs_time

@@ -12,8 +12,8 @@ using comparison::Costs;
 
 /// The series knows nothing of the method that is judged.
 Costs measure_held_back(bool quick) {
-  const Case<2>& c = held_back_case();
-  const auto accurate = ivp::named_integrator<2>("series", {.tolerance = 1e-15});
+  const Case& c = held_back_case();
+  const auto accurate = ivp::named_integrator("series", {.tolerance = 1e-15});
   return {comparison::cost_curves(c, with_step_control(quick), quick), comparison::condition_of(c, accurate)};
 }
 

@@ -48,15 +48,15 @@ Rung rung(std::string what, const comparison::Curve& curve) {
   return {std::move(what), found != nullptr ? std::optional(*found) : std::nullopt};
 }
 
-template <class Problem, int n>
-std::vector<Rung> climb(const Case<n>& c, const StepScales& s, bool quick) {
+template <class Problem>
+std::vector<Rung> climb(const Case& c, const StepScales& s, bool quick) {
   constexpr double ladder[] = {1, 0.5, 0.25, 0.125};
-  const auto one = [&](const Case<n>& example, const comparison::Contender& contender) {
+  const auto one = [&](const Case& example, const comparison::Contender& contender) {
     return comparison::cost_curves(example, {contender}, quick).front();
   };
   const auto ours = comparison::by_tolerances("adaptive-collocation", Kind::own, quick);
-  Case<n> first_order = c;
-  first_order.system = ivp::System<n>(FirstOrder<Problem>{});
+  Case first_order = c;
+  first_order.system = ivp::System(FirstOrder<Problem>{});
   return {rung("the dissertation: Gaussians at 35 LGL nodes, Newton",
                one(c, comparison::by_steps("rbf-coll", 35, Kind::source, s.many_nodes, ladder, quick,
                                            s.many_shape))),

@@ -63,7 +63,7 @@ class NativeProblem {
   static int jacobian(double t, const double* x, double* dfdx, double* dfdt, void* data) {
     const auto& direct = static_cast<const NativeProblem*>(data)->direct_;
     const State state = Eigen::Map<const State>(x);
-    ivp::Jacobian<n> j;
+    typename ivp::Direct<Problem>::Jacobian j;
     State slope;
     direct.jacobian(t, state, j);
     if (!direct.time_derivative(t, state, slope)) slope.setZero();
@@ -136,16 +136,16 @@ template <class Problem, class Plain>
 }
 
 /// Median of the example's error over runs to 16 times in the last tenth of the way; nothing if one fails.
-template <int n>
-[[nodiscard]] std::optional<double> native_error(const Case<n>& c, const NativeRun& run, double tolerance) {
+[[nodiscard]] inline std::optional<double> native_error(const Case& c, const NativeRun& run,
+                                                        double tolerance) {
   constexpr int times = 16;
   std::vector<double> errors;
   for (int i = 0; i < times; ++i) {
     const double end = c.t1 - (c.t1 - c.t0) / 10 * i / (times - 1);
-    ivp::State<n> x = c.x0;
+    ivp::State x = c.x0;
     if (!run(tolerance, tolerance, c.t0, end, x.data())) return std::nullopt;
-    const Vector<long double, n> truth = c.reference(end);
-    errors.push_back(c.error ? c.error(x, truth) : comparison::relative_error<n>(x, truth, c.amplitude));
+    const ivp::LongState truth = c.reference(end);
+    errors.push_back(c.error ? c.error(x, truth) : comparison::relative_error(x, truth, c.amplitude));
   }
   return median(errors);
 }
@@ -159,19 +159,19 @@ struct FastestNative {
 /// The fastest tolerance at which a library alone has the wanted error; nothing if none has.
 /// @param walked the same formula in our walk: alone it is tried at those tolerances that come to an end
 /// there, with at most a hundred times the wanted error, since nothing stops it elsewhere
-template <int n>
-[[nodiscard]] std::optional<FastestNative> fastest_alone(const Case<n>& c, const NativeRun& run,
-                                                         const comparison::Contender& walked, double wanted) {
+[[nodiscard]] inline std::optional<FastestNative> fastest_alone(const Case& c, const NativeRun& run,
+                                                                const comparison::Contender& walked,
+                                                                double wanted) {
   std::optional<FastestNative> best;
   for (const comparison::Setting& setting : walked.settings) {
     const auto there =
-        comparison::accuracy_of(c, comparison::integrator<n>(walked, setting), {.steps = 2'000'000});
+        comparison::accuracy_of(c, comparison::integrator(walked, setting), {.steps = 2'000'000});
     if (!there.error || *there.error > 100 * wanted) continue;
     const double tolerance = *setting.settings.tolerance;
     const auto error = native_error(c, run, tolerance);
     if (!error || !(*error <= wanted)) continue;
     const auto once = [&c, run, tolerance] {
-      ivp::State<n> x = c.x0;
+      ivp::State x = c.x0;
       static_cast<void>(run(tolerance, tolerance, c.t0, c.t1, x.data()));
     };
     const double seconds = time_repeats(once, 5).smallest;

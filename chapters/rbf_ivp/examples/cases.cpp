@@ -42,13 +42,13 @@ auto trajectory_of(const Problem& problem, double end) {
   return trajectory;
 }
 
-Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State<2>& x0,
-                          double end) {
-  const Extended X = problem.amplitude(x0);
+Case make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State& x0, double end) {
+  const Vector<double, 2> start = x0;
+  const Extended X = problem.amplitude(start);
   const Extended period = problem.period(X);
-  const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, x0)[0]);
+  const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, start)[0]);
   return {{.name = std::move(name),
-           .system = ivp::System<2>(problem),
+           .system = ivp::System(problem),
            .x0 = x0,
            .t0 = problems::Duffing::initial_time,
            .t1 = end,
@@ -58,13 +58,13 @@ Case<2> make_free_duffing(std::string name, const problems::Duffing& problem, co
           static_cast<double>(period / 2)};
 }
 
-Case<2> make_impact() {
+Case make_impact() {
   const problems::ImpactDuffing problem;
   const auto trajectory = trajectory_of(problem, problems::ImpactDuffing::final_time + beyond);
   const Vector<double, 2> after = (*trajectory)(problem.duration).cast<double>();
   const problems::Duffing free = problem.free();
   return {{.name = "impact",
-           .system = ivp::System<2>(problem),
+           .system = ivp::System(problem),
            .x0 = problem.initial_state(),
            .t0 = problems::ImpactDuffing::initial_time,
            .t1 = problems::ImpactDuffing::final_time,
@@ -88,18 +88,18 @@ struct QuietImpact {
   }
 };
 
-Case<6> make_three_masses() {
+Case make_three_masses() {
   using Chain = problems::ThreeMassChain;
   const auto trajectory =
       trajectory_of(problems::BasicThreeMassChain<Extended>{}, Chain::final_time + beyond);
-  ivp::State<6> amplitude = ivp::State<6>::Zero();
+  ivp::State amplitude = ivp::State::Zero(6);
   constexpr int samples = 20'000;
   for (int i = 0; i <= samples; ++i) {
-    const ivp::State<6> x = (*trajectory)(Chain::final_time * i / samples).cast<double>();
+    const ivp::State x = (*trajectory)(Chain::final_time * i / samples).cast<double>();
     amplitude = amplitude.cwiseMax(x.cwiseAbs());
   }
   return {{.name = "three-masses",
-           .system = ivp::System<6>(Chain{}),
+           .system = ivp::System(Chain{}),
            .x0 = Chain::initial_state(),
            .t0 = Chain::initial_time,
            .t1 = Chain::final_time,
@@ -111,29 +111,29 @@ Case<6> make_three_masses() {
 
 }  // namespace
 
-const Case<2>& free_duffing_case() {
-  static const Case<2> c =
+const Case& free_duffing_case() {
+  static const Case c =
       make_free_duffing("duffing", {}, problems::Duffing::initial_state(), problems::Duffing::final_time);
   return c;
 }
 
-const Case<2>& held_back_case() {
-  static const Case<2> c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0}, 100);
+const Case& held_back_case() {
+  static const Case c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0}, 100);
   return c;
 }
 
-const Case<2>& impact_case() {
-  static const Case<2> c = make_impact();
+const Case& impact_case() {
+  static const Case c = make_impact();
   return c;
 }
 
-const ivp::System<2>& impact_in_two_intervals() {
-  static const ivp::System<2> system(QuietImpact{});
+const ivp::System& impact_in_two_intervals() {
+  static const ivp::System system(QuietImpact{});
   return system;
 }
 
-const Case<6>& three_mass_case() {
-  static const Case<6> c = make_three_masses();
+const Case& three_mass_case() {
+  static const Case c = make_three_masses();
   return c;
 }
 

@@ -26,8 +26,8 @@ constexpr double tolerated = 0.01;  // error over amplitude, of a run that follo
 /// A motion of u'' + 0.05 u' + u^3 = B cos t from u = 3, u' = 4, to t = 100.
 struct Motion {
   std::string name;
-  ivp::System<2> system;
-  ivp::State<2> x0;
+  ivp::System system;
+  ivp::State x0;
   std::function<Vector<Extended, 2>(double)> reference;
   double amplitude;  ///< greatest |u|
 };
@@ -47,7 +47,7 @@ Motion make_motion(const std::string& name, bool forced) {
   double amplitude = 0;
   for (int i = 0; i <= 4000; ++i)
     amplitude = std::max(amplitude, static_cast<double>(std::abs(at(end * i / 4000)[0])));
-  return {name, ivp::System<2>(problem), x0, at, amplitude};
+  return {name, ivp::System(problem), x0, at, amplitude};
 }
 
 /// What a method makes of a motion.
@@ -69,17 +69,17 @@ Attempt follow(const Motion& m, const std::string& name, const std::string& sett
   Attempt r;
   r.method = name;
   r.setting = setting;
-  const auto error = [&m](double t, const ivp::State<2>& x) {
+  const auto error = [&m](double t, const ivp::State& x) {
     return static_cast<double>(std::abs(Extended(x[0]) - m.reference(t)[0]));
   };
-  const auto watch = [&](const ivp::Step<2>& step) {
+  const auto watch = [&](const ivp::Step& step) {
     if (r.followed == end && !(error(step.t1, step.x1) <= tolerated * m.amplitude)) r.followed = step.t1;
     return true;
   };
   double t = 0;
-  ivp::State<2> x = m.x0;
+  ivp::State x = m.x0;
   for (const double until : {half, end}) {
-    const auto part = ivp::integrate(m.system, x, t, until, method, ivp::Observer<2>(watch));
+    const auto part = ivp::integrate(m.system, x, t, until, method, ivp::Observer(watch));
     r.steps += part.statistics.steps;
     r.right_hand_sides += part.statistics.right_hand_sides;
     if (!part.status.ok()) {

@@ -13,15 +13,12 @@ constexpr double visible = 0.05;  // of the amplitude: a curve that far from the
 /// Which points of the data are what.
 constexpr int line = 0, step_end = 1;
 
-template <int n>
-void add_reference(scene::Table& data, const Record<n>& record, const Case<n>& c, int component) {
+void add_reference(scene::Table& data, const Record& record, const Case& c, int component) {
   for (const auto& drawn : record.window)
     data.add({0, line, drawn.t, static_cast<double>(c.reference(drawn.t)[component])});
 }
 
-template <int n>
-void add_method(scene::Table& data, int number, const Record<n>& record, const Keeping& window,
-                int component) {
+void add_method(scene::Table& data, int number, const Record& record, const Keeping& window, int component) {
   for (const auto& drawn : record.window) data.add({number, line, drawn.t, drawn.x[component]});
   for (const auto& value : record.values) {
     if (!value.end || value.t < window.window_begin) continue;
@@ -30,8 +27,7 @@ void add_method(scene::Table& data, int number, const Record<n>& record, const K
 }
 
 /// Greatest distance from the reference over the window, in amplitudes.
-template <int n>
-double distance(const Record<n>& record, const Case<n>& c, int component) {
+double distance(const Record& record, const Case& c, int component) {
   double greatest = 0;
   for (const auto& drawn : record.window) {
     const auto truth = static_cast<double>(c.reference(drawn.t)[component]);
@@ -40,8 +36,7 @@ double distance(const Record<n>& record, const Case<n>& c, int component) {
   return greatest;
 }
 
-template <int n>
-using Records = std::vector<const Record<n>*>;
+using Records = std::vector<const Record*>;
 
 /// The reference is the first block of the data, methods are the others.
 void draw(const Comparison& figure, const Keeping& window, scene::Panel& panel) {
@@ -61,13 +56,12 @@ void draw(const Comparison& figure, const Keeping& window, scene::Panel& panel) 
                            i++, method));
 }
 
-template <int n>
-void put(const Example<n>& example, const Comparison& figure, const Records<n>& records, scene::Show& show) {
-  const Case<n>& c = example.made();
+void put(const Example& example, const Comparison& figure, const Records& records, scene::Show& show) {
+  const Case& c = example.made();
   scene::Table data({{"curve", 3, true}, {"kind"}, {"t_s"}, {"x"}});
   add_reference(data, *records.front(), c, figure.component);
   int off = 0;
-  for (int number = 0; const Record<n>* record : records) {
+  for (int number = 0; const Record* record : records) {
     add_method(data, ++number, *record, example.keeping, figure.component);
     off += distance(*record, c, figure.component) > visible ? 1 : 0;
   }
@@ -77,7 +71,7 @@ void put(const Example<n>& example, const Comparison& figure, const Records<n>& 
   draw(figure, example.keeping, panel);
   show.figure().data(std::move(data));
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const Row<n>& row = example.row(figure.methods[i]);
+    const Row& row = example.row(figure.methods[i]);
     if (row.reading.nominal)
       row.reading.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
   }
@@ -85,11 +79,10 @@ void put(const Example<n>& example, const Comparison& figure, const Records<n>& 
 
 }  // namespace
 
-template <int n>
-scene::Scene comparison(const Example<n>& example, const Comparison& figure) {
-  std::vector<scene::Result<Record<n>>> results;
+scene::Scene comparison(const Example& example, const Comparison& figure) {
+  std::vector<scene::Result<Record>> results;
   for (const std::string& method : figure.methods) results.push_back(example.row(method).nominal);
-  const auto show = [example, figure](const Records<n>& records, scene::Show& to) {
+  const auto show = [example, figure](const Records& records, scene::Show& to) {
     put(example, figure, records, to);
   };
   return {.name = fmt::format("fig-4.{}", figure.figure),
@@ -98,8 +91,5 @@ scene::Scene comparison(const Example<n>& example, const Comparison& figure) {
           .place = fmt::format("Figure 4.{}", figure.figure),
           .content = scene::Content(show, results)};
 }
-
-template scene::Scene comparison(const Example<2>&, const Comparison&);
-template scene::Scene comparison(const Example<6>&, const Comparison&);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -30,7 +30,7 @@ double error_of_powers() {
   double greatest = 0;
   for (int order = 2; order <= 20; ++order) {
     const auto solution =
-        ivp::integrate(ivp::System(Power{order}), ivp::State<1>::Zero(), 0, 1, ivp::Mcpi{1, order});
+        ivp::integrate(ivp::System(Power{order}), ivp::State::Zero(1), 0, 1, ivp::Mcpi{1, order});
     greatest = std::max(greatest, solution.status.ok() ? std::abs(solution.x[0] - 1) : HUGE_VAL);
   }
   return greatest;

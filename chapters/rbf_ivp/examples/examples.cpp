@@ -38,9 +38,9 @@ Expected velocity(double value) {
 }
 
 /// A figure for each row, from the given number on.
-Scenes histories_of_rows(const Example<2>& example, int number) {
+Scenes histories_of_rows(const Example& example, int number) {
   Scenes scenes;
-  for (const Row<2>& row : example.rows) {
+  for (const Row& row : example.rows) {
     const std::string& method = row.reading.method;
     if (method == "ODE45") continue;  // the reference
     const Shown shown = method.starts_with("Explicit") ? Shown::positions : Shown::state;
@@ -50,7 +50,7 @@ Scenes histories_of_rows(const Example<2>& example, int number) {
 }
 
 void add_free_duffing(Scenes& scenes) {
-  const Example<2> example = free_duffing_rows();
+  const Example example = free_duffing_rows();
   scenes.push_back(histories(example, "histories-duffing", both_settings(true)));
   std::ranges::move(histories_of_rows(example, 2), std::back_inserter(scenes));
   scenes.push_back(comparison(example, {16, 0, "x(t)", methods_of("1", true)}));
@@ -58,7 +58,7 @@ void add_free_duffing(Scenes& scenes) {
 }
 
 void add_impact(Scenes& scenes) {
-  const Example<2> example = impact_rows();
+  const Example example = impact_rows();
   scenes.push_back(histories(example, "histories-impact", both_settings(false)));
   std::ranges::move(histories_of_rows(example, 17), std::back_inserter(scenes));
   scenes.push_back(comparison(example, {29, 0, "x(t)", methods_of("1", false)}));
@@ -66,7 +66,7 @@ void add_impact(Scenes& scenes) {
 }
 
 /// Figure 4.31: the dissertation's own reference.
-void put_response(const Record<6>& record, scene::Show& show) {
+void put_response(const Record& record, scene::Show& show) {
   scene::Table data({{"t_s"}, {"x1"}, {"x2"}, {"x3"}});
   double next = 0, greatest_error = 0;
   for (const auto& value : record.values) {
@@ -85,7 +85,7 @@ void put_response(const Record<6>& record, scene::Show& show) {
       .columns("x_2", "t_s:x2", {"lines dashtype solid linewidth 1.4", 4})
       .columns("x_1", "t_s:x1", {"lines linewidth 1.8", 1});
   show.figure().data(std::move(data));
-  const ivp::State<6> end = record.values.back().x;
+  const ivp::State end = record.values.back().x;
   // oracle: rbf_ivp_ends three masses x?
   const char* digits60 = "tools/oracles/rbf_ivp_ends.py; 1e-11 for the tolerance 1e-13 over 17 000 steps";
   show.near("x1 at t = 200", end[0], 0.1621748860002476087, 1e-10, digits60);
@@ -95,7 +95,7 @@ void put_response(const Record<6>& record, scene::Show& show) {
 }
 
 void add_three_masses(Scenes& scenes) {
-  const Example<6> example = three_mass_rows();
+  const Example example = three_mass_rows();
   scenes.push_back(histories(example, "histories-three-masses", both_settings(false)));
   scenes.push_back({.name = "fig-4.31",
                     .title = "Three masses: the three positions in time by ode45",

@@ -17,8 +17,7 @@ struct Thinning {
 };
 
 /// Nothing is left out of a few steps; steps longer than half a period count one by one.
-template <int n>
-Thinning thinning_of(const Record<n>& record, const Case<n>& c) {
+Thinning thinning_of(const Record& record, const Case& c) {
   constexpr std::int64_t few = 20;
   const int bins = static_cast<int>(std::round((c.t1 - c.t0) / c.half_period));
   if (record.statistics.steps <= few) return {false, 0, "all nodes"};
@@ -38,8 +37,8 @@ struct Curves {
 };
 
 /// Errors of a record by a measure, thinned out.
-template <int n, class Measure>
-std::vector<TimeError> errors_of(const Record<n>& record, const Case<n>& c, Points points, Measure measure) {
+template <class Measure>
+std::vector<TimeError> errors_of(const Record& record, const Case& c, Points points, Measure measure) {
   const Thinning thinning = thinning_of(record, c);
   std::vector<TimeError> all;
   bool step_begins = true;
@@ -72,22 +71,21 @@ void drop_needless_dots(Curves& curves) {
 }
 
 /// One curve a component, or one for the state.
-template <int n>
-Curves curves_of(const Record<n>& record, const Case<n>& c, Shown shown, const std::string& label) {
+Curves curves_of(const Record& record, const Case& c, Shown shown, const std::string& label) {
   Curves all;
   const auto add = [&](const std::string& name, auto measure) {
     all.lines.push_back({name, errors_of(record, c, Points::all, measure)});
     all.dots.push_back({"step ends", errors_of(record, c, Points::ends, measure)});
   };
   if (shown == Shown::state) {
-    add(label, [&c](const ivp::State<n>& e) { return normalised_state_error(c, e); });
+    add(label, [&c](const ivp::State& e) { return normalised_state_error(c, e); });
     return all;
   }
-  const int first = shown == Shown::positions ? 0 : n / 2;
-  for (int i = first; i < first + n / 2; ++i) {
+  const int half = static_cast<int>(c.x0.size()) / 2, first = shown == Shown::positions ? 0 : half;
+  for (int i = first; i < first + half; ++i) {
     const std::string component =
-        n == 2 ? label : fmt::format("{}_{}", shown == Shown::positions ? "x" : "v", i - first + 1);
-    add(component, [&c, i](const ivp::State<n>& e) { return std::abs(e[i]) / c.amplitude[i]; });
+        half == 1 ? label : fmt::format("{}_{}", shown == Shown::positions ? "x" : "v", i - first + 1);
+    add(component, [&c, i](const ivp::State& e) { return std::abs(e[i]) / c.amplitude[i]; });
   }
   return all;
 }
@@ -152,9 +150,8 @@ std::string finding(const std::vector<Curve>& lines, Shown shown) {
   return fmt::format("{} grows to {} as t^{{{:.1f}}}", word_for(shown), size, exponent);
 }
 
-template <int n>
-void put(const Case<n>& c, const Row<n>& row, const History& figure, const Record<n>& nominal,
-         const Record<n>& inferred, scene::Show& show) {
+void put(const Case& c, const Row& row, const History& figure, const Record& nominal, const Record& inferred,
+         scene::Show& show) {
   const bool two = &nominal != &inferred;
   Curves curves = curves_of(nominal, c, figure.shown, two ? row.reading.as_printed : "all nodes");
   const std::string seen = finding(curves.lines, figure.shown);
@@ -176,26 +173,25 @@ void put(const Case<n>& c, const Row<n>& row, const History& figure, const Recor
                                 row.inferred_error(inferred, c.inferred_end), show);
   }
   if (figure.velocity.high > 0)
-    figure.velocity.check("RMS velocity error", rms_error(nominal, n / 2, row.reading.points), show);
+    figure.velocity.check("RMS velocity error",
+                          rms_error(nominal, static_cast<int>(c.x0.size()) / 2, row.reading.points), show);
 }
 
 /// The greatest error of a position within each part of the way.
-template <int n>
-std::vector<TimeError> position_errors(const Record<n>& record, const Case<n>& c) {
-  return errors_of(record, c, Points::all, [&c](const ivp::State<n>& e) {
-    return (e.template head<n / 2>().cwiseAbs().array() / c.amplitude.template head<n / 2>().array())
-        .maxCoeff();
+std::vector<TimeError> position_errors(const Record& record, const Case& c) {
+  return errors_of(record, c, Points::all, [&c](const ivp::State& e) {
+    const Eigen::Index half = e.size() / 2;
+    return (e.head(half).cwiseAbs().array() / c.amplitude.head(half).array()).maxCoeff();
   });
 }
 
 /// A panel a run, the two settings of a method side by side, all with the same axes.
-template <int n>
-void put_all(const Example<n>& example, const std::vector<std::string>& methods,
-             const std::vector<const Record<n>*>& records, scene::Show& show) {
-  const Case<n>& c = example.made();
+void put_all(const Example& example, const std::vector<std::string>& methods,
+             const std::vector<const Record*>& records, scene::Show& show) {
+  const Case& c = example.made();
   constexpr double small = 1e-6, least = 1e-11, greatest_shown = 100;
   std::vector<std::vector<TimeError>> errors;
-  for (const Record<n>* record : records) errors.push_back(position_errors(*record, c));
+  for (const Record* record : records) errors.push_back(position_errors(*record, c));
   const auto kept = std::ranges::count_if(errors, [](const auto& run) { return greatest(run) < small; });
   scene::Plot& plot = show.plots(
       fmt::format("{}: {} of {} runs keep the error below 1e-6", example.title, kept, records.size()));
@@ -226,10 +222,9 @@ void put_all(const Example<n>& example, const std::vector<std::string>& methods,
 
 }  // namespace
 
-template <int n>
-scene::Scene history(const Example<n>& example, const History& figure) {
-  const Row<n>& row = example.row(figure.method);
-  const auto show = [made = example.made, row, figure](const Record<n>& nominal, const Record<n>& inferred,
+scene::Scene history(const Example& example, const History& figure) {
+  const Row& row = example.row(figure.method);
+  const auto show = [made = example.made, row, figure](const Record& nominal, const Record& inferred,
                                                        scene::Show& to) {
     put(made(), row, figure, nominal, inferred, to);
   };
@@ -240,23 +235,17 @@ scene::Scene history(const Example<n>& example, const History& figure) {
           .content = scene::Content(show, row.nominal, row.inferred)};
 }
 
-template <int n>
-scene::Scene histories(const Example<n>& example, const std::string& name,
+scene::Scene histories(const Example& example, const std::string& name,
                        const std::vector<std::string>& methods) {
-  std::vector<scene::Result<Record<n>>> results;
+  std::vector<scene::Result<Record>> results;
   for (const std::string& method : methods) results.push_back(example.row(method).nominal);
-  const auto show = [example, methods](const std::vector<const Record<n>*>& records, scene::Show& to) {
+  const auto show = [example, methods](const std::vector<const Record*>& records, scene::Show& to) {
     put_all(example, methods, records, to);
   };
   return {.name = name,
           .title = example.title + ": position errors in time by all methods, on common axes",
           .content = scene::Content(show, results)};
 }
-
-template scene::Scene history(const Example<2>&, const History&);
-template scene::Scene history(const Example<6>&, const History&);
-template scene::Scene histories(const Example<2>&, const std::string&, const std::vector<std::string>&);
-template scene::Scene histories(const Example<6>&, const std::string&, const std::vector<std::string>&);
 
 std::vector<TimeError> greatest_by_bin(const std::vector<TimeError>& errors, double begin, double end,
                                        int bins) {

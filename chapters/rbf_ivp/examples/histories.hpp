@@ -27,14 +27,12 @@ struct History {
 
 /// "fig-4.<figure>": the error at all values that the method gives, and at the ends of its steps where it
 /// gives more than those; where the inferred reading has settings of its own, its errors beside them.
-template <int n>
-[[nodiscard]] scene::Scene history(const Example<n>& example, const History& figure);
+[[nodiscard]] scene::Scene history(const Example& example, const History& figure);
 
 /// The greatest position error in time of several runs, a panel each on common axes: methods whose settings
 /// follow each other stand side by side.
 /// @param methods of rows, two a line of panels
-template <int n>
-[[nodiscard]] scene::Scene histories(const Example<n>& example, const std::string& name,
+[[nodiscard]] scene::Scene histories(const Example& example, const std::string& name,
                                      const std::vector<std::string>& methods);
 
 /// A figure of solutions over the window that the runs of an example keep.
@@ -46,8 +44,7 @@ struct Comparison {
 };
 
 /// "fig-4.<figure>": the reference, dense output and step ends of each method.
-template <int n>
-[[nodiscard]] scene::Scene comparison(const Example<n>& example, const Comparison& figure);
+[[nodiscard]] scene::Scene comparison(const Example& example, const Comparison& figure);
 
 /// A point of a curve.
 struct TimeError {

@@ -34,7 +34,7 @@ void check_reference(const std::string& name, Extended value, Extended known, sc
 
 void free_duffing_parameters(scene::Show& show) {
   const problems::Duffing p;
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   show_parameters(
       {{"t_0", "0", c.t0},
        {"t_F", "500", c.t1, "the errors of Table 4.2 belong to 100 P = 476.802"},
@@ -54,7 +54,7 @@ void free_duffing_parameters(scene::Show& show) {
 
 void impact_parameters(scene::Show& show) {
   const problems::ImpactDuffing p;
-  const Case<2>& c = impact_case();
+  const Case& c = impact_case();
   show_parameters(
       {{"t_0", "0", c.t0},
        {"t_1", "1", p.duration, "Eq. 4.24 prints the falling force as a (1 - t): a (t_1 - t) is meant"},
@@ -78,7 +78,7 @@ void impact_parameters(scene::Show& show) {
 
 void chain_parameters(scene::Show& show) {
   const problems::ThreeMassChain p;
-  const Case<6>& c = three_mass_case();
+  const Case& c = three_mass_case();
   const char* from_paper =
       "missing in the dissertation; from Table 5 of the paper, and the errors of Table 4.6 need it";
   show_parameters({{"t_0", "0", c.t0},

@@ -36,16 +36,14 @@ struct Line {
   }
 };
 
-template <int n>
-using Records = std::vector<const Record<n>*>;
+using Records = std::vector<const Record*>;
 
-template <int n>
-std::vector<Line> lines(const Example<n>& example, const Records<n>& nominal, const Records<n>& inferred,
+std::vector<Line> lines(const Example& example, const Records& nominal, const Records& inferred,
                         const std::vector<const double*>& times) {
   const auto printed = printed_values(example.table);
   std::vector<Line> all;
   for (std::size_t i = 0; i < example.rows.size(); ++i) {
-    const Row<n>& row = example.rows[i];
+    const Row& row = example.rows[i];
     Line line{.method = row.reading.method,
               .setting = row.reading.setting,
               .reading = row.nominal.run()->reading(),
@@ -130,8 +128,7 @@ void draw(const std::vector<Line>& lines, const std::string& example, scene::Sho
   plot.data(std::move(data));
 }
 
-template <int n>
-void put(const Example<n>& example, const std::vector<Line>& lines, scene::Show& show) {
+void put(const Example& example, const std::vector<Line>& lines, scene::Show& show) {
   draw(lines, example.title, show);
   show.table(lines, {{"method", &Line::method},
                      {"setting", &Line::setting},
@@ -155,16 +152,15 @@ void put(const Example<n>& example, const std::vector<Line>& lines, scene::Show&
 
 }  // namespace
 
-template <int n>
-scene::Scene result_table(const Example<n>& example) {
-  std::vector<scene::Result<Record<n>>> nominal, inferred;
+scene::Scene result_table(const Example& example) {
+  std::vector<scene::Result<Record>> nominal, inferred;
   std::vector<scene::Result<double>> times;
-  for (const Row<n>& row : example.rows) {
+  for (const Row& row : example.rows) {
     nominal.push_back(row.nominal);
     inferred.push_back(row.inferred);
     times.push_back(row.time);
   }
-  const auto show = [example](const Records<n>& as_printed, const Records<n>& as_inferred,
+  const auto show = [example](const Records& as_printed, const Records& as_inferred,
                               const std::vector<const double*>& milliseconds, scene::Show& to) {
     put(example, lines(example, as_printed, as_inferred, milliseconds), to);
   };
@@ -173,8 +169,5 @@ scene::Scene result_table(const Example<n>& example) {
           .place = "Table " + example.table.substr(6),
           .content = scene::Content(show, nominal, inferred, times)};
 }
-
-template scene::Scene result_table(const Example<2>&);
-template scene::Scene result_table(const Example<6>&);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -36,17 +36,17 @@ Expected scattered(double low, double high) {
           low, high};
 }
 
-Example<2> free_duffing_rows() {
+Example free_duffing_rows() {
   // oracle: rbf_ivp_methods 4.2 * 500, 4.2 * 100 P
   const double P = duffing_period();
-  Example<2> all{.made = free_duffing_case,
-                 .name = "duffing",
-                 .title = "Free Duffing",
-                 .table = "table-4.2",
-                 .quantity = "position RMS error",
-                 .keeping = {.window_begin = 500 - P, .window_end = 500}};
+  Example all{.made = free_duffing_case,
+              .name = "duffing",
+              .title = "Free Duffing",
+              .table = "table-4.2",
+              .quantity = "position RMS error",
+              .keeping = {.window_begin = 500 - P, .window_end = 500}};
   const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(std::move(reading), run, how + "; to t = 500, P = 4.768022", throughout<2>(method));
+    all.add(std::move(reading), run, how + "; to t = 500, P = 4.768022", throughout(method));
   };
   add({"ODE45-1", "ODE45-1", "tolerance 1e-6", Points::all, 0, about(1.302e-4, digits, found),
        about(1.175e-4, digits, found)},
@@ -92,15 +92,15 @@ Example<2> free_duffing_rows() {
   return all;
 }
 
-Example<2> impact_rows() {
+Example impact_rows() {
   // The row of one shape, 0.33, is recorded. oracle: rbf_ivp_methods 4.4 RK* to *, 4.4 Newmark* to *, 4.4
   // HHT* to *, 4.4 MCPI* to *, 4.4 Explicit-* once, 4.4 Explicit-* fault *
-  Example<2> all{.made = impact_case,
-                 .name = "impact",
-                 .title = "Impact",
-                 .table = "table-4.4",
-                 .quantity = "position RMS error",
-                 .keeping = {.window_begin = 495, .window_end = 500}};
+  Example all{.made = impact_case,
+              .name = "impact",
+              .title = "Impact",
+              .table = "table-4.4",
+              .quantity = "position RMS error",
+              .keeping = {.window_begin = 495, .window_end = 500}};
   const auto phases = [](auto method, double during, double after) {
     auto first = method, second = method;
     first.step = during;
@@ -108,7 +108,7 @@ Example<2> impact_rows() {
     return in_two_phases(first, second);
   };
   const auto add = [&](Reading reading, const std::string& run, const std::string& how,
-                       const Procedure<2>& procedure) {
+                       const Procedure& procedure) {
     all.add(std::move(reading), run, how + "; to t = 500 in two intervals", procedure);
   };
   const char *honest = "restarted with v(t_1)", *fault = "restarted with v(t_1 − h/2)";
@@ -167,17 +167,17 @@ Example<2> impact_rows() {
   return all;
 }
 
-Example<6> three_mass_rows() {
+Example three_mass_rows() {
   // oracle: rbf_ivp_methods 4.6 RK4-? x1, 4.6 Newmark-? x1, 4.6 HHT-? x1, 4.6 MCPI-? x1, 4.6 Explicit-?
   // x1, 4.6 Explicit-? x3
-  Example<6> all{.made = three_mass_case,
-                 .name = "three-masses",
-                 .title = "Three masses",
-                 .table = "table-4.6",
-                 .quantity = "x1 RMS error",
-                 .keeping = {.window_begin = 190, .window_end = 200}};
+  Example all{.made = three_mass_case,
+              .name = "three-masses",
+              .title = "Three masses",
+              .table = "table-4.6",
+              .quantity = "x1 RMS error",
+              .keeping = {.window_begin = 190, .window_end = 200}};
   const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(std::move(reading), run, how, throughout<6>(method));
+    all.add(std::move(reading), run, how, throughout(method));
   };
   add({"", "ODE45", "tolerance 1e-13", Points::all, 0, {}, {}}, "ode45",
       "the dissertation's reference: relative and absolute tolerance 1e-13", Ode45{1e-13, 1e-13});

@@ -49,68 +49,66 @@ struct Reading {
 };
 
 /// A row with its results.
-template <int n>
 struct Row {
   Reading reading;
-  scene::Result<Record<n>> nominal;   ///< settings as printed
-  scene::Result<Record<n>> inferred;  ///< the same, unless the inferred reading has other settings
-  scene::Result<double> time;         ///< of the nominal run, ms; only the table shows it
-  Procedure<n> procedure;             ///< of the nominal run
+  scene::Result<Record> nominal;   ///< settings as printed
+  scene::Result<Record> inferred;  ///< the same, unless the inferred reading has other settings
+  scene::Result<double> time;      ///< of the nominal run, ms; only the table shows it
+  Procedure procedure;             ///< of the nominal run
 
   /// RMS error to the printed end.
-  [[nodiscard]] double nominal_error(const Record<n>& record) const {
+  [[nodiscard]] double nominal_error(const Record& record) const {
     return rms_error(record, 0, reading.points);
   }
   /// RMS error to the end @p until under the inferred reading.
-  [[nodiscard]] double inferred_error(const Record<n>& record, double until) const {
+  [[nodiscard]] double inferred_error(const Record& record, double until) const {
     return rms_error(record, reading.inferred_component, reading.points, until);
   }
 };
 
 /// An example with its rows.
-template <int n>
 struct Example {
-  const Case<n>& (*made)();       ///< free_duffing_case and its like; called only when a result is computed
-  std::string name;               ///< begins the names of its results: "duffing"
-  std::string title;              ///< in headings: "Free Duffing"
-  std::string table;              ///< "table-4.2"
-  std::string quantity;           ///< as in `elgohary.csv`: "position RMS error"
-  Keeping keeping;                ///< of its runs
-  std::vector<Row<n>> rows = {};  ///< in the order of the table
+  const Case& (*made)();       ///< free_duffing_case and its like; called only when a result is computed
+  std::string name;            ///< begins the names of its results: "duffing"
+  std::string title;           ///< in headings: "Free Duffing"
+  std::string table;           ///< "table-4.2"
+  std::string quantity;        ///< as in `elgohary.csv`: "position RMS error"
+  Keeping keeping;             ///< of its runs
+  std::vector<Row> rows = {};  ///< in the order of the table
 
   /// Adds a row whose inferred reading has the settings as printed.
   /// @param run the result's name without the example's: "rk4-1"
-  void add(Reading reading, const std::string& run, const std::string& how, const Procedure<n>& procedure) {
+  void add(Reading reading, const std::string& run, const std::string& how, const Procedure& procedure) {
     const auto result = recorded(run, how, procedure);
     rows.push_back({std::move(reading), result, result, timed(run, how, procedure), procedure});
   }
   /// Adds a row whose inferred reading has settings of its own.
-  void add(Reading reading, const std::string& run, const std::string& how, const Procedure<n>& as_printed,
-           const std::string& how_inferred, const Procedure<n>& inferred) {
+  void add(Reading reading, const std::string& run, const std::string& how, const Procedure& as_printed,
+           const std::string& how_inferred, const Procedure& inferred) {
     rows.push_back({std::move(reading), recorded(run, how, as_printed),
                     recorded(run + "-inferred", how_inferred, inferred), timed(run, how, as_printed),
                     as_printed});
   }
   /// The row of a method. @throws std::out_of_range if there is none
-  [[nodiscard]] const Row<n>& row(const std::string& method) const {
-    const auto found = std::ranges::find(
-        rows, method, [](const Row<n>& r) -> const std::string& { return r.reading.method; });
+  [[nodiscard]] const Row& row(const std::string& method) const {
+    const auto found =
+        std::ranges::find(rows, method, [](const Row& r) -> const std::string& { return r.reading.method; });
     if (found == rows.end()) throw std::out_of_range("no row " + method);
     return *found;
   }
 
  private:
-  [[nodiscard]] scene::Result<Record<n>> recorded(const std::string& run, const std::string& how,
-                                                  const Procedure<n>& procedure) const {
+  [[nodiscard]] scene::Result<Record> recorded(const std::string& run, const std::string& how,
+                                               const Procedure& procedure) const {
     return {name + "-" + run, how, [made = made, procedure, keeping = keeping] {
-              return record<n>(made(), made().t1, procedure, keeping);
+              return record(made(), made().t1, procedure, keeping);
             }};
   }
   [[nodiscard]] scene::Result<double> timed(const std::string& run, const std::string& how,
-                                            const Procedure<n>& procedure) const {
+                                            const Procedure& procedure) const {
     return {name + "-" + run + "-time", how + "; one thread, median of nine, ms",
             [made = made, procedure](bool quick) {
-              const Case<n>& c = made();
+              const Case& c = made();
               const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
               return 1e3 * time_repeats(once, quick ? 1 : 9).median;
             }};
@@ -118,14 +116,13 @@ struct Example {
 };
 
 /// The rows of Table 4.2.
-[[nodiscard]] Example<2> free_duffing_rows();
+[[nodiscard]] Example free_duffing_rows();
 /// The rows of Table 4.4.
-[[nodiscard]] Example<2> impact_rows();
+[[nodiscard]] Example impact_rows();
 /// The rows of Table 4.6.
-[[nodiscard]] Example<6> three_mass_rows();
+[[nodiscard]] Example three_mass_rows();
 
 /// The table as a scene, published beside ours, with what we get for each printed error.
-template <int n>
-[[nodiscard]] scene::Scene result_table(const Example<n>& example);
+[[nodiscard]] scene::Scene result_table(const Example& example);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -14,9 +14,8 @@
 #include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
-#include "nlmech/ivp/structural/hht.hpp"
-#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -29,19 +28,18 @@ enum class Points {
 };
 
 /// One integration.
-template <int n>
 struct Record {
   /// A value that the method gave.
   struct Value {
-    double t;             ///< time, after the begin
-    bool end;             ///< the end of a step
-    ivp::State<n> x;      ///< state
-    ivp::State<n> error;  ///< state minus reference
+    double t;          ///< time, after the begin
+    bool end;          ///< the end of a step
+    ivp::State x;      ///< state
+    ivp::State error;  ///< state minus reference
   };
   /// A value of the method's dense output, for drawings.
   struct Drawn {
-    double t;         ///< time
-    ivp::State<n> x;  ///< state
+    double t;      ///< time
+    ivp::State x;  ///< state
   };
   std::vector<Value> values;  ///< in the order of time
   std::vector<Drawn> window;  ///< over the asked window
@@ -49,13 +47,12 @@ struct Record {
 };
 
 /// An integration of an example: from its begin to a time, with a method and its settings.
-template <int n>
-using Procedure = std::function<ivp::Solution<n>(const Case<n>&, double end, const ivp::Observer<n>&)>;
+using Procedure = std::function<ivp::Solution(const Case&, double end, const ivp::Observer&)>;
 
 /// One method from begin to end.
-template <int n, class Method>
-[[nodiscard]] Procedure<n> throughout(const Method& method) {
-  return [method](const Case<n>& c, double end, const ivp::Observer<n>& observer) {
+template <class Method>
+[[nodiscard]] Procedure throughout(const Method& method) {
+  return [method](const Case& c, double end, const ivp::Observer& observer) {
     return ivp::integrate(c.system, c.x0, c.t0, end, method, observer);
   };
 }
@@ -63,12 +60,12 @@ template <int n, class Method>
 /// Another setting from the end of the impact on: two integrations, the second from the end of the first, as
 /// section 4.4.2 says.
 template <class Method>
-[[nodiscard]] Procedure<2> in_two_phases(const Method& during, const Method& after) {
-  return [during, after](const Case<2>& c, double end, const ivp::Observer<2>& observer) {
-    const ivp::System<2>& system = impact_in_two_intervals();
-    ivp::Solution<2> first = ivp::integrate(system, c.x0, c.t0, impact_end(), during, observer);
+[[nodiscard]] Procedure in_two_phases(const Method& during, const Method& after) {
+  return [during, after](const Case& c, double end, const ivp::Observer& observer) {
+    const ivp::System& system = impact_in_two_intervals();
+    ivp::Solution first = ivp::integrate(system, c.x0, c.t0, impact_end(), during, observer);
     if (!first.status.ok()) return first;
-    ivp::Solution<2> second = ivp::integrate(system, first.x, first.t, end, after, observer);
+    ivp::Solution second = ivp::integrate(system, first.x, first.t, end, after, observer);
     second.statistics += first.statistics;
     return second;
   };
@@ -83,29 +80,28 @@ struct Keeping {
 
 /// Integrates to @p end and records.
 /// @throws Failure with the method's own sentence if it does not get there
-template <int n>
-[[nodiscard]] Record<n> record(const Case<n>& c, double end, const Procedure<n>& procedure,
-                               const Keeping& keeping = {}) {
-  Record<n> kept;
+[[nodiscard]] inline Record record(const Case& c, double end, const Procedure& procedure,
+                                   const Keeping& keeping = {}) {
+  Record kept;
   int sample = 0;
   const bool window = keeping.window_begin < keeping.window_end;
-  const auto observe = [&](const ivp::Step<n>& step) {
+  const auto observe = [&](const ivp::Step& step) {
     for (std::size_t k = 0; k < step.times.size(); ++k) {
       const double t = step.times[k];
-      const ivp::State<n> x = step.states.col(static_cast<Eigen::Index>(k));
+      const ivp::State x = step.states.col(static_cast<Eigen::Index>(k));
       kept.values.push_back({t, k + 1 == step.times.size(), x, error_at(c, t, x)});
     }
     for (; window && sample <= keeping.window_samples; ++sample) {
       const double share = double(sample) / keeping.window_samples;
       const double t = keeping.window_begin + share * (keeping.window_end - keeping.window_begin);
       if (t > step.t1) break;
-      ivp::State<n> x;
+      ivp::State x;
       step.dense.at(t, x);
       kept.window.push_back({t, x});
     }
     return true;
   };
-  const ivp::Solution<n> solution = procedure(c, end, observe);
+  const ivp::Solution solution = procedure(c, end, observe);
   if (!solution.status.ok()) throw Failure(solution.status);
   kept.statistics = solution.statistics;
   return kept;
@@ -114,9 +110,8 @@ template <int n>
 /// Root of the mean square of one component's error over the points up to a time, not normalised. Among the
 /// ends of steps the begin counts too, as in an array of times t_0, t_0 + h, ...; among inner nodes it does
 /// not, for no method computes it.
-template <int n>
-[[nodiscard]] double rms_error(const Record<n>& record, int component, Points points,
-                               double until = std::numeric_limits<double>::infinity()) {
+[[nodiscard]] inline double rms_error(const Record& record, int component, Points points,
+                                      double until = std::numeric_limits<double>::infinity()) {
   std::vector<double> errors(points == Points::ends ? 1 : 0, 0.0);
   const double reach = until * (1 + 1e-12);  // step ends carry the rounding of k h
   for (const auto& value : record.values) {

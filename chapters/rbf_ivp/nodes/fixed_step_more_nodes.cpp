@@ -20,23 +20,22 @@ struct Row {
 };
 
 /// Root mean square of the first position's error over all nodes of all steps from t0 to @p end.
-template <int n, class Method>
-std::optional<double> error_of(const Case<n>& c, double end, const Method& method) {
+template <class Method>
+std::optional<double> error_of(const Case& c, double end, const Method& method) {
   std::vector<double> errors;
-  const auto watch = [&](const ivp::Step<n>& step) {
+  const auto watch = [&](const ivp::Step& step) {
     for (std::size_t k = 0; k < step.times.size(); ++k) {
       const double found = step.states(0, static_cast<Eigen::Index>(k));
       errors.push_back(static_cast<double>(Extended(found) - c.reference(step.times[k])[0]));
     }
     return true;
   };
-  if (!ivp::integrate(c.system, c.x0, c.t0, end, method, ivp::Observer<n>(watch)).status.ok())
+  if (!ivp::integrate(c.system, c.x0, c.t0, end, method, ivp::Observer(watch)).status.ok())
     return std::nullopt;
   return root_mean_square(errors);
 }
 
-template <int n>
-void add_rows(std::vector<Row>& rows, const Case<n>& c, double step, double end, int last, int by) {
+void add_rows(std::vector<Row>& rows, const Case& c, double step, double end, int last, int by) {
   constexpr auto radau = collocation::NodeFamily::left_end_and_radau;
   for (int nodes = 10; nodes <= last; nodes += by) {
     rows.push_back(

@@ -9,20 +9,18 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-template <int n>
-ivp::State<n> reference_state(const Arc<n>& arc, double tau) {
+ivp::State reference_state(const Arc& arc, double tau) {
   return arc.example->reference(arc.t0 + arc.h * tau).template cast<double>();
 }
 
 }  // namespace
 
-template <int n>
-Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
+Eigen::MatrixXd residual_columns(const Arc& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
   Eigen::MatrixXd r = (space.slopes * states).transpose();
   const Eigen::MatrixXd x = (space.values * states).transpose();
-  ivp::State<n> f = arc.example->x0;
+  ivp::State f = arc.example->x0;
   for (Eigen::Index i = 0; i < r.cols(); ++i) {
-    arc.example->system.rhs(arc.t0 + arc.h * space.checks[i], ivp::State<n>(x.col(i)), f);
+    arc.example->system.rhs(arc.t0 + arc.h * space.checks[i], ivp::State(x.col(i)), f);
     r.col(i) -= arc.h * f;
   }
   return r;
@@ -31,14 +29,13 @@ Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space, con
 namespace {
 
 /// Errors, residuals and curvature of a solution. @param states a row for each node
-template <int n>
-Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
+Fit judged(const Arc& arc, const TrialSpace& space, Eigen::MatrixXd states) {
   Fit fit;
-  const auto size = [&](const ivp::State<n>& x) {
+  const auto size = [&](const ivp::State& x) {
     return x.cwiseQuotient(arc.example->amplitude).cwiseAbs().maxCoeff();
   };
   const auto error = [&](double tau, const Eigen::RowVectorXd& x) {
-    return size(ivp::State<n>(x.transpose()) - reference_state(arc, tau));
+    return size(ivp::State(x.transpose()) - reference_state(arc, tau));
   };
   const Eigen::MatrixXd x = space.values * states, r = residual_columns(arc, space, states),
                         bend = space.slopes * (space.derivative * states);
@@ -60,10 +57,9 @@ Fit judged(const Arc<n>& arc, const TrialSpace& space, Eigen::MatrixXd states) {
 
 }  // namespace
 
-template <int n>
-Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
-  CollocationEquations<n> equations(arc.example->system, space.nodes, space.derivative, Form::printed);
-  const ivp::State<n> x0 = reference_state(arc, 0);
+Fit collocate(const Arc& arc, const TrialSpace& space) {
+  CollocationEquations equations(arc.example->system, space.nodes, space.derivative, Form::printed);
+  const ivp::State x0 = reference_state(arc, 0);
   equations.begin(arc.t0, arc.h, x0);
   Eigen::VectorXd x = equations.start();
   const auto report = find_root(algebraic::DampedNewton{.tolerance = 1e-13, .noise = 1e-8}, equations, x);
@@ -75,18 +71,17 @@ Fit collocate(const Arc<n>& arc, const TrialSpace& space) {
   return judged(arc, space, std::move(states));
 }
 
-template <int n>
-Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
+Fit least_squares(const Arc& arc, const TrialSpace& space) {
   Fit start = collocate(arc, space);
   if (!start.converged) return start;
   const Eigen::Index m = space.checks.size(), s = space.nodes.size() - 1, d = arc.example->x0.size();
   const Eigen::VectorXd root_weights = gauss_weights(m).cwiseSqrt();
   Eigen::MatrixXd states = start.states, b(m * d, s * d);
-  ivp::Jacobian<n> j = ivp::Jacobian<n>::Zero(d, d);
+  ivp::Jacobian j = ivp::Jacobian::Zero(d, d);
   for (int k = 0; k < 20; ++k) {
     Eigen::MatrixXd r = residual_columns(arc, space, states);
     for (Eigen::Index i = 0; i < m; ++i) {
-      const ivp::State<n> x = (space.values.row(i) * states).transpose();
+      const ivp::State x = (space.values.row(i) * states).transpose();
       arc.example->system.jacobian(arc.t0 + arc.h * space.checks[i], x, j);
       for (Eigen::Index c = 0; c < s; ++c) {
         auto block = b.block(i * d, c * d, d, d);
@@ -104,11 +99,5 @@ Fit least_squares(const Arc<n>& arc, const TrialSpace& space) {
   }
   return {};
 }
-
-template Eigen::MatrixXd residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
-template Fit collocate(const Arc<2>&, const TrialSpace&);
-template Fit collocate(const Arc<6>&, const TrialSpace&);
-template Fit least_squares(const Arc<2>&, const TrialSpace&);
-template Fit least_squares(const Arc<6>&, const TrialSpace&);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -44,8 +44,7 @@ struct Comparison {
 VectorXd equal_shapes(const VectorXd& nodes, double shape) { return VectorXd::Constant(nodes.size(), shape); }
 
 /// From half the nodes, inserted in four rounds or so; the relative shape grows with their number.
-template <int n>
-VectorXd grown_nodes(const Arc<n>& arc, int count, double shape) {
+VectorXd grown_nodes(const Arc& arc, int count, double shape) {
   VectorXd nodes = family_nodes(lobatto, (count + 1) / 2);
   const int batch = std::max(1, (count - static_cast<int>(nodes.size()) + 3) / 4);
   while (nodes.size() < count) {
@@ -61,8 +60,7 @@ VectorXd grown_nodes(const Arc<n>& arc, int count, double shape) {
   return nodes;
 }
 
-template <int n>
-Comparison compare(const std::string& problem, const Arc<n>& arc, int count, double shape) {
+Comparison compare(const std::string& problem, const Arc& arc, int count, double shape) {
   Comparison c{problem, count, arc.h, shape, {}};
   const auto keep = [&](const char* name, const Fit& fit) {
     c.errors[name] = {fit.end_error, fit.largest_error};
@@ -92,14 +90,13 @@ Comparison compare(const std::string& problem, const Arc<n>& arc, int count, dou
 }
 
 /// Three steps of Radau polynomials between the kinks of the force, with as many unknowns or fewer.
-Errors split_at_kinks(const Arc<2>& arc, int count) {
-  const Case<2>& c = *arc.example;
+Errors split_at_kinks(const Arc& arc, int count) {
+  const Case& c = *arc.example;
   const ivp::PolynomialCollocation method = {.step = arc.h, .nodes = (count - 1) / 3 + 1, .points = radau};
   Errors errors = {0, 0};
-  const auto observer = [&](const ivp::Step<2>& step) {
+  const auto observer = [&](const ivp::Step& step) {
     for (std::size_t k = 0; k < step.times.size(); ++k) {
-      const ivp::State<2> e =
-          error_at(c, step.times[k], step.states.col(static_cast<Eigen::Index>(k)).eval());
+      const ivp::State e = error_at(c, step.times[k], step.states.col(static_cast<Eigen::Index>(k)).eval());
       errors.end = e.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
       errors.largest = std::max(errors.largest, errors.end);
     }
@@ -116,11 +113,11 @@ Comparison compare_at(int which, int nodes, double shape) {
     return nodes == 7 ? seven : nodes == 20 ? twenty : more;
   };
   switch (which) {
-    case 0: return compare("duffing", Arc<2>{&free_duffing_case(), 0, pick(P / 10, P / 2, P)}, nodes, shape);
-    case 1: return compare("after the impact", Arc<2>{&impact_case(), 1, pick(0.5, 3, 6)}, nodes, shape);
-    case 2: return compare("three masses", Arc<6>{&three_mass_case(), 0, pick(0.625, 5, 20)}, nodes, shape);
+    case 0: return compare("duffing", Arc{&free_duffing_case(), 0, pick(P / 10, P / 2, P)}, nodes, shape);
+    case 1: return compare("after the impact", Arc{&impact_case(), 1, pick(0.5, 3, 6)}, nodes, shape);
+    case 2: return compare("three masses", Arc{&three_mass_case(), 0, pick(0.625, 5, 20)}, nodes, shape);
     default: {
-      const Arc<2> arc{&impact_case(), 0, 1.6};
+      const Arc arc{&impact_case(), 0, 1.6};
       Comparison c = compare("impact inside", arc, nodes, shape);
       c.errors[split] = split_at_kinks(arc, nodes);
       return c;
@@ -135,7 +132,7 @@ struct Growth {
   double residual = 0, largest = 0;
 };
 
-void grow(std::vector<Growth>& all, const std::string& problem, const Arc<2>& arc, int most) {
+void grow(std::vector<Growth>& all, const std::string& problem, const Arc& arc, int most) {
   const auto shape = [](int nodes) { return 0.15 * (nodes - 1); };
   VectorXd nodes = family_nodes(lobatto, 8);
   for (int count = 8; count <= most; count += 4) {

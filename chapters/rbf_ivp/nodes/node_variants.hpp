@@ -55,11 +55,10 @@ struct TrialSpace {
                                             const Eigen::VectorXd& residuals, int count);
 
 /// An interval of an example, from a state of its reference.
-template <int n>
 struct Arc {
-  const Case<n>* example;  ///< with its reference
-  double t0;               ///< begin
-  double h;                ///< length
+  const Case* example;  ///< with its reference
+  double t0;            ///< begin
+  double h;             ///< length
 };
 
 /// A discrete solution and how wrong it is. Components are divided by their amplitudes.
@@ -73,24 +72,15 @@ struct Fit {
 };
 
 /// x' - f at the check points, by column, times h. @param states a row for each node
-template <int n>
-[[nodiscard]] Eigen::MatrixXd residual_columns(const Arc<n>& arc, const TrialSpace& space,
+[[nodiscard]] Eigen::MatrixXd residual_columns(const Arc& arc, const TrialSpace& space,
                                                const Eigen::MatrixXd& states);
 
 /// Collocation (Eq. 4.16) at the nodes but the first, by damped Newton iteration from the constant state.
-template <int n>
-[[nodiscard]] Fit collocate(const Arc<n>& arc, const TrialSpace& space);
+[[nodiscard]] Fit collocate(const Arc& arc, const TrialSpace& space);
 
 /// The same unknowns, but the equations hold at all check points in the sense of least squares, with the
 /// weights of Gauss quadrature: the integral of |x' - f|^2 is least. Gauss-Newton from the collocated
 /// solution, Householder QR.
-template <int n>
-[[nodiscard]] Fit least_squares(const Arc<n>& arc, const TrialSpace& space);
-
-extern template Eigen::MatrixXd residual_columns(const Arc<2>&, const TrialSpace&, const Eigen::MatrixXd&);
-extern template Fit collocate(const Arc<2>&, const TrialSpace&);
-extern template Fit collocate(const Arc<6>&, const TrialSpace&);
-extern template Fit least_squares(const Arc<2>&, const TrialSpace&);
-extern template Fit least_squares(const Arc<6>&, const TrialSpace&);
+[[nodiscard]] Fit least_squares(const Arc& arc, const TrialSpace& space);
 
 }  // namespace nlmech::chapters::rbf_ivp

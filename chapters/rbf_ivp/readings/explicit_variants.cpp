@@ -43,7 +43,7 @@ std::string_view to_string(ExplicitDamping damping) {
 
 Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
   const problems::ThreeMassChain p;
-  const Case<6>& c = three_mass_case();
+  const Case& c = three_mass_case();
   const Vector3 v0 = c.x0.tail<3>();
   Vector3 q = c.x0.head<3>(), a;
   p.acceleration(0.0, q, v0, a);

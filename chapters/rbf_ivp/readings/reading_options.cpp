@@ -95,8 +95,8 @@ Question end_and_period(const Printed& printed) {
   for (const auto& [name, P] : {std::pair("exact", duffing_period()), {"= 4.768", 4.768}, {"= 4.77", 4.77}}) {
     std::vector<Answer> answers = step_methods(P, true);
     answers.push_back(answer({"table-4.2", "(P/500)", P / 500}, "Explicit-2", CentralDifference{}));
-    answers.push_back({"table-4.2", "ODE45-1", trace_of_duffing(throughout<2>(Ode45{1e-6, 1e-6}))});
-    answers.push_back({"table-4.2", "ODE45-2", trace_of_duffing(throughout<2>(Ode45{1e-9, 1e-9}))});
+    answers.push_back({"table-4.2", "ODE45-1", trace_of_duffing(throughout(Ode45{1e-6, 1e-6}))});
+    answers.push_back({"table-4.2", "ODE45-2", trace_of_duffing(throughout(Ode45{1e-9, 1e-9}))});
     const auto to = [&](double end) {
       return score(answers, printed, [end](const Answer& a) {
         return a.trace.rms(end, a.row.starts_with("ODE45") ? Points::all : Points::ends);

@@ -10,19 +10,18 @@ namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// Fifteen times as fast as the elliptic functions.
-Case<2> duffing_by_series() {
+Case duffing_by_series() {
   const problems::Duffing problem;
   using Trajectory = problems::ReferenceTrajectory<Extended, problems::Duffing>;
   const auto trajectory = std::make_shared<const Trajectory>(
       problem, Vector<Extended, 2>(problem.initial_state().cast<Extended>()), Extended(0), Extended(505));
-  Case<2> c = free_duffing_case();
+  Case c = free_duffing_case();
   c.reference = [trajectory](double t) { return (*trajectory)(t); };
   return c;
 }
 
-template <int n>
-Trace trace_of(const Case<n>& c, const Procedure<n>& procedure) {
-  const Record<n> kept = record(c, c.t1, procedure);
+Trace trace_of(const Case& c, const Procedure& procedure) {
+  const Record kept = record(c, c.t1, procedure);
   Trace trace{{}, c.amplitude[0]};
   trace.values.reserve(kept.values.size());
   for (const auto& v : kept.values)
@@ -61,13 +60,13 @@ std::vector<Setting> implicit_settings(double P) {
           {"table-4.6", "(0.625)", 0.625},       {"table-4.6", "(0.0625)", 0.0625}};
 }
 
-Trace trace_of_duffing(const Procedure<2>& procedure) {
-  static const Case<2> c = duffing_by_series();
+Trace trace_of_duffing(const Procedure& procedure) {
+  static const Case c = duffing_by_series();
   return trace_of(c, procedure);
 }
 
-Trace trace_of_impact(const Procedure<2>& procedure) { return trace_of(impact_case(), procedure); }
+Trace trace_of_impact(const Procedure& procedure) { return trace_of(impact_case(), procedure); }
 
-Trace trace_of_chain(const Procedure<6>& procedure) { return trace_of(three_mass_case(), procedure); }
+Trace trace_of_chain(const Procedure& procedure) { return trace_of(three_mass_case(), procedure); }
 
 }  // namespace nlmech::chapters::rbf_ivp

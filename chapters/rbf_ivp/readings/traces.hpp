@@ -43,18 +43,18 @@ struct Setting {
 [[nodiscard]] std::vector<Setting> implicit_settings(double P);
 
 /// Runs a procedure on the free oscillator, whose reference is a Taylor series here.
-[[nodiscard]] Trace trace_of_duffing(const Procedure<2>& procedure);
+[[nodiscard]] Trace trace_of_duffing(const Procedure& procedure);
 /// Runs a procedure on the oscillator under the impact.
-[[nodiscard]] Trace trace_of_impact(const Procedure<2>& procedure);
+[[nodiscard]] Trace trace_of_impact(const Procedure& procedure);
 /// Runs a procedure on the three masses.
-[[nodiscard]] Trace trace_of_chain(const Procedure<6>& procedure);
+[[nodiscard]] Trace trace_of_chain(const Procedure& procedure);
 
 /// Runs a method with the steps of a setting on the example of its table.
 template <class Method>
 [[nodiscard]] Trace trace(const Setting& setting, Method method) {
   method.step = setting.first;
-  if (setting.table == "table-4.2") return trace_of_duffing(throughout<2>(method));
-  if (setting.table == "table-4.6") return trace_of_chain(throughout<6>(method));
+  if (setting.table == "table-4.2") return trace_of_duffing(throughout(method));
+  if (setting.table == "table-4.6") return trace_of_chain(throughout(method));
   Method after = method;
   after.step = setting.second;
   return trace_of_impact(in_two_phases(method, after));

@@ -5,9 +5,8 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-template <int n>
-CollocationEquations<n>::CollocationEquations(ivp::System<n> system, const Eigen::VectorXd& nodes,
-                                              const Eigen::MatrixXd& derivative, Form form)
+CollocationEquations::CollocationEquations(ivp::System system, const Eigen::VectorXd& nodes,
+                                           const Eigen::MatrixXd& derivative, Form form)
     : system_(std::move(system)), form_(form), nodes_(nodes) {
   const Eigen::Index s = nodes_.size() - 1;
   derivative_ = derivative.bottomRightCorner(s, s);
@@ -17,12 +16,11 @@ CollocationEquations<n>::CollocationEquations(ivp::System<n> system, const Eigen
   times_.resize(static_cast<std::size_t>(s));
   states_.resize(system_.size(), s);
   slopes_.resize(system_.size(), s);
-  slabs_.assign(times_.size(), ivp::Jacobian<n>::Zero(system_.size(), system_.size()));
-  begin(0, 1, ivp::State<n>::Zero(system_.size()));
+  slabs_.assign(times_.size(), ivp::Jacobian::Zero(system_.size(), system_.size()));
+  begin(0, 1, ivp::State::Zero(system_.size()));
 }
 
-template <int n>
-void CollocationEquations<n>::begin(double t0, double h, const ivp::State<n>& x0) {
+void CollocationEquations::begin(double t0, double h, const ivp::State& x0) {
   h_ = h;
   x0_ = x0;
   for (std::size_t k = 0; k < times_.size(); ++k)
@@ -30,15 +28,13 @@ void CollocationEquations<n>::begin(double t0, double h, const ivp::State<n>& x0
   times_.back() = t0 + h;
 }
 
-template <int n>
-Eigen::VectorXd CollocationEquations<n>::start() const {
+Eigen::VectorXd CollocationEquations::start() const {
   Eigen::VectorXd x(size());
   as_states(x).colwise() = x0_;
   return x;
 }
 
-template <int n>
-void CollocationEquations<n>::residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) {
+void CollocationEquations::residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) {
   slopes(x);
   auto out = as_states(f);
   if (form_ == Form::printed) {
@@ -51,16 +47,14 @@ void CollocationEquations<n>::residual(const Eigen::VectorXd& x, Eigen::VectorXd
   }
 }
 
-template <int n>
-void CollocationEquations<n>::picard(const Eigen::VectorXd& x, Eigen::VectorXd& next) {
+void CollocationEquations::picard(const Eigen::VectorXd& x, Eigen::VectorXd& next) {
   slopes(x);
   auto out = as_states(next);
   out.noalias() = (h_ * slopes_) * integral_.transpose();
   out.noalias() += x0_ * constant_.transpose();
 }
 
-template <int n>
-void CollocationEquations<n>::linearise(const Eigen::VectorXd& x) {
+void CollocationEquations::linearise(const Eigen::VectorXd& x) {
   const auto states = as_states(x);
   for (std::size_t k = 0; k < times_.size(); ++k) {
     node_ = states.col(static_cast<Eigen::Index>(k));
@@ -68,8 +62,7 @@ void CollocationEquations<n>::linearise(const Eigen::VectorXd& x) {
   }
 }
 
-template <int n>
-void CollocationEquations<n>::apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
+void CollocationEquations::apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
   const auto in = as_states(v);
   auto result = as_states(out);
   for (Eigen::Index k = 0; k < in.cols(); ++k) slopes_.col(k).noalias() = slab(k) * in.col(k);
@@ -82,8 +75,7 @@ void CollocationEquations<n>::apply(const Eigen::VectorXd& v, Eigen::VectorXd& o
   }
 }
 
-template <int n>
-void CollocationEquations<n>::apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
+void CollocationEquations::apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const {
   const auto in = as_states(v);
   auto result = as_states(out);
   if (form_ == Form::printed) {
@@ -97,8 +89,7 @@ void CollocationEquations<n>::apply_transposed(const Eigen::VectorXd& v, Eigen::
   }
 }
 
-template <int n>
-void CollocationEquations<n>::matrix(Eigen::MatrixXd& b) const {
+void CollocationEquations::matrix(Eigen::MatrixXd& b) const {
   const Eigen::Index m = system_.size(), s = states_.cols();
   b.setZero(m * s, m * s);
   for (Eigen::Index row = 0; row < s; ++row) {
@@ -119,13 +110,9 @@ void CollocationEquations<n>::matrix(Eigen::MatrixXd& b) const {
   }
 }
 
-template <int n>
-void CollocationEquations<n>::slopes(const Eigen::VectorXd& x) {
+void CollocationEquations::slopes(const Eigen::VectorXd& x) {
   states_ = as_states(x);
   system_.rhs(times_, states_, slopes_);
 }
-
-template class CollocationEquations<2>;
-template class CollocationEquations<6>;
 
 }  // namespace nlmech::chapters::rbf_ivp

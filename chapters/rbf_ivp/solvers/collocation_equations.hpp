@@ -19,27 +19,26 @@ enum class Form {
 };
 
 /// The states at nodes 2..N of an interval, ordered node by node, are the unknowns.
-template <int n>
 class CollocationEquations : public algebraic::Equations {
  public:
   /// @param system the problem
   /// @param basis trial functions
   /// @param form which F
-  CollocationEquations(ivp::System<n> system, const collocation::Basis& basis, Form form)
+  CollocationEquations(ivp::System system, const collocation::Basis& basis, Form form)
       : CollocationEquations(std::move(system), basis.nodes(), basis.derivative(), form) {}
   /// @param system the problem
   /// @param nodes on the unit interval, the first 0, the last 1
   /// @param derivative from values at the nodes to derivatives there
   /// @param form which F
-  CollocationEquations(ivp::System<n> system, const Eigen::VectorXd& nodes, const Eigen::MatrixXd& derivative,
+  CollocationEquations(ivp::System system, const Eigen::VectorXd& nodes, const Eigen::MatrixXd& derivative,
                        Form form);
 
   /// From now on the interval from @p t0 to @p t0 + @p h, with the state @p x0 at its begin.
-  void begin(double t0, double h, const ivp::State<n>& x0);
+  void begin(double t0, double h, const ivp::State& x0);
   /// The constant state.
   [[nodiscard]] Eigen::VectorXd start() const;
   /// The state at the end of the interval.
-  [[nodiscard]] ivp::State<n> end(const Eigen::VectorXd& x) const { return x.tail(system_.size()); }
+  [[nodiscard]] ivp::State end(const Eigen::VectorXd& x) const { return x.tail(system_.size()); }
   /// Times of the nodes 2..N.
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
 
@@ -62,31 +61,28 @@ class CollocationEquations : public algebraic::Equations {
 
  private:
   // Column k of a vector of unknowns is the state at node k + 2.
-  [[nodiscard]] Eigen::Map<ivp::Nodes<n>> as_states(Eigen::VectorXd& x) const {
+  [[nodiscard]] Eigen::Map<ivp::Nodes> as_states(Eigen::VectorXd& x) const {
     return {x.data(), states_.rows(), states_.cols()};
   }
-  [[nodiscard]] Eigen::Map<const ivp::Nodes<n>> as_states(const Eigen::VectorXd& x) const {
+  [[nodiscard]] Eigen::Map<const ivp::Nodes> as_states(const Eigen::VectorXd& x) const {
     return {x.data(), states_.rows(), states_.cols()};
   }
-  [[nodiscard]] const ivp::Jacobian<n>& slab(Eigen::Index k) const {
+  [[nodiscard]] const ivp::Jacobian& slab(Eigen::Index k) const {
     return slabs_[static_cast<std::size_t>(k)];
   }
   void slopes(const Eigen::VectorXd& x);
 
-  ivp::System<n> system_;
+  ivp::System system_;
   Form form_;
   Eigen::VectorXd nodes_;
   Eigen::MatrixXd derivative_, integral_;  // of the unit interval, rows and columns 2..N, and the inverse
   Eigen::VectorXd from_left_, constant_;  // D_s1; what a constant x_1 becomes at the nodes: 1 for polynomials
   double h_ = 1;
-  ivp::State<n> x0_, node_;
+  ivp::State x0_, node_;
   std::vector<double> times_;
-  ivp::Nodes<n> states_;
-  mutable ivp::Nodes<n> slopes_;         // right-hand sides; room for products
-  std::vector<ivp::Jacobian<n>> slabs_;  // dg/dx at the nodes
+  ivp::Nodes states_;
+  mutable ivp::Nodes slopes_;         // right-hand sides; room for products
+  std::vector<ivp::Jacobian> slabs_;  // dg/dx at the nodes
 };
-
-extern template class CollocationEquations<2>;
-extern template class CollocationEquations<6>;
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -70,11 +70,11 @@ enum class Start {
 
 /// Iterates over a step of the free Duffing oscillator that begins at the time @p t0.
 Changes sweep(const Tables& tables, double t0, double step, Start start) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const Eigen::Index count = tables.nodes.size();
-  const ivp::State<2> x0 = c.reference(t0).cast<double>();
+  const ivp::State x0 = c.reference(t0).cast<double>();
   std::vector<double> times;
-  ivp::Nodes<2> x(2, count), next(2, count), g(2, count);
+  ivp::Nodes x(2, count), next(2, count), g(2, count);
   for (Eigen::Index k = 0; k < count; ++k) {
     times.push_back(t0 + step * tables.nodes[k]);
     x.col(k) = x0;
@@ -141,8 +141,7 @@ PhaseLimits limits_by_phase(const Tables& tables, int phases, std::int64_t first
 
 /// Largest steps, in seconds, with which the method comes to the end of an interval.
 /// @param first half seconds of the shortest step tried
-template <int n>
-double limit_over_time(const Case<n>& c, int order, std::int64_t first) {
+double limit_over_time(const Case& c, int order, std::int64_t first) {
   return largest_step(0.5, first, [&](double step) {
     const ivp::Mcpi method = {.step = step, .order = order};
     return ivp::integrate(c.system, c.x0, c.t0, c.t1, method).status.ok();
@@ -161,7 +160,7 @@ double converging_steps(double periods, int order) {
 
 /// The same by the method itself, each step from the end of the last; nothing if none diverges.
 std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const ivp::Mcpi method = {.step = periods * duffing_period(), .order = order};
   const auto solution = ivp::integrate(c.system, c.x0, c.t0, c.t1, method);
   if (solution.status.ok()) return std::nullopt;

@@ -29,8 +29,7 @@ struct Row {
   std::vector<int> done;    ///< intervals that converged
 };
 
-template <int n>
-void add_rows(std::vector<Row>& rows, const Case<n>& c, int nodes, double h, double shape, int count,
+void add_rows(std::vector<Row>& rows, const Case& c, int nodes, double h, double shape, int count,
               const Effort& effort) {
   const std::array<std::pair<std::string, Basis>, 3> all = {
       {{"Gaussians LGL", Basis::radial(lobatto, nodes, collocation::Kernel::gaussian, shape * h)},
@@ -72,8 +71,8 @@ struct Trial {
 };
 
 Trial trial(double abscissa, Solver solver, const Basis& basis, double h, const Effort& effort) {
-  const Case<2>& c = free_duffing_case();
-  Interval<2> interval(c, basis);
+  const Case& c = free_duffing_case();
+  Interval interval(c, basis);
   interval.begin(0, h, c.x0);
   Trial t{abscissa, solver, {}, 0, {}};
   t.cost = solve(solver, interval, t.x, effort);
@@ -246,8 +245,8 @@ double largest_length(const Trials& trials, Solver solver) {
 /// Gradient descent with Polyak's step for linear equations: |e|^2 falls by 1 - (3/4)/cond^2 or more a step,
 /// and |F| is between the least and the largest singular value times |e|.
 double most_iterations(int nodes) {
-  const Case<2>& c = free_duffing_case();
-  CollocationEquations<2> equations(c.system, Basis::polynomial(radau, nodes), Form::printed);
+  const Case& c = free_duffing_case();
+  CollocationEquations equations(c.system, Basis::polynomial(radau, nodes), Form::printed);
   equations.begin(0, duffing_period() / 2, c.x0);
   equations.linearise(equations.start());
   Eigen::MatrixXd b;

@@ -127,11 +127,10 @@ Cost solve(Solver solver, algebraic::Equations& equations, Eigen::VectorXd& x, c
   return cost;
 }
 
-template <int n>
-Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effort& effort) {
+Cost solve(Solver solver, Interval& interval, Eigen::VectorXd& x, const Effort& effort) {
   const bool integrated = solver == Solver::picard || solver == Solver::fixed_point_integrated ||
                           solver == Solver::newton_flow_integrated;
-  CollocationEquations<n>& equations = integrated ? interval.integrated : interval.printed;
+  CollocationEquations& equations = integrated ? interval.integrated : interval.printed;
   x = equations.start();
   Cost cost =
       solver == Solver::picard
@@ -144,11 +143,10 @@ Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effor
   return cost;
 }
 
-template <int n>
-std::pair<Cost, int> solve_row(Solver solver, const Case<n>& c, const collocation::Basis& basis, double h,
+std::pair<Cost, int> solve_row(Solver solver, const Case& c, const collocation::Basis& basis, double h,
                                int count, const Effort& effort) {
-  Interval<n> interval(c, basis);
-  ivp::State<n> state = c.x0;
+  Interval interval(c, basis);
+  ivp::State state = c.x0;
   Eigen::VectorXd x;
   Cost sum;
   sum.converged = true;
@@ -161,23 +159,15 @@ std::pair<Cost, int> solve_row(Solver solver, const Case<n>& c, const collocatio
   return {std::move(sum), count};
 }
 
-template <int n>
-double error_at_nodes(const Case<n>& c, const CollocationEquations<n>& equations, const Eigen::VectorXd& x) {
+double error_at_nodes(const Case& c, const CollocationEquations& equations, const Eigen::VectorXd& x) {
   double largest = 0;
   for (std::size_t k = 0; k < equations.times().size(); ++k) {
-    const ivp::State<n> state = x.segment(static_cast<Eigen::Index>(k) * c.x0.size(), c.x0.size());
-    const ivp::State<n> error = error_at(c, equations.times()[k], state);
+    const ivp::State state = x.segment(static_cast<Eigen::Index>(k) * c.x0.size(), c.x0.size());
+    const ivp::State error = error_at(c, equations.times()[k], state);
     const double part = error.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
     if (!(part <= largest)) largest = part;  // keeps a NaN
   }
   return largest;
 }
-
-template Cost solve(Solver, Interval<2>&, Eigen::VectorXd&, const Effort&);
-template std::pair<Cost, int> solve_row(Solver, const Case<2>&, const collocation::Basis&, double, int,
-                                        const Effort&);
-template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const collocation::Basis&, double, int,
-                                        const Effort&);
-template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -62,16 +62,15 @@ struct Cost {
 };
 
 /// The equations of an interval in both forms.
-template <int n>
 struct Interval {
   /// With these trial functions.
-  Interval(const Case<n>& c, const collocation::Basis& basis)
+  Interval(const Case& c, const collocation::Basis& basis)
       : printed(c.system, basis, Form::printed), integrated(c.system, basis, Form::integrated) {}
-  CollocationEquations<n> printed;     ///< D x - g
-  CollocationEquations<n> integrated;  ///< x - (D_ss)^-1 (g - D_s1 x_1)
+  CollocationEquations printed;     ///< D x - g
+  CollocationEquations integrated;  ///< x - (D_ss)^-1 (g - D_s1 x_1)
 
   /// See CollocationEquations.
-  void begin(double t0, double h, const ivp::State<n>& x0) {
+  void begin(double t0, double h, const ivp::State& x0) {
     printed.begin(t0, h, x0);
     integrated.begin(t0, h, x0);
   }
@@ -83,25 +82,15 @@ struct Interval {
                          const Effort& effort);
 
 /// One interval from the constant state; x receives the states at the nodes 2..N.
-template <int n>
-[[nodiscard]] Cost solve(Solver solver, Interval<n>& interval, Eigen::VectorXd& x, const Effort& effort);
+[[nodiscard]] Cost solve(Solver solver, Interval& interval, Eigen::VectorXd& x, const Effort& effort);
 
 /// So many intervals of length h from the example's begin, each from the end of the one before. Stops at the
 /// first that does not converge. @return the sum, and how many intervals converged
-template <int n>
-[[nodiscard]] std::pair<Cost, int> solve_row(Solver solver, const Case<n>& c, const collocation::Basis& basis,
+[[nodiscard]] std::pair<Cost, int> solve_row(Solver solver, const Case& c, const collocation::Basis& basis,
                                              double h, int count, const Effort& effort);
 
 /// The largest error of a state component at a node, relative to its amplitude.
-template <int n>
-[[nodiscard]] double error_at_nodes(const Case<n>& c, const CollocationEquations<n>& equations,
+[[nodiscard]] double error_at_nodes(const Case& c, const CollocationEquations& equations,
                                     const Eigen::VectorXd& x);
-
-extern template Cost solve(Solver, Interval<2>&, Eigen::VectorXd&, const Effort&);
-extern template std::pair<Cost, int> solve_row(Solver, const Case<2>&, const collocation::Basis&, double, int,
-                                               const Effort&);
-extern template std::pair<Cost, int> solve_row(Solver, const Case<6>&, const collocation::Basis&, double, int,
-                                               const Effort&);
-extern template double error_at_nodes(const Case<2>&, const CollocationEquations<2>&, const Eigen::VectorXd&);
 
 }  // namespace nlmech::chapters::rbf_ivp

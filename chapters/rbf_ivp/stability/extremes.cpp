@@ -50,12 +50,11 @@ struct BlowUpOfSecondOrder {
 };
 
 /// What is asked: an interval, a step for who takes one, and what should come out.
-template <int n>
 struct Trial {
-  ivp::System<n> system;
-  ivp::State<n> x0;
+  ivp::System system;
+  ivp::State x0;
   double t0, t1, step;
-  std::function<double(const ivp::State<n>&)> digits;  ///< of the end state; empty: there is no solution
+  std::function<double(const ivp::State&)> digits;  ///< of the end state; empty: there is no solution
 };
 
 constexpr std::int64_t most_steps = 100'000;
@@ -66,16 +65,15 @@ struct End {
   std::optional<double> digits;
 };
 
-template <int n>
-End attempt(const comparison::AnyMethod& method, const Trial<n>& trial, const ivp::Settings& extra = {}) {
+End attempt(const comparison::AnyMethod& method, const Trial& trial, const ivp::Settings& extra = {}) {
   ivp::Settings settings = extra;
   if (method.info.fixed_step()) {
     settings.step = trial.step;
   } else {
     settings.tolerance = 1e-6;
   }
-  const auto s = comparison::any_integrator<n>(method, settings)(trial.system, trial.x0, trial.t0, trial.t1,
-                                                                 {}, ivp::Limits{.steps = most_steps});
+  const auto s = comparison::any_integrator(method, settings)(trial.system, trial.x0, trial.t0, trial.t1, {},
+                                                              ivp::Limits{.steps = most_steps});
   if (!s.status.ok()) return {s.status.outcome(), std::nullopt};
   return {Outcome::success, trial.digits ? std::optional(trial.digits(s.x)) : std::nullopt};
 }
@@ -87,8 +85,8 @@ std::string words(const End& end) {
 }
 
 /// -log10 of the largest error.
-std::function<double(const ivp::State<2>&)> digits_against(const ivp::State<2>& truth) {
-  return [truth](const ivp::State<2>& x) {
+std::function<double(const ivp::State&)> digits_against(const ivp::State& truth) {
+  return [truth](const ivp::State& x) {
     return std::max(0.0, comparison::digits_of((x - truth).cwiseAbs().maxCoeff()));
   };
 }
@@ -101,31 +99,30 @@ struct Ends {
 };
 
 Ends ends_of(const comparison::AnyMethod& method) {
-  const ivp::State<2> rest(1, 0);
+  const ivp::State rest{1, 0};
   const double P = duffing_period();
   const auto poisoned = [&](double poison) {
-    return Trial<2>{ivp::System<2>(Poisoned{1, poison}), rest, 0, 2, 0.01, {}};
+    return Trial{ivp::System(Poisoned{1, poison}), rest, 0, 2, 0.01, {}};
   };
-  const Trial<2> harmonic{ivp::System<2>(Poisoned{HUGE_VAL, 0}),
-                          rest,
-                          1e16,
-                          1e16 + 64,
-                          0.5,
-                          digits_against({std::cos(64.0), -std::sin(64.0)})};
-  const ivp::System<2>& duffing = free_duffing_case().system;
+  const Trial harmonic{ivp::System(Poisoned{HUGE_VAL, 0}),
+                       rest,
+                       1e16,
+                       1e16 + 64,
+                       0.5,
+                       digits_against({std::cos(64.0), -std::sin(64.0)})};
+  const ivp::System& duffing = free_duffing_case().system;
   const bool second_order = method.info.second_order_only;
   const End blow_up =
-      second_order
-          ? attempt(method, Trial<2>{ivp::System<2>(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
-          : attempt(method, Trial<1>{ivp::System<1>(problems::BlowUp{}), ivp::State<1>(1.0), 0, 1, 1e-3, {}});
+      second_order ? attempt(method, Trial{ivp::System(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
+                   : attempt(method, Trial{ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 1, 1e-3, {}});
   return {method.name,
           method.info.fixed_step(),
           blow_up,
           attempt(method, poisoned(std::numeric_limits<double>::quiet_NaN())),
           attempt(method, poisoned(std::numeric_limits<double>::infinity())),
           attempt(method, harmonic),
-          attempt(method, Trial<2>{duffing, rest, 1, 1, 0.01, digits_against(rest)}),
-          attempt(method, Trial<2>{duffing, rest, P, 0, P / 1000, digits_against(rest)})};
+          attempt(method, Trial{duffing, rest, 1, 1, 0.01, digits_against(rest)}),
+          attempt(method, Trial{duffing, rest, P, 0, P / 1000, digits_against(rest)})};
 }
 
 std::vector<Ends> all_ends() {
@@ -146,7 +143,7 @@ struct Odd {
 };
 
 std::vector<Odd> odd_settings() {
-  const ivp::State<2> rest(1, 0);
+  const ivp::State rest{1, 0};
   const double P = duffing_period();
   std::vector<Odd> odd;
   const auto add = [&](const char* name, int nodes, double fraction, std::optional<double> relative_shape) {
@@ -157,7 +154,7 @@ std::vector<Odd> odd_settings() {
       settings.shape = *relative_shape / step;
       setting += fmt::format(", c h = {:g}", *relative_shape);
     }
-    const Trial<2> trial{free_duffing_case().system, rest, 0, P, step, digits_against(rest)};
+    const Trial trial{free_duffing_case().system, rest, 0, P, step, digits_against(rest)};
     odd.push_back({setting, attempt(comparison::any_method(name), trial, settings)});
   };
   for (const char* name : {"mcpi", "rbf-coll", "lgl-coll", "radau-coll"}) {

@@ -71,10 +71,10 @@ Growth grow(std::size_t scheme, const Method& method, int steps) {
   const Eigen::MatrixXd in_double = ivp::basis_of(method).derivative();
   Growth growth{
       scheme, method.step, std::abs(stability_function(in_double, {0, frequency() * method.step})), {}};
-  const ivp::System<6> system(stiff_chain());
-  ivp::State<6> x0 = ivp::State<6>::Zero();
+  const ivp::System system(stiff_chain());
+  ivp::State x0 = ivp::State::Zero(6);
   x0[0] = 1e-9;
-  const ivp::Observer<6> watch = [&](const ivp::Step<6>& step) {
+  const ivp::Observer watch = [&](const ivp::Step& step) {
     growth.amplitude.push_back(std::hypot(step.x1[0], step.x1[3] / frequency()));
     return true;
   };

@@ -12,10 +12,8 @@
 #include "nlmech/ivp/implicit/backward_euler.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
-#include "nlmech/ivp/structural/generalized_alpha.hpp"
-#include "nlmech/ivp/structural/hht.hpp"
-#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -50,7 +48,7 @@ using Groups = std::array<std::vector<Series>, 3>;
 /// time and velocities enter.
 template <class Method>
 Point run(const Method& method) {
-  const Case<6>& c = three_mass_case();
+  const Case& c = three_mass_case();
   const auto solution = ivp::integrate(c.system, c.x0, 0, end, method);
   if (!solution.status.ok()) throw Failure(solution.status);
   return {end / static_cast<double>(solution.statistics.steps),

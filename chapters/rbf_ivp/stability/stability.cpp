@@ -31,12 +31,11 @@ struct Ending {
   std::int64_t steps = 0;
 };
 
-template <int n>
-Ending run(const comparison::AnyMethod& method, const Stiff<n>& problem, const ivp::Settings& settings,
+Ending run(const comparison::AnyMethod& method, const Stiff& problem, const ivp::Settings& settings,
            std::int64_t most) {
   const ivp::Limits limits{.steps = most};
-  const auto integrate = comparison::any_integrator<n>(method, settings);
-  const ivp::Solution<n> s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
+  const auto integrate = comparison::any_integrator(method, settings);
+  const ivp::Solution s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
   Ending ending{method.name, problem.name,      method.info.fixed_step(), s.status.outcome(), false, 0, 0,
                 0,           s.statistics.steps};
   if (!s.status.ok()) return ending;
@@ -57,8 +56,7 @@ int most_halvings(const comparison::AnyMethod& method, bool quick) {
 
 /// Halves the step from the whole interval on until two in a row are of use, then lengthens the first of them
 /// by quarters of an octave.
-template <int n>
-Ending with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& problem, int halvings) {
+Ending with_largest_step(const comparison::AnyMethod& method, const Stiff& problem, int halvings) {
   const auto with_steps = [&](std::int64_t count) {
     const double step = problem.end / static_cast<double>(count);
     ivp::Settings settings{.step = step};
@@ -81,8 +79,7 @@ Ending with_largest_step(const comparison::AnyMethod& method, const Stiff<n>& pr
   return coarse;
 }
 
-template <int n>
-Ending ending_of(const comparison::AnyMethod& method, const Stiff<n>& problem, bool quick) {
+Ending ending_of(const comparison::AnyMethod& method, const Stiff& problem, bool quick) {
   Ending refused{.method = method.name,
                  .problem = problem.name,
                  .fixed_step = method.info.fixed_step(),
@@ -100,13 +97,12 @@ Ending ending_of(const comparison::AnyMethod& method, const Stiff<n>& problem, b
 
 /// Every method and peer of this build on every problem, method by method.
 std::vector<Ending> all_endings(bool quick) {
-  const std::vector<AnyStiff> problems = stiff_problems(quick);
+  const std::vector<Stiff> problems = stiff_problems(quick);
   std::vector<Ending> endings;
   for (const std::string& name : contestants()) {
     const comparison::AnyMethod method = comparison::any_method(name);
     if (method.peer && !peers::peer_available(name)) continue;
-    for (const AnyStiff& problem : problems)
-      endings.push_back(std::visit([&](const auto& p) { return ending_of(method, p, quick); }, problem));
+    for (const Stiff& problem : problems) endings.push_back(ending_of(method, problem, quick));
   }
   return endings;
 }

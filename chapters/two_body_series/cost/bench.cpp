@@ -64,7 +64,7 @@ template <class Method>
 Integrator general(Method (*make)(double tolerance)) {
   return [make, system = ivp::Direct(problems::TwoBody{.mu = 1})](
              const orbit::State& s, double time, double tolerance) -> std::optional<orbit::Vector3<double>> {
-    ivp::State<6> x;
+    ivp::State x(6);
     x << s.position, s.velocity;
     const auto end = ivp::integrate(system, x, 0, time, make(tolerance), {}, {.steps = 100'000});
     if (!end.status.ok()) return std::nullopt;

@@ -33,7 +33,7 @@ struct Subject {
 };
 
 /// Twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
-Example<6> example_of(const Subject& subject) {
+Example example_of(const Subject& subject) {
   const orbit::State start = on_ellipse(subject.eccentricity);
   const auto reference = [start](double t) -> Vector<long double, 6> {
     const auto exact = state_in_50_digits(start, t, 1);
@@ -42,14 +42,14 @@ Example<6> example_of(const Subject& subject) {
     return x;
   };
   const double greatest_speed = start.velocity.norm();
-  ivp::State<6> amplitude;
+  ivp::State amplitude(6);
   amplitude << 1 + subject.eccentricity, 1, 1, greatest_speed, greatest_speed, greatest_speed;
-  const auto error = [](const ivp::State<6>& found, const Vector<long double, 6>& truth) {
+  const auto error = [](const ivp::State& found, const Vector<long double, 6>& truth) {
     const Vector<long double, 3> d = found.head<3>().cast<long double>() - truth.head<3>();
     return static_cast<double>(d.norm());
   };
   return {.name = subject.name,
-          .system = ivp::System<6>(problems::TwoBody{.mu = 1}),
+          .system = ivp::System(problems::TwoBody{.mu = 1}),
           .x0 = joined(start),
           .t0 = 0,
           .t1 = orbits * revolution,
@@ -59,33 +59,33 @@ Example<6> example_of(const Subject& subject) {
 }
 
 /// Analytic continuation over the sweep of tolerances and on to what double can hold.
-Curve adaptive(const Example<6>& c, bool quick) {
+Curve adaptive(const Example& c, bool quick) {
   Curve curve{ours, Kind::own, {}};
   for (int power = 4; power <= 17; power += quick ? 6 : 1) {
     const double tolerance = std::pow(10, -power);
     curve.costs.push_back(
-        cost_of<6>(c, fmt::format("tolerance {:.0e}", tolerance),
-                   continuation_integrator(orbit::AnalyticContinuation{.tolerance = tolerance}, 1), quick));
+        cost_of(c, fmt::format("tolerance {:.0e}", tolerance),
+                continuation_integrator(orbit::AnalyticContinuation{.tolerance = tolerance}, 1), quick));
   }
   return curve;
 }
 
-Curve fixed(const Example<6>& c, const Subject& subject, bool quick) {
+Curve fixed(const Example& c, const Subject& subject, bool quick) {
   Curve curve{fmt::format("fixed steps, order {}", subject.order), Kind::source, {}};
   for (std::size_t i = 0; i < subject.steps.size(); ++i) {
     if (quick && subject.printed < 0 && i % 2 == 1) continue;  // these short steps are dear
     const orbit::FixedContinuation method{.step = revolution / subject.steps[i], .order = subject.order};
     const char* remark = static_cast<int>(i) == subject.printed ? " (as printed)" : "";
-    curve.costs.push_back(cost_of<6>(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
-                                     continuation_integrator(method, 1), quick));
+    curve.costs.push_back(cost_of(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
+                                  continuation_integrator(method, 1), quick));
   }
   return curve;
 }
 
 /// Kepler's solution of the end, timed in thousands: one is as short as the clock's tick.
-Curve closed(const Example<6>& c, bool quick) {
+Curve closed(const Example& c, bool quick) {
   const auto run = kepler_integrator(1);
-  Cost cost = cost_of<6>(c, "", run, true);
+  Cost cost = cost_of(c, "", run, true);
   constexpr int calls = 1000;
   const orbit::State start = parted(c.x0);
   const auto work = [&] {
@@ -108,7 +108,7 @@ double condition_near_end(const Subject& subject) {
 
 /// `condition` is the rounding of a CostScene: rounding_of_data(), median near the end.
 comparison::Costs measure(const Subject& subject, bool quick) {
-  const Example<6> c = example_of(subject);
+  const Example c = example_of(subject);
   std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
                                                comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
                                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};

@@ -47,7 +47,7 @@ namespace {
 /// A method with its setting.
 struct Method {
   std::string name;
-  ivp::NamedIntegrator<6> run;
+  ivp::NamedIntegrator run;
 };
 
 std::vector<Method> methods() {
@@ -60,7 +60,7 @@ std::vector<Method> methods() {
   for (const char* name : {"rkn1210", "ode45", "odeint-fehlberg78", "cvode-adams"}) {
     if (peers::is_peer(name) && !peers::peer_available(name)) continue;
     all.push_back({fmt::format("{}, tolerance 1e-12", name),
-                   comparison::any_integrator<6>(comparison::any_method(name), {.tolerance = 1e-12})});
+                   comparison::any_integrator(comparison::any_method(name), {.tolerance = 1e-12})});
   }
   return all;
 }
@@ -94,7 +94,7 @@ struct Answer {
 };
 
 Answer answer(const Case& c, const Method& m, std::int64_t most_steps) {
-  static const ivp::System<6> system(problems::TwoBody{.mu = 1});
+  static const ivp::System system(problems::TwoBody{.mu = 1});
   Answer a{c.name, m.name, {}, 0, {}, 0, 0};
   try {
     const auto end = m.run(system, joined(c.start), 0, c.time, {}, {.steps = most_steps});

@@ -81,11 +81,11 @@ EnergyRecord closed(const Orbit& orbit, int orbits, const Solve& solve) {
 /// An integrator for any system. @param observe what it records of a step
 template <class Method>
 EnergyRecord integrated(const Orbit& orbit, int orbits, const Method& method,
-                        const std::function<void(Recorder&, const ivp::Step<6>&)>& observe) {
+                        const std::function<void(Recorder&, const ivp::Step&)>& observe) {
   Recorder r(orbit, orbits);
-  const ivp::System<6> system(problems::TwoBody{.mu = earth_mu});
-  const ivp::State<6> start = joined(orbit.start);
-  const auto look = [&](const ivp::Step<6>& step) {
+  const ivp::System system(problems::TwoBody{.mu = earth_mu});
+  const ivp::State start = joined(orbit.start);
+  const auto look = [&](const ivp::Step& step) {
     observe(r, step);
     return true;
   };
@@ -115,7 +115,7 @@ Solve universal(const Orbit& orbit) {
 
 EnergyRecord by_ode45(const Orbit& orbit, int orbits) {
   int k = 1;
-  return integrated(orbit, orbits, ode45, [&k](Recorder& r, const ivp::Step<6>& step) {
+  return integrated(orbit, orbits, ode45, [&k](Recorder& r, const ivp::Step& step) {
     for (; k <= r.points() && r.point(k) <= step.t1; ++k) r.add(r.point(k), parted(step.at(r.point(k))));
     r.record.at_ends.push_back(r.error(parted(step.x1)));
     for (Eigen::Index i = 0; i < step.states.cols(); ++i)
@@ -125,7 +125,7 @@ EnergyRecord by_ode45(const Orbit& orbit, int orbits) {
 
 EnergyRecord by_rkn1210(const Orbit& orbit, int orbits) {
   return integrated(orbit, orbits, rkn1210,
-                    [](Recorder& r, const ivp::Step<6>& step) { r.add(step.t1, parted(step.x1)); });
+                    [](Recorder& r, const ivp::Step& step) { r.add(step.t1, parted(step.x1)); });
 }
 
 EnergyRecord by_series(const Orbit& orbit, int orbits) {
@@ -145,7 +145,7 @@ EnergyRecord by_series(const Orbit& orbit, int orbits) {
 /// Nothing but the integration.
 template <class Method>
 std::function<void()> integration(const Orbit& orbit, int orbits, const Method& method) {
-  return [system = ivp::System<6>(problems::TwoBody{.mu = earth_mu}), start = joined(orbit.start),
+  return [system = ivp::System(problems::TwoBody{.mu = earth_mu}), start = joined(orbit.start),
           end = Recorder(orbit, orbits).end(),
           method] { static_cast<void>(ivp::integrate(system, start, 0, end, method)); };
 }

@@ -106,12 +106,12 @@ struct Units {
     gravity.radius = std::ldexp(r.gravity.radius, -a);
     gravity.mu = std::ldexp(r.gravity.mu, 2 * b - 3 * a);
   }
-  [[nodiscard]] ivp::State<6> own(const orbit::State& s) const {
-    ivp::State<6> x;
+  [[nodiscard]] ivp::State own(const orbit::State& s) const {
+    ivp::State x(6);
     x << s.position / length, s.velocity * (time / length);
     return x;
   }
-  [[nodiscard]] orbit::State users(const ivp::State<6>& x) const {
+  [[nodiscard]] orbit::State users(const ivp::State& x) const {
     return {x.head<3>() * length, x.tail<3>() * (length / time)};
   }
   double length, time;
@@ -155,15 +155,15 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
   Rows rows(request, {"rkn1210", request.tolerance});
   if (request.time == 0) return rows.finish(request.start);
   const Units units(request);
-  ivp::Observer<6> observer;
+  ivp::Observer observer;
   if (request.every) {
-    observer = [&](const ivp::Step<6>& step) {
+    observer = [&](const ivp::Step& step) {
       return rows.add_up_to(step.t1 * units.time,
                             [&](double t) { return units.users(step.at(t / units.time)); });
     };
   }
   const auto end = ivp::integrate(
-      ivp::System<6>(ZonalField{units.gravity}), units.own(request.start), 0, request.time / units.time,
+      ivp::System(ZonalField{units.gravity}), units.own(request.start), 0, request.time / units.time,
       ivp::Rkn1210{.relative_tolerance = request.tolerance, .absolute_tolerance = request.tolerance},
       observer, {.seconds = request.seconds});
   if (!rows.status().ok()) throw Failure(rows.status());

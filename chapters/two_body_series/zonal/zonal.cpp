@@ -38,7 +38,7 @@ struct PotentialGradient {
 
 orbit::Vector3<double> by_rkn(const orbit::State& start, int degree) {
   const ivp::Direct system(PotentialGradient{orbit::earth(degree)});
-  ivp::State<6> x;
+  ivp::State x(6);
   x << start.position, start.velocity;
   const auto end = ivp::integrate(system, x, 0, day,
                                   ivp::Rkn1210{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});

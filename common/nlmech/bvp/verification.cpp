@@ -30,7 +30,7 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
-  const ivp::System<Eigen::Dynamic> system(WithParameters{&problem, p});
+  const ivp::System system(WithParameters{&problem, p});
   const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
   // A trajectory that needs more steps between two times is not one that a mesh of collocation resolved.
   const ivp::Limits limits{.steps = 20'000};

@@ -16,10 +16,9 @@ double weight(double t, double x, double f, double size, const Tolerance& tolera
          2 * eps * std::abs(t * f);
 }
 
-template <int n>
-Eigen::VectorXd weights_at(const ivp::System<n>& system, double t, const ivp::State<n>& x,
+Eigen::VectorXd weights_at(const ivp::System& system, double t, const ivp::State& x,
                            const Eigen::VectorXd& size, const Tolerance& tolerance) {
-  ivp::State<n> f(x.size());
+  ivp::State f(x.size());
   system.rhs(t, x, f);
   Eigen::VectorXd w(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) w[i] = weight(t, x[i], f[i], size[i], tolerance);
@@ -49,13 +48,12 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
 
 }  // namespace
 
-template <int n>
-Eigen::MatrixXd weights(const ivp::System<n>& system, const std::vector<double>& times,
-                        const StatesAt& states, const Eigen::VectorXd& size, const Tolerance& tolerance) {
+Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
+                        const Eigen::VectorXd& size, const Tolerance& tolerance) {
   Eigen::MatrixXd all(states.rows(), states.cols());
   for (Eigen::Index k = 0; k < states.cols(); ++k) {
-    const ivp::State<n> x = states.col(k).template cast<double>();
-    const Eigen::VectorXd w = weights_at<n>(system, times[static_cast<std::size_t>(k)], x, size, tolerance);
+    const ivp::State x = states.col(k).template cast<double>();
+    const Eigen::VectorXd w = weights_at(system, times[static_cast<std::size_t>(k)], x, size, tolerance);
     for (Eigen::Index i = 0; i < w.size(); ++i) all(i, k) = w[i];
   }
   return all;
@@ -91,19 +89,5 @@ Status amplification(const Way& way, const Reference& reference, const Eigen::Ve
   }
   return {};
 }
-
-template Eigen::MatrixXd weights<1>(const ivp::System<1>&, const std::vector<double>&, const StatesAt&,
-                                    const Eigen::VectorXd&, const Tolerance&);
-template Eigen::MatrixXd weights<2>(const ivp::System<2>&, const std::vector<double>&, const StatesAt&,
-                                    const Eigen::VectorXd&, const Tolerance&);
-template Eigen::MatrixXd weights<3>(const ivp::System<3>&, const std::vector<double>&, const StatesAt&,
-                                    const Eigen::VectorXd&, const Tolerance&);
-template Eigen::MatrixXd weights<4>(const ivp::System<4>&, const std::vector<double>&, const StatesAt&,
-                                    const Eigen::VectorXd&, const Tolerance&);
-template Eigen::MatrixXd weights<6>(const ivp::System<6>&, const std::vector<double>&, const StatesAt&,
-                                    const Eigen::VectorXd&, const Tolerance&);
-template Eigen::MatrixXd weights<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
-                                                 const std::vector<double>&, const StatesAt&,
-                                                 const Eigen::VectorXd&, const Tolerance&);
 
 }  // namespace nlmech::comparison

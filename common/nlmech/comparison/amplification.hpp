@@ -22,8 +22,7 @@ struct Tolerance {
 /// what rounding leaves of x and of the time.
 /// @param system for the slopes
 /// @param size greatest |x_i| on the way
-template <int n>
-[[nodiscard]] Eigen::MatrixXd weights(const ivp::System<n>& system, const std::vector<double>& times,
+[[nodiscard]] Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times,
                                       const StatesAt& states, const Eigen::VectorXd& size,
                                       const Tolerance& tolerance);
 

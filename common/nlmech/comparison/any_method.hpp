@@ -33,13 +33,10 @@ struct AnyMethod {
 
 /// Ready to run. Settings of @p settings that the method does not have are refused.
 /// @throws std::invalid_argument for settings that cannot be meant, and for a peer that this build lacks
-template <int n>
-[[nodiscard]] ivp::NamedIntegrator<n> any_integrator(const AnyMethod& method, const ivp::Settings& settings);
+[[nodiscard]] ivp::NamedIntegrator any_integrator(const AnyMethod& method, const ivp::Settings& settings);
 
 /// Many trajectories by it, each as by any_integrator(); see ivp::named_integrate_all().
-template <int n>
-[[nodiscard]] std::vector<ivp::Solution<n>> integrate_all(const AnyMethod& method,
-                                                          const ivp::Settings& settings,
-                                                          std::span<const ivp::Start<n>> starts, int threads);
+[[nodiscard]] std::vector<ivp::Solution> integrate_all(const AnyMethod& method, const ivp::Settings& settings,
+                                                       std::span<const ivp::Start> starts, int threads);
 
 }  // namespace nlmech::comparison

@@ -32,7 +32,7 @@ void ComparisonTable::say(const Choice& choice, std::string_view sentence) const
 
 double ComparisonTable::error_of(const Eigen::VectorXd& x) const {
   const Eigen::VectorX<long double> end = truth_.states.col(truth_.states.cols() - 1);
-  return relative_error<Eigen::Dynamic>(x, end, size_);
+  return relative_error(x, end, size_);
 }
 
 // What a tolerance did not hold; empty where it did, and where nothing was held to one.

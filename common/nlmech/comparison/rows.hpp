@@ -41,8 +41,7 @@ class Rows {
   }
 
   /// The asked times within a step and before @p end, by its dense output.
-  template <int n>
-  void add_before(double end, const ivp::Step<n>& step) {
+  void add_before(double end, const ivp::Step& step) {
     if (!request_.every) return;
     for (double t = next(); is_inner(t) && !is_after(t, end); t = next()) {
       add(t, step.at(t));

@@ -4,8 +4,6 @@
 
 #include <memory>
 #include <span>
-#include <stdexcept>
-#include <string>
 
 #include "nlmech/expression/equations.hpp"
 #include "nlmech/expression/program.hpp"
@@ -16,22 +14,17 @@ namespace nlmech::expression {
 
 /// The right-hand side of Equations for every type of number: what ivp::System and ivp::Direct take.
 /// Copies share the program.
-/// @tparam n components of the state, or Eigen::Dynamic
-template <int n>
 class Problem {
  public:
-  static constexpr int dimension = n;  ///< components of the state
+  static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: size()
 
-  /// @throws std::invalid_argument if n is not the size of the equations
+  /// Of these equations.
   explicit Problem(const Equations& equations)
       : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
         size_(equations.size()),
         second_order_(equations.second_order()),
-        smooth_(switches_->count() == 0) {
-    if (n != Eigen::Dynamic && n != size_)
-      throw std::invalid_argument("expression: the equations have " + std::to_string(size_) + " components");
-  }
+        smooth_(switches_->count() == 0) {}
 
   /// Components of the state.
   [[nodiscard]] int size() const { return size_; }
@@ -49,7 +42,7 @@ class Problem {
   }
   /// Within a mode: the functions that decide, or the shares of the upper sides on their surfaces, and the
   /// derivatives of the functions along a solution.
-  void surfaces(double t, const Vector<double, n>& x, std::span<double> values,
+  void surfaces(double t, const Vector<double, Eigen::Dynamic>& x, std::span<double> values,
                 std::span<double> rates) const {
     const auto size = static_cast<std::size_t>(size_), count = values.size();
     program_->run(t, x, size, size + 2 * count, [&](int i, double value) {
@@ -60,7 +53,7 @@ class Problem {
 
   /// dx/dt.
   template <class T>
-  void operator()(const T& t, const Vector<T, n>& x, Vector<T, n>& dxdt) const {
+  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
     program_->run(t, x, 0, static_cast<std::size_t>(size_), [&](int i, const T& value) { dxdt[i] = value; });
   }
   /// Second-order equations: the accelerations at positions @p q and velocities @p v.

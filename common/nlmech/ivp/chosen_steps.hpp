@@ -16,22 +16,22 @@
 
 namespace nlmech::ivp {
 
-/// Base of one integration with steps of chosen length; walk() is its counterpart for equal ones. The method,
-/// Run, has this class as a friend, and
+/// Base of one integration with steps of chosen length; integrate_fixed_steps() is its counterpart for equal
+/// ones. The method, Run, has this class as a friend, and
 ///  - `Status begin(double end)`: starts control_ on a stretch on which f is smooth, from now_;
 ///  - `double attempt(double t1)`: error of a trial step from now_ over the tolerance; NaN if the
 ///    trial has no values;
 ///  - `Status accept(double t1, double error)` if that is 1 or less: tells control_, and goes on by take();
 ///  - `double shorter(double error)` if not: how long the next trial is to be.
 template <SystemLike S, class Run>
-class ChosenSteps {
+class AdaptiveStepLoop {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
   /// Goes from begin to end; call once.
-  [[nodiscard]] Solution<n> run() {
-    std::vector<double> ends = task_.system.discontinuities(task_.t0, task_.t1);
-    ends.push_back(task_.t1);
+  [[nodiscard]] SolutionOf<S> run() {
+    std::vector<double> ends = problem_.system.discontinuities(problem_.t0, problem_.t1);
+    ends.push_back(problem_.t1);
     for (const double end : ends) {
       now_.status = self().begin(end);
       while (now_.t != end && now_.status.ok()) now_.status = step(end);
@@ -41,17 +41,18 @@ class ChosenSteps {
   }
 
  protected:
-  /// @param task outlives the integration
+  /// @param problem outlives the integration
   /// @param name the method, in sentences
   /// @param refine values a step for observers, equally spaced
-  ChosenSteps(const Task<S>& task, std::string_view name, const StepRule& rule, int refine = 1)
-      : task_(task),
-        now_{task.t0, task.x0, {}, {}},
-        control_(bounded(rule, task.limits.largest_step)),
+  AdaptiveStepLoop(const InitialValueProblemOf<S>& problem, std::string_view name, const StepRule& rule,
+                   int refine = 1)
+      : problem_(problem),
+        now_{problem.t0, problem.x0, {}, {}},
+        control_(bounded(rule, problem.limits.largest_step)),
         name_(name),
         times_(static_cast<std::size_t>(refine)),
-        states_(task.system.size(), refine),
-        between_(task.system.size()) {}
+        states_(problem.system.size(), refine),
+        between_(problem.system.size()) {}
 
   /// Called before the first trial of each step; for methods that plan it there.
   [[nodiscard]] Status prepare() { return {}; }
@@ -62,18 +63,18 @@ class ChosenSteps {
   }
   /// Counts the step to (@p t1, @p x1), shows it to the observer and goes there. @return `interrupted` if the
   /// observer says stop
-  [[nodiscard]] Status take(double t1, const State<n>& x1, const DenseOutput<n>& dense) {
+  [[nodiscard]] Status take(double t1, const State& x1, const DenseOutputOf<S>& dense) {
     ++now_.statistics.steps;
     Status status;
-    if (task_.observer && !show(t1, x1, dense)) status = interrupted(name_, t1);
+    if (problem_.observer && !show(t1, x1, dense)) status = interrupted(name_, t1);
     now_.x = x1;
     now_.t = t1;
     return status;
   }
 
-  const Task<S>& task_;  ///< what is asked
-  Solution<n> now_;      ///< how far it has come
-  StepControl control_;  ///< plans the steps
+  const InitialValueProblemOf<S>& problem_;  ///< what is asked
+  SolutionOf<S> now_;                        ///< how far it has come
+  StepControl control_;                      ///< plans the steps
 
  private:
   Run& self() { return static_cast<Run&>(*this); }
@@ -81,7 +82,7 @@ class ChosenSteps {
   // One accepted step, if there is one.
   Status step(double end) {
     for (bool is_first = true;; is_first = false) {
-      Status status = check_limits(name_, now_.t, now_.statistics, task_.limits, watch_);
+      Status status = check_limits(name_, now_.t, now_.statistics, problem_.limits, watch_);
       if (!status.ok()) return status;
       if (is_first) {
         if (Status ready = self().prepare(); !ready.ok()) return ready;
@@ -95,7 +96,7 @@ class ChosenSteps {
     }
   }
 
-  [[nodiscard]] bool show(double t1, const State<n>& x1, const DenseOutput<n>& dense) {
+  [[nodiscard]] bool show(double t1, const State& x1, const DenseOutputOf<S>& dense) {
     const auto count = states_.cols();
     for (Eigen::Index i = 0; i + 1 < count; ++i) {
       const double t = now_.t + (static_cast<double>(i) + 1) / static_cast<double>(count) * (t1 - now_.t);
@@ -105,13 +106,13 @@ class ChosenSteps {
     }
     times_.back() = t1;
     states_.col(count - 1) = x1;
-    return task_.observer({now_.statistics.steps, now_.t, t1, now_.x, x1, times_, states_, dense});
+    return problem_.observer({now_.statistics.steps, now_.t, t1, now_.x, x1, times_, states_, dense});
   }
 
   std::string_view name_;
   std::vector<double> times_;
-  Nodes<n> states_;
-  State<n> between_;
+  typename S::Nodes states_;
+  State between_;
   Stopwatch watch_;
 };
 

@@ -10,16 +10,16 @@
 /// @cond
 namespace nlmech::ivp::detail {
 
-template <int n, class Problem>
-std::shared_ptr<const Face<n>> compiled_face(Problem problem) {
-  return std::make_shared<const Compiled<n, Direct<Problem, n>>>(Direct<Problem, n>(std::move(problem)));
+template <class Problem>
+std::shared_ptr<const Face> compiled_face(Problem problem) {
+  return std::make_shared<const Compiled<Direct<Problem, Eigen::Dynamic>>>(
+      Direct<Problem, Eigen::Dynamic>(std::move(problem)));
 }
 
 /// `template struct InSystem<Duffing>;` compiles it.
 template <class Problem>
 struct InSystem {
-  static constexpr int n = compiled_dimension<Problem>;
-  static constexpr auto face = &compiled_face<n, Problem>;
+  static constexpr auto face = &compiled_face<Problem>;
 };
 
 }  // namespace nlmech::ivp::detail

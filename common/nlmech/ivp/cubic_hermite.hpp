@@ -9,20 +9,19 @@ namespace nlmech::ivp {
 /// Interpolates a step by the cubic with the states and derivatives of both ends. Against the solution
 /// through them the error is at most h^4/384 max |x''''|; it is continuously differentiable from step to
 /// step.
-template <int n>
 class CubicHermite {
  public:
   /// For states of @p size components.
   explicit CubicHermite(int size) : x0(size), x1(size), f0(size), f1(size) {}
-  State<n> x0;    ///< state at the begin
-  State<n> x1;    ///< state at the end
-  State<n> f0;    ///< dx/dt at the begin
-  State<n> f1;    ///< dx/dt at the end
+  State x0;       ///< state at the begin
+  State x1;       ///< state at the end
+  State f0;       ///< dx/dt at the begin
+  State f1;       ///< dx/dt at the end
   double t0 = 0;  ///< time of the begin
   double h = 1;   ///< length of the step, signed
 
   /// State at time @p t.
-  void at(double t, State<n>& x) const {
+  void at(double t, State& x) const {
     const double s = (t - t0) / h, r = 1 - s;
     x = (r * r * (1 + 2 * s)) * x0 + (s * s * (3 - 2 * s)) * x1 + (h * s * r * r) * f0 - (h * s * s * r) * f1;
   }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,11 +24,15 @@ namespace nlmech::ivp {
 
 namespace detail {
 
+/// Half of a state: positions or velocities.
+template <class T, int n>
+using HalfVector = Vector<T, n == Eigen::Dynamic ? Eigen::Dynamic : n / 2>;
+
 /// True if the problem offers `acceleration(t, q, v, a)`.
 template <class Problem>
 concept GivesAcceleration = requires(const Problem& problem, double t,
-                                     const Vector<double, half<Problem::dimension>>& q,
-                                     Vector<double, half<Problem::dimension>>& a) {
+                                     const HalfVector<double, Problem::dimension>& q,
+                                     HalfVector<double, Problem::dimension>& a) {
   problem.acceleration(t, q, q, a);
 };
 
@@ -39,8 +44,9 @@ concept SaysItsOrder = requires(const Problem& problem) {
 
 /// True if the problem offers `jacobian(t, x, j)`, which replaces the one by dual numbers.
 template <class Problem>
-concept GivesJacobian = requires(const Problem& problem, double t, const State<Problem::dimension>& x,
-                                 Jacobian<Problem::dimension>& j) {
+concept GivesJacobian = requires(const Problem& problem, double t,
+                                 const Vector<double, Problem::dimension>& x,
+                                 Matrix<double, Problem::dimension, Problem::dimension>& j) {
   problem.jacobian(t, x, j);
 };
 
@@ -66,13 +72,15 @@ concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
 
 /// True if the problem says which part of it is linear with constant coefficients.
 template <class Problem>
-concept GivesLinearPart = requires(const Problem& problem, Jacobian<Problem::dimension>& a) {
+concept GivesLinearPart = requires(const Problem& problem,
+                                   Matrix<double, Problem::dimension, Problem::dimension>& a) {
   problem.linear_part(a);
 };
 
 /// True if the problem knows quantities that stay constant along its solutions.
 template <class Problem>
-concept GivesInvariants = requires(const Problem& problem, double t, const State<Problem::dimension>& x) {
+concept GivesInvariants = requires(const Problem& problem, double t,
+                                   const Vector<double, Problem::dimension>& x) {
   problem.invariants(t, x);
 };
 
@@ -125,6 +133,11 @@ class Direct {
   static_assert(n == Problem::dimension || n == Eigen::Dynamic, "a problem has the dimension of its system");
   /// Number of components of the state, or Eigen::Dynamic.
   static constexpr int dimension = n;
+  using State = std::conditional_t<n == Eigen::Dynamic, ivp::State, Vector<double, n>>;  ///< all components
+  using Half = std::conditional_t<n == Eigen::Dynamic, ivp::State,
+                                  detail::HalfVector<double, n>>;  ///< positions or velocities
+  using Nodes = Matrix<double, n, Eigen::Dynamic>;                 ///< states at many nodes, one a column
+  using Jacobian = Matrix<double, n, n>;                           ///< df/dx
 
   /// Takes a copy of the problem.
   explicit Direct(Problem problem) : problem_(std::move(problem)) {}
@@ -149,32 +162,36 @@ class Direct {
   [[nodiscard]] const Problem& problem() const { return problem_; }
 
   /// dx/dt = f(t, x).
-  void rhs(double t, const State<n>& x, State<n>& dxdt) const {
+  void rhs(double t, const State& x, State& dxdt) const {
+    dxdt.resize(size());
     if constexpr (n == m) {
       problem_(t, x, dxdt);
     } else {
-      State<m> f;
-      problem_(t, State<m>(x), f);
-      dxdt = f;
+      OwnState own, f;
+      std::copy_n(x.data(), m, own.data());
+      problem_(t, own, f);
+      std::copy_n(f.data(), m, dxdt.data());
     }
   }
 
   /// The same at many nodes: column k of @p dxdt is f(times[k], column k of @p x).
-  void rhs(std::span<const double> times, const Nodes<n>& x, Nodes<n>& dxdt) const {
-    State<n> at_node(size()), f(size());
+  void rhs(std::span<const double> times, const Nodes& x, Nodes& dxdt) const {
+    OwnState at_node(size()), f(size());
+    const Eigen::Index rows = at_node.size();
+    dxdt.resize(rows, x.cols());
     for (std::size_t k = 0; k < times.size(); ++k) {
-      const auto column = static_cast<Eigen::Index>(k);
-      at_node = x.col(column);
-      rhs(times[k], at_node, f);
-      dxdt.col(column) = f;
+      const Eigen::Index first = static_cast<Eigen::Index>(k) * rows;
+      std::copy_n(x.data() + first, rows, at_node.data());
+      problem_(times[k], at_node, f);
+      std::copy_n(f.data(), rows, dxdt.data() + first);
     }
   }
 
   /// df/dx by dual numbers, exact to rounding, or by the problem's own member.
-  void jacobian(double t, const State<n>& x, Jacobian<n>& j) const {
+  void jacobian(double t, const State& x, Jacobian& j) const {
     if constexpr (detail::GivesJacobian<Problem>) {
-      Jacobian<m> own(size(), size());
-      problem_.jacobian(t, State<m>(x), own);
+      OwnJacobian own(size(), size());
+      problem_.jacobian(t, OwnState(x), own);
       j = own;
     } else {
       by_dual_numbers(t, x, j);
@@ -183,10 +200,11 @@ class Direct {
 
   /// df/dt at fixed x, which Rosenbrock methods ask for beside the Jacobian: by dual numbers, exact to
   /// rounding. False, and nothing is written, for a problem that is written for double alone.
-  [[nodiscard]] bool time_derivative(double t, const State<n>& x, State<n>& dfdt) const {
+  [[nodiscard]] bool time_derivative(double t, const State& x, State& dfdt) const {
     using D = Dual<double, 1>;
     if constexpr (detail::TakesDual<Problem, D>) {
       Vector<D, m> argument(size()), value(size());
+      dfdt.resize(size());
       for (int i = 0; i < size(); ++i) argument[i] = D(x[i]);
       problem_(D::variable(t, 0), argument, value);
       for (int i = 0; i < size(); ++i) dfdt[i] = value[i].partial[0];
@@ -200,10 +218,11 @@ class Direct {
   /// the lower half of f is the acceleration and that of g the jerk, 2 and 6 times a Taylor coefficient of
   /// the position. By dual numbers, exact to rounding. False, and nothing is written, for a problem that is
   /// written for double alone.
-  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g) const {
+  [[nodiscard]] bool second_derivative(double t, const State& x, State& f, State& g) const {
     using D = Dual<double, 1>;
     if constexpr (detail::TakesDual<Problem, D>) {
       rhs(t, x, f);
+      g.resize(size());
       Vector<D, m> argument(size()), value(size());
       for (int i = 0; i < size(); ++i) {
         argument[i] = D(x[i]);
@@ -218,13 +237,17 @@ class Direct {
   }
 
   /// The same with df/dx and dg/dx: by dual numbers of dual numbers, exact to rounding.
-  [[nodiscard]] bool second_derivative(double t, const State<n>& x, State<n>& f, State<n>& g, Jacobian<n>& fx,
-                                       Jacobian<n>& gx) const {
+  [[nodiscard]] bool second_derivative(double t, const State& x, State& f, State& g, Jacobian& fx,
+                                       Jacobian& gx) const {
     constexpr int lanes = detail::lanes<m>;
     using D = Dual<double, lanes>;
     using Along = Dual<D, 1>;
     if constexpr (detail::TakesDual<Problem, Along>) {
       Vector<D, m> inner(size()), slope(size());
+      f.resize(size());
+      g.resize(size());
+      fx.resize(size(), size());
+      gx.resize(size(), size());
       Vector<Along, m> argument(size()), value(size());
       for (int first = 0; first < size(); first += lanes) {
         for (int i = 0; i < size(); ++i) {
@@ -253,15 +276,19 @@ class Direct {
   }
 
   /// Second-order problems: a(t, q, v). @throws std::logic_error if the problem gives no acceleration
-  void acceleration(double t, const Half<n>& q, const Half<n>& v, Half<n>& a) const {
+  void acceleration(double t, const Half& q, const Half& v, Half& a) const {
     if constexpr (!detail::GivesAcceleration<Problem>) {
       throw std::logic_error("this problem gives no acceleration(t, q, v)");
     } else if constexpr (n == m) {
+      a.resize(size() / 2);
       problem_.acceleration(t, q, v, a);
     } else {
-      Half<m> own(size() / 2);
-      problem_.acceleration(t, Half<m>(q), Half<m>(v), own);
-      a = own;
+      OwnHalf own_q, own_v, own;
+      std::copy_n(q.data(), m / 2, own_q.data());
+      std::copy_n(v.data(), m / 2, own_v.data());
+      problem_.acceleration(t, own_q, own_v, own);
+      a.resize(m / 2);
+      std::copy_n(own.data(), m / 2, a.data());
     }
   }
 
@@ -285,14 +312,14 @@ class Direct {
     throw std::logic_error("this problem has no switches");
   }
   /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
-  void surfaces(double t, const State<n>& x, std::span<double> values, std::span<double> rates) const {
-    if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, State<m>(x), values, rates);
+  void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
+    if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, OwnState(x), values, rates);
   }
 
   /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
-  [[nodiscard]] bool linear_part(Jacobian<n>& a) const {
+  [[nodiscard]] bool linear_part(Jacobian& a) const {
     if constexpr (detail::GivesLinearPart<Problem>) {
-      Jacobian<m> own(size(), size());
+      OwnJacobian own(size(), size());
       problem_.linear_part(own);
       a = own;
       return true;
@@ -312,12 +339,12 @@ class Direct {
 
   /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
   /// the problem names none.
-  [[nodiscard]] bool invariants(double t, const State<n>& x, Eigen::VectorXd& values) const {
+  [[nodiscard]] bool invariants(double t, const State& x, Eigen::VectorXd& values) const {
     if constexpr (detail::GivesInvariants<Problem>) {
       if constexpr (n == m) {
         values = problem_.invariants(t, x);
       } else {
-        values = problem_.invariants(t, State<m>(x));
+        values = problem_.invariants(t, OwnState(x));
       }
       return true;
     } else {
@@ -327,13 +354,13 @@ class Direct {
 
   /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
   /// there is no bound. False, and nothing is written, if the problem names none.
-  [[nodiscard]] bool bounds(State<n>& lower, State<n>& upper) const {
+  [[nodiscard]] bool bounds(State& lower, State& upper) const {
     constexpr bool has_lower = detail::GivesLowerBounds<Problem>,
                    has_upper = detail::GivesUpperBounds<Problem>;
     if constexpr (has_lower || has_upper) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      lower = State<n>::Constant(size(), -infinity);
-      upper = State<n>::Constant(size(), infinity);
+      lower = State::Constant(size(), -infinity);
+      upper = State::Constant(size(), infinity);
       if constexpr (has_lower) lower = problem_.lower_bounds();
       if constexpr (has_upper) upper = problem_.upper_bounds();
       return true;
@@ -345,9 +372,9 @@ class Direct {
   /// The right-hand side as a tape: called once, at (t, x).
   /// @throws std::invalid_argument if it is written for double alone, or branches on the state, or branches
   /// on the time and the problem does not announce discontinuities
-  [[nodiscard]] Tape record(double t, const State<n>& x) const {
+  [[nodiscard]] Tape record(double t, const State& x) const {
     if constexpr (detail::TakesDual<Problem, Recorded>) {
-      return nlmech::record<Problem, m>(problem_, t, State<m>(x), detail::GivesDiscontinuities<Problem>);
+      return nlmech::record<Problem, m>(problem_, t, OwnState(x), detail::GivesDiscontinuities<Problem>);
     } else {
       throw std::invalid_argument(
           "series: this problem is written for double alone; make its call operator a template on the "
@@ -370,11 +397,15 @@ class Direct {
 
  private:
   static constexpr int m = Problem::dimension;
+  using OwnState = Vector<double, m>;
+  using OwnHalf = detail::HalfVector<double, m>;
+  using OwnJacobian = Matrix<double, m, m>;
 
-  void by_dual_numbers(double t, const State<n>& x, Jacobian<n>& j) const {
+  void by_dual_numbers(double t, const State& x, Jacobian& j) const {
     constexpr int lanes = detail::lanes<m>;
     using D = Dual<double, lanes>;
     Vector<D, m> argument(size()), value(size());
+    j.resize(size(), size());
     for (int first = 0; first < size(); first += lanes) {
       for (int i = 0; i < size(); ++i) {
         const int lane = i - first;

@@ -29,11 +29,7 @@ Status check_initial_state(const double* x0, int size, double t0) {
   return {};
 }
 
-template IntegrateBy<1> integrate_by<System<1>>;
-template IntegrateBy<2> integrate_by<System<2>>;
-template IntegrateBy<3> integrate_by<System<3>>;
-template IntegrateBy<4> integrate_by<System<4>>;
-template IntegrateBy<6> integrate_by<System<6>>;
-template IntegrateBy<Eigen::Dynamic> integrate_by<System<Eigen::Dynamic>>;
+template Solution integrate_by<System>(const AnyMethod<System>&, const System&, const State&, double, double,
+                                       const Observer&, const Limits&);
 
 }  // namespace nlmech::ivp::detail

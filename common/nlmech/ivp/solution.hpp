@@ -1,5 +1,5 @@
 /// @file
-/// What an integration of n components gives back, and what an observer sees of it on the way.
+/// What an integration gives back, and what an observer sees of it on the way.
 #pragma once
 
 #include "nlmech/ivp/state.hpp"
@@ -8,17 +8,25 @@
 namespace nlmech::ivp {
 
 /// The end of an integration.
-template <int n>
-using Solution = BasicSolution<State<n>>;
+using Solution = BasicSolution<State>;
 /// The solution within one step.
-template <int n>
-using DenseOutput = BasicDenseOutput<State<n>>;
+using DenseOutput = BasicDenseOutput<State>;
 /// One accepted step; states are columns.
-template <int n>
-using Step = BasicStep<State<n>, Nodes<n>>;
+using Step = BasicStep<State, Nodes>;
 /// Called after each accepted step.
-template <int n>
-using Observer = BasicObserver<Step<n>>;
+using Observer = BasicObserver<Step>;
 using nlmech::Limits;  ///< bounds on the work
+
+/// The same for a system @p S with states of its own type: System, or Direct with vectors of fixed size.
+/// @{
+template <class S>
+using SolutionOf = BasicSolution<typename S::State>;
+template <class S>
+using DenseOutputOf = BasicDenseOutput<typename S::State>;
+template <class S>
+using StepOf = BasicStep<typename S::State, typename S::Nodes>;
+template <class S>
+using ObserverOf = BasicObserver<StepOf<S>>;
+/// @}
 
 }  // namespace nlmech::ivp

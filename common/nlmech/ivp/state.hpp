@@ -1,31 +1,53 @@
 /// @file
-/// States of n components, and what is made of them.
+/// The state of a system.
 #pragma once
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "nlmech/series/vector.hpp"
 
 namespace nlmech::ivp {
 
-/// The state of n components as a column.
-template <int n>
-using State = Vector<double, n>;
+/// A column of numbers: Eigen's vector of run-time length, made of its components as `State{1, 0}`. (An
+/// Eigen::VectorXd would take two numbers in braces for a count of rows and of columns.)
+template <class T>
+class BasicState : public Vector<T, Eigen::Dynamic> {
+ public:
+  using Base = Vector<T, Eigen::Dynamic>;  ///< what it is to Eigen
+
+  /// No components.
+  BasicState() = default;
+  /// So many components, not set.
+  explicit BasicState(Eigen::Index size) : Base(size) {}
+  /// Of these components.
+  BasicState(std::initializer_list<T> x) : Base(static_cast<Eigen::Index>(x.size())) {
+    std::copy(x.begin(), x.end(), this->begin());
+  }
+  /// The value of an expression.
+  template <class Derived>
+  BasicState(const Eigen::EigenBase<Derived>& x) : Base(x) {}
+  /// The value of an expression.
+  template <class Derived>
+  BasicState& operator=(const Eigen::EigenBase<Derived>& x) {
+    Base::operator=(x);
+    return *this;
+  }
+};
+/// The state of a system.
+using State = BasicState<double>;
+/// The same to some 18 digits, for references.
+using LongState = BasicState<long double>;
+
 /// States at many nodes, one a column.
-template <int n>
-using Nodes = Matrix<double, n, Eigen::Dynamic>;
+using Nodes = Eigen::MatrixXd;
 /// df/dx.
-template <int n>
-using Jacobian = Matrix<double, n, n>;
+using Jacobian = Eigen::MatrixXd;
 /// On which side of each surface a system switches: 1 where its function is positive, -1 where it is
 /// negative, 0 for a motion that stays on the surface.
 using Mode = std::vector<std::int8_t>;
-/// Half of a state: the positions, or the velocities, of a second-order problem.
-template <int n>
-inline constexpr int half = n == Eigen::Dynamic ? Eigen::Dynamic : n / 2;
-/// Positions, velocities or accelerations of a second-order problem.
-template <int n>
-using Half = Vector<double, half<n>>;
 
 }  // namespace nlmech::ivp

@@ -27,11 +27,11 @@ namespace nlmech::ivp {
 template <class S>
 class StatedLimits {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
   /// @param system outlives this object
   /// @param method the name, in sentences
-  StatedLimits(const S& system, std::string_view method, double t0, const State<n>& x0, double t1,
+  StatedLimits(const S& system, std::string_view method, double t0, const State& x0, double t1,
                double relative, double absolute)
       : system_(system), method_(method), relative_(relative), absolute_(absolute) {
     if constexpr (requires { system.bounds(lower_, upper_); }) {
@@ -50,7 +50,7 @@ class StatedLimits {
   /// Has each step to be looked at?
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
   /// Looks at a step; if has_bounds(). @return false if it must not be accepted: status() says why
-  bool respects(const Step<n>& step) {
+  bool respects(const StepOf<S>& step) {
     for (Eigen::Index i = 0; i < step.x1.size(); ++i) {
       const double x = step.x1[i], below = lower_[i] - x, above = x - upper_[i];
       if (!(below > 0 || above > 0)) continue;
@@ -63,7 +63,7 @@ class StatedLimits {
     return true;
   }
   /// Looks at the end of a run of so many steps. @return as respects()
-  bool respects_end(std::int64_t steps, double t, const State<n>& x) {
+  bool respects_end(std::int64_t steps, double t, const State& x) {
     return !has_invariants_ || conserves(steps, t, x);
   }
   /// Success, or what is broken, where, and what to change.
@@ -72,7 +72,7 @@ class StatedLimits {
  private:
   static constexpr double factor = 10;
 
-  bool conserves(std::int64_t steps, double t, const State<n>& x) {
+  bool conserves(std::int64_t steps, double t, const State& x) {
     if (!system_.invariants(t, x, now_)) return true;
     const double count = factor * (1 + static_cast<double>(steps));
     for (Eigen::Index k = 0; k < now_.size(); ++k) {
@@ -86,7 +86,7 @@ class StatedLimits {
     return true;
   }
   // What an error of a tolerance in each component makes of the invariants at x; at least some roundings.
-  void allow(double t, const State<n>& x) {
+  void allow(double t, const State& x) {
     constexpr double epsilon = 2.220446049250313e-16, root = 1.5e-8;
     Eigen::VectorXd& sum = change_;
     sum = 8 * epsilon * (now_.cwiseAbs() + first_.cwiseAbs());
@@ -107,7 +107,7 @@ class StatedLimits {
   std::string_view method_;
   double relative_, absolute_;
   bool has_bounds_ = false, has_invariants_ = false;
-  State<n> lower_, upper_, probe_;
+  State lower_, upper_, probe_;
   Eigen::VectorXd first_, now_, varied_, allowed_, change_;
   Status status_;
 };

@@ -15,18 +15,16 @@ namespace nlmech::ivp {
 namespace {
 
 /// Where equations of a mode cease to be valid.
-template <int n>
 struct Switch {
   std::size_t surface;  ///< at which function's zero, or end of a motion on it
   double t;             ///< when
-  State<n> x;           ///< where
+  State x;              ///< where
 };
 
 /// A system in one mode after another.
-template <int n>
 class Walk {
  public:
-  Walk(const System<n>& system, double t0, double t1, const SmoothRun<n>& run, const Observer<n>& observer,
+  Walk(const System& system, double t0, double t1, const SmoothRun& run, const Observer& observer,
        const Limits& limits)
       : system_(system),
         run_(run),
@@ -41,7 +39,7 @@ class Walk {
         before_(mode_.size()),
         after_(mode_.size()) {}
 
-  Solution<n> from(double t, const State<n>& x0) {
+  Solution from(double t, const State& x0) {
     solution_ = {t, x0, {}, {}};
     begin(t, x0);
     while (solution_.status.ok() && solution_.t != end_) segment();
@@ -61,8 +59,8 @@ class Walk {
   };
 
   // Sets values_ and rates_.
-  void look(const Mode& mode, double t, const State<n>& x) { in(mode).surfaces(t, x, values_, rates_); }
-  const System<n>& in(const Mode& mode) {
+  void look(const Mode& mode, double t, const State& x) { in(mode).surfaces(t, x, values_, rates_); }
+  const System& in(const Mode& mode) {
     const auto known = systems_.find(mode);
     if (known != systems_.end()) return known->second;
     constexpr std::size_t most_known = 256;
@@ -70,7 +68,7 @@ class Walk {
     return systems_.emplace(mode, system_.in_mode(mode)).first->second;
   }
   // How fast function i changes in the direction of travel, if the motion were on that side of its zero.
-  double rate(std::size_t i, int side, double t, const State<n>& x) {
+  double rate(std::size_t i, int side, double t, const State& x) {
     Mode mode = mode_;
     mode[i] = static_cast<std::int8_t>(side);
     look(mode, t, x);
@@ -78,7 +76,7 @@ class Walk {
   }
 
   // The signs away from zeros; at these, to which side the motion leads, which may depend on the others.
-  void begin(double t, const State<n>& x) {
+  void begin(double t, const State& x) {
     std::vector<bool> zero(mode_.size());
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       look(mode_, t, x);
@@ -98,7 +96,7 @@ class Walk {
 
   // [choose]
   // The mode of a function at its zero: the side to which the motion leads.
-  void choose(std::size_t i, double t, const State<n>& x) {
+  void choose(std::size_t i, double t, const State& x) {
     const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
     if (above > 0 && below < 0 && direction_ < 0) {
       no_past(i, t);
@@ -110,7 +108,7 @@ class Walk {
   }
   // [choose]
   // Is there a motion in this mode?
-  void hold(double t, const State<n>& x) {
+  void hold(double t, const State& x) {
     look(mode_, t, x);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       if (mode_[i] != 0) continue;
@@ -141,11 +139,11 @@ class Walk {
     if (mode_[i] == 0) return {std::min(value, 1 - value), 0};
     return {side * value, side * direction_ * rates_[i]};
   }
-  Margin margin(std::size_t i, double t, const State<n>& x) {
+  Margin margin(std::size_t i, double t, const State& x) {
     look(mode_, t, x);
     return margin(i);
   }
-  void margins(double t, const State<n>& x, std::vector<Margin>& all) {
+  void margins(double t, const State& x, std::vector<Margin>& all) {
     look(mode_, t, x);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = margin(i);
   }
@@ -155,13 +153,13 @@ class Walk {
       return fail(Outcome::step_limit, solution_.t, "{} steps are used up", limits_.steps);
     if (watch_.seconds() > limits_.seconds)
       return fail(Outcome::time_limit, solution_.t, "{} s are used up", limits_.seconds);
-    const System<n> smooth = in(mode_);  // a copy: others are looked at in between
+    const System smooth = in(mode_);  // a copy: others are looked at in between
     found_.reset();
     armed_.assign(mode_.size(), false);
     told_ = false;
-    const Observer<n> look_out = [this, &smooth](const Step<n>& step) { return seen(smooth, step); };
+    const Observer look_out = [this, &smooth](const Step& step) { return seen(smooth, step); };
     const double begin = solution_.t;
-    Solution<n> part = run_(smooth, solution_.x, begin, end_, look_out, left());
+    Solution part = run_(smooth, solution_.x, begin, end_, look_out, left());
     solution_.statistics += part.statistics;
     if (found_ && !told_) {
       solution_.t = found_->t;
@@ -186,7 +184,7 @@ class Walk {
   [[nodiscard]] std::int64_t used() const {
     return solution_.statistics.steps + solution_.statistics.rejected;
   }
-  void change(const Switch<n>& at) {
+  void change(const Switch& at) {
     const std::int8_t before = mode_[at.surface];
     if (before == 0) {
       mode_[at.surface] = rate(at.surface, 1, at.t, at.x) > 0 ? 1 : -1;
@@ -200,7 +198,7 @@ class Walk {
   }
 
   // A step of the method: the first switch in it ends the segment.
-  bool seen(const System<n>& smooth, const Step<n>& step) {
+  bool seen(const System& smooth, const Step& step) {
     double from = step.t0;
     margins(from, step.x0, before_);
     for (int k = 1; k <= places; ++k) {
@@ -223,7 +221,7 @@ class Walk {
     return !observer_ || observer_(step) || stop();
   }
   // Where a function is beyond its end between two places at which it is not; else the first place.
-  double dip(const Step<n>& step, std::size_t i, double from, double to) {
+  double dip(const Step& step, std::size_t i, double from, double to) {
     if (!(before_[i].slope < 0 && after_[i].slope > 0 && before_[i].value > 0)) return from;
     constexpr int halvings = 26;  // the lowest value to the square of 2^-26
     double low = from, high = to;
@@ -243,7 +241,7 @@ class Walk {
 
   // The first double at which the mode does not hold, by the dense output. A function that has not been
   // positive since the segment began is looked for nearer and nearer to the begin.
-  double first_zero(const Step<n>& step, std::size_t i, double from, double to) {
+  double first_zero(const Step& step, std::size_t i, double from, double to) {
     while (!armed_[i]) {
       const double after = from + (to - from) / 2;
       if (after == from || after == to) return step.t0;
@@ -258,17 +256,17 @@ class Walk {
     }
   }
 
-  void found(const System<n>& smooth, const Step<n>& step, std::size_t i, double from, double to) {
+  void found(const System& smooth, const Step& step, std::size_t i, double from, double to) {
     double t = first_zero(step, i, from, to);
-    State<n> x = t == step.t0 ? step.x0 : step.at(t);
+    State x = t == step.t0 ? step.x0 : step.at(t);
     if (t != step.t0) refine(smooth, step, i, t, x);
-    found_ = Switch<n>{i, t, x};
+    found_ = Switch{i, t, x};
   }
   // By steps of the method from the begin of the step: Newton's iteration for the time, and the state there.
-  void refine(const System<n>& smooth, const Step<n>& step, std::size_t i, double& t, State<n>& x) {
+  void refine(const System& smooth, const Step& step, std::size_t i, double& t, State& x) {
     constexpr int most = 4;
     for (int k = 1;; ++k) {
-      const Solution<n> there = run_(smooth, step.x0, step.t0, t, {}, left());
+      const Solution there = run_(smooth, step.x0, step.t0, t, {}, left());
       solution_.statistics += there.statistics;
       if (!there.status.ok()) return;
       x = there.x;
@@ -281,9 +279,9 @@ class Walk {
     }
   }
   // Shows the part of the step before the switch.
-  bool cut(const Step<n>& step) {
+  bool cut(const Step& step) {
     if (!observer_ || found_->t == step.t0) return false;
-    Nodes<n> states(step.x0.size(), 1);
+    Nodes states(step.x0.size(), 1);
     states.col(0) = found_->x;
     const double end = found_->t;
     if (!observer_({step.index, step.t0, end, step.x0, found_->x, {&end, 1}, states, step.dense}))
@@ -291,45 +289,29 @@ class Walk {
     return false;
   }
 
-  const System<n>& system_;
-  const SmoothRun<n>& run_;
-  const Observer<n>& observer_;
+  const System& system_;
+  const SmoothRun& run_;
+  const Observer& observer_;
   const Limits& limits_;
   int direction_;
   double first_, end_;
   Mode mode_;
-  std::map<Mode, System<n>> systems_;
+  std::map<Mode, System> systems_;
   std::vector<double> values_, rates_;
   std::vector<Margin> before_, after_;
   std::vector<bool> armed_;
-  std::optional<Switch<n>> found_;
+  std::optional<Switch> found_;
   bool told_ = false;
   int repeated_ = 0;
-  Solution<n> solution_;
+  Solution solution_;
   Stopwatch watch_;
 };
 
 }  // namespace
 
-template <int n>
-Solution<n> integrate_switching(const System<n>& system, const State<n>& x0, double t0, double t1,
-                                const SmoothRun<n>& run, const Observer<n>& observer, const Limits& limits) {
-  return Walk<n>(system, t0, t1, run, observer, limits).from(t0, x0);
+Solution integrate_switching(const System& system, const State& x0, double t0, double t1,
+                             const SmoothRun& run, const Observer& observer, const Limits& limits) {
+  return Walk(system, t0, t1, run, observer, limits).from(t0, x0);
 }
-
-template Solution<1> integrate_switching(const System<1>&, const State<1>&, double, double,
-                                         const SmoothRun<1>&, const Observer<1>&, const Limits&);
-template Solution<2> integrate_switching(const System<2>&, const State<2>&, double, double,
-                                         const SmoothRun<2>&, const Observer<2>&, const Limits&);
-template Solution<3> integrate_switching(const System<3>&, const State<3>&, double, double,
-                                         const SmoothRun<3>&, const Observer<3>&, const Limits&);
-template Solution<4> integrate_switching(const System<4>&, const State<4>&, double, double,
-                                         const SmoothRun<4>&, const Observer<4>&, const Limits&);
-template Solution<6> integrate_switching(const System<6>&, const State<6>&, double, double,
-                                         const SmoothRun<6>&, const Observer<6>&, const Limits&);
-template Solution<Eigen::Dynamic> integrate_switching(const System<Eigen::Dynamic>&,
-                                                      const State<Eigen::Dynamic>&, double, double,
-                                                      const SmoothRun<Eigen::Dynamic>&,
-                                                      const Observer<Eigen::Dynamic>&, const Limits&);
 
 }  // namespace nlmech::ivp

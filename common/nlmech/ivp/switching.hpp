@@ -15,13 +15,8 @@
 namespace nlmech::ivp {
 
 /// integrate() of smooth equations by some method.
-template <int n>
-using SmoothRun = std::function<Solution<n>(const System<n>&, const State<n>& x0, double t0, double t1,
-                                            const Observer<n>&, const Limits&)>;
-
-/// The sizes for which the library compiles integrate_switching().
-template <int n>
-inline constexpr bool can_switch = n == Eigen::Dynamic || (n >= 1 && n <= 4) || n == 6;
+using SmoothRun = std::function<Solution(const System&, const State& x0, double t0, double t1,
+                                         const Observer&, const Limits&)>;
 
 /// Integrates a system that switches from (t0, x0) to t1.
 ///
@@ -29,9 +24,8 @@ inline constexpr bool can_switch = n == Eigen::Dynamic || (n >= 1 && n <= 4) || 
 /// backwards would have to stay on a surface, or switches accumulate; `non_finite` where a function is none.
 /// @param system switches() > 0; on a surface, surfaces() gives the upper side's share of the slopes, 0 to 1
 /// @param run one integration of smooth equations
-template <int n>
-[[nodiscard]] Solution<n> integrate_switching(const System<n>& system, const State<n>& x0, double t0,
-                                              double t1, const SmoothRun<n>& run, const Observer<n>& observer,
-                                              const Limits& limits);
+[[nodiscard]] Solution integrate_switching(const System& system, const State& x0, double t0, double t1,
+                                           const SmoothRun& run, const Observer& observer,
+                                           const Limits& limits);
 
 }  // namespace nlmech::ivp

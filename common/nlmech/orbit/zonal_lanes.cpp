@@ -45,15 +45,15 @@ class Leg {
   Leg& operator=(const Leg&) = delete;
 
   /// What is to be integrated; refers to this.
-  [[nodiscard]] ivp::Start<6> start(std::int64_t steps) {
+  [[nodiscard]] ivp::Start start(std::int64_t steps) {
     const State s = units_.own(flight_.start);
-    ivp::Start<6> start{&system_, {}, 0, std::copysign(end_, flight_.until), {}, {.steps = steps}};
+    ivp::Start start{&system_, ivp::State(6), 0, std::copysign(end_, flight_.until), {}, {.steps = steps}};
     start.x0 << s.position, s.velocity;
-    start.observer = [this](const ivp::Step<6>& step) { return see(step); };
+    start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
   /// In the user's units.
-  [[nodiscard]] Solution users(const ivp::Solution<6>& end) const {
+  [[nodiscard]] Solution users(const ivp::Solution& end) const {
     return {end.status.ok() ? flight_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
             end.statistics};
   }
@@ -64,9 +64,9 @@ class Leg {
     gravity.radius = std::ldexp(gravity.radius, -units_.length);
     return gravity;
   }
-  [[nodiscard]] State users(const ivp::State<6>& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
+  [[nodiscard]] State users(const ivp::State& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
   /// @return may the flight go on?
-  bool see(const ivp::Step<6>& step) {
+  bool see(const ivp::Step& step) {
     if (rows_.sink) give_rows(step);
     constexpr int clock_every = 64;  // a clock that is read at every step would cost as much as the step
     if (steps_++ % clock_every == 0 && out_of_time_()) return false;
@@ -75,7 +75,7 @@ class Leg {
     return length > eps * end_ || rest <= 2 * length;
   }
   /// The rows within a step, but none so near the end that rounding alone parts them.
-  void give_rows(const ivp::Step<6>& step) {
+  void give_rows(const ivp::Step& step) {
     const double sign = flight_.until < 0 ? -1 : 1, until = std::abs(flight_.until);
     for (;; ++next_row_) {
       const double t = static_cast<double>(next_row_) * rows_.every, there = std::ldexp(t, -units_.time);
@@ -92,7 +92,7 @@ class Leg {
   /// Of the time, without its sign, in own units; bounded, since the walk needs a number: every step is lost
   /// in the largest one.
   double end_;
-  ivp::System<6> system_;
+  ivp::System system_;
   std::int64_t next_row_ = 1, steps_ = 0;
 };
 
@@ -102,15 +102,15 @@ void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std:
                          const TaylorEnsemble& method, const InnerRows& rows, std::int64_t steps,
                          const std::function<bool()>& out_of_time, std::vector<Solution>& solutions) {
   std::deque<Leg> legs;
-  std::vector<ivp::Start<6>> starts;
+  std::vector<ivp::Start> starts;
   for (const std::size_t number : which)
     starts.push_back(legs.emplace_back(number, flights[number], rows, out_of_time).start(steps));
   // Position and velocity are near 1 at the start; a small absolute part lets a component pass through 0.
   const ivp::Series series{.relative_tolerance = method.tolerance,
                            .absolute_tolerance = method.tolerance / 32,
                            .order = method.order};
-  const auto ends = ivp::integrate_all<6>(std::span<const ivp::Start<6>>(starts), series, method.threads,
-                                          method.instructions.value_or(best_instruction_set()));
+  const auto ends = ivp::integrate_all(std::span<const ivp::Start>(starts), series, method.threads,
+                                       method.instructions.value_or(best_instruction_set()));
   for (std::size_t i = 0; i < which.size(); ++i) solutions[which[i]] = legs[i].users(ends[i]);
 }
 

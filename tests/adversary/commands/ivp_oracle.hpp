@@ -50,26 +50,24 @@ inline constexpr double most_tolerances = 100, most_amplified = 10;
 
 namespace detail {
 
-template <int n>
-std::optional<Eigen::VectorXd> end_by(const char* method, const ivp::System<n>& system,
-                                      const Eigen::VectorXd& x0, double t0, double t1) {
+inline std::optional<Eigen::VectorXd> end_by(const char* method, const ivp::System& system,
+                                             const Eigen::VectorXd& x0, double t0, double t1) {
   // The finest that these two methods hold in doubles.
-  const auto run = peers::peer_integrator<n>(method, 1e-13, 1e-15);
-  const auto end = run(system, ivp::State<n>(x0), t0, t1, {}, {.steps = 2'000'000, .seconds = 5});
+  const auto run = peers::peer_integrator(method, 1e-13, 1e-15);
+  const auto end = run(system, ivp::State(x0), t0, t1, {}, {.steps = 2'000'000, .seconds = 5});
   if (!end.status.ok() || !end.x.allFinite()) return {};
   return Eigen::VectorXd(end.x);
 }
 
 /// From time to time by one method.
-template <int n>
-std::optional<Eigen::MatrixXd> states_by(const char* method, const ivp::System<n>& system,
-                                         const Eigen::VectorXd& x0, const Journey& way) {
+inline std::optional<Eigen::MatrixXd> states_by(const char* method, const ivp::System& system,
+                                                const Eigen::VectorXd& x0, const Journey& way) {
   Eigen::MatrixXd all(x0.size(), static_cast<Eigen::Index>(way.times.size()));
   Eigen::VectorXd x = x0;
   double t = way.t0;
   for (std::size_t k = 0; k < way.times.size(); ++k) {
     if (way.times[k] != t) {
-      const auto next = end_by<n>(method, system, x, t, way.times[k]);
+      const auto next = end_by(method, system, x, t, way.times[k]);
       if (!next) return {};
       x = *next;
     }
@@ -79,17 +77,15 @@ std::optional<Eigen::MatrixXd> states_by(const char* method, const ivp::System<n
   return all;
 }
 
-template <int n>
-std::optional<Known> known(const ivp::System<n>& system, const Eigen::VectorXd& x0, const Journey& way) {
-  const auto a = states_by<n>(oracles[0], system, x0, way), b = states_by<n>(oracles[1], system, x0, way);
+inline std::optional<Known> known(const ivp::System& system, const Eigen::VectorXd& x0, const Journey& way) {
+  const auto a = states_by(oracles[0], system, x0, way), b = states_by(oracles[1], system, x0, way);
   if (!a || !b) return {};
   return Known{*a, (*a - *b).cwiseAbs(), a->cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs())};
 }
 
 /// d x(t1) / d x(t0) by central differences.
-template <int n>
-std::optional<Eigen::MatrixXd> derivative(const ivp::System<n>& system, const Eigen::VectorXd& x, double t0,
-                                          double t1, const Eigen::VectorXd& size) {
+inline std::optional<Eigen::MatrixXd> derivative(const ivp::System& system, const Eigen::VectorXd& x,
+                                                 double t0, double t1, const Eigen::VectorXd& size) {
   Eigen::MatrixXd d(x.size(), x.size());
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     // Far above the oracle's own errors, and small against the solution.
@@ -97,8 +93,7 @@ std::optional<Eigen::MatrixXd> derivative(const ivp::System<n>& system, const Ei
     Eigen::VectorXd low = x, high = x;
     low[j] -= step;
     high[j] += step;
-    const auto a = end_by<n>(oracles[0], system, low, t0, t1),
-               b = end_by<n>(oracles[0], system, high, t0, t1);
+    const auto a = end_by(oracles[0], system, low, t0, t1), b = end_by(oracles[0], system, high, t0, t1);
     if (!a || !b) return {};
     d.col(j) = (*b - *a) / (high[j] - low[j]);
   }
@@ -118,15 +113,15 @@ namespace detail {
 
 /// What the problem makes of errors of one tolerance in all components at any of these times: the greatest up
 /// to each of them.
-template <int n>
-std::optional<Eigen::MatrixXd> moved(const ivp::System<n>& system, const Eigen::VectorXd& x0,
-                                     const Journey& way, const Known& known, const Tolerances& tolerances) {
+inline std::optional<Eigen::MatrixXd> moved(const ivp::System& system, const Eigen::VectorXd& x0,
+                                            const Journey& way, const Known& known,
+                                            const Tolerances& tolerances) {
   std::vector<Eigen::MatrixXd> made;
   Eigen::MatrixXd most = Eigen::MatrixXd::Zero(known.x.rows(), known.x.cols());
   Eigen::VectorXd x = x0;
   double t = way.t0;
   for (std::size_t k = 0; k < way.times.size(); ++k) {
-    const auto d = derivative<n>(system, x, t, way.times[k], known.size);
+    const auto d = derivative(system, x, t, way.times[k], known.size);
     if (!d) return {};
     for (Eigen::MatrixXd& error : made) error = (*d * error).eval();
     made.emplace_back(*d * one_tolerance(x, known.size, tolerances).asDiagonal());
@@ -189,7 +184,6 @@ void set_any_parameters(Draw& draw, Problem& problem, std::string& words) {
 template <class Problem>
 [[nodiscard]] Question question(Draw& draw, const std::string& program, const std::string& name,
                                 double longest, bool keep = false) {
-  constexpr int n = ivp::compiled_dimension<Problem>;
   Question q;
   q.program = program;
   q.words = "--problem " + name;
@@ -198,15 +192,15 @@ template <class Problem>
   detail::set_any_parameters(draw, problem, q.words);
   q.x0 = detail::any_state(draw, problem.initial_state(), keep);
   q.words += fmt::format(" --initial {:.17g}", fmt::join(std::vector<double>(q.x0.begin(), q.x0.end()), ","));
-  const ivp::System<n> system(problem);
-  q.known = [system, x0 = q.x0](const Journey& way) { return detail::known<n>(system, x0, way); };
+  const ivp::System system(problem);
+  q.known = [system, x0 = q.x0](const Journey& way) { return detail::known(system, x0, way); };
   q.moved = [system, x0 = q.x0](const Journey& way, const Known& k, const Tolerances& t) {
-    return detail::moved<n>(system, x0, way, k, t);
+    return detail::moved(system, x0, way, k, t);
   };
   q.end = [system, x0 = q.x0](const comparison::AnyMethod& method, const ivp::Settings& settings, double t0,
                               double t1) -> std::optional<Eigen::VectorXd> {
-    const auto run = comparison::any_integrator<n>(method, settings);
-    const auto end = run(system, ivp::State<n>(x0), t0, t1, {}, {.seconds = 5});
+    const auto run = comparison::any_integrator(method, settings);
+    const auto end = run(system, ivp::State(x0), t0, t1, {}, {.seconds = 5});
     if (!end.status.ok()) return {};
     return Eigen::VectorXd(end.x);
   };

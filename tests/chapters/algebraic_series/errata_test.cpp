@@ -19,8 +19,8 @@ using tests::runge_kutta;
 // "Without any approximation or truncation in each time step": with T = 0.1 and N = 20, as printed, v is
 // wrong by a tenth of itself after five steps, u and w by a thousandth.
 TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
-  const ivp::System<3> system{problems::Lorenz{}};
-  const ivp::State<3> x0 = problems::Lorenz::initial_state();
+  const ivp::System system{problems::Lorenz{}};
+  const ivp::State x0 = problems::Lorenz::initial_state();
   const auto field = [](double, const std::array<double, 3>& x) {
     return std::array{10 * (x[1] - x[0]), 28 * x[0] - x[1] - x[0] * x[2], x[0] * x[1] - 8.0 / 3 * x[2]};
   };

@@ -53,7 +53,7 @@ TEST(References, OfTheOscillatorIsGoodEnough) {
 // A turn of a fixed angle, the same from every section to the next: the average is that angle.
 TEST(RotationNumber, OfATurnIsItsAngle) {
   for (const double turns : {0.1, 8.0 / 31, 0.4999, 0.73}) {
-    std::vector<ivp::State<2>> circle;
+    std::vector<ivp::State> circle;
     for (int k = 0; k < 400; ++k) {
       const double angle = -2 * std::numbers::pi * turns * k;
       circle.push_back({std::cos(angle), std::sin(angle)});
@@ -65,7 +65,7 @@ TEST(RotationNumber, OfATurnIsItsAngle) {
 // On an ellipse the angle advances unevenly; the weights average it out far below 1/400.
 TEST(RotationNumber, OfAnEllipseConverges) {
   const double turns = std::sqrt(2.0) - 1;
-  std::vector<ivp::State<2>> ellipse;
+  std::vector<ivp::State> ellipse;
   for (int k = 0; k < 400; ++k) {
     const double angle = -2 * std::numbers::pi * turns * k;
     ellipse.push_back({std::cos(angle), 0.5 * std::sin(angle)});
@@ -74,7 +74,7 @@ TEST(RotationNumber, OfAnEllipseConverges) {
 }
 
 TEST(IslandRadius, LooksAtEvery31stSection) {
-  std::vector<ivp::State<2>> sections(100, ivp::State<2>(7, 7));
+  std::vector<ivp::State> sections(100, ivp::State{7, 7});
   for (const std::size_t k : {0U, 31U, 62U, 93U}) sections[k] = {1, 0.01 * static_cast<double>(k)};
   EXPECT_DOUBLE_EQ(island_radius(sections, {1, 0}, 0, 40), 0.31);
   EXPECT_DOUBLE_EQ(island_radius(sections, {1, 0}, 32, 100), 0.93);
@@ -90,7 +90,7 @@ TEST(Departure, FindsTheFirstTime) {
 
 TEST(Samples, StandAtEqualTimesUpToTheEnd) {
   const auto& c = forced_duffing_example();
-  const auto samples = sampled<2>(c.system, c.x0, 0, 1, published_series(0.35, 20), 0.1);
+  const auto samples = sampled(c.system, c.x0, 0, 1, published_series(0.35, 20), 0.1);
   ASSERT_EQ(samples.size(), 11U);
   for (std::size_t i = 0; i < samples.size(); ++i)
     EXPECT_NEAR(samples[i].t, 0.1 * static_cast<double>(i), 1e-15);

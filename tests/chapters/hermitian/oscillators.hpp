@@ -53,9 +53,9 @@ struct Rates {
 };
 template <class Equation>
 Rates rates(const Equation& p, const End& e) {
-  const ivp::System<2> system(Generic<Equation>{p, e.f, e.df});
-  ivp::State<2> f, g;
-  ivp::Jacobian<2> fx, gx;
+  const ivp::System system(Generic<Equation>{p, e.f, e.df});
+  ivp::State f(2), g(2);
+  ivp::Jacobian fx, gx;
   EXPECT_TRUE(system.second_derivative(0, {e.y, e.v}, f, g, fx, gx));
   return {f[1], g[1], fx(1, 0), fx(1, 1), gx(1, 0), gx(1, 1)};
 }

@@ -19,12 +19,12 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A mass under a constant force: steps by hand.
-ivp::System<2> falling() {
-  return ivp::System<2>(
+ivp::System falling() {
+  return ivp::System(
       problems::DrivenDuffing{.damping = 0, .stiffness = 0, .hardening = 0, .force = -1, .frequency = 0});
 }
 
-void expect_state(const ivp::State<2>& x, double position, double velocity, double within) {
+void expect_state(const ivp::State& x, double position, double velocity, double within) {
   EXPECT_NEAR(x[0], position, within);
   EXPECT_NEAR(x[1], velocity, within);
 }
@@ -78,9 +78,9 @@ TEST(PeakSearch, OddIterationsThatChangeNothing) {
   linear.hardening = 0;
   problems::DrivenDuffing still = laier_duffing();
   still.frequency = 0;
-  const ivp::State<2> rest(0, 0);
+  const ivp::State rest{0, 0};
   for (const ivp::HermitianPair& pair : peak_operators) {
-    const ivp::System<2> a(linear), b(still);
+    const ivp::System a(linear), b(still);
     const Turn one = turn_of(a, {.x0 = rest, .updates = 1}, pair, 0.2, 1);
     const Turn all = turn_of(a, {.x0 = rest}, pair, 0.2, 1);
     const Turn old_load = turn_of(b, {.x0 = rest, .old_load = true}, pair, 0.2, 1);
@@ -122,7 +122,7 @@ TEST(PeakSearch, ReadingsOfAParabola) {
 
 TEST(PeakSearch, CombinationsAreDistinctAndCounted) {
   std::set<std::pair<double, double>> starts;
-  for (const ivp::State<2>& x : searched_starts()) starts.emplace(x[0], x[1]);
+  for (const ivp::State& x : searched_starts()) starts.emplace(x[0], x[1]);
   EXPECT_EQ(starts.size(), 45U);  // rest, and 11 sizes of two signs for position or velocity
   EXPECT_EQ(searched_starts().size(), 45U);
   EXPECT_EQ(van_der_pol_combinations().size(), 44U * 2 * 3 * 5);

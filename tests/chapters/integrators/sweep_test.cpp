@@ -18,16 +18,12 @@ namespace {
 TEST(ProblemSet, HasNamesOfItsOwnAndSolutionsAtSixteenTimes) {
   std::set<std::string> names;
   int solved = 0;
-  for (const AnyProblem& problem : problem_set()) {
-    EXPECT_TRUE(names.insert(name_of(problem)).second) << name_of(problem);
-    std::visit(
-        [&](const auto& p) {
-          EXPECT_EQ(p.times.size(), 16U) << p.name;
-          EXPECT_EQ(p.times.back(), p.t1) << p.name;
-          EXPECT_TRUE(p.truth.size() == 16 || p.truth.empty()) << p.name;
-          solved += p.has_solution() ? 1 : 0;
-        },
-        problem);
+  for (const SetProblem& p : problem_set()) {
+    EXPECT_TRUE(names.insert(p.name).second) << p.name;
+    EXPECT_EQ(p.times.size(), 16U) << p.name;
+    EXPECT_EQ(p.times.back(), p.t1) << p.name;
+    EXPECT_TRUE(p.truth.size() == 16 || p.truth.empty()) << p.name;
+    solved += p.has_solution() ? 1 : 0;
   }
   EXPECT_EQ(names.size(), 25U);
   EXPECT_EQ(solved, 22);
@@ -35,10 +31,9 @@ TEST(ProblemSet, HasNamesOfItsOwnAndSolutionsAtSixteenTimes) {
 
 /// By a method that shares nothing with the reference's: collocation where that is a series, and the other
 /// way round.
-template <int n>
-double miss(const SetProblem<n>& p) {
+double miss(const SetProblem& p) {
   const double tolerance = 1e-11, absolute = tolerance * p.absolute;
-  ivp::Solution<n> s;
+  ivp::Solution s;
   if (p.kind == Kind::stiff)
     s = ivp::integrate(
         p.system, p.x0, p.t0, p.t1,
@@ -52,20 +47,16 @@ double miss(const SetProblem<n>& p) {
 
 // A hundred tolerances for those that add up over some hundred steps, each multiplied by the condition.
 TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
-  for (const AnyProblem& problem : problem_set()) {
-    std::visit(
-        [](const auto& p) {
-          if (p.has_solution() && p.kind != Kind::extreme) {
-            EXPECT_LT(miss(p), 100) << p.name;
-          }
-        },
-        problem);
+  for (const SetProblem& p : problem_set()) {
+    if (p.has_solution() && p.kind != Kind::extreme) {
+      EXPECT_LT(miss(p), 100) << p.name;
+    }
   }
 }
 
 TEST(ProblemSet, ErrorsAreRelativeOrBySize) {
-  SetProblem<2> p{"none", Kind::smooth, 1, 1, ivp::System<2>(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
-  p.truth.emplace_back(2, 0.5);
+  SetProblem p{"none", Kind::smooth, 1, 1, ivp::System(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
+  p.truth.push_back({2, 0.5});
   p.flagged = {0, 4};
   EXPECT_EQ(p.error({2.5, 0.5}, 0), 0.25);
   EXPECT_EQ(p.error({2, 3.5}, 0), 0.75);
@@ -108,27 +99,23 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
 TEST(Evidence, IsOfTheProblemSet) {
   const comparison::Evidence evidence = comparison::read_evidence();
   std::size_t solved = 0;
-  for (const AnyProblem& problem : problem_set()) {
-    const std::string& name = name_of(problem);
+  for (const SetProblem& p : problem_set()) {
+    const std::string& name = p.name;
     const auto found = std::ranges::find(evidence.problems, name, &comparison::SolvedProblem::name);
-    std::visit(
-        [&](const auto& p) {
-          ASSERT_EQ(found != evidence.problems.end(), p.has_solution()) << name;
-          if (!p.has_solution()) return;
-          ++solved;
-          const comparison::Features &known = found->features,
-                                     seen = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
-          EXPECT_EQ(known.components, seen.components) << name;
-          EXPECT_EQ(known.form, seen.form) << name;
-          EXPECT_EQ(known.switches, seen.switches) << name;
-          EXPECT_EQ(known.operations, seen.operations) << name;
-          EXPECT_NEAR(known.stiffness, seen.stiffness, 0.02) << name;
-          EXPECT_NEAR(known.decay, seen.decay, 0.02) << name;
-          EXPECT_NEAR(known.variation, seen.variation, 0.02) << name;
-          EXPECT_NEAR(std::log10(found->condition), std::log10(p.tolerance_condition), 0.005) << name;
-          EXPECT_GE(found->runs.size(), 5U) << name;
-        },
-        problem);
+    ASSERT_EQ(found != evidence.problems.end(), p.has_solution()) << name;
+    if (!p.has_solution()) continue;
+    ++solved;
+    const comparison::Features &known = found->features,
+                               seen = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
+    EXPECT_EQ(known.components, seen.components) << name;
+    EXPECT_EQ(known.form, seen.form) << name;
+    EXPECT_EQ(known.switches, seen.switches) << name;
+    EXPECT_EQ(known.operations, seen.operations) << name;
+    EXPECT_NEAR(known.stiffness, seen.stiffness, 0.02) << name;
+    EXPECT_NEAR(known.decay, seen.decay, 0.02) << name;
+    EXPECT_NEAR(known.variation, seen.variation, 0.02) << name;
+    EXPECT_NEAR(std::log10(found->condition), std::log10(p.tolerance_condition), 0.005) << name;
+    EXPECT_GE(found->runs.size(), 5U) << name;
   }
   EXPECT_EQ(solved, evidence.problems.size());
 }

@@ -33,7 +33,7 @@ double no_load(double /*t*/) { return 0; }
 /// Position and velocity of x'' = f(t) - x - x^3, which steps one after another change, and the mean square
 /// of the position's error at their ends.
 struct Oscillation {
-  const Case<2>& exact;
+  const Case& exact;
   double (*load)(double);
   double t = 0, x = 0, v = 0;
   std::vector<std::pair<double, double>> squares = {{0, 0}};  ///< times and errors; the begin counts
@@ -148,7 +148,7 @@ TEST(ErrataOfTables, HhtOfTable4_4) {
 TEST(ErrataOfTables, EndTimeOfTable4_2) {
   const double P = duffing_period();
   const auto expect = [&](const auto& method, Points points, double published, double tolerance) {
-    const auto kept = record(free_duffing_case(), 500, throughout<2>(method));
+    const auto kept = record(free_duffing_case(), 500, throughout(method));
     expect_erratum("rbf_ivp-table-4.2-end", {.printed = rms_error(kept, 0, points),
                                              .corrected = rms_error(kept, 0, points, 100 * P),
                                              .oracle = published,
@@ -158,7 +158,7 @@ TEST(ErrataOfTables, EndTimeOfTable4_2) {
   expect(ivp::Ode45{}, Points::all, 1.14e-6, half_digit("1.14e-6"));
   expect(ivp::Newmark{.step = P / 10}, Points::ends, 0.998, half_digit("0.998"));
   // oracle: rbf_ivp_methods 4.2 RK4-2 to *
-  const auto kept = record(free_duffing_case(), 500, throughout<2>(Rk4{P / 250}));
+  const auto kept = record(free_duffing_case(), 500, throughout(Rk4{P / 250}));
   EXPECT_NEAR(rms_error(kept, 0, Points::ends, 100 * P), 5.008e-6, 0.001e-6);
   EXPECT_NEAR(rms_error(kept, 0, Points::ends), 5.42e-6, 0.005e-6);
 }
@@ -245,14 +245,14 @@ TEST(ErrataOfTables, SecondShapeOfRbfColl1IsMissing) {
 
 /// RMS error of x1 over the step ends of RK4-1 of Table 4.6, against RK6 with a step a hundred times shorter,
 /// whose own error is below 1e-12.
-double rms_of_rk4_1(const ivp::System<6>& system) {
+double rms_of_rk4_1(const ivp::System& system) {
   const auto positions = [&system](const auto& method) {
     std::vector<double> x;
-    const auto keep = [&x](const ivp::Step<6>& step) {
+    const auto keep = [&x](const ivp::Step& step) {
       x.push_back(step.states(0, step.states.cols() - 1));
       return true;
     };
-    const auto solution = ivp::integrate(system, ivp::State<6>::Zero(), 0, 200, method, keep);
+    const auto solution = ivp::integrate(system, ivp::State::Zero(6), 0, 200, method, keep);
     EXPECT_TRUE(solution.status.ok()) << solution.status.text();
     return x;
   };
@@ -270,8 +270,8 @@ constexpr double rk4_1_of_table_4_6 = 4.6e-3;
 
 // 6.08e-3 for the equations as printed is recorded. oracle: rbf_ivp_methods 4.6 RK4-1 x1
 TEST(ErrataOfTables, Equation4_25) {
-  const double corrected = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChain{})),
-               printed = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChainAsPrinted{}));
+  const double corrected = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{})),
+               printed = rms_of_rk4_1(ivp::System(problems::ThreeMassChainAsPrinted{}));
   EXPECT_NEAR(corrected, 4.582e-3, 0.001e-3);
   EXPECT_NEAR(printed, 6.08e-3, 0.01e-3);
   expect_erratum("rbf_ivp-4.25-c2", {.printed = printed,
@@ -283,8 +283,8 @@ TEST(ErrataOfTables, Equation4_25) {
 // Table 4.5 has no load, and the masses begin at rest.
 TEST(ErrataOfTables, LoadOfTable4_5) {
   expect_erratum("rbf_ivp-table-4.5",
-                 {.printed = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChain{.force = 0})),
-                  .corrected = rms_of_rk4_1(ivp::System<6>(problems::ThreeMassChain{})),
+                 {.printed = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{.force = 0})),
+                  .corrected = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{})),
                   .oracle = rk4_1_of_table_4_6,
                   .tolerance = half_digit("4.6e-3")});
 }

@@ -47,7 +47,7 @@ TEST(Errata, Equations4_6And4_7MixDimensions) {
     const double h = 0.5 / unit, v = 3 * unit, a = -9.81 * unit * unit, beta = 0.25;
     const double literal = 2 + h * v + h * h / 2 * ((1 - 2 * beta) * v + 2 * beta * (v + h * a));
     const auto step =
-        ivp::integrate(ivp::System<2>(Falling{a}), ivp::State<2>(2, v), 0, h, ivp::Newmark{.step = h});
+        ivp::integrate(ivp::System(Falling{a}), ivp::State{2, v}, 0, h, ivp::Newmark{.step = h});
     ASSERT_TRUE(step.status.ok()) << step.status.text();
     expect_erratum("rbf_ivp-4.6", {.printed = literal,
                                    .corrected = step.x[0],
@@ -58,7 +58,7 @@ TEST(Errata, Equations4_6And4_7MixDimensions) {
 
 /// Position error of a form of Eq. 4.7 on the free oscillator after @p periods.
 double error_of_hht(ivp::Hht::Form form, double periods, double steps_a_period) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const double end = periods * duffing_period();
   const auto solution = ivp::integrate(c.system, c.x0, c.t0, end,
                                        ivp::Hht{.step = duffing_period() / steps_a_period, .form = form});
@@ -202,7 +202,7 @@ TEST(Errata, PeriodOfTable4_1) {
   expect_erratum("rbf_ivp-table-4.1",
                  {.printed = 4.77, .corrected = 4.768022, .oracle = period, .tolerance = 0.5e-6 / period});
   const auto over_100_periods = [](double step, double end) {
-    const auto method = throughout<2>(ivp::RbfCollocation{step, 7, 0.77});
+    const auto method = throughout(ivp::RbfCollocation{step, 7, 0.77});
     return rms_error(record(free_duffing_case(), end, method), 0, Points::ends);
   };
   EXPECT_LT(over_100_periods(P / 10, 100 * P), 3 * 4.2e-6);  // rounding noise of other compilers
@@ -212,7 +212,7 @@ TEST(Errata, PeriodOfTable4_1) {
 // ode45 takes a RelTol of 1e-13 as it is; it raises what is below 100 eps to that. Half a unit of the last
 // digit.
 TEST(Errata, LowestToleranceOfOde45) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const auto least_error = [&](double tolerance) {
     const auto s =
         ivp::integrate(c.system, c.x0, c.t0, 10.0,

@@ -16,10 +16,9 @@ namespace {
 constexpr double stated = 2e-16;  // accuracy that Case promises for its reference
 
 /// Components of the reference against 25 digits of a 60-digit Taylor solution.
-template <int n>
-void expect_reference(const Case<n>& c, double t, const Vector<Extended, n>& digits) {
-  const Vector<Extended, n> error = c.reference(t) - digits;
-  for (int i = 0; i < n; ++i)
+void expect_reference(const Case& c, double t, const ivp::LongState& digits) {
+  const ivp::LongState error = c.reference(t) - digits;
+  for (Eigen::Index i = 0; i < error.size(); ++i)
     EXPECT_LE(static_cast<double>(std::abs(error[i])), stated)
         << c.name << ", component " << i << " at " << t;
 }
@@ -41,7 +40,7 @@ TEST(Examples, EllipticSolutionIsTheTaylorSeries) {
   const problems::Duffing problem;
   const problems::ReferenceTrajectory<Extended, problems::Duffing> series(
       problem, problem.initial_state().cast<Extended>(), 0, 500);
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const double P = duffing_period();
   for (int i = 0; i < 4000; ++i) {
     const double t = i < 400 ? i * P / 4 : 0.125 * i;
@@ -73,20 +72,20 @@ TEST(Measures, RootMeanSquare) {
 }
 
 TEST(Measures, StateErrorDividesByAmplitudes) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   EXPECT_NEAR(normalised_state_error(c, {3e-3, 4e-3 * std::sqrt(1.5)}), 5e-3, 1e-17);
 }
 
 /// A record of errors 1, 2, 3, 4 at the times 1, 2, 3, 4, every second one at the end of a step.
-Record<2> staircase() {
-  Record<2> record;
+Record staircase() {
+  Record record;
   for (int k = 1; k <= 4; ++k)
     record.values.push_back({double(k), k % 2 == 0, {0, 0}, {double(k), 10.0 * k}});
   return record;
 }
 
 TEST(Measures, RmsErrorChoosesPointsAndTime) {
-  const Record<2> record = staircase();
+  const Record record = staircase();
   EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::ends), std::sqrt(20.0 / 3));  // with the begin
   EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::all), std::sqrt(30.0 / 4));
   EXPECT_DOUBLE_EQ(rms_error(record, 1, Points::all, 3), 10 * std::sqrt(14.0 / 3));
@@ -97,7 +96,7 @@ TEST(Measures, RmsErrorChoosesPointsAndTime) {
 // that vanish to rounding for a method that is exact.
 TEST(Records, HoldWhatTheMethodGave) {
   const double P = duffing_period();
-  const auto kept = record(free_duffing_case(), 2 * P, throughout<2>(ivp::Mcpi{.step = P / 2, .order = 40}),
+  const auto kept = record(free_duffing_case(), 2 * P, throughout(ivp::Mcpi{.step = P / 2, .order = 40}),
                            Keeping{.window_begin = P, .window_end = 2 * P, .window_samples = 8});
   ASSERT_EQ(kept.values.size(), 160U);
   ASSERT_EQ(kept.window.size(), 9U);
@@ -112,7 +111,7 @@ TEST(Records, HoldWhatTheMethodGave) {
 }
 
 TEST(Records, FailureCarriesTheSentenceOfTheMethod) {
-  const auto hopeless = throughout<2>(ivp::Mcpi{.step = 3 * duffing_period(), .order = 20});
+  const auto hopeless = throughout(ivp::Mcpi{.step = 3 * duffing_period(), .order = 20});
   EXPECT_THROW(static_cast<void>(record(free_duffing_case(), 500, hopeless)), Failure);
 }
 

@@ -112,7 +112,7 @@ TEST(Envelope, BridgesZeros) {
 }
 
 TEST(Collocate, PolynomialsAtRadauNodesAreTheIntegratorsStep) {
-  const Arc<2> arc{&free_duffing_case(), 0, duffing_period() / 10};
+  const Arc arc{&free_duffing_case(), 0, duffing_period() / 10};
   const Fit fit = collocate(arc, polynomials(family_nodes(radau, 7)));
   ASSERT_TRUE(fit.converged);
   const auto solution =
@@ -125,13 +125,13 @@ TEST(Collocate, PolynomialsAtRadauNodesAreTheIntegratorsStep) {
 }
 
 /// The weighted sum of squares that least squares makes least.
-double objective(const Arc<2>& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
+double objective(const Arc& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
   const Eigen::MatrixXd r = residual_columns(arc, space, states);
   return r.colwise().squaredNorm().dot(gauss_weights(r.cols()).transpose());
 }
 
 TEST(LeastSquares, NoNeighbourHasALessSum) {
-  const Arc<2> arc{&impact_case(), 0, 1.6};
+  const Arc arc{&impact_case(), 0, 1.6};
   const VectorXd nodes = family_nodes(lobatto, 9);
   const TrialSpace space = gaussians(nodes, equal(nodes, 2));
   const Fit fit = least_squares(arc, space), start = collocate(arc, space);
@@ -154,7 +154,7 @@ TEST(LeastSquares, NoNeighbourHasALessSum) {
 TEST(LeastSquares, DoublesTheOrderAtTheEnd) {
   double errors[2];
   for (int k = 0; k < 2; ++k) {
-    const Arc<2> arc{&free_duffing_case(), 0.9, 0.8 / (1 << k)};
+    const Arc arc{&free_duffing_case(), 0.9, 0.8 / (1 << k)};
     errors[k] = least_squares(arc, polynomials(family_nodes(lobatto, 4))).end_error;
   }
   // One step: 2 s + 1 = 7, and the next term of the error at h = 0.8 and 0.4.
@@ -162,7 +162,7 @@ TEST(LeastSquares, DoublesTheOrderAtTheEnd) {
 }
 
 TEST(LeastSquares, IsThereWhereTheStudySaysItHelps) {
-  const Arc<2> arc{&free_duffing_case(), 0, duffing_period() / 2};
+  const Arc arc{&free_duffing_case(), 0, duffing_period() / 2};
   const VectorXd nodes = family_nodes(lobatto, 20);
   const TrialSpace space = gaussians(nodes, equal(nodes, 2.375));
   EXPECT_LT(least_squares(arc, space).end_error, 1e-3 * collocate(arc, space).end_error);

@@ -86,7 +86,7 @@ TEST(ExplicitVariants, HaveTheKnownErrors) {
 TEST(Traces, AnswerLikeRecords) {
   const double P = duffing_period();
   const Trace t = trace({"table-4.2", "(P/10)", P / 10}, ivp::Rk4{});
-  const Record<2> r = record(free_duffing_case(), 500, throughout<2>(ivp::Rk4{P / 10}));
+  const Record r = record(free_duffing_case(), 500, throughout(ivp::Rk4{P / 10}));
   // the references differ by 1e-17
   EXPECT_NEAR(t.rms(100 * P), rms_error(r, 0, Points::ends, 100 * P), 1e-15);
   const double x = t.rms(400), v = t.rms(400, Points::ends, 1);

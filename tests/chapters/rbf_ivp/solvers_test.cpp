@@ -26,10 +26,9 @@ VectorXd wave(Eigen::Index size, double phase) {
   return v;
 }
 
-template <int n>
-void expect_consistent_products(const Case<n>& c, double h) {
+void expect_consistent_products(const Case& c, double h) {
   for (const Form form : {Form::printed, Form::integrated}) {
-    CollocationEquations<n> equations(c.system, radau(6), form);
+    CollocationEquations equations(c.system, radau(6), form);
     equations.begin(0.3, h, c.x0);
     const VectorXd x = wave(equations.size(), 0.1), v = wave(equations.size(), 1),
                    w = wave(equations.size(), 2);
@@ -59,10 +58,9 @@ TEST(CollocationEquations, ProductsAreThoseOfTheDerivative) {
 }
 
 TEST(CollocationEquations, FormsDifferByAConstantMatrix) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const Basis basis = radau(8);
-  CollocationEquations<2> printed(c.system, basis, Form::printed),
-      integrated(c.system, basis, Form::integrated);
+  CollocationEquations printed(c.system, basis, Form::printed), integrated(c.system, basis, Form::integrated);
   printed.begin(0, 0.7, c.x0);
   integrated.begin(0, 0.7, c.x0);
   const VectorXd x = wave(printed.size(), 0.4);
@@ -75,8 +73,8 @@ TEST(CollocationEquations, FormsDifferByAConstantMatrix) {
 }
 
 TEST(CollocationEquations, SolutionLeavesTheTruncationErrorAlone) {
-  const Case<2>& c = free_duffing_case();
-  CollocationEquations<2> equations(c.system, radau(20), Form::integrated);
+  const Case& c = free_duffing_case();
+  CollocationEquations equations(c.system, radau(20), Form::integrated);
   equations.begin(0, duffing_period() / 10, c.x0);
   VectorXd x = equations.start(), f(x.size());
   for (std::size_t k = 0; k < equations.times().size(); ++k)
@@ -87,13 +85,13 @@ TEST(CollocationEquations, SolutionLeavesTheTruncationErrorAlone) {
 }
 
 TEST(Solvers, AllFindTheRootThatTheIntegratorFinds) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const double h = duffing_period() / 10;
   const auto method =
       ivp::PolynomialCollocation{.step = h, .nodes = 7, .points = NodeFamily::left_end_and_radau};
   const auto solution = ivp::integrate(c.system, c.x0, 0.0, h, method);
   ASSERT_TRUE(solution.status.ok());
-  Interval<2> interval(c, radau(7));
+  Interval interval(c, radau(7));
   interval.begin(0, h, c.x0);
   for (const Solver solver : all_solvers) {
     VectorXd x;
@@ -106,7 +104,7 @@ TEST(Solvers, AllFindTheRootThatTheIntegratorFinds) {
 }
 
 TEST(Solvers, CountTheirWork) {
-  Interval<2> interval(free_duffing_case(), radau(7));
+  Interval interval(free_duffing_case(), radau(7));
   interval.begin(0, duffing_period() / 10, free_duffing_case().x0);
   for (const Solver solver : all_solvers) {
     VectorXd x;
@@ -121,8 +119,8 @@ TEST(Solvers, CountTheirWork) {
 }
 
 TEST(Solvers, DivergeOrNotAsTheLengthHasIt) {
-  const Case<2>& c = free_duffing_case();
-  Interval<2> interval(c, radau(40));
+  const Case& c = free_duffing_case();
+  Interval interval(c, radau(40));
   VectorXd x;
   interval.begin(0, duffing_period(), c.x0);
   EXPECT_TRUE(solve(Solver::picard, interval, x, {}).diverged);
@@ -141,7 +139,7 @@ TEST(Solvers, DivergeOrNotAsTheLengthHasIt) {
 }
 
 TEST(Solvers, RowsGoOnFromEndToEndAndStopAtAFailure) {
-  const Case<2>& c = free_duffing_case();
+  const Case& c = free_duffing_case();
   const double P = duffing_period();
   const auto [cost, done] = solve_row(Solver::newton, c, radau(7), P / 10, 5, {});
   EXPECT_TRUE(cost.converged);

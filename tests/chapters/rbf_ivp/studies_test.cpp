@@ -104,7 +104,7 @@ TEST(Windows, RadauNodesHaveNone) {
 TEST(StiffProblems, CountDigits) {
   const auto problems = stiff_problems(true);
   ASSERT_EQ(problems.size(), 6U);
-  const auto& duffing = std::get<Stiff<2>>(problems[0]);
+  const Stiff& duffing = problems[0];
   const Vector<double, 2> truth = duffing.truth.cast<double>();
   EXPECT_GT(duffing.digits(truth), 15.5);
   const double size = truth.cwiseAbs().maxCoeff();

@@ -16,18 +16,17 @@ namespace nlmech::chapters::rbf_ivp::timing_test {
 namespace {
 
 /// The free oscillator with one row, whose integrations are counted.
-Example<2> counted(int& integrations) {
-  Example<2> example{.made = free_duffing_case,
-                     .name = "counted",
-                     .title = "Counted",
-                     .table = "table-4.2",
-                     .quantity = "position RMS error",
-                     .keeping = {.window_begin = 495, .window_end = 500}};
-  const auto procedure = throughout<2>(ivp::Rk4{.step = 0.5});
+Example counted(int& integrations) {
+  Example example{.made = free_duffing_case,
+                  .name = "counted",
+                  .title = "Counted",
+                  .table = "table-4.2",
+                  .quantity = "position RMS error",
+                  .keeping = {.window_begin = 495, .window_end = 500}};
+  const auto procedure = throughout(ivp::Rk4{.step = 0.5});
   example.add(
       {.row = "", .method = "RK4", .setting = "0.5", .nominal = Expected{0, 10, "any"}, .inferred = {}},
-      "rk4", "counted",
-      [procedure, &integrations](const Case<2>& c, double end, const ivp::Observer<2>& observer) {
+      "rk4", "counted", [procedure, &integrations](const Case& c, double end, const ivp::Observer& observer) {
         ++integrations;
         return procedure(c, end, observer);
       });
@@ -36,7 +35,7 @@ Example<2> counted(int& integrations) {
 
 TEST(Timing, FiguresIntegrateOnce) {
   int integrations = 0;
-  const Example<2> example = counted(integrations);
+  const Example example = counted(integrations);
   const scene::Chapter figures(
       "a", "figures",
       {{history(example, {1, "RK4", Shown::state}), history(example, {2, "RK4", Shown::positions}),

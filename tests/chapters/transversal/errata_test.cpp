@@ -98,7 +98,7 @@ TEST(Errata, NonlinearTermsAreAVector) {
   const problems::TwoDof problem{.damping = 0, .force = 0};
   OneComponentForAll literal;
   literal.damping = literal.force = 0;
-  const ivp::State<4> x0(1, -1, 0, 0);
+  const ivp::State x0{1, -1, 0, 0};
   const auto corrected = ivp::integrate(ivp::System(problem), x0, 0, 5, ivp::Mtl{.step = 0.05});
   const auto printed = ivp::integrate(ivp::System(literal), x0, 0, 5, ivp::Mtl{.step = 0.05});
   ASSERT_TRUE(corrected.status.ok() && printed.status.ok());
@@ -186,8 +186,8 @@ TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
     constexpr double change = 1e-4;
     Eigen::Matrix2d map;
     for (int i = 0; i < 2; ++i) {
-      const ivp::State<2> d = change * ivp::State<2>::Unit(i), x(1, 0.3);
-      const auto end = [&](const ivp::State<2>& from) {
+      const ivp::State d = change * ivp::State::Unit(2, i), x{1, 0.3};
+      const auto end = [&](const ivp::State& from) {
         return ivp::integrate(ivp::System(problem), from, 0, 0.3, ivp::Mtl{.step = 0.1}).x;
       };
       map.col(i) = (end(x + d) - end(x - d)) / (2 * change);

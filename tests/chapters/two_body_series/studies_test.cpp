@@ -112,15 +112,15 @@ TEST(Units, DoNotMatter) {
 
 // The propagators as integrators in general give what they give by themselves, and observers see every step.
 TEST(Propagators, AsIntegrators) {
-  const ivp::System<6> system(problems::TwoBody{.mu = 1});
+  const ivp::System system(problems::TwoBody{.mu = 1});
   const orbit::State start = on_ellipse(0.7, 1);
   const orbit::AnalyticContinuation method{.tolerance = 1e-12};
   const auto plain = orbit::propagate(start, 2, 9, orbit::Gravity{}, method);
   double last = 2;
-  const auto observe = [&](const ivp::Step<6>& step) {
+  const auto observe = [&](const ivp::Step& step) {
     EXPECT_EQ(step.t0, last);
     last = step.t1;
-    ivp::State<6> end;
+    ivp::State end(6);
     step.dense.at(step.t1, end);
     EXPECT_LE((end - step.x1).norm(), 64 * eps * step.x1.norm());
     EXPECT_EQ(step.states.col(0), step.x1);
@@ -135,7 +135,7 @@ TEST(Propagators, AsIntegrators) {
   EXPECT_EQ(limited.status.outcome(), Outcome::step_limit);
 
   int seen = 0;
-  const auto count = [&](const ivp::Step<6>& step) {
+  const auto count = [&](const ivp::Step& step) {
     ++seen;
     EXPECT_EQ(parted(step.x1).position, orbit::propagate_kepler(start, step.t1 - 2, 1).state.position);
     return true;

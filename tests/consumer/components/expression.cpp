@@ -4,9 +4,9 @@
 
 int main() {
   using namespace nlmech::expression;
-  const Problem<2> problem(Equations(SourceText("equation", "x'' + 4 x = 0")));
-  const nlmech::Vector<double, 2> x(3, 0);
-  nlmech::Vector<double, 2> slope;
+  const Problem problem(Equations(SourceText("equation", "x'' + 4 x = 0")));
+  const Eigen::VectorXd x = Eigen::Vector2d(3, 0);
+  Eigen::VectorXd slope(2);
   problem(0.0, x, slope);
   return slope[0] == 0 && slope[1] == -12 ? 0 : 1;
 }

@@ -10,6 +10,6 @@ struct Decay {
 
 int main() {
   using namespace nlmech::ivp;
-  const auto end = integrate(System<1>(Decay{}), State<1>(1), 0, 1, Rk4{.step = 0.01});
+  const auto end = integrate(System(Decay{}), State{1}, 0, 1, Rk4{.step = 0.01});
   return end.status.ok() && std::abs(end.x[0] - std::exp(-1)) < 1e-10 ? 0 : 1;
 }

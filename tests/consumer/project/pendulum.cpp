@@ -16,7 +16,7 @@ int main() {
   using namespace nlmech::ivp;
   const auto compiled = integrate(System(Pendulum{}), {1, 0}, 0, 10, Rk4{.step = 0.01});
   const auto inlined = integrate(Direct(Pendulum{}), {1, 0}, 0, 10, Rk4{.step = 0.01});
-  const auto energy = [](const State<2>& x) { return x[1] * x[1] / 2 - std::cos(x[0]); };
+  const auto energy = [](const State& x) { return x[1] * x[1] / 2 - std::cos(x[0]); };
   const bool good = compiled.status.ok() && inlined.status.ok() &&
                     std::abs(energy(compiled.x) + std::cos(1.0)) < 1e-8 &&
                     (compiled.x - inlined.x).norm() < 1e-12;

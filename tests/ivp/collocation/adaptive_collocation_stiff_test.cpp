@@ -51,9 +51,9 @@ struct TurnedRates {
 TEST(StiffAdaptiveCollocation, SweepsThatOverflowAreNoSolution) {
   for (const double fast : {1e6, 1e9, 1e12}) {
     const double end = 0.1, slow = 0.3;
-    const auto s = integrate(System<2>(TurnedRates{fast, slow}), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
+    const auto s = integrate(System(TurnedRates{fast, slow}), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    const State<2> exact = std::exp(-slow * end) * State<2>(-0.6, 0.8);
+    const State exact = std::exp(-slow * end) * State{-0.6, 0.8};
     // 30 tolerances, and the rounding of the axes.
     EXPECT_LT((s.x - exact).cwiseAbs().maxCoeff(), 30 * 1e-11 + 4 * eps) << fast;
   }
@@ -65,7 +65,7 @@ TEST(StiffAdaptiveCollocation, Robertson) {
   ASSERT_EQ(exact.size(), 3U);
   for (int d = 4; d <= 12; ++d) {
     const double tolerance = std::pow(10., -d);
-    const auto s = integrate(System<3>(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
+    const auto s = integrate(System(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
                              to(tolerance, 1e-8 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
@@ -79,8 +79,8 @@ TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
   exact[1] /= 1000;  // the test set's time is t/mu
   for (int d = 4; d <= 13; ++d) {
     const double tolerance = std::pow(10., -d);
-    const auto s = integrate(System<2>(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000,
-                             to(tolerance, 1e-3 * tolerance));
+    const auto s =
+        integrate(System(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000, to(tolerance, 1e-3 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
     EXPECT_GT(s.statistics.jacobians, 0) << "sweeps cannot do this";
@@ -97,7 +97,7 @@ TEST(StiffAdaptiveCollocation, Hires) {
   for (int d = 4; d <= 13; ++d) {
     const double tolerance = std::pow(10., -d);
     for (const double absolute : {1e-6 * tolerance, std::min(1e-14, 1e-4 * tolerance)}) {
-      const auto s = integrate(System<Eigen::Dynamic>(problems::Hires{}), problems::Hires::initial_state(), 0,
+      const auto s = integrate(System(problems::Hires{}), problems::Hires::initial_state(), 0,
                                problems::Hires::final_time, to(tolerance, absolute));
       ASSERT_TRUE(s.status.ok()) << s.status.text();
       EXPECT_GT(digits(s.x, exact), d - lost) << tolerance << ' ' << absolute;
@@ -118,7 +118,7 @@ struct Counted {
 };
 TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
   std::int64_t count = 0;
-  const auto s = integrate(System<2>(Counted{.count = &count}), {2, 0}, 0, 200, to(1e-8, 1e-8));
+  const auto s = integrate(System(Counted{.count = &count}), {2, 0}, 0, 200, to(1e-8, 1e-8));
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_GT(s.statistics.factorisations, 0);
   EXPECT_EQ(s.statistics.right_hand_sides, count);
@@ -130,17 +130,17 @@ TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
   chain.k1 = 1e8;
   const problems::ReferenceTrajectory<long double, problems::ThreeMassChain> truth(
       chain, Vector<long double, 6>::Zero(), 0, 2);
-  const State<6> end = truth(2).cast<double>();
+  const State end = truth(2).cast<double>();
   const problems::Duffing hard{.hardening = 1e6};
   for (int d = 4; d <= 12; d += 2) {
     const double tolerance = std::pow(10., -d);
-    const auto slow = integrate(System<6>(chain), State<6>::Zero(), 0, 2, to(tolerance, tolerance));
+    const auto slow = integrate(System(chain), State::Zero(6), 0, 2, to(tolerance, tolerance));
     ASSERT_TRUE(slow.status.ok()) << slow.status.text();
     EXPECT_LT(oracle::distance(slow.x, end), 100 * tolerance) << tolerance;
     const double P = hard.period(1.0);
-    const auto fast = integrate(System<2>(hard), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
+    const auto fast = integrate(System(hard), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
     ASSERT_TRUE(fast.status.ok()) << fast.status.text();
-    const State<2> exact = oracle::duffing(10 * P, hard);
+    const State exact = oracle::duffing(10 * P, hard);
     // In the units of the motion, time 1/sqrt(eta), this is ten periods of an oscillator like Table 4.1's.
     const double bound = static_cast<double>(fast.statistics.steps) * (tolerance + eps) * 75;
     EXPECT_LT(std::abs(fast.x[0] - exact[0]), bound) << tolerance;
@@ -160,11 +160,11 @@ struct StiffThenGentle {
   }
 };
 TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
-  const System<1> system(StiffThenGentle{});
-  const auto stiff = integrate(system, State<1>(0.0), 0, 10, to(1e-8, 1e-8));
+  const System system(StiffThenGentle{});
+  const auto stiff = integrate(system, State{0.0}, 0, 10, to(1e-8, 1e-8));
   ASSERT_TRUE(stiff.status.ok()) << stiff.status.text();
   EXPECT_GT(stiff.statistics.jacobians, 0);
-  const auto all = integrate(system, State<1>(0.0), 0, 100, to(1e-8, 1e-8));
+  const auto all = integrate(system, State{0.0}, 0, 100, to(1e-8, 1e-8));
   ASSERT_TRUE(all.status.ok()) << all.status.text();
   EXPECT_NEAR(all.x[0], std::sin(100.), 1e-6);  // 1e-8 in each of some hundred steps
   const auto late = all.statistics.factorisations - stiff.statistics.factorisations;

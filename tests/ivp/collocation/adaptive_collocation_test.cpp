@@ -47,7 +47,7 @@ double largest_local_error(const Problem& problem, double end, const AdaptiveCol
                            std::int64_t* jacobians = nullptr) {
   double largest = 0;
   const Series accurate{.relative_tolerance = 1e-16, .absolute_tolerance = 1e-16};
-  const auto measure = [&](const Step<Problem::dimension>& step) {
+  const auto measure = [&](const Step& step) {
     const auto exact = integrate(System(problem), step.x0, step.t0, step.t1, accurate);
     EXPECT_TRUE(exact.status.ok());
     for (int i = 0; i < Problem::dimension; ++i) {
@@ -107,7 +107,7 @@ TEST(AdaptiveCollocation, QuadratureOfRadau) {
   const auto error = [](const auto& problem, int nodes) {
     const AdaptiveCollocation whole{
         .relative_tolerance = 0.1, .absolute_tolerance = 1e10, .nodes = nodes};  // one step
-    const auto s = integrate(System(problem), State<1>(0.0), 0, 1, whole);
+    const auto s = integrate(System(problem), State{0.0}, 0, 1, whole);
     EXPECT_EQ(s.statistics.steps, 1);
     return std::abs(s.x[0] - 1);
   };
@@ -123,8 +123,8 @@ TEST(AdaptiveCollocation, DenseOutput) {
   for (const double tolerance : {1e-5, 1e-9, 1e-12}) {
     double largest = 0;
     std::int64_t steps = 0;
-    const auto look = [&](const Step<2>& step) {
-      State<2> x;
+    const auto look = [&](const Step& step) {
+      State x(2);
       ++steps;
       for (const double part : {0.0, 0.1, 0.5, 0.77, 1.0}) {
         const double t = step.t0 + part * (step.t1 - step.t0);
@@ -133,7 +133,7 @@ TEST(AdaptiveCollocation, DenseOutput) {
       }
       return true;
     };
-    ASSERT_TRUE(integrate(System<2>(problems::Duffing{}), {1, 0}, 0, 20, to(tolerance), look).status.ok());
+    ASSERT_TRUE(integrate(System(problems::Duffing{}), {1, 0}, 0, 20, to(tolerance), look).status.ok());
     EXPECT_LT(largest, static_cast<double>(steps) * tolerance * 21) << tolerance;
   }
 }
@@ -145,16 +145,16 @@ TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
   const problems::ReferenceTrajectory<long double, problems::VanDerPol> truth(
       problem, Vector<long double, 2>(2, 0), 0, 60);
   double largest = 0;
-  const auto look = [&](const Step<2>& step) {
-    State<2> x;
+  const auto look = [&](const Step& step) {
+    State x(2);
     for (const double part : {0.25, 0.5, 0.75}) {
       const double t = step.t0 + part * (step.t1 - step.t0);
       step.dense.at(t, x);
-      largest = std::max(largest, oracle::distance(x, State<2>(truth(t).cast<double>())));
+      largest = std::max(largest, oracle::distance(x, State(truth(t).cast<double>())));
     }
     return true;
   };
-  const auto s = integrate(System<2>(problem), {2, 0}, 0, 60, to(1e-9), look);
+  const auto s = integrate(System(problem), {2, 0}, 0, 60, to(1e-9), look);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_GT(s.statistics.jacobians, 0);
   EXPECT_LT(largest, 1e-5);  // 0.1 tol^((s+1)/2s) for s = 5 is 4e-7 a step
@@ -163,10 +163,10 @@ TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
 // x is zero at odd quarters of the period. The dense output of sweeps is as accurate as their steps, and the
 // time of a zero by 1/v more than that.
 TEST(AdaptiveCollocation, Events) {
-  const Event<2> zero{.value = [](double, const State<2>& x) { return x[0]; }};
+  const Event zero{.value = [](double, const State& x) { return x[0]; }};
   const double quarter = oracle::duffing_period / 4;
   const auto [s, hits] =
-      integrate_with_events(System(problems::Duffing{}), State<2>(1, 0), 0, 8 * quarter, to(1e-11), {zero});
+      integrate_with_events(System(problems::Duffing{}), State{1, 0}, 0, 8 * quarter, to(1e-11), {zero});
   ASSERT_TRUE(s.status.ok());
   ASSERT_EQ(hits.size(), 4U);
   for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -179,17 +179,17 @@ TEST(AdaptiveCollocation, Events) {
 // step they are the polynomials.
 TEST(AdaptiveCollocation, Gaussians) {
   const double end = oracle::duffing_period;
-  const State<2> exact = oracle::duffing(end);
+  const State exact = oracle::duffing(end);
   for (const double shape : {0.01, 0.5, 2.0}) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
       AdaptiveCollocation method = to(tolerance);
       method.shape = shape;
-      const auto s = integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, method);
+      const auto s = integrate(System(problems::Duffing{}), {1, 0}, 0, end, method);
       ASSERT_TRUE(s.status.ok()) << s.status.text();
       EXPECT_LT(oracle::distance(s.x, exact), static_cast<double>(s.statistics.steps) * tolerance * (1 + end))
           << shape << ' ' << tolerance;
       EXPECT_GE(s.statistics.steps,
-                integrate(System<2>(problems::Duffing{}), {1, 0}, 0, end, to(tolerance)).statistics.steps);
+                integrate(System(problems::Duffing{}), {1, 0}, 0, end, to(tolerance)).statistics.steps);
     }
   }
 }

@@ -19,13 +19,14 @@ constexpr double eps = 2.220446049250313e-16;
 // |A x - b| of a solution with partial pivoting is at most some n^2 eps |A| |x| unless pivots grow, which
 // random matrices do not make them do (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3);
 // complex products round up to three times as much.
-template <class Number, int n>
-bool solves(Eigen::Index size, const Number& shift, const Jacobian<n>& j, const Vector<Number, n>& b) {
-  Factors<Number, n> factors(size);
+template <class Number>
+bool solves(Eigen::Index size, const Number& shift, const Jacobian& j,
+            const Vector<Number, Eigen::Dynamic>& b) {
+  Factors<Number> factors(size);
   factors.compute(shift, j);
-  Vector<Number, n> x = b;
+  Vector<Number, Eigen::Dynamic> x = b;
   factors.solve(x);
-  Matrix<Number, n, n> a = -j.template cast<Number>();
+  Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> a = -j.template cast<Number>();
   a.diagonal().array() += shift;
   const double bound = 3 * static_cast<double>(size * size) * eps * a.cwiseAbs().rowwise().sum().maxCoeff() *
                        x.cwiseAbs().maxCoeff();
@@ -44,46 +45,46 @@ Number entry(std::mt19937_64& random) {
     return draw();
 }
 
-template <class Number, int n>
+template <class Number>
 bool solves_at_random(std::uint64_t seed, Eigen::Index size) {
   std::mt19937_64 random(seed);
-  const Jacobian<n> j = Jacobian<n>::NullaryExpr(size, size, [&] { return entry<double>(random); });
-  const Vector<Number, n> b = Vector<Number, n>::NullaryExpr(size, [&] { return entry<Number>(random); });
+  const Jacobian j = Jacobian::NullaryExpr(size, size, [&] { return entry<double>(random); });
+  const Vector<Number, Eigen::Dynamic> b =
+      Vector<Number, Eigen::Dynamic>::NullaryExpr(size, [&] { return entry<Number>(random); });
   // On the diagonal more than the 0 that an entry may be: regular with probability 1.
-  return solves<Number, n>(size, entry<Number>(random) + Number(0.37), j, b);
+  return solves<Number>(size, entry<Number>(random) + Number(0.37), j, b);
 }
 
 RC_GTEST_PROP(CollocationFactors, SolveWhatTheyFactor, (std::uint64_t seed)) {
-  RC_ASSERT((solves_at_random<double, 1>(seed, 1)));
-  RC_ASSERT((solves_at_random<double, 2>(seed, 2)));
-  RC_ASSERT((solves_at_random<double, 6>(seed, 6)));
-  RC_ASSERT((solves_at_random<Complex, 1>(seed, 1)));
-  RC_ASSERT((solves_at_random<Complex, 3>(seed, 3)));
-  RC_ASSERT((solves_at_random<Complex, 6>(seed, 6)));
+  RC_ASSERT((solves_at_random<double>(seed, 1)));
+  RC_ASSERT((solves_at_random<double>(seed, 2)));
+  RC_ASSERT((solves_at_random<double>(seed, 6)));
+  RC_ASSERT((solves_at_random<Complex>(seed, 1)));
+  RC_ASSERT((solves_at_random<Complex>(seed, 3)));
+  RC_ASSERT((solves_at_random<Complex>(seed, 6)));
   // Both sides of where Eigen takes over.
   const auto size = static_cast<Eigen::Index>(1 + seed % 64);
-  RC_ASSERT((solves_at_random<double, Eigen::Dynamic>(seed, size)));
-  RC_ASSERT((solves_at_random<Complex, Eigen::Dynamic>(seed, size)));
+  RC_ASSERT((solves_at_random<double>(seed, size)));
+  RC_ASSERT((solves_at_random<Complex>(seed, size)));
 }
 
 TEST(CollocationFactors, BringPivotsToTheDiagonal) {
-  Jacobian<3> j;
+  Jacobian j(3, 3);
   j << 0, -1, 0, 0, 0, -2, -4, 0, 0;  // -j takes x to (x2, 2 x3, 4 x1)
-  Factors<double, 3> factors(3);
+  Factors<double> factors(3);
   factors.compute(0, j);
-  Vector<double, 3> x(5, 6, 8);
+  State x{5, 6, 8};
   factors.solve(x);
-  EXPECT_EQ(x, (Vector<double, 3>(2, 5, 3)));
+  EXPECT_EQ(x, (State{2, 5, 3}));
 }
 
 // Squares of these entries are no doubles.
 TEST(CollocationFactors, NeitherOverflowNorUnderflow) {
   for (const double scale : {1e-300, 1e-200, 1e200, 1e300}) {
-    Factors<Complex, 1> factors(1);
+    Factors<Complex> factors(1);
     for (const Complex part : {Complex(3, 4), Complex(4, -3), Complex(0, 1), Complex(-1, 0)}) {
-      factors.compute(part * scale, Jacobian<1>::Zero());
-      Vector<Complex, 1> x;
-      x << part * scale;
+      factors.compute(part * scale, Jacobian::Zero(1, 1));
+      Eigen::VectorXcd x = Eigen::VectorXcd::Constant(1, part * scale);
       factors.solve(x);
       EXPECT_LT(std::abs(x[0] - 1.0), 8 * eps) << part << ' ' << scale;
     }
@@ -91,18 +92,18 @@ TEST(CollocationFactors, NeitherOverflowNorUnderflow) {
 }
 
 TEST(CollocationFactors, ASingularMatrixIsNoSolution) {
-  Jacobian<2> j;
+  Jacobian j(2, 2);
   j << 1, 2, 2, 4;
   for (const Eigen::Index size : {2, 60}) {
-    Factors<double, Eigen::Dynamic> many(size);
-    many.compute(0, Jacobian<Eigen::Dynamic>::Zero(size, size));
+    Factors<double> many(size);
+    many.compute(0, Jacobian::Zero(size, size));
     Vector<double, Eigen::Dynamic> x = Vector<double, Eigen::Dynamic>::Ones(size);
     many.solve(x);
     EXPECT_FALSE(x.allFinite()) << size;
   }
-  Factors<double, 2> factors(2);
+  Factors<double> factors(2);
   factors.compute(0, j);
-  Vector<double, 2> x(1, 1);
+  State x{1, 1};
   factors.solve(x);
   EXPECT_FALSE(x.allFinite());
 }

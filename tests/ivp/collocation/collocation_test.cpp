@@ -57,8 +57,7 @@ struct Quintic {
 };
 
 TEST(PolynomialCollocation, ExactForPolynomialsOfItsDegree) {
-  const auto s =
-      integrate(System(Quintic{}), State<1>(1), 0, 2, PolynomialCollocation{.step = 2, .nodes = 7});
+  const auto s = integrate(System(Quintic{}), State{1}, 0, 2, PolynomialCollocation{.step = 2, .nodes = 7});
   EXPECT_NEAR(s.x[0], 64 - 32 + 1, 33 * 50 * eps);  // t^6 - t^5 + 1; the matrix' norm is about 50
 }
 
@@ -66,11 +65,11 @@ TEST(PolynomialCollocation, DenseOutputMeetsTheNodesAndStaysClose) {
   const System system(problems::Duffing{});
   double at_nodes = 0, between = 0;
   (void)integrate(
-      system, {1, 0}, 0, P, PolynomialCollocation{.step = P / 2, .nodes = 30}, [&](const Step<2>& step) {
-        State<2> x;
+      system, {1, 0}, 0, P, PolynomialCollocation{.step = P / 2, .nodes = 30}, [&](const Step& step) {
+        State x(2);
         for (std::size_t k = 0; k < step.times.size(); ++k) {
           step.dense.at(step.times[k], x);
-          at_nodes = std::max(at_nodes, distance(x, State<2>(step.states.col(static_cast<Eigen::Index>(k)))));
+          at_nodes = std::max(at_nodes, distance(x, State(step.states.col(static_cast<Eigen::Index>(k)))));
         }
         for (double part = 0; part <= 1; part += 0.01) {
           const double t = step.t0 + part * (step.t1 - step.t0);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/hermitian/hermitian_trial.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/two_dof.hpp"
@@ -26,12 +27,12 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
   for (const HermitianPair& pair : {laier, hoff, argyris}) {
     double smallest = HUGE_VAL;
     for (double z = 1.5; z < 1e4; z *= 1.07) {
-      const System<2> system(LinearOscillator{.natural_frequency = z});
+      const System system(LinearOscillator{.natural_frequency = z});
       for (int k = 0; k < 24; ++k) {
         const double phase = std::numbers::pi * k / 24;
-        HermitianTrial<System<2>> trial(system, pair, {});
+        HermitianTrial trial(system, pair, {});
         Statistics work;
-        ASSERT_TRUE(trial.begin_segment(0, 1, State<2>(std::cos(phase), -z * std::sin(phase)), work));
+        ASSERT_TRUE(trial.begin_segment(0, 1, State{std::cos(phase), -z * std::sin(phase)}, work));
         if (trial.attempt(0, 1, work) != Outcome::success) continue;  // refused in another way
         // With an absolute tolerance of 1 for positions; velocities count for as much.
         smallest = std::min(smallest, trial.unresolved(1, 0, false, work));
@@ -45,14 +46,14 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
 // 1e4 radians at 1e-6: errors of every step are within the tolerance, and those of all steps together are a
 // percent of the state and more. The end is off by 8e-3; that is no success.
 TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
-  const System<2> system(LinearOscillator{.natural_frequency = 1e4});
+  const System system(LinearOscillator{.natural_frequency = 1e4});
   for (const char* name : {"laier", "argyris"}) {
-    const auto s = named_integrator<2>(name, {.tolerance = 1e-6})(system, State<2>(1, 0), 0, 1, {}, {});
+    const auto s = named_integrator(name, {.tolerance = 1e-6})(system, State{1, 0}, 0, 1, {}, {});
     EXPECT_EQ(s.status.outcome(), Outcome::not_converged) << name;
     EXPECT_NE(s.status.sentence().find("smaller tolerance"), std::string::npos) << s.status.text();
   }
   // A smaller tolerance helps, as the sentence says: 1e-8 in each of some 1e5 steps.
-  const auto s = named_integrator<2>("laier", {.tolerance = 1e-8})(system, State<2>(1, 0), 0, 1, {}, {});
+  const auto s = named_integrator("laier", {.tolerance = 1e-8})(system, State{1, 0}, 0, 1, {}, {});
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_NEAR(s.x[0], std::cos(1e4), 1e-8 * static_cast<double>(s.statistics.steps));
 }
@@ -61,8 +62,7 @@ TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
 TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
   const LinearOscillator p{.natural_frequency = 1e-3, .force = 0.1, .frequency = 2 * std::numbers::pi * 528};
   for (const char* name : {"laier", "argyris", "hoff"}) {
-    const auto s =
-        named_integrator<2>(name, {.tolerance = 1e-5})(System<2>(p), State<2>::Zero(), 0, 1, {}, {});
+    const auto s = named_integrator(name, {.tolerance = 1e-5})(System(p), State::Zero(2), 0, 1, {}, {});
     // In truth F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
     EXPECT_TRUE(!s.status.ok() || std::abs(s.x[0]) <= 1e-5 * static_cast<double>(s.statistics.steps))
         << s.x[0];
@@ -73,13 +73,13 @@ TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
 // Velocities within tiny steps: two nearly equal positions, divided by the step, would have an error of
 // eps |q|/h, here 1e-3.
 TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
-  const System<4> system(problems::TwoDof{});
-  const State<4> x0(1, -0.5, 0.12, 0.3);
-  State<4> f(4), x(4);
+  const System system(problems::TwoDof{});
+  const State x0{1, -0.5, 0.12, 0.3};
+  State f(4), x(4);
   system.rhs(0, x0, f);
   for (const bool chosen : {true, false}) {
     int rows = 0;
-    const Observer<4> observe = [&](const Step<4>& s) {
+    const Observer observe = [&](const Step& s) {
       for (const double share : {0.2, 0.5, 0.8}) {
         const double t = s.t0 + share * (s.t1 - s.t0);
         s.dense.at(t, x);
@@ -112,10 +112,10 @@ struct Ramp {
 // position makes of the quintic: for q'' = t a step by Newmark's operators has h^3/12 of it, and v at a share
 // s 30 s^2 (1 - s)^2 h^2/12.
 TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
-  const System<2> system{Ramp{}};
+  const System system{Ramp{}};
   for (const double h : {1e-1, 1e-2}) {
-    State<2> x(2);
-    const Observer<2> observe = [&](const Step<2>& step) {
+    State x(2);
+    const Observer observe = [&](const Step& step) {
       for (const double s : {0.2, 0.5, 0.97, 1.}) {
         const double t = step.t0 + s * (step.t1 - step.t0);
         step.dense.at(t, x);
@@ -124,8 +124,7 @@ TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
       }
       return true;
     };
-    const auto run =
-        integrate(system, State<2>(0, 0), 0, 1, Hermitian{.operators = hoff, .step = h}, observe);
+    const auto run = integrate(system, State{0, 0}, 0, 1, Hermitian{.operators = hoff, .step = h}, observe);
     ASSERT_TRUE(run.status.ok()) << run.status.text();
   }
 }

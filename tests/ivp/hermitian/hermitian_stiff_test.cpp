@@ -20,8 +20,8 @@ struct Relaxation {
 constexpr Relaxation relaxations[] = {
     {10, 40, 1.872808279858089700}, {100, 200, 1.718587208019240655}, {1000, 2000, 1.706167732170465008}};
 
-Solution<2> run(const Relaxation& r, const Hermitian& method) {
-  return integrate(System<2>(problems::VanDerPol{.mu = r.mu}), State<2>(2, 0), 0, r.end, method);
+Solution run(const Relaxation& r, const Hermitian& method) {
+  return integrate(System(problems::VanDerPol{.mu = r.mu}), State{2, 0}, 0, r.end, method);
 }
 
 // Fixed steps of every size: what ends with success is right to a tenth of the amplitude, for all three
@@ -75,15 +75,15 @@ TEST(Hermitian, CrossesLeapsWithStepsOfItsChoice) {
 // x'' + 1e6 x + x^3 = cos t from the slow motion x = 1e-6 cos t: what is not resolved is 1e-12 at first, and
 // stays. Argyris, beyond h omega = sqrt(60), makes it grow.
 TEST(Hermitian, FastDuffingFromASmoothStart) {
-  const System<2> system(problems::DrivenDuffing{.stiffness = 1e6});
+  const System system(problems::DrivenDuffing{.stiffness = 1e6});
   const double slow = std::cos(1.0) / (1e6 - 1);
   for (const double step : {0.1, 0.01, 0.005}) {
-    const auto end = integrate(system, State<2>(1e-6, 0), 0, 1, Hermitian{.step = step});
+    const auto end = integrate(system, State{1e-6, 0}, 0, 1, Hermitian{.step = step});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     EXPECT_NEAR(end.x[0], slow, 4e-12) << step;
   }
   const auto unstable =
-      integrate(system, State<2>(1e-6, 0), 0, 1, Hermitian{.operators = argyris, .step = 0.01});
+      integrate(system, State{1e-6, 0}, 0, 1, Hermitian{.operators = argyris, .step = 0.01});
   EXPECT_FALSE(unstable.status.ok() && std::abs(unstable.x[0]) < 1);
 }
 
@@ -95,7 +95,7 @@ TEST(Hermitian, FastDuffingFromAnOscillatingStart) {
   const problems::ReferenceTrajectory<long double, problems::DrivenDuffing> reference(problem, begin, 0, 1);
   const auto truth = static_cast<double>(reference(1)[0]);
   for (const double step : {1e-4, 5e-5, 2.5e-5}) {
-    const auto end = integrate(System<2>(problem), State<2>(1, 0), 0, 1, Hermitian{.step = step});
+    const auto end = integrate(System(problem), State{1, 0}, 0, 1, Hermitian{.step = step});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     EXPECT_LT(std::abs(end.x[0] - truth), 1.1 * 1000 * std::pow(1000 * step, 4) / 720) << step;
   }
@@ -106,8 +106,8 @@ TEST(Hermitian, FastDuffingFromAnOscillatingStart) {
 TEST(Hermitian, LinearWithVeryLongSteps) {
   for (const double z : {1e2, 1e4, 1e6}) {
     for (const HermitianPair& pair : {laier, newmark_pair}) {
-      const auto end = integrate(System<2>(problems::LinearOscillator{.natural_frequency = z}),
-                                 State<2>(1, 0), 0, 100, Hermitian{.operators = pair, .step = 1});
+      const auto end = integrate(System(problems::LinearOscillator{.natural_frequency = z}), State{1, 0}, 0,
+                                 100, Hermitian{.operators = pair, .step = 1});
       ASSERT_TRUE(end.status.ok()) << end.status.text();
       EXPECT_NEAR(std::hypot(end.x[0], end.x[1] / z), 1, 1e-15 * 100 * std::max(10.0, z)) << pair.name << z;
     }

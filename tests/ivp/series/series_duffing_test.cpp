@@ -14,7 +14,7 @@ using testing::with_tolerance;
 // mpfr, 70 digits. T = 0.5 blows up, as the findings say; T = 0.1 is exact to 2e-12 times a few.
 TEST(SeriesOnProblems, ForcedDuffing) {
   const problems::ForcedDuffing duffing;
-  const State<2> x0(3, 4), truth(1.221946638567542, 5.565479787665349);
+  const State x0{3, 4}, truth{1.221946638567542, 5.565479787665349};
   const auto wild = integrate(System(duffing), x0, 0, 50, Series{.order = 20, .step = 0.5});
   EXPECT_FALSE(wild.status.ok() && (wild.x - truth).cwiseAbs().maxCoeff() < 1);
   EXPECT_TRUE(wild.x.allFinite());

@@ -26,9 +26,9 @@ TEST(SeriesEdges, GoesBackwards) {
 
 TEST(SeriesEdges, IntervalsWithoutLengthAndTheShortestOne) {
   const System system(testing::Oscillator{});
-  EXPECT_EQ(integrate(system, State<2>(1, 2), 5, 5, Series{}).x, State<2>(1, 2));
+  EXPECT_EQ(integrate(system, State{1, 2}, 5, 5, Series{}).x, (State{1, 2}));
   const double end = std::nextafter(1.0, 2.0);
-  const auto s = integrate(system, State<2>(1, 0), 1, end, Series{});
+  const auto s = integrate(system, State{1, 0}, 1, end, Series{});
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_EQ(s.t, end);
 }
@@ -38,17 +38,17 @@ TEST(SeriesEdges, ObserverSeesEveryStep) {
   const Manufactured problem;
   double t = 0;
   std::int64_t count = 0;
-  const auto look = [&](const Step<2>& step) {
+  const auto look = [&](const Step& step) {
     EXPECT_EQ(step.index, ++count);
     EXPECT_EQ(step.t0, t);
     t = step.t1;
-    State<2> x;
+    State x(2);
     step.dense.at(step.t0, x);
     EXPECT_EQ(x, step.x0);
     step.dense.at(step.t1, x);
     EXPECT_LT((x - step.x1).cwiseAbs().maxCoeff(), 4 * eps);
     EXPECT_EQ(step.times.back(), step.t1);
-    EXPECT_EQ(State<2>(step.states.col(0)), step.x1);
+    EXPECT_EQ(State(step.states.col(0)), step.x1);
     return step.index < 5;
   };
   const auto s = integrate(System(problem), problem.exact(0), 0, 10, Series{}, look);
@@ -59,13 +59,13 @@ TEST(SeriesEdges, ObserverSeesEveryStep) {
 
 struct ForDoubleAlone {
   static constexpr int dimension = 1;
-  void operator()(double /*t*/, const State<1>& x, State<1>& f) const { f[0] = -x[0]; }
-  void jacobian(double /*t*/, const State<1>& /*x*/, Jacobian<1>& j) const { j(0, 0) = -1; }
+  void operator()(double /*t*/, const Vector<double, 1>& x, Vector<double, 1>& f) const { f[0] = -x[0]; }
+  void jacobian(double /*t*/, const Vector<double, 1>& /*x*/, Matrix<double, 1, 1>& j) const { j(0, 0) = -1; }
 };
 
 TEST(SeriesEdges, RefusesAProblemForDoubleAlone) {
   try {
-    static_cast<void>(integrate(System(ForDoubleAlone{}), State<1>(1.0), 0, 1, Series{}));
+    static_cast<void>(integrate(System(ForDoubleAlone{}), State{1.0}, 0, 1, Series{}));
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("template on the scalar"), std::string::npos);
@@ -74,12 +74,12 @@ TEST(SeriesEdges, RefusesAProblemForDoubleAlone) {
 
 TEST(SeriesEdges, Limits) {
   const System system(Manufactured{});
-  const auto few = integrate(system, State<2>(1, 0), 0, 100, Series{}, {}, {.steps = 3});
+  const auto few = integrate(system, State{1, 0}, 0, 100, Series{}, {}, {.steps = 3});
   EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
   EXPECT_EQ(few.statistics.steps, 3);
-  EXPECT_EQ(integrate(system, State<2>(1, 0), 0, 1e5, Series{}, {}, {.seconds = 1e-6}).status.outcome(),
+  EXPECT_EQ(integrate(system, State{1, 0}, 0, 1e5, Series{}, {}, {.seconds = 1e-6}).status.outcome(),
             Outcome::time_limit);
-  const auto bound = integrate(system, State<2>(1, 0), 0, 1, Series{.largest_step = 0.0625});
+  const auto bound = integrate(system, State{1, 0}, 0, 1, Series{.largest_step = 0.0625});
   EXPECT_EQ(bound.statistics.steps, 16);
 }
 
@@ -94,16 +94,16 @@ struct RootOfTime {
 
 TEST(SeriesEdges, FailuresSayWhatHappened) {
   // f is finite at t = 0, its derivatives are not.
-  const auto singular = integrate(System(RootOfTime{}), State<1>(0.0), 0, 1, Series{});
+  const auto singular = integrate(System(RootOfTime{}), State{0.0}, 0, 1, Series{});
   EXPECT_EQ(singular.status.outcome(), Outcome::non_finite);
   EXPECT_NE(singular.status.sentence().find("Taylor coefficients"), std::string::npos);
   EXPECT_EQ(singular.x[0], 0);
-  EXPECT_EQ(integrate(System(RootOfTime{}), State<1>(0.0), 0, 1, Series{.step = 0.1}).status.outcome(),
+  EXPECT_EQ(integrate(System(RootOfTime{}), State{0.0}, 0, 1, Series{.step = 0.1}).status.outcome(),
             Outcome::non_finite);
-  const auto nowhere = integrate(System(RootOfTime{}), State<1>(0.0), -1, 1, Series{});
+  const auto nowhere = integrate(System(RootOfTime{}), State{0.0}, -1, 1, Series{});
   EXPECT_EQ(nowhere.status.outcome(), Outcome::non_finite);
   EXPECT_NE(nowhere.status.sentence().find("right-hand side"), std::string::npos);
-  EXPECT_EQ(integrate(System(testing::Oscillator{}), State<2>(1, 0), 1, 2, Series{.largest_step = 1e-20})
+  EXPECT_EQ(integrate(System(testing::Oscillator{}), State{1, 0}, 1, 2, Series{.largest_step = 1e-20})
                 .status.outcome(),
             Outcome::step_underflow);
 }

@@ -65,8 +65,7 @@ struct Singular {
   }
 };
 
-template <int n>
-void expect_same(const Solution<n>& a, const Solution<n>& b) {
+void expect_same(const Solution& a, const Solution& b) {
   EXPECT_EQ(a.t, b.t);
   ASSERT_EQ(a.x.size(), b.x.size());
   for (Eigen::Index i = 0; i < a.x.size(); ++i)
@@ -79,19 +78,18 @@ void expect_same(const Solution<n>& a, const Solution<n>& b) {
 }
 
 /// By all widths that have the bits of this processor's single runs, and by several threads.
-template <int n>
-void expect_bits_of_one(const std::vector<Start<n>>& starts, const Series& method) {
-  std::vector<Solution<n>> alone;
-  for (const Start<n>& start : starts) alone.push_back(detail::alone(start, method));
-  const std::span<const Start<n>> all(starts);
+void expect_bits_of_one(const std::vector<Start>& starts, const Series& method) {
+  std::vector<Solution> alone;
+  for (const Start& start : starts) alone.push_back(detail::alone(start, method));
+  const std::span<const Start> all(starts);
   for (const int threads : {1, 3}) {
-    const auto together = integrate_all<n>(all, method, threads);
+    const auto together = integrate_all(all, method, threads);
     ASSERT_EQ(together.size(), alone.size());
-    for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(together[i], alone[i]);
+    for (std::size_t i = 0; i < alone.size(); ++i) expect_same(together[i], alone[i]);
   }
   if (method.step > 0 || !available(InstructionSet::avx2)) return;
-  const auto narrow = integrate_all<n>(all, method, 1, InstructionSet::avx2);
-  for (std::size_t i = 0; i < alone.size(); ++i) expect_same<n>(narrow[i], alone[i]);
+  const auto narrow = integrate_all(all, method, 1, InstructionSet::avx2);
+  for (std::size_t i = 0; i < alone.size(); ++i) expect_same(narrow[i], alone[i]);
 }
 
 Series with(double tolerance, int order = 0) {
@@ -104,7 +102,7 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
     return low + (high - low) * (*rc::gen::inRange(0, 1000001)) * 1e-6;
   };
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 60);
-  std::vector<System<3>> systems;
+  std::vector<System> systems;
   systems.emplace_back(problems::Lorenz{});
   for (int k = 0; k < 5; ++k) {
     problems::Lorenz other;
@@ -112,7 +110,7 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
     other.r = number(0.5, 60);
     systems.emplace_back(other);
   }
-  std::vector<Start<3>> starts;
+  std::vector<Start> starts;
   for (std::size_t i = 0; i < count; ++i) {
     const double t0 = number(-1, 1);
     starts.push_back({&systems[*rc::gen::inRange<std::size_t>(0, systems.size())],
@@ -122,7 +120,7 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
                       {},
                       {.steps = 200}});
   }
-  expect_bits_of_one<3>(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
+  expect_bits_of_one(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
 }
 
 /// x' = -x^p, an operation more for every factor.
@@ -140,84 +138,82 @@ struct Decay {
 // A dozen kinds of equations in turn, more than may wait for each other: the bits of one, and of narrow
 // registers in any company.
 TEST(SeriesEnsemble, ManyKinds) {
-  std::vector<System<1>> systems;
+  std::vector<System> systems;
   for (int power = 1; power <= 12; ++power) systems.emplace_back(Decay{power});
-  std::vector<Start<1>> starts;
+  std::vector<Start> starts;
   for (int i = 0; i < 100; ++i)
-    starts.push_back(
-        {&systems[static_cast<std::size_t>(i) % 12], State<1>(0.3 + 0.01 * i), 0, 1.0 + i, {}, {}});
-  expect_bits_of_one<1>(starts, with(1e-10));
-  const std::span<const Start<1>> all(starts);
-  const auto together = integrate_all<1>(all, with(1e-10), 2, InstructionSet::baseline);
+    starts.push_back({&systems[static_cast<std::size_t>(i) % 12], State{0.3 + 0.01 * i}, 0, 1.0 + i, {}, {}});
+  expect_bits_of_one(starts, with(1e-10));
+  const std::span<const Start> all(starts);
+  const auto together = integrate_all(all, with(1e-10), 2, InstructionSet::baseline);
   for (std::size_t i = 0; i < starts.size(); i += 7)
-    expect_same<1>(integrate_all<1>(all.subspan(i, 1), with(1e-10), 1, InstructionSet::baseline)[0],
-                   together[i]);
+    expect_same(integrate_all(all.subspan(i, 1), with(1e-10), 1, InstructionSet::baseline)[0], together[i]);
 }
 
 TEST(SeriesEnsemble, EquationsWithTheTime) {
-  const System<2> smooth(Pendulum{}), jumping(Pendulum{.jump = 1.5});
-  std::vector<Start<2>> starts;
+  const System smooth(Pendulum{}), jumping(Pendulum{.jump = 1.5});
+  std::vector<Start> starts;
   for (int i = 0; i < 40; ++i) {
-    const System<2>* system = i % 3 == 0 ? &jumping : &smooth;
-    starts.push_back({system, State<2>(0.1 * i, 1), 0.1 * i, 3 + 0.2 * (i % 7), {}, {}});
+    const System* system = i % 3 == 0 ? &jumping : &smooth;
+    starts.push_back({system, State{0.1 * i, 1}, 0.1 * i, 3 + 0.2 * (i % 7), {}, {}});
   }
   starts[5].t1 = starts[5].t0;
   starts[6].t1 = -2;
-  expect_bits_of_one<2>(starts, with(1e-10));
+  expect_bits_of_one(starts, with(1e-10));
   Series bounded = with(1e-6);
   bounded.largest_step = 0.05;
-  expect_bits_of_one<2>(starts, bounded);
-  expect_bits_of_one<2>(starts, {.order = 8, .step = 0.1});  // by threads
+  expect_bits_of_one(starts, bounded);
+  expect_bits_of_one(starts, {.order = 8, .step = 0.1});  // by threads
 }
 
 // What ends in a failure ends as it does alone, with its sentence, and disturbs nobody.
 TEST(SeriesEnsemble, FailuresAreTheirOwn) {
-  const System<1> pole(Pole{}), gap(Gap{}), singular(Singular{});
+  const System pole(Pole{}), gap(Gap{}), singular(Singular{});
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Start<1>> poles, gaps, singulars;
+  std::vector<Start> poles, gaps, singulars;
   for (int i = 0; i < 37; ++i) {
-    poles.push_back({&pole, State<1>(i % 5 == 2 ? 0.9 : 2 - 0.1 * i), 0, i % 4 == 0 ? 3. : 1., {}, {}});
-    gaps.push_back({&gap, State<1>(0.01 * i), i % 3 == 0 ? 0 : 0.01 * i, 2, {}, {}});
-    singulars.push_back({&singular, State<1>(i % 4 == 1 ? 0 : std::pow(10, -9 * i)), 0, 1, {}, {}});
+    poles.push_back({&pole, State{i % 5 == 2 ? 0.9 : 2 - 0.1 * i}, 0, i % 4 == 0 ? 3. : 1., {}, {}});
+    gaps.push_back({&gap, State{0.01 * i}, i % 3 == 0 ? 0 : 0.01 * i, 2, {}, {}});
+    singulars.push_back({&singular, State{i % 4 == 1 ? 0 : std::pow(10, -9 * i)}, 0, 1, {}, {}});
   }
   poles[3].x0[0] = nan;
   poles[4].limits.steps = 3;
   poles[5].limits.seconds = 0;
   gaps[7].limits.steps = 2;
-  expect_bits_of_one<1>(poles, with(1e-12));
-  expect_bits_of_one<1>(gaps, with(1e-9, 10));
-  expect_bits_of_one<1>(singulars, with(1e-9));
-  const auto ends = integrate_all<1>(std::span<const Start<1>>(poles), with(1e-12));
+  expect_bits_of_one(poles, with(1e-12));
+  expect_bits_of_one(gaps, with(1e-9, 10));
+  expect_bits_of_one(singulars, with(1e-9));
+  const auto ends = integrate_all(std::span<const Start>(poles), with(1e-12));
   EXPECT_EQ(ends[0].status.outcome(), Outcome::step_underflow);
   EXPECT_EQ(ends[3].status.outcome(), Outcome::non_finite);
   EXPECT_EQ(ends[4].status.outcome(), Outcome::step_limit);
   EXPECT_EQ(ends[5].status.outcome(), Outcome::time_limit);
   EXPECT_TRUE(ends[7].status.ok());
-  EXPECT_GT(integrate_all<1>(std::span<const Start<1>>(gaps), with(1e-9, 10))[0].statistics.rejected, 0);
+  EXPECT_GT(integrate_all(std::span<const Start>(gaps), with(1e-9, 10))[0].statistics.rejected, 0);
 }
 
 // Observers see the steps of their own trajectory, values within them too, and end it alone.
 TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
-  const System<3> system(problems::Lorenz{});
+  const System system(problems::Lorenz{});
   constexpr std::size_t count = 45;
   std::vector<std::vector<double>> seen(count), alone(count);
   const auto starts = [&](std::vector<std::vector<double>>& to) {
-    std::vector<Start<3>> all;
+    std::vector<Start> all;
     for (std::size_t i = 0; i < count; ++i) {
-      const Observer<3> look = [&to, i](const Step<3>& step) {
-        const State<3> x = step.at(step.t0 + 0.3 * (step.t1 - step.t0));
+      const Observer look = [&to, i](const Step& step) {
+        const State x = step.at(step.t0 + 0.3 * (step.t1 - step.t0));
         to[i].insert(to[i].end(), {step.t0, step.t1, step.times[0], step.states(2, 0), step.x0[0], x[0], x[2],
                                    static_cast<double>(step.index)});
         return i != 17 || step.t1 < 0.7;
       };
       const double k = static_cast<double>(i);
-      all.push_back({&system, State<3>(0.1 * k, 1, 20 - k), 0, 1 + 0.1 * k, look, {}});
+      all.push_back({&system, State{0.1 * k, 1, 20 - k}, 0, 1 + 0.1 * k, look, {}});
     }
     return all;
   };
   const auto from = starts(seen);
-  const auto ends = integrate_all<3>(std::span<const Start<3>>(from), with(1e-9), 2);
-  for (const Start<3>& start : starts(alone)) (void)detail::alone(start, with(1e-9));
+  const auto ends = integrate_all(std::span<const Start>(from), with(1e-9), 2);
+  for (const Start& start : starts(alone)) (void)detail::alone(start, with(1e-9));
   EXPECT_EQ(seen, alone);
   EXPECT_EQ(ends[17].status.outcome(), Outcome::interrupted);
   EXPECT_TRUE(ends[18].status.ok());
@@ -225,42 +221,39 @@ TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
 
 // Components in any number; solutions with bounds and invariants are held to them.
 TEST(SeriesEnsemble, OtherSizes) {
-  const System<Eigen::Dynamic> lorenz(problems::Lorenz{}), pendulum(Pendulum{});
-  std::vector<Start<Eigen::Dynamic>> starts;
+  const System lorenz(problems::Lorenz{}), pendulum(Pendulum{});
+  std::vector<Start> starts;
   for (int i = 0; i < 25; ++i) {
     if (i % 2 == 0) {
-      starts.push_back({&lorenz, State<3>(1, i, 20), 0, 1, {}, {}});
+      starts.push_back({&lorenz, State{1, 1. * i, 20}, 0, 1, {}, {}});
     } else {
-      starts.push_back({&pendulum, State<2>(1, 0.1 * i), 0, 5, {}, {}});
+      starts.push_back({&pendulum, State{1, 0.1 * i}, 0, 5, {}, {}});
     }
   }
-  expect_bits_of_one<Eigen::Dynamic>(starts, with(1e-8));
-  const System<3> reactions(problems::Robertson{});
-  std::vector<Start<3>> cells(5, {&reactions, State<3>(1, 0, 0), 0, 0.01, {}, {}});
-  expect_bits_of_one<3>(cells, with(1e-3));
+  expect_bits_of_one(starts, with(1e-8));
+  const System reactions(problems::Robertson{});
+  std::vector<Start> cells(5, {&reactions, State{1, 0, 0}, 0, 0.01, {}, {}});
+  expect_bits_of_one(cells, with(1e-3));
 }
 
 TEST(SeriesEnsemble, OneSystemAndManyStates) {
-  const System<3> system(problems::Lorenz{});
-  std::vector<State<3>> states;
-  for (int i = 0; i < 33; ++i) states.emplace_back(1, 0.1 * i, 20);
-  const std::span<const State<3>> all(states);
+  const System system(problems::Lorenz{});
+  std::vector<State> states;
+  for (int i = 0; i < 33; ++i) states.push_back({1, 0.1 * i, 20});
+  const std::span<const State> all(states);
   const auto ends = integrate_all(system, all, 0, 3, with(1e-9), 2);
-  const auto same = integrate_all(problems::Lorenz{}, all, 0, 3, with(1e-9), 1);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    expect_same<3>(ends[i], detail::alone<3>({&system, states[i], 0, 3, {}, {}}, with(1e-9)));
-    expect_same<3>(same[i], ends[i]);
-  }
+  for (std::size_t i = 0; i < states.size(); ++i)
+    expect_same(ends[i], detail::alone({&system, states[i], 0, 3, {}, {}}, with(1e-9)));
 }
 
 TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
-  const System<1> system(Pole{});
-  const auto all = [](const Start<1>& start, const Series& method) {
-    return integrate_all<1>(std::span<const Start<1>>(&start, 1), method);
+  const System system(Pole{});
+  const auto all = [](const Start& start, const Series& method) {
+    return integrate_all(std::span<const Start>(&start, 1), method);
   };
-  EXPECT_THROW((void)all({&system, State<1>(1), 0, 0.5, {}, {}}, with(-1)), std::invalid_argument);
-  EXPECT_THROW((void)all({&system, State<1>(1), 0, std::nan(""), {}, {}}, with(1e-9)), std::invalid_argument);
-  EXPECT_TRUE(integrate_all<1>(std::span<const Start<1>>(), with(1e-9)).empty());
+  EXPECT_THROW((void)all({&system, State{1}, 0, 0.5, {}, {}}, with(-1)), std::invalid_argument);
+  EXPECT_THROW((void)all({&system, State{1}, 0, std::nan(""), {}, {}}, with(1e-9)), std::invalid_argument);
+  EXPECT_TRUE(integrate_all(std::span<const Start>(), with(1e-9)).empty());
 }
 
 }  // namespace

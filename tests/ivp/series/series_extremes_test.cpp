@@ -22,11 +22,11 @@ struct Pole {
 
 TEST(Series, NoChosenStepIsLongerThanTheRadiusOfConvergence) {
   for (const int order : {2, 8, 20, 40, 100}) {
-    const auto look = [&](const Step<1>& step) {
+    const auto look = [&](const Step& step) {
       EXPECT_LT(step.t1 - step.t0, 1 / step.x0[0]) << order;
       return true;
     };
-    const auto s = integrate(System(Pole{}), State<1>(1.0), 0, 0.9, with_tolerance(1e-6, order), look);
+    const auto s = integrate(System(Pole{}), State{1.0}, 0, 0.9, with_tolerance(1e-6, order), look);
     EXPECT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_NEAR(s.x[0], 10, 1e-3) << order;
   }
@@ -34,14 +34,14 @@ TEST(Series, NoChosenStepIsLongerThanTheRadiusOfConvergence) {
 
 TEST(Series, BlowUpEndsInAStatus) {
   for (const int order : {0, 40, 100}) {
-    const auto s = integrate(System(problems::BlowUp{}), State<1>(1.0), 0, 1, with_tolerance(1e-9, order));
+    const auto s = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, with_tolerance(1e-9, order));
     EXPECT_FALSE(s.status.ok());
     EXPECT_NE(s.status.sentence().find("series"), std::string::npos);
     EXPECT_TRUE(s.x.allFinite());
     EXPECT_NEAR(s.t, 0.5, 1e-6) << s.status.text();
   }
-  EXPECT_FALSE(integrate(System(problems::BlowUp{}), State<1>(1.0), 0, 1, Series{.order = 20, .step = 0.01})
-                   .status.ok());
+  EXPECT_FALSE(
+      integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Series{.order = 20, .step = 0.01}).status.ok());
 }
 
 // From t = 0 the series of x' = t^20 to order 10 is zero: the slope at the end gives it away.
@@ -55,18 +55,18 @@ struct Gap {
 };
 
 TEST(Series, DoesNotTakeAGapForAPolynomial) {
-  const auto s = integrate(System(Gap{}), State<1>(0.0), 0, 2, with_tolerance(1e-9, 10));
+  const auto s = integrate(System(Gap{}), State{0.0}, 0, 2, with_tolerance(1e-9, 10));
   EXPECT_TRUE(s.status.ok());
   EXPECT_GT(s.statistics.rejected, 0);
   EXPECT_NEAR(s.x[0] / (std::pow(2, 21) / 21), 1, 1e-8);
-  EXPECT_EQ(integrate(System(Gap{}), State<1>(0.0), 0, 2, with_tolerance(1e-9, 23)).statistics.steps, 1);
+  EXPECT_EQ(integrate(System(Gap{}), State{0.0}, 0, 2, with_tolerance(1e-9, 23)).statistics.steps, 1);
 }
 
 // Coefficient 40 of cos(1e9 t) is 1e360/40!: it is kept in units of the step.
 TEST(Series, CoefficientsBeyondTheRangeOfDouble) {
   const testing::Oscillator fast{.frequency = 1e9};
   for (const int order : {20, 40, 100}) {
-    const auto s = integrate(System(fast), State<2>(1, 0), 0, 1e-8, with_tolerance(1e-12, order));
+    const auto s = integrate(System(fast), State{1, 0}, 0, 1e-8, with_tolerance(1e-12, order));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_NEAR(s.x[0], std::cos(10), 1e-10) << order;
   }

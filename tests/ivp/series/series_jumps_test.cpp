@@ -14,9 +14,9 @@ using testing::eps;
 TEST(SeriesEdges, ExactAcrossAnnouncedJumps) {
   const testing::JumpingForce problem;
   for (const Series& method : {Series{}, Series{.order = 3, .step = 0.07}}) {
-    const auto there = integrate(System(problem), State<2>(0, 0), 0, 1, method);
+    const auto there = integrate(System(problem), State{0, 0}, 0, 1, method);
     EXPECT_LT((there.x - problem.exact(1)).cwiseAbs().maxCoeff(), 16 * eps);
-    const auto inlined = integrate(Direct(problem), State<2>(0, 0), 0, 1, method);
+    const auto inlined = integrate(Direct(problem), State{0, 0}, 0, 1, method);
     EXPECT_LT((inlined.x - problem.exact(1)).cwiseAbs().maxCoeff(), 16 * eps);
     const auto back = integrate(Direct(problem), problem.exact(1), 1, 0, method);
     EXPECT_LT(back.x.cwiseAbs().maxCoeff(), 16 * eps);
@@ -30,15 +30,15 @@ TEST(SeriesEdges, ImpactForce) {
   const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> truth(
       problem, Vector<long double, 2>(0, 0), 0, 10);
   const Series method{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14};
-  const State<2> end = truth(10).cast<double>();
-  EXPECT_LT((integrate(System(problem), State<2>(0, 0), 0, 10, method).x - end).cwiseAbs().maxCoeff(), 1e-13);
+  const State end = truth(10).cast<double>();
+  EXPECT_LT((integrate(System(problem), State{0, 0}, 0, 10, method).x - end).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 TEST(SeriesEdges, RefusesAnUnannouncedBranch) {
   const testing::Unannounced<testing::JumpingForce> problem;
-  EXPECT_THROW(static_cast<void>(integrate(System(problem), State<2>(0, 0), 0, 1, Series{})),
+  EXPECT_THROW(static_cast<void>(integrate(System(problem), State{0, 0}, 0, 1, Series{})),
                std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(integrate(Direct(problem), State<2>(0, 0), 0, 1, Series{})),
+  EXPECT_THROW(static_cast<void>(integrate(Direct(problem), State{0, 0}, 0, 1, Series{})),
                std::invalid_argument);
 }
 

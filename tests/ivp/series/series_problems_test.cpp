@@ -16,10 +16,10 @@ using testing::with_tolerance;
 // at worst; 8/3 as a double alone moves the end by 1e-9.
 TEST(SeriesOnProblems, LorenzToTwenty) {
   const problems::Lorenz lorenz;
-  const State<3> truth(-1.356348984580380, -2.387300052277071, 12.38998499408597);
-  const auto s = integrate(Direct(lorenz), State<3>(0, 1, 0), 0, 20, with_tolerance(1e-15));
+  const State truth{-1.356348984580380, -2.387300052277071, 12.38998499408597};
+  const auto s = integrate(Direct(lorenz), State{0, 1, 0}, 0, 20, with_tolerance(1e-15));
   EXPECT_LT((s.x - truth).cwiseAbs().maxCoeff(), 1e-8);
-  const auto taped = integrate(System(lorenz), State<3>(0, 1, 0), 0, 20, with_tolerance(1e-15));
+  const auto taped = integrate(System(lorenz), State{0, 1, 0}, 0, 20, with_tolerance(1e-15));
   EXPECT_LT((taped.x - truth).cwiseAbs().maxCoeff(), 1e-8);
 }
 
@@ -28,7 +28,7 @@ TEST(SeriesOnProblems, LorenzToTwenty) {
 // not.
 TEST(SeriesOnProblems, StepsBeyondTheRadiusOfConvergenceShowTheirError) {
   const problems::Lorenz lorenz;
-  const State<3> x0(0, 1, 0), truth = reference(lorenz, x0, 0, 0.5);
+  const State x0{0, 1, 0}, truth = reference(lorenz, x0, 0, 0.5);
   const auto printed = integrate(System(lorenz), x0, 0, 0.5, Series{.order = 20, .step = 0.1});
   EXPECT_TRUE(printed.status.ok());
   EXPECT_GT((printed.x - truth).cwiseAbs().maxCoeff(), 0.1);

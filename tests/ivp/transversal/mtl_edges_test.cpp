@@ -34,7 +34,7 @@ struct Odd : testing::Oscillator {
 TEST(Mtl, LinearPartsAndLoadsThatCannotBeAreNamed) {
   const auto complaint = [](const Odd& problem) -> std::string {
     try {
-      static_cast<void>(integrate(System(problem), State<2>(1, 0), 0, 1, Mtl{}));
+      static_cast<void>(integrate(System(problem), State{1, 0}, 0, 1, Mtl{}));
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
@@ -60,14 +60,14 @@ TEST(Mtl, LinearPartsAndLoadsThatCannotBeAreNamed) {
 TEST(Mtl, OverflowOfTheLinearPartIsSaid) {
   Odd odd;
   odd.a << 0, 1, 0, 1e3;  // exp(1e3 * 1)
-  const auto s = integrate(System(odd), State<2>(1, 0), 0, 1, Mtl{.step = 1, .points = 1});
+  const auto s = integrate(System(odd), State{1, 0}, 0, 1, Mtl{.step = 1, .points = 1});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
   EXPECT_NE(s.status.sentence().find("linear part"), std::string::npos) << s.status.text();
 }
 
 // A force that is no number ends the step, whatever start Newton's iteration takes.
 TEST(Mtl, NonFiniteForceIsAStatus) {
-  const auto s = integrate(System(testing::Poisoned{}), State<2>(1, 0), 0, 1, Mtl{.step = 0.1, .points = 2});
+  const auto s = integrate(System(testing::Poisoned{}), State{1, 0}, 0, 1, Mtl{.step = 0.1, .points = 2});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
   EXPECT_NEAR(s.t, 0.4, 1e-12);
   EXPECT_TRUE(s.x.allFinite());
@@ -77,7 +77,7 @@ TEST(Mtl, NonFiniteForceIsAStatus) {
 TEST(Mtl, BlocksEndAtDiscontinuities) {
   const testing::JumpingForce problem;
   for (const int p : {1, 3}) {
-    const auto s = integrate(System(problem), State<2>(0, 0), 0, 1, Mtl{.step = 0.07, .points = p});
+    const auto s = integrate(System(problem), State{0, 0}, 0, 1, Mtl{.step = 0.07, .points = p});
     ASSERT_TRUE(s.status.ok());
     EXPECT_NEAR(oracle::distance(s.x, problem.exact(1)), 0, 100 * eps);
   }

@@ -20,7 +20,7 @@ using testing::eps;
 using testing::run;
 
 /// State of the linear oscillator by its closed form, underdamped, away from undamped resonance.
-State<2> exact(const LinearOscillator& p, const State<2>& x0, double t) {
+State exact(const LinearOscillator& p, const State& x0, double t) {
   using Complex = std::complex<long double>;
   const long double w = p.natural_frequency, zeta = p.damping_ratio, wf = p.frequency;
   const Complex i(0, 1);
@@ -39,7 +39,7 @@ State<2> exact(const LinearOscillator& p, const State<2>& x0, double t) {
 // "Exact" for every step: what is left are roundings. A block of p steps makes some 10 (1 + w h) eps of its
 // own, relative to the scale (1, w) of the state, and undamped they add up over the blocks.
 TEST(Mtl, LinearProblemsAreExact) {
-  const State<2> x0(1, 0.5);
+  const State x0{1, 0.5};
   for (const double w : {1e-3, 1., 30., 1e3}) {
     for (const double zeta : {0., 0.05, 0.7}) {
       for (const double h : {0.001, 0.1, 1.7}) {
@@ -49,7 +49,7 @@ TEST(Mtl, LinearProblemsAreExact) {
           const double end = 7 * h * p;
           const auto s = integrate(System(problem), x0, 0, end, Mtl{.step = h, .points = p});
           ASSERT_TRUE(s.status.ok()) << s.status.text();
-          const State<2> truth = exact(problem, x0, end);
+          const State truth = exact(problem, x0, end);
           const double bound = 7 * p * 20 * eps * (1 + w * h) * (4 + 4 / w);
           EXPECT_NEAR(s.x[0], truth[0], bound) << w << " " << zeta << " " << h << " " << p;
           EXPECT_NEAR(s.x[1], truth[1], bound * (1 + w)) << w << " " << zeta << " " << h << " " << p;
@@ -64,9 +64,9 @@ TEST(Mtl, LongStepsOfFastOscillatorsAreExactToTheirConditioning) {
   for (const double z : {1e2, 1e4, 1e6}) {
     const LinearOscillator problem{.natural_frequency = 1e4, .force = 1e8, .frequency = 3};
     const double h = z / 1e4;
-    const auto s = integrate(System(problem), State<2>(1, 0), 0, 3 * h, Mtl{.step = h, .points = 3});
+    const auto s = integrate(System(problem), State{1, 0}, 0, 3 * h, Mtl{.step = h, .points = 3});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    const State<2> truth = exact(problem, {1, 0}, 3 * h);
+    const State truth = exact(problem, {1, 0}, 3 * h);
     EXPECT_NEAR(s.x[0], truth[0], 60 * eps * z);
     EXPECT_NEAR(s.x[1], truth[1], 60 * eps * z * 1e4);
   }
@@ -75,7 +75,7 @@ TEST(Mtl, LongStepsOfFastOscillatorsAreExactToTheirConditioning) {
 // At resonance the particular solution grows with time; a formula that divides by w^2 - W^2 has nothing.
 TEST(Mtl, ResonanceIsExact) {
   const LinearOscillator problem{.force = 1, .frequency = 1};
-  const auto s = integrate(System(problem), State<2>(0, 0), 0, 30, Mtl{.step = 0.5, .points = 3});
+  const auto s = integrate(System(problem), State{0, 0}, 0, 30, Mtl{.step = 0.5, .points = 3});
   EXPECT_NEAR(s.x[0], 15 * std::sin(30.), 2e3 * eps);
   EXPECT_NEAR(s.x[1], (std::sin(30.) + 30 * std::cos(30.)) / 2, 2e3 * eps);
 }
@@ -99,10 +99,10 @@ RC_GTEST_PROP(Mtl, LinearProblemsAreExactForAnyStep, ()) {
                                  .frequency = number(1, 20000) + 0.0003};
   const double h = number(1, 3000);
   const int p = *rc::gen::inRange(1, 9);
-  const State<2> x0(number(-2000, 2000), number(-2000, 2000));
+  const State x0{number(-2000, 2000), number(-2000, 2000)};
   const auto s = integrate(System(problem), x0, 0, 4 * p * h, Mtl{.step = h, .points = p});
   RC_ASSERT(s.status.ok());
-  const State<2> truth = exact(problem, x0, 4 * p * h);
+  const State truth = exact(problem, x0, 4 * p * h);
   const double w = problem.natural_frequency;
   // The closed form loses digits near resonance and for a slow oscillator: its own amplitudes are the scale.
   const double gap = std::abs(w * w - problem.frequency * problem.frequency) +
@@ -117,8 +117,8 @@ RC_GTEST_PROP(Mtl, LinearProblemsAreExactForAnyStep, ()) {
 TEST(Mtl, DenseOutputOfAFastOscillation) {
   const LinearOscillator problem{.natural_frequency = 100};
   double worst = 0;
-  State<2> x;
-  const auto observe = [&](const Step<2>& step) {
+  State x(2);
+  const auto observe = [&](const Step& step) {
     for (int i = 1; i < 20; ++i) {
       const double t = step.t0 + (step.t1 - step.t0) * i / 20;
       step.dense.at(t, x);
@@ -126,7 +126,7 @@ TEST(Mtl, DenseOutputOfAFastOscillation) {
     }
     return true;
   };
-  static_cast<void>(integrate(System(problem), State<2>(1, 0), 0, 6, Mtl{.step = 0.5, .points = 3}, observe));
+  static_cast<void>(integrate(System(problem), State{1, 0}, 0, 6, Mtl{.step = 0.5, .points = 3}, observe));
   EXPECT_LE(worst, 20 * 600 * eps);  // 600 rad, each rounded
 }
 

@@ -18,7 +18,7 @@ using problems::DrivenDuffing;
 using testing::eps;
 using testing::run;
 
-double error_of(const DrivenDuffing& problem, const State<2>& truth, double end, const Mtl& method) {
+double error_of(const DrivenDuffing& problem, const State& truth, double end, const Mtl& method) {
   const auto s = run(problem, {1, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return oracle::distance(s.x, truth);
@@ -29,7 +29,7 @@ TEST(Mtl, ObservedOrders) {
   const DrivenDuffing problem{.damping = 0.1};
   const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
   ASSERT_TRUE(reference.status().ok());
-  const State<2> truth = reference(12).cast<double>();
+  const State truth = reference(12).cast<double>();
   for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian}) {
     for (int p = 1; p <= 6; ++p) {
       const int steps = p < 3 ? 960 : p < 6 ? 480 : 240;
@@ -50,7 +50,7 @@ TEST(Mtl, ObservedOrders) {
 TEST(Mtl, InterpoletsAreOfSecondOrder) {
   const DrivenDuffing problem{.damping = 0.1};
   const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
-  const State<2> truth = reference(12).cast<double>();
+  const State truth = reference(12).cast<double>();
   for (const int p : {1, 3, 4}) {
     const Mtl coarse{.step = 0.01, .points = p, .basis = MtlBasis::interpolet};
     Mtl fine = coarse;
@@ -74,7 +74,7 @@ TEST(Mtl, FirstOrderProblems) {
   const problems::Lorenz problem;
   const problems::ReferenceTrajectory<long double, problems::Lorenz> reference(
       problem, problems::Lorenz::initial_state().cast<long double>(), 0, 1);
-  const State<3> truth = reference(1).cast<double>();
+  const State truth = reference(1).cast<double>();
   const auto error = [&](double h) {
     const auto s = integrate(System(problem), problems::Lorenz::initial_state(), 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();

@@ -7,8 +7,8 @@
 namespace nlmech::ivp::testing {
 
 /// Driven Duffing oscillator from x0 at t0 to t1.
-inline Solution<2> run(const problems::DrivenDuffing& p, const State<2>& x0, double t0, double t1,
-                       const Mtl& method) {
+inline Solution run(const problems::DrivenDuffing& p, const State& x0, double t0, double t1,
+                    const Mtl& method) {
   return integrate(System(p), x0, t0, t1, method);
 }
 

@@ -19,11 +19,11 @@ using problems::DrivenDuffing;
 using problems::VanDerPol;
 using testing::eps;
 
-Solution<2> oscillator(double mu, double end, const Mtl& method) {
-  return integrate(System(VanDerPol{.mu = mu}), State<2>(2, 0), 0, end, method);
+Solution oscillator(double mu, double end, const Mtl& method) {
+  return integrate(System(VanDerPol{.mu = mu}), State{2, 0}, 0, end, method);
 }
 
-State<2> truth_of(double mu, double end) {
+State truth_of(double mu, double end) {
   const problems::ReferenceTrajectory<long double, VanDerPol> reference(VanDerPol{.mu = mu}, {2, 0}, 0, end);
   return reference(end).cast<double>();
 }
@@ -44,7 +44,7 @@ TEST(MtlStiff, VanDerPolMu10) {
 // interpolated rest must cancel that: with h = 0.05 no start leads Newton's iteration to the solution. With
 // the Jacobian as linear part it does, and is accurate.
 TEST(MtlStiff, LinearPartMustBeChosen) {
-  const State<2> truth = truth_of(100, 20);
+  const State truth = truth_of(100, 20);
   const Mtl given{.step = 0.05, .points = 3};
   const auto failed = oscillator(100, 20, given);
   EXPECT_FALSE(failed.status.ok() && oracle::distance(failed.x, truth) < 1e-3) << failed.status.text();
@@ -74,12 +74,12 @@ TEST(MtlStiff, WrongBranchIsAStatus) {
 // Equidistant points of high degree and a long step: Newton's iteration ends far away from the solution,
 // which stays below 2. Nothing has to be asked for to learn that.
 TEST(MtlStiff, AFarRootIsAStatusByDefault) {
-  const System<2> system(DrivenDuffing{});
+  const System system(DrivenDuffing{});
   const auto blind =
-      integrate(system, State<2>(1, 0), 0, 50, Mtl{.step = 0.4, .points = 8, .error_tolerance = 0});
+      integrate(system, State{1, 0}, 0, 50, Mtl{.step = 0.4, .points = 8, .error_tolerance = 0});
   ASSERT_TRUE(blind.status.ok()) << blind.status.text();
   EXPECT_GT(std::abs(blind.x[0]), 10);
-  const auto s = integrate(system, State<2>(1, 0), 0, 50, Mtl{.step = 0.4, .points = 8});
+  const auto s = integrate(system, State{1, 0}, 0, 50, Mtl{.step = 0.4, .points = 8});
   EXPECT_EQ(s.status.outcome(), Outcome::wrong_branch) << s.status.text();
 }
 
@@ -97,16 +97,16 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
   for (const int p : {1, 2, 3, 4}) {
     for (const double h : {0.1, 0.05}) {
       Mtl method{.step = h, .points = p};
-      const State<2> truth = reference(p * h).cast<double>();
-      const auto end = integrate(System(problem), State<2>(1, 0), 0, p * h, method);
+      const State truth = reference(p * h).cast<double>();
+      const auto end = integrate(System(problem), State{1, 0}, 0, p * h, method);
       const double error = oracle::distance(end.x, truth);
       // With the error itself as what is allowed, the estimate must object; a thousand times more must do.
       method.error_tolerance = error / 4;
-      EXPECT_EQ(integrate(System(problem), State<2>(1, 0), 0, p * h, method).status.outcome(),
+      EXPECT_EQ(integrate(System(problem), State{1, 0}, 0, p * h, method).status.outcome(),
                 Outcome::wrong_branch)
           << p << " " << h;
       method.error_tolerance = 20 * std::pow(h, p + 2);
-      EXPECT_TRUE(integrate(System(problem), State<2>(1, 0), 0, p * h, method).status.ok()) << p << " " << h;
+      EXPECT_TRUE(integrate(System(problem), State{1, 0}, 0, p * h, method).status.ok()) << p << " " << h;
     }
   }
 }
@@ -121,9 +121,9 @@ DrivenDuffing fast(double m) { return {.stiffness = 1e6, .hardening = m}; }
 TEST(MtlStiff, SmoothStartIsExactForEveryStep) {
   for (const double m : {1., 1e3}) {
     const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(fast(m), {1e-6, 0}, 0, 1);
-    const State<2> truth = reference(1).cast<double>();
+    const State truth = reference(1).cast<double>();
     for (const double h : {0.059, 0.1, 1. / 3}) {
-      const auto s = integrate(System(fast(m)), State<2>(1e-6, 0), 0, 1, Mtl{.step = h});
+      const auto s = integrate(System(fast(m)), State{1e-6, 0}, 0, 1, Mtl{.step = h});
       ASSERT_TRUE(s.status.ok()) << s.status.text();
       // A block makes w h eps of a rounding in its response, and there are at most six.
       EXPECT_NEAR(s.x[0] / truth[0], 1, 6e3 * h * eps + 20 * eps) << h;
@@ -138,7 +138,7 @@ TEST(MtlStiff, OscillatoryStartAliases) {
   const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(fast(1), {1, 0}, 0, 1);
   const double truth = static_cast<double>(reference(1)[0]);
   const auto error = [&](double h) {
-    const auto s = integrate(System(fast(1)), State<2>(1, 0), 0, 1, Mtl{.step = h});
+    const auto s = integrate(System(fast(1)), State{1, 0}, 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();
     return std::abs(s.x[0] - truth);
   };
@@ -151,7 +151,7 @@ TEST(MtlStiff, OscillatoryStartAliases) {
 TEST(MtlStiff, BoundedForEveryStep) {
   for (const double z : {0.1, 3., 100., 1e4, 1e6}) {
     const double h = z / 1e3;
-    const auto s = integrate(System(fast(1)), State<2>(1, 0), 0, 12 * h, Mtl{.step = h});
+    const auto s = integrate(System(fast(1)), State{1, 0}, 0, 12 * h, Mtl{.step = h});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_LE(std::abs(s.x[0]), 1.01) << z;
   }
@@ -165,10 +165,10 @@ TEST(MtlEnergy, IsBounded) {
   const DrivenDuffing problem{.force = 0};
   const double known[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6};
   for (int p = 1; p <= 5; ++p) {
-    const State<2> x0(1, 0);
+    const State x0{1, 0};
     const double energy = problem.energy(x0);
     double early = 0, late = 0;
-    const auto observe = [&](const Step<2>& s) {
+    const auto observe = [&](const Step& s) {
       const double error = std::abs(problem.energy(s.x1) / energy - 1);
       if (s.t1 <= 60) early = std::max(early, error);
       if (s.t1 > 540) late = std::max(late, error);

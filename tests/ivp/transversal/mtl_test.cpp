@@ -29,8 +29,9 @@ TEST(Mtl, TwoDegreesOfFreedom) {
   const TwoDof problem{.damping = 0, .coupling = 0.5, .force = 0};
   for (const int sign : {1, -1}) {
     const problems::Duffing mode{.natural_frequency = sign > 0 ? 1 : std::sqrt(2.), .hardening = 1};
-    const State<2> truth = oracle::duffing(5, mode);
-    const auto s = integrate(System(problem), State<4>(1, sign, 0, 0), 0, 5, Mtl{.step = 0.01, .points = 5});
+    const State truth = oracle::duffing(5, mode);
+    const auto s =
+        integrate(System(problem), State{1, 1. * sign, 0, 0}, 0, 5, Mtl{.step = 0.01, .points = 5});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     // Order 6, of the size of (w h)^6 = 1e-12 a period, and 100 blocks of roundings.
     EXPECT_NEAR(s.x[0], truth[0], 1e-10);
@@ -50,7 +51,7 @@ TEST(Mtl, SymmetricInTime) {
     const auto there = run(problem, {1, 0}, 0, 6, method);
     const auto back = run(problem, there.x, 6, 0, method);
     EXPECT_TRUE(there.status.ok() && back.status.ok());
-    return oracle::distance(back.x, State<2>(1, 0));
+    return oracle::distance(back.x, State{1, 0});
   };
   for (int p = 1; p <= 6; ++p) {
     // Roundings of 120 steps, which the motion amplifies some ten times.
@@ -69,7 +70,7 @@ TEST(Mtl, BlocksAreNotSymplectic) {
     const double d = 1e-5;
     Eigen::Matrix2d m;
     for (int i = 0; i < 2; ++i) {
-      const State<2> change = d * State<2>::Unit(i), x(1, 0.3);
+      const State change = d * State::Unit(2, i), x{1, 0.3};
       m.col(i) =
           (run(problem, x + change, 0, 0.1 * p, method).x - run(problem, x - change, 0, 0.1 * p, method).x) /
           (2 * d);
@@ -88,26 +89,26 @@ TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
   const DrivenDuffing problem{.damping = 0.1};
   const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 6);
   double worst = 0, at_points = 0;
-  State<2> x;
-  const auto observe = [&](const Step<2>& step) {
+  State x(2);
+  const auto observe = [&](const Step& step) {
     EXPECT_EQ(step.times.size(), 4U);
     for (std::size_t i = 0; i < step.times.size(); ++i) {
       step.dense.at(step.times[i], x);
       at_points =
-          std::max(at_points, oracle::distance(x, State<2>(step.states.col(static_cast<Eigen::Index>(i)))));
+          std::max(at_points, oracle::distance(x, State(step.states.col(static_cast<Eigen::Index>(i)))));
     }
     for (int i = 0; i <= 40; ++i) {
       const double t = step.t0 + (step.t1 - step.t0) * i / 40;
       step.dense.at(t, x);
-      worst = std::max(worst, oracle::distance(x, State<2>(reference(t).cast<double>())));
+      worst = std::max(worst, oracle::distance(x, State(reference(t).cast<double>())));
     }
     return true;
   };
-  const auto s = integrate(System(problem), State<2>(1, 0), 0, 6, Mtl{.step = 0.05, .points = 4}, observe);
+  const auto s = integrate(System(problem), State{1, 0}, 0, 6, Mtl{.step = 0.05, .points = 4}, observe);
   ASSERT_TRUE(s.status.ok());
   EXPECT_EQ(at_points, 0);
   // The error at the ends, and h^5 for the interpolation within.
-  EXPECT_LE(worst, 4 * oracle::distance(s.x, State<2>(reference(6).cast<double>())) + std::pow(0.05, 5));
+  EXPECT_LE(worst, 4 * oracle::distance(s.x, State(reference(6).cast<double>())) + std::pow(0.05, 5));
 }
 
 }  // namespace

@@ -27,13 +27,12 @@ struct Part {
   double seen = 0, cost = 0, seconds = 0;
 };
 
-template <int m>
-Part run_part(const Question<m>& q, const Expectation& e, double end, double most_cost) {
+Part run_part(const Question& q, const Expectation& e, double end, double most_cost) {
   Part part;
   try {
-    const auto run = any_integrator<m>(
+    const auto run = any_integrator(
         any_method(e.method), {.tolerance = e.tolerance, .absolute_tolerance = e.tolerance * q.absolute});
-    const ivp::Solution<m> s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost, q.largest_step));
+    const ivp::Solution s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost, q.largest_step));
     part.seen = (s.t - q.t0) / (q.t1 - q.t0);
     part.cost = e.cost * static_cast<double>(std::max<std::int64_t>(s.statistics.right_hand_sides, 1));
     part.seconds = s.statistics.seconds;
@@ -59,9 +58,8 @@ void weigh(const Features& features, std::vector<Ranked>& ranked) {
 }
 
 /// Seconds of a right-hand side.
-template <int m>
-double right_hand_side_seconds(const Question<m>& q) {
-  ivp::State<m> x = q.x0, f(q.x0.size());
+double right_hand_side_seconds(const Question& q) {
+  ivp::State x = q.x0, f(q.x0.size());
   const auto calls = [&](int count) {
     const Stopwatch watch;
     for (int i = 0; i < count; ++i) q.system.rhs(q.t0, x, f);
@@ -73,8 +71,7 @@ double right_hand_side_seconds(const Question<m>& q) {
 
 }  // namespace
 
-template <int m>
-std::vector<Ranked> rank_methods(const Question<m>& q, const Features& features, const Evidence& evidence,
+std::vector<Ranked> rank_methods(const Question& q, const Features& features, const Evidence& evidence,
                                  Status& status) {
   std::vector<Ranked> ranked;
   double end = q.t1, best = budget, first = 0;
@@ -111,10 +108,9 @@ std::vector<Ranked> rank_methods(const Question<m>& q, const Features& features,
   return ranked;
 }
 
-template <int m>
-Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
+Chosen looked_at(const Question& q, const Evidence& evidence) {
   Chosen c;
-  c.look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1, q.largest_step);
+  c.look = look_at_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
   c.status = c.look.status;
   if (!c.status.ok()) return c;
   c.alike = most_alike(evidence, c.look.features, 3);
@@ -134,8 +130,7 @@ Chosen looked_at(const Question<m>& q, const Evidence& evidence) {
   return c;
 }
 
-template <int m>
-Chosen choose(Question<m> q, double digits, const Evidence& evidence, Chosen c) {
+Chosen choose(Question q, double digits, const Evidence& evidence, Chosen c) {
   c.digits = digits;
   if (!c.status.ok()) return c;
   q.level = std::min(digits, c.possible) + std::log10(c.condition);
@@ -150,8 +145,8 @@ bool Among::has(const std::string& method) const {
 
 double unit_seconds() {
   constexpr int calls = 2000;
-  const ivp::System<2> system{problems::Duffing{}};
-  ivp::State<2> x = problems::Duffing::initial_state(), f;
+  const ivp::System system{problems::Duffing{}};
+  ivp::State x = problems::Duffing::initial_state(), f;
   const Timing time = time_repeats(
       [&] {
         for (int i = 0; i < calls; ++i) {
@@ -163,23 +158,4 @@ double unit_seconds() {
   return time.smallest / calls;
 }
 
-template std::vector<Ranked> rank_methods<1>(const Question<1>&, const Features&, const Evidence&, Status&);
-template Chosen looked_at<1>(const Question<1>&, const Evidence&);
-template Chosen choose<1>(Question<1>, double, const Evidence&, Chosen);
-template std::vector<Ranked> rank_methods<2>(const Question<2>&, const Features&, const Evidence&, Status&);
-template Chosen looked_at<2>(const Question<2>&, const Evidence&);
-template Chosen choose<2>(Question<2>, double, const Evidence&, Chosen);
-template std::vector<Ranked> rank_methods<3>(const Question<3>&, const Features&, const Evidence&, Status&);
-template Chosen looked_at<3>(const Question<3>&, const Evidence&);
-template Chosen choose<3>(Question<3>, double, const Evidence&, Chosen);
-template std::vector<Ranked> rank_methods<4>(const Question<4>&, const Features&, const Evidence&, Status&);
-template Chosen looked_at<4>(const Question<4>&, const Evidence&);
-template Chosen choose<4>(Question<4>, double, const Evidence&, Chosen);
-template std::vector<Ranked> rank_methods<6>(const Question<6>&, const Features&, const Evidence&, Status&);
-template Chosen looked_at<6>(const Question<6>&, const Evidence&);
-template Chosen choose<6>(Question<6>, double, const Evidence&, Chosen);
-template std::vector<Ranked> rank_methods<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Features&,
-                                                          const Evidence&, Status&);
-template Chosen looked_at<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Evidence&);
-template Chosen choose<Eigen::Dynamic>(Question<Eigen::Dynamic>, double, const Evidence&, Chosen);
 }  // namespace nlmech::comparison

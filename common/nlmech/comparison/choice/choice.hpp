@@ -14,19 +14,16 @@ namespace nlmech::comparison {
 /// were measured, and no time of this run: asked twice, it answers the same. (Unless right-hand sides are so
 /// expensive that wall time ends the runs.)
 /// @returns the fastest first; empty if every method failed on the way, with the status of the first
-template <int m>
-[[nodiscard]] std::vector<Ranked> rank_methods(const Question<m>& question, const Features& features,
+[[nodiscard]] std::vector<Ranked> rank_methods(const Question& question, const Features& features,
                                                const Evidence& evidence, Status& status);
 
 /// Looks at the problem and finds its condition.
 /// @returns all of Chosen but the ranks; its status is a failure if the solution ends on the way
-template <int m>
-[[nodiscard]] Chosen looked_at(const Question<m>& question, const Evidence& evidence);
+[[nodiscard]] Chosen looked_at(const Question& question, const Evidence& evidence);
 
 /// Ranks for @p digits at the end. Question::level does not count.
 /// @param looked of looked_at(), at the same question
-template <int m>
-[[nodiscard]] Chosen choose(Question<m> question, double digits, const Evidence& evidence, Chosen looked);
+[[nodiscard]] Chosen choose(Question question, double digits, const Evidence& evidence, Chosen looked);
 
 /// Seconds of the unit of Measured on this machine: one right-hand side of the free Duffing oscillator.
 [[nodiscard]] double unit_seconds();

@@ -52,10 +52,9 @@ Fastest fastest_of(const Eigen::MatrixXd& j, double direction) {
 }
 
 /// Does an acceleration depend on velocities?
-template <int m>
-bool is_damped(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+bool is_damped(const ivp::System& system, double t, const ivp::State& x) {
   const Eigen::Index half = system.size() / 2;
-  ivp::Jacobian<m> j(system.size(), system.size());
+  ivp::Jacobian j(system.size(), system.size());
   for (const double shift : {0.0, 0.1}) {  // at rest or in a point of symmetry a product may vanish
     system.jacobian(t, (x.array() + shift).matrix(), j);
     if (!j.bottomRightCorner(half, half).isZero(0)) return true;
@@ -78,8 +77,7 @@ double variation_of(std::vector<double> lengths, double way) {
 }
 
 /// The equations as recorded, those of one mode where they switch; nothing: they are refused.
-template <int m>
-std::optional<Tape> tape_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+std::optional<Tape> tape_of(const ivp::System& system, double t, const ivp::State& x) {
   const auto modes = static_cast<std::size_t>(system.switches());
   try {
     return (modes > 0 ? system.in_mode(ivp::Mode(modes, 1)) : system).record(t, x);
@@ -89,23 +87,20 @@ std::optional<Tape> tape_of(const ivp::System<m>& system, double t, const ivp::S
 }
 
 /// depends_on_time() by the recorded equations.
-template <int m>
-bool time_in(const std::optional<Tape>& tape, const ivp::System<m>& system, double t,
-             const ivp::State<m>& x) {
+bool time_in(const std::optional<Tape>& tape, const ivp::System& system, double t, const ivp::State& x) {
   if (tape) return tape->depends_on_time();
-  ivp::State<m> dfdt(x.size());
+  ivp::State dfdt(x.size());
   return !system.time_derivative(t, x, dfdt) || !dfdt.isZero(0);
 }
 
 /// What the steps of a run show.
-template <int m>
 class Steps {
  public:
-  Steps(const ivp::System<m>& system, double direction)
+  Steps(const ivp::System& system, double direction)
       : system_(system), direction_(direction), j_(system.size(), system.size()) {}
 
   /// An observer; true.
-  bool see(const ivp::Step<m>& step) {
+  bool see(const ivp::Step& step) {
     const double length = std::abs(step.t1 - step.t0);
     lengths_.push_back(length);
     way_ += length;
@@ -128,23 +123,22 @@ class Steps {
 
  private:
   static constexpr std::size_t few = 24;
-  const ivp::System<m>& system_;
+  const ivp::System& system_;
   double direction_;
-  ivp::Jacobian<m> j_;
+  ivp::Jacobian j_;
   std::vector<double> lengths_;
   double turned_ = 0, decayed_ = 0, way_ = 0;
   int looks_ = 0;
 };
 
 /// Some steps, and what they show.
-template <int m>
-ivp::Solution<m> stepped(const ivp::System<m>& system, const ivp::State<m>& x0, double t0, double t1,
-                         const ivp::Settings& settings, double largest_step, Features& features) {
+ivp::Solution stepped(const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                      const ivp::Settings& settings, double largest_step, Features& features) {
   const std::int64_t most_steps = std::clamp<std::int64_t>(2000 / system.size(), 20, 400);
-  Steps<m> steps(system, t1 > t0 ? 1 : -1);
-  const ivp::Observer<m> see = [&steps](const ivp::Step<m>& step) { return steps.see(step); };
-  const auto run = any_integrator<m>(any_method("adaptive-collocation"), settings);
-  ivp::Solution<m> end =
+  Steps steps(system, t1 > t0 ? 1 : -1);
+  const ivp::Observer see = [&steps](const ivp::Step& step) { return steps.see(step); };
+  const auto run = any_integrator(any_method("adaptive-collocation"), settings);
+  ivp::Solution end =
       run(system, x0, t0, t1, see, {.steps = most_steps, .seconds = 0.5, .largest_step = largest_step});
   steps.put(features);
   return end;
@@ -161,29 +155,26 @@ std::string_view to_string(Form form) {
   return "conservative";
 }
 
-template <int m>
-Form form_of(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
+Form form_of(const ivp::System& system, double t, const ivp::State& x) {
   if (!system.second_order()) return Form::first_order;
-  return is_damped<m>(system, t, x) ? Form::accelerations : Form::conservative;
+  return is_damped(system, t, x) ? Form::accelerations : Form::conservative;
 }
 
-template <int m>
-bool depends_on_time(const ivp::System<m>& system, double t, const ivp::State<m>& x) {
-  return time_in<m>(tape_of<m>(system, t, x), system, t, x);
+bool depends_on_time(const ivp::System& system, double t, const ivp::State& x) {
+  return time_in(tape_of(system, t, x), system, t, x);
 }
 
-template <int m>
-Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, double t0, double t1,
+Look look_at_problem(const ivp::System& system, const ivp::State& x0, double t0, double t1,
                      double largest_step) {
   Look look;
   look.features.components = system.size();
-  look.features.form = form_of<m>(system, t0, x0);
+  look.features.form = form_of(system, t0, x0);
   look.features.switches = system.switches() > 0;
-  const std::optional<Tape> tape = tape_of<m>(system, t0, x0);
+  const std::optional<Tape> tape = tape_of(system, t0, x0);
   look.features.operations = tape ? std::max(1, tape->instructions()) : 0;
-  look.features.depends_on_time = time_in<m>(tape, system, t0, x0);
+  look.features.depends_on_time = time_in(tape, system, t0, x0);
   for (const ivp::Settings& settings : coarse) {
-    const ivp::Solution<m> end = stepped<m>(system, x0, t0, t1, settings, largest_step, look.features);
+    const ivp::Solution end = stepped(system, x0, t0, t1, settings, largest_step, look.features);
     look.seen = t1 == t0 ? 1 : std::abs((end.t - t0) / (t1 - t0));
     const Outcome outcome = end.status.outcome();
     look.status = outcome == Outcome::step_limit || outcome == Outcome::time_limit ? Status{} : end.status;
@@ -191,27 +182,5 @@ Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, doub
   }
   return look;
 }
-
-template Form form_of<1>(const ivp::System<1>&, double, const ivp::State<1>&);
-template bool depends_on_time<1>(const ivp::System<1>&, double, const ivp::State<1>&);
-template Look look_at_problem<1>(const ivp::System<1>&, const ivp::State<1>&, double, double, double);
-template Form form_of<2>(const ivp::System<2>&, double, const ivp::State<2>&);
-template bool depends_on_time<2>(const ivp::System<2>&, double, const ivp::State<2>&);
-template Look look_at_problem<2>(const ivp::System<2>&, const ivp::State<2>&, double, double, double);
-template Form form_of<3>(const ivp::System<3>&, double, const ivp::State<3>&);
-template bool depends_on_time<3>(const ivp::System<3>&, double, const ivp::State<3>&);
-template Look look_at_problem<3>(const ivp::System<3>&, const ivp::State<3>&, double, double, double);
-template Form form_of<4>(const ivp::System<4>&, double, const ivp::State<4>&);
-template bool depends_on_time<4>(const ivp::System<4>&, double, const ivp::State<4>&);
-template Look look_at_problem<4>(const ivp::System<4>&, const ivp::State<4>&, double, double, double);
-template Form form_of<6>(const ivp::System<6>&, double, const ivp::State<6>&);
-template bool depends_on_time<6>(const ivp::System<6>&, double, const ivp::State<6>&);
-template Look look_at_problem<6>(const ivp::System<6>&, const ivp::State<6>&, double, double, double);
-template Form form_of<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&, double,
-                                      const ivp::State<Eigen::Dynamic>&);
-template bool depends_on_time<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&, double,
-                                              const ivp::State<Eigen::Dynamic>&);
-template Look look_at_problem<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
-                                              const ivp::State<Eigen::Dynamic>&, double, double, double);
 
 }  // namespace nlmech::comparison

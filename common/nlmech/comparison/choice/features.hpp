@@ -20,13 +20,11 @@ enum class Form {
 [[nodiscard]] std::string_view to_string(Form form);
 
 /// By the Jacobian at a state and beside it.
-template <int m>
-[[nodiscard]] Form form_of(const ivp::System<m>& system, double t, const ivp::State<m>& x);
+[[nodiscard]] Form form_of(const ivp::System& system, double t, const ivp::State& x);
 
 /// Does f depend on the time, or on a component that moves at a constant rate? By the recorded equations; of
 /// a problem that cannot be recorded by df/dt at (t, x), and true where it has none.
-template <int m>
-[[nodiscard]] bool depends_on_time(const ivp::System<m>& system, double t, const ivp::State<m>& x);
+[[nodiscard]] bool depends_on_time(const ivp::System& system, double t, const ivp::State& x);
 
 /// The features of a problem. Counts decide, and never times: two looks are the same.
 struct Features {
@@ -53,8 +51,7 @@ struct Look {
 /// Looks at a problem by some coarse steps of `adaptive-collocation`, at most so many that it takes a few
 /// milliseconds with few components.
 /// @param largest_step that runs are held to
-template <int m>
-[[nodiscard]] Look look_at_problem(const ivp::System<m>& system, const ivp::State<m>& x0, double t0,
-                                   double t1, double largest_step = std::numeric_limits<double>::infinity());
+[[nodiscard]] Look look_at_problem(const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                                   double largest_step = std::numeric_limits<double>::infinity());
 
 }  // namespace nlmech::comparison

@@ -16,8 +16,7 @@ constexpr Eigen::Index most_directions = 8;  // in which begins are moved
 
 /// A state that is moved by so many times a tolerance: each component by itself, or, where these are many,
 /// all of them with some signs or other.
-template <int m>
-ivp::State<m> moved_state(ivp::State<m> x, Eigen::Index direction, double by, double absolute) {
+ivp::State moved_state(ivp::State x, Eigen::Index direction, double by, double absolute) {
   const bool alone = x.size() <= most_directions;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     // Rows of a Hadamard matrix: no two patterns of signs are alike.
@@ -33,20 +32,19 @@ struct Fineness {
   double tolerance, moved;
 };
 
-template <int m>
 class Runs {
  public:
-  Runs(const Question<m>& q, const Expectation& e, const Fineness& fine)
+  Runs(const Question& q, const Expectation& e, const Fineness& fine)
       : q_(q),
         moved_(fine.moved),
         limits_(e.limits(budget, q.largest_step)),
-        run_(any_integrator<m>(
+        run_(any_integrator(
             any_method(e.method),
             {.tolerance = fine.tolerance, .absolute_tolerance = fine.tolerance * std::min(q.absolute, 1.0)})),
         size_(q.x0.cwiseAbs()) {}
 
   Growth growth() {
-    const ivp::Solution<m> straight = run_straight();
+    const ivp::Solution straight = run_straight();
     Growth g{1, std::abs((straight.t - q_.t0) / (q_.t1 - q_.t0))};
     if (!(g.seen > 0)) return g;
     const double absolute = q_.absolute * std::min(1.0, size_.maxCoeff());
@@ -61,11 +59,11 @@ class Runs {
   }
 
  private:
-  ivp::Solution<m> run_straight() {
+  ivp::Solution run_straight() {
     const std::size_t most = q_.x0.size() > most_directions ? 3 : 6;
     const double part = (q_.t1 - q_.t0) / static_cast<double>(most);
     begins_ = {{q_.t0, q_.x0}};
-    const ivp::Observer<m> see = [this, part](const ivp::Step<m>& step) {
+    const ivp::Observer see = [this, part](const ivp::Step& step) {
       size_ = size_.cwiseMax(step.x1.cwiseAbs());
       const bool far = std::abs(step.t1 - q_.t0) >= std::abs(part) * static_cast<double>(begins_.size());
       if (far && step.t1 != q_.t1) begins_.emplace_back(step.t1, step.x1);
@@ -74,13 +72,13 @@ class Runs {
     return run_(q_.system, q_.x0, q_.t0, q_.t1, see, limits_);
   }
   /// The error at the end of what was seen, in units of the moves.
-  [[nodiscard]] Eigen::VectorXd error_from(double t, const ivp::State<m>& x, const ivp::Solution<m>& straight,
+  [[nodiscard]] Eigen::VectorXd error_from(double t, const ivp::State& x, const ivp::Solution& straight,
                                            double absolute) const {
     const Eigen::Index n = x.size(), directions = std::min(n, most_directions);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
     for (Eigen::Index k = 0; k < directions; ++k) {
-      const ivp::State<m> begin = moved_state<m>(x, k, moved_, absolute);
-      const ivp::Solution<m> other = run_(q_.system, begin, t, straight.t, {}, limits_);
+      const ivp::State begin = moved_state(x, k, moved_, absolute);
+      const ivp::Solution other = run_(q_.system, begin, t, straight.t, {}, limits_);
       if (other.status.ok()) sum += (other.x - straight.x).cwiseAbs() / moved_;
     }
     if (n <= most_directions) return sum;
@@ -88,29 +86,21 @@ class Runs {
     return sum * std::sqrt(static_cast<double>(n)) / (0.8 * static_cast<double>(directions));
   }
 
-  const Question<m>& q_;
+  const Question& q_;
   double moved_;
   ivp::Limits limits_;
-  ivp::NamedIntegrator<m> run_;
-  ivp::State<m> size_;
-  std::vector<std::pair<double, ivp::State<m>>> begins_;
+  ivp::NamedIntegrator run_;
+  ivp::State size_;
+  std::vector<std::pair<double, ivp::State>> begins_;
 };
 
 }  // namespace
 
-template <int m>
-Growth growth_along(const Question<m>& q, const Expectation& e) {
-  const Growth first = Runs<m>(q, e, {1e-9, 1e-5}).growth();
+Growth growth_along(const Question& q, const Expectation& e) {
+  const Growth first = Runs(q, e, {1e-9, 1e-5}).growth();
   if (!first.at_least) return first;
-  const Growth finer = Runs<m>(q, e, {1e-13, 1e-10}).growth();
+  const Growth finer = Runs(q, e, {1e-13, 1e-10}).growth();
   return finer.seen > 0 ? finer : first;
 }
-
-template Growth growth_along<1>(const Question<1>&, const Expectation&);
-template Growth growth_along<2>(const Question<2>&, const Expectation&);
-template Growth growth_along<3>(const Question<3>&, const Expectation&);
-template Growth growth_along<4>(const Question<4>&, const Expectation&);
-template Growth growth_along<6>(const Question<6>&, const Expectation&);
-template Growth growth_along<Eigen::Dynamic>(const Question<Eigen::Dynamic>&, const Expectation&);
 
 }  // namespace nlmech::comparison

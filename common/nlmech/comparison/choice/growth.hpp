@@ -19,7 +19,6 @@ struct Growth {
 /// itself, signs the worst, where there are eight or fewer, else with eight patterns of signs. Where errors
 /// grow to the size of the solution, once more with smaller moves.
 /// @param method by which it runs
-template <int m>
-[[nodiscard]] Growth growth_along(const Question<m>& question, const Expectation& method);
+[[nodiscard]] Growth growth_along(const Question& question, const Expectation& method);
 
 }  // namespace nlmech::comparison

@@ -18,10 +18,9 @@ struct Among {
 };
 
 /// What is asked.
-template <int m>
 struct Question {
-  ivp::System<m> system;                                          ///< equations
-  ivp::State<m> x0;                                               ///< state at t0
+  ivp::System system;                                             ///< equations
+  ivp::State x0;                                                  ///< state at t0
   double t0;                                                      ///< begin
   double t1;                                                      ///< end
   double level = 9;                                               ///< digits to hold on the way

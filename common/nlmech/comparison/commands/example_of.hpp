@@ -15,19 +15,19 @@ namespace nlmech::comparison {
 /// A problem from @p x0 at 0 to @p end. Amplitudes: the greatest of 4000 samples.
 /// @throws Failure if the reference does not get there
 template <class Problem>
-[[nodiscard]] Example<Problem::dimension> example_of(const Problem& problem, const std::string& name,
-                                                     const ivp::State<Problem::dimension>& x0, double end) {
+[[nodiscard]] Example example_of(const Problem& problem, const std::string& name, const ivp::State& x0,
+                                 double end) {
   constexpr int n = Problem::dimension;
   using Path = problems::ReferenceTrajectory<long double, Problem>;
   const Vector<long double, n> exact = x0.template cast<long double>();
   const auto path = std::make_shared<const Path>(problem, exact, 0, end);
   if (!path->status().ok()) throw Failure(path->status());
   constexpr int samples = 4000;
-  ivp::State<n> amplitude = x0.cwiseAbs();
+  ivp::State amplitude = x0.cwiseAbs();
   for (int i = 1; i <= samples; ++i)
     amplitude = amplitude.cwiseMax((*path)(end * i / samples).template cast<double>().cwiseAbs());
   return {.name = name,
-          .system = ivp::System<n>(problem),
+          .system = ivp::System(problem),
           .x0 = x0,
           .t0 = 0,
           .t1 = end,
@@ -37,7 +37,7 @@ template <class Problem>
 
 /// A problem from its own initial state.
 template <class Problem>
-[[nodiscard]] Example<Problem::dimension> example_of(const Problem& problem, double end) {
+[[nodiscard]] Example example_of(const Problem& problem, double end) {
   return example_of(problem, std::string(Problem::name), Problem::initial_state(), end);
 }
 

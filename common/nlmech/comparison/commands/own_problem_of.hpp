@@ -15,13 +15,11 @@ namespace nlmech::comparison {
 
 /// A problem of the library with its parameters.
 template <class Problem>
-class OwnProblemOf final : public ProblemOfSize<ivp::compiled_dimension<Problem>> {
-  static constexpr int m = ivp::compiled_dimension<Problem>;
-
+class OwnProblemOf final : public ProblemOfSize {
  public:
   /// With the parameters as set.
   [[nodiscard]] const Problem& problem() const { return problem_; }
-  [[nodiscard]] ivp::System<m> system() const override { return ivp::System<m>(problem_); }
+  [[nodiscard]] ivp::System system() const override { return ivp::System(problem_); }
   [[nodiscard]] std::vector<Candidate> extended(const Effort& effort) const override {
     return taylor_candidates(problem_, static_cast<int>(problem_.initial_state().size()), effort);
   }

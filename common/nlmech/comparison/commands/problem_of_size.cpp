@@ -28,11 +28,10 @@ namespace {
 
 /// One run, repeated if it is short: its solution, and the times without the first, which warms up.
 /// @param enough seconds after which it is not repeated
-template <int n>
-std::pair<ivp::Solution<n>, Timing> timed(const std::function<ivp::Solution<n>()>& work, double enough) {
+std::pair<ivp::Solution, Timing> timed(const std::function<ivp::Solution()>& work, double enough) {
   constexpr int repeats = 5;
   const Stopwatch watch;
-  const ivp::Solution<n> first = work();
+  const ivp::Solution first = work();
   std::vector<double> seconds = {first.statistics.seconds};
   while (static_cast<int>(seconds.size()) <= repeats && watch.seconds() + seconds.back() < enough)
     seconds.push_back(work().statistics.seconds);
@@ -58,11 +57,10 @@ std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_o
 
 /// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
 /// allow.
-template <int m>
-ivp::NamedIntegrator<m> other_method(const AnyMethod& method, const ivp::Settings& settings) {
+ivp::NamedIntegrator other_method(const AnyMethod& method, const ivp::Settings& settings) {
   const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
   const Tolerance tolerance = tolerance_of(settings);
-  return any_integrator<m>(
+  return any_integrator(
       any_method(method.name == "dop853" ? "series" : "dop853"),
       {.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
 }
@@ -77,16 +75,14 @@ void add_first(const std::vector<std::string>& names, std::vector<std::string>& 
   }
 }
 
-template <int m>
-ivp::State<m> begin(const Request& r) {
-  return Eigen::Map<const ivp::State<m>>(r.x0.data(), static_cast<Eigen::Index>(r.x0.size()));
+ivp::State begin(const Request& r) {
+  return Eigen::Map<const Eigen::VectorXd>(r.x0.data(), static_cast<Eigen::Index>(r.x0.size()));
 }
 
-template <int m>
-Question<m> question(const ivp::System<m>& system, const Request& r) {
+Question question(const ivp::System& system, const Request& r) {
   const Tolerance tolerance = tolerance_of(r.settings);
   return {.system = system,
-          .x0 = begin<m>(r),
+          .x0 = begin(r),
           .t0 = r.t0,
           .t1 = r.t1,
           .absolute = tolerance.absolute / tolerance.relative,
@@ -100,23 +96,21 @@ bool obeys_bound(const ivp::MethodInfo& info, const Request& r) {
 
 }  // namespace
 
-template <int m>
-Reference ProblemOfSize<m>::reference(const ivp::State<m>& x0, double t0, const std::vector<double>& times,
-                                      const Needed& needed, const Effort& effort) const {
+Reference ProblemOfSize::reference(const ivp::State& x0, double t0, const std::vector<double>& times,
+                                   const Needed& needed, const Effort& effort) const {
   std::vector<Candidate> all = extended(effort);
-  for (Candidate& c : method_candidates<m>(system(), needed, effort)) all.push_back(std::move(c));
+  for (Candidate& c : method_candidates(system(), needed, effort)) all.push_back(std::move(c));
   return agree(all, {x0.template cast<long double>(), t0, times}, needed, effort.seconds);
 }
 
 // Where a component decays many times within the way, its decay and not the solution would bound the steps of
 // an explicit method. The initial state may not show it yet, as where a reaction has not begun: a few coarse
 // steps of an implicit method do.
-template <int m>
-bool ProblemOfSize<m>::is_stiff(const Request& r) const {
+bool ProblemOfSize::is_stiff(const Request& r) const {
   constexpr double many_decays = 2000;
-  const ivp::System<m> system = this->system();
-  ivp::Jacobian<m> j(system.size(), system.size());
-  const auto decays_fast = [&](double t, const ivp::State<m>& x) {
+  const ivp::System system = this->system();
+  ivp::Jacobian j(system.size(), system.size());
+  const auto decays_fast = [&](double t, const ivp::State& x) {
     system.jacobian(t, x, j);
     if (!j.allFinite()) return false;
     // Eigenvalues of many components take their cube; their diagonal has the scale of what decays.
@@ -126,21 +120,20 @@ bool ProblemOfSize<m>::is_stiff(const Request& r) const {
     const double fastest = r.t1 > r.t0 ? -rates.minCoeff() : rates.maxCoeff();
     return fastest * std::abs(r.t1 - r.t0) > many_decays;
   };
-  bool stiff = decays_fast(r.t0, begin<m>(r));
+  bool stiff = decays_fast(r.t0, begin(r));
   if (stiff || r.t0 == r.t1) return stiff;
-  const ivp::Observer<m> look = [&](const ivp::Step<m>& step) {
+  const ivp::Observer look = [&](const ivp::Step& step) {
     stiff = decays_fast(step.t1, step.x1);
     return !stiff;
   };
-  const auto coarse = any_integrator<m>(any_method("adaptive-collocation"), {.tolerance = 1e-3});
-  static_cast<void>(coarse(system, begin<m>(r), r.t0, r.t1, look, {.steps = 20, .seconds = 0.1}));
+  const auto coarse = any_integrator(any_method("adaptive-collocation"), {.tolerance = 1e-3});
+  static_cast<void>(coarse(system, begin(r), r.t0, r.t1, look, {.steps = 20, .seconds = 0.1}));
   return stiff;
 }
 
-template <int m>
-std::string ProblemOfSize<m>::usual_method(const Request& r) const {
+std::string ProblemOfSize::usual_method(const Request& r) const {
   constexpr const char* usual = "series";
-  Question<m> q = question<m>(system(), r);
+  Question q = question(system(), r);
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo info = any_method(name).info;
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
@@ -152,16 +145,15 @@ std::string ProblemOfSize<m>::usual_method(const Request& r) const {
   if (r.settings.step || r.t0 == r.t1 || q.among.methods.empty()) return usual;
   const double tolerance = tolerance_of(r.settings).relative;
   q.level = -std::log10(tolerance);
-  const Look look = look_at_problem<m>(q.system, q.x0, q.t0, q.t1, q.largest_step);
+  const Look look = look_at_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
   if (!look.status.ok()) return usual;
   Status status;
   const std::vector<Ranked> ranked = rank_methods(q, look.features, read_evidence(), status);
   return ranked.empty() ? usual : ranked.front().method;
 }
 
-template <int m>
-Chosen ProblemOfSize<m>::chosen(const Request& r, double digits) const {
-  Question<m> q = question<m>(system(), r);
+Chosen ProblemOfSize::chosen(const Request& r, double digits) const {
+  Question q = question(system(), r);
   if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
   for (const std::string& name : built_method_names())
     if (obeys_bound(any_method(name).info, r)) q.among.methods.push_back(name);
@@ -169,9 +161,8 @@ Chosen ProblemOfSize<m>::chosen(const Request& r, double digits) const {
   return choose(q, digits, evidence, looked_at(q, evidence));
 }
 
-template <int m>
-std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const {
-  const ivp::System<m> system = this->system();
+std::vector<std::string> ProblemOfSize::usual_methods(const Request& r) const {
+  const ivp::System system = this->system();
   if (r.settings.step) {
     std::vector<std::string> fixed = {"rk4", "rk6", "radau-coll", "series"};
     if (system.second_order()) fixed.insert(fixed.end(), {"newmark", "laier"});
@@ -180,7 +171,7 @@ std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const
   std::vector<std::string> names = {"adaptive-collocation"};
   if (!is_stiff(r)) {
     names.insert(names.end(), {"series", "ode45"});
-    if (form_of<m>(system, r.t0, begin<m>(r)) == Form::conservative) names.emplace_back("rkn1210");
+    if (form_of(system, r.t0, begin(r)) == Form::conservative) names.emplace_back("rkn1210");
     add_first({"odeint-fehlberg78", "gsl-rk8pd", "arkode-erk"}, names);
     add_first({"odeint-bulirsch-stoer"}, names);
     add_first({"cvode-adams", "gsl-msadams"}, names);
@@ -192,23 +183,20 @@ std::vector<std::string> ProblemOfSize<m>::usual_methods(const Request& r) const
 
 /// Of the processors' time that many runs took together the share of each, by its right-hand sides: no clock
 /// is read within lanes. Verifications ask for it.
-template <int m>
-void share_seconds(double all, std::vector<ivp::Solution<m>>& ends) {
+void share_seconds(double all, std::vector<ivp::Solution>& ends) {
   double sum = 0;
-  for (const ivp::Solution<m>& end : ends) sum += static_cast<double>(end.statistics.right_hand_sides);
-  for (ivp::Solution<m>& end : ends)
+  for (const ivp::Solution& end : ends) sum += static_cast<double>(end.statistics.right_hand_sides);
+  for (ivp::Solution& end : ends)
     end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
 }
 
 /// A run from its request to its rows. Its parts refer to each other, so it stays where it is.
-template <int m>
-class ProblemOfSize<m>::Run {
+class ProblemOfSize::Run {
  public:
   /// All outlive it. @param one the method, for a single trajectory
   /// @param other that suffices for its verification if it agrees; may be null
-  Run(const ProblemOfSize& problem, const ivp::System<m>& system, const Request& request,
-      const AnyMethod& method, const ivp::NamedIntegrator<m>& one,
-      const ivp::NamedIntegrator<m>* other = nullptr)
+  Run(const ProblemOfSize& problem, const ivp::System& system, const Request& request,
+      const AnyMethod& method, const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
       : problem_(problem),
         system_(system),
         request_(request),
@@ -218,7 +206,7 @@ class ProblemOfSize<m>::Run {
         rows_(way_, problem.state_names()),
         seen_{shown_of(problem.state_names(), system.second_order()), Samples(request.t0, request.t1), {}},
         events_(request, one, system, rows_, seen_) {
-    const ivp::State<m> x0 = begin<m>(request);
+    const ivp::State x0 = begin(request);
     rows_.add(request.t0, x0);
     if (request.draw && request.t1 != request.t0) seen_.path.add(request.t0, x0);
   }
@@ -226,15 +214,15 @@ class ProblemOfSize<m>::Run {
   Run& operator=(const Run&) = delete;
 
   /// What is to be integrated. Refers to this.
-  [[nodiscard]] ivp::Start<m> start() {
-    ivp::Start<m> start{&system_, begin<m>(request_), request_.t0,      request_.t1,
-                        {},       request_.limits,    request_.deadline};
+  [[nodiscard]] ivp::Start start() {
+    ivp::Start start{&system_, begin(request_), request_.t0,      request_.t1,
+                     {},       request_.limits, request_.deadline};
     if (request_.every || request_.draw || !request_.events.empty())
-      start.observer = [this](const ivp::Step<m>& step) { return events_.see(step); };
+      start.observer = [this](const ivp::Step& step) { return events_.see(step); };
     return start;
   }
   /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
-  [[nodiscard]] Trajectory finish(ivp::Solution<m> end) {
+  [[nodiscard]] Trajectory finish(ivp::Solution end) {
     events_.finish(end);
     if (!end.status.ok()) throw Failure(end.status);
     way_.t1 = end.t;
@@ -249,7 +237,7 @@ class ProblemOfSize<m>::Run {
 
  private:
   /// What is left of the time for the verification of a run.
-  [[nodiscard]] double left_after(const ivp::Solution<m>& end) const {
+  [[nodiscard]] double left_after(const ivp::Solution& end) const {
     using std::chrono::steady_clock;
     const double own = request_.limits.seconds - end.statistics.seconds;
     if (request_.deadline == steady_clock::time_point::max()) return own;
@@ -263,61 +251,59 @@ class ProblemOfSize<m>::Run {
     return std::min(own, all.count());
   }
   /// What its verification says, and whether it came to no verdict.
-  [[nodiscard]] std::pair<std::string, bool> verified(const ivp::Solution<m>& end) const {
+  [[nodiscard]] std::pair<std::string, bool> verified(const ivp::Solution& end) const {
     const Verified what = rows_.verified(tolerance_of(request_.settings));
     const scene::Doing doing("verifying the run by integration");
     Effort effort = effort_after(end.statistics, system_.size(), left_after(end));
     effort.largest_step = request_.limits.largest_step;
-    const ivp::State<m> x0 = begin<m>(request_);
+    const ivp::State x0 = begin(request_);
     const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
                              .seconds = effort.seconds,
                              .largest_step = effort.largest_step};
-    if (other_ != nullptr && agrees<m>(system_, x0, request_.t0, what, *other_, limits)) return {"", false};
+    if (other_ != nullptr && agrees(system_, x0, request_.t0, what, *other_, limits)) return {"", false};
     const Reference truth =
         problem_.reference(x0, request_.t0, what.times, needed_for(what.tolerance), effort);
-    const Verification found = verify<m>(system_, x0, request_.t0, what, truth, effort);
+    const Verification found = verify(system_, x0, request_.t0, what, truth, effort);
     const bool is_open = found.verdict == Verification::Verdict::unknown;
     if (is_open) static_cast<void>(left_after(end));  // if for want of time
     return {remark(found, truth, method_, request_.settings, problem_.state_names()), is_open};
   }
 
   const ProblemOfSize& problem_;
-  const ivp::System<m>& system_;
+  const ivp::System& system_;
   const Request& request_;
   Request way_;  // to where it has come
   const AnyMethod& method_;
-  const ivp::NamedIntegrator<m>* other_;  // or null
+  const ivp::NamedIntegrator* other_;  // or null
   Rows rows_;
   Seen seen_;
-  LookOut<m> events_;
+  LookOut events_;
 };
 
-template <int m>
-Trajectory ProblemOfSize<m>::trajectory(const Request& r, const AnyMethod& method) const {
-  const auto one = about("--method", [&] { return any_integrator<m>(method, r.settings); });
-  const ivp::System<m> system = this->system();
+Trajectory ProblemOfSize::trajectory(const Request& r, const AnyMethod& method) const {
+  const auto one = about("--method", [&] { return any_integrator(method, r.settings); });
+  const ivp::System system = this->system();
   Run run(*this, system, r, method, one);
-  const ivp::Start<m> start = run.start();
+  const ivp::Start start = run.start();
   return run.finish(about(
       "--method", [&] { return one(system, start.x0, start.t0, start.t1, start.observer, start.limits); }));
 }
 
-template <int m>
-std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, const AnyMethod& method,
-                                                  int threads) const {
+std::vector<Ended> ProblemOfSize::trajectories(std::span<const Posed> posed, const AnyMethod& method,
+                                               int threads) const {
   if (posed.empty()) return {};
   const ivp::Settings& settings = posed.front().request.settings;
-  const auto one = about("--method", [&] { return any_integrator<m>(method, settings); });
+  const auto one = about("--method", [&] { return any_integrator(method, settings); });
   const auto each = [&](const std::function<void(std::size_t)>& work) {
     share_out(posed.size(), 16, threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) work(i);
     });
   };
-  const ivp::NamedIntegrator<m> other = other_method<m>(method, settings);
-  const ivp::System<m> usual = this->system();
-  std::vector<std::optional<ivp::System<m>>> systems(posed.size());
+  const ivp::NamedIntegrator other = other_method(method, settings);
+  const ivp::System usual = this->system();
+  std::vector<std::optional<ivp::System>> systems(posed.size());
   std::vector<std::unique_ptr<Run>> runs(posed.size());
-  std::vector<ivp::Start<m>> starts(posed.size());
+  std::vector<ivp::Start> starts(posed.size());
   each([&](std::size_t i) {
     const auto& problem = dynamic_cast<const ProblemOfSize&>(*posed[i].problem);
     if (&problem != this) systems[i] = problem.system();
@@ -326,9 +312,9 @@ std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, 
     starts[i] = runs[i]->start();
   });
   const Stopwatch watch;
-  std::vector<ivp::Solution<m>> ends =
-      about("--method", [&] { return integrate_all<m>(method, settings, starts, threads); });
-  share_seconds<m>(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
+  std::vector<ivp::Solution> ends =
+      about("--method", [&] { return integrate_all(method, settings, starts, threads); });
+  share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<Ended> all(posed.size());
   each([&](std::size_t i) {
     try {
@@ -342,13 +328,12 @@ std::vector<Ended> ProblemOfSize<m>::trajectories(std::span<const Posed> posed, 
   return all;
 }
 
-template <int m>
-Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choice>& methods,
-                                        std::string_view program) const {
+Comparison ProblemOfSize::comparison(const Request& r, const std::vector<Choice>& methods,
+                                     std::string_view program) const {
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
-  const ivp::System<m> system = this->system();
-  const ivp::State<m> x0 = begin<m>(r);
+  const ivp::System system = this->system();
+  const ivp::State x0 = begin(r);
   constexpr double work = 6;  // seconds, or so
   std::optional<scene::Doing> doing("computing a reference");
   const Reference truth = reference(x0, r.t0, look_at(r.t0, r.t1, 64), {.relative = 1e-13, .absolute = 1e-30},
@@ -358,11 +343,11 @@ Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choi
     doing.emplace("running " + methods[i].method.name);
     const double share = left() / static_cast<double>(methods.size() - i);
     try {
-      const auto run = any_integrator<m>(methods[i].method, methods[i].settings);
-      const std::function<ivp::Solution<m>()> once = [&] {
+      const auto run = any_integrator(methods[i].method, methods[i].settings);
+      const std::function<ivp::Solution()> once = [&] {
         return run(system, x0, r.t0, r.t1, {}, {r.limits.steps, share, r.limits.largest_step});
       };
-      const auto [end, time] = timed<m>(once, std::min(0.5, share / 2));
+      const auto [end, time] = timed(once, std::min(0.5, share / 2));
       table.add(methods[i], end.status, end.statistics, Eigen::VectorXd(end.x), time);
     } catch (const std::invalid_argument& error) {
       table.add_unsuitable(methods[i], error.what());
@@ -370,12 +355,5 @@ Comparison ProblemOfSize<m>::comparison(const Request& r, const std::vector<Choi
   }
   return table.take();
 }
-
-template class ProblemOfSize<1>;
-template class ProblemOfSize<2>;
-template class ProblemOfSize<3>;
-template class ProblemOfSize<4>;
-template class ProblemOfSize<6>;
-template class ProblemOfSize<Eigen::Dynamic>;
 
 }  // namespace nlmech::comparison

@@ -12,11 +12,10 @@
 namespace nlmech::comparison {
 
 /// A problem as a System of the size @p m, one of those for which methods are compiled.
-template <int m>
 class ProblemOfSize : public OwnProblem {
  public:
   /// The equations, with the parameters as set.
-  [[nodiscard]] virtual ivp::System<m> system() const = 0;
+  [[nodiscard]] virtual ivp::System system() const = 0;
   /// Computations in extended precision, for references; may be none.
   [[nodiscard]] virtual std::vector<Candidate> extended(const Effort& effort) const = 0;
 
@@ -38,7 +37,7 @@ class ProblemOfSize : public OwnProblem {
  private:
   class Run;
   [[nodiscard]] bool is_stiff(const Request& request) const;
-  [[nodiscard]] Reference reference(const ivp::State<m>& x0, double t0, const std::vector<double>& times,
+  [[nodiscard]] Reference reference(const ivp::State& x0, double t0, const std::vector<double>& times,
                                     const Needed& needed, const Effort& effort) const;
 };
 

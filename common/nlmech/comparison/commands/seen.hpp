@@ -37,8 +37,7 @@ class Samples {
     if (bins_.front().size() > most_bins) halve();
   }
   /// States within a step and before @p end, where it or the run is over.
-  template <int n>
-  void see(const ivp::Step<n>& step, double end) {
+  void see(const ivp::Step& step, double end) {
     const double way = end - step.t0, share = std::abs(way / (t1_ - t0_));
     const int places = static_cast<int>(std::clamp(std::ceil(1000 * share), 8.0, 1000.0));
     for (int k = 1; k < places; ++k) {

@@ -16,8 +16,7 @@
 namespace nlmech::comparison {
 namespace {
 
-template <int m>
-class TypedProblem final : public ProblemOfSize<m> {
+class TypedProblem final : public ProblemOfSize {
  public:
   TypedProblem(expression::Equations equations, expression::Settings settings)
       : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_) {}
@@ -29,7 +28,7 @@ class TypedProblem final : public ProblemOfSize<m> {
   void set_parameter(std::string_view parameter, double value) override {
     settings_[std::string(parameter)] = value;
     equations_ = expression::Equations(equations_.source(), settings_);
-    problem_ = expression::Problem<m>(equations_);
+    problem_ = expression::Problem(equations_);
   }
   [[nodiscard]] std::vector<std::string> state_names() const override { return equations_.state_names(); }
   [[nodiscard]] std::vector<double> initial_state() const override { return initial_state(""); }
@@ -42,7 +41,7 @@ class TypedProblem final : public ProblemOfSize<m> {
   [[nodiscard]] StateFunction expression(const std::string& option, const std::string& text) const override {
     return state_function(equations_, option, text);
   }
-  [[nodiscard]] ivp::System<m> system() const override { return ivp::System<m>(problem_); }
+  [[nodiscard]] ivp::System system() const override { return ivp::System(problem_); }
   // A Taylor series in extended precision does not see where an equation switches.
   [[nodiscard]] std::vector<Candidate> extended(const Effort& effort) const override {
     if (problem_.switches() > 0) return {};
@@ -52,7 +51,7 @@ class TypedProblem final : public ProblemOfSize<m> {
  private:
   expression::Equations equations_;
   expression::Settings settings_;
-  expression::Problem<m> problem_;
+  expression::Problem problem_;
 };
 
 }  // namespace
@@ -60,14 +59,7 @@ class TypedProblem final : public ProblemOfSize<m> {
 std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
                                           const expression::Settings& settings) {
   expression::Equations equations(source, settings);
-  switch (equations.size()) {
-    case 1: return std::make_unique<TypedProblem<1>>(std::move(equations), settings);
-    case 2: return std::make_unique<TypedProblem<2>>(std::move(equations), settings);
-    case 3: return std::make_unique<TypedProblem<3>>(std::move(equations), settings);
-    case 4: return std::make_unique<TypedProblem<4>>(std::move(equations), settings);
-    case 6: return std::make_unique<TypedProblem<6>>(std::move(equations), settings);
-    default: return std::make_unique<TypedProblem<Eigen::Dynamic>>(std::move(equations), settings);
-  }
+  return std::make_unique<TypedProblem>(std::move(equations), settings);
 }
 
 std::string read_equations(const std::string& name) {

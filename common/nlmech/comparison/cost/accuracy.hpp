@@ -16,19 +16,18 @@ namespace nlmech::comparison {
 
 /// Ends of steps in the last tenth of the way: the first beyond each of 16 equidistant times, and the last 16
 /// of all, if that makes fewer, for methods of long steps. What 16 runs to these times would give.
-template <int n>
 class LastEnds {
  public:
   /// The end of a step.
   struct End {
-    double t;         ///< time
-    ivp::State<n> x;  ///< state
+    double t;      ///< time
+    ivp::State x;  ///< state
   };
   /// For a run from t0 to t1 > t0.
   LastEnds(double t0, double t1) : t0_(t0), t1_(t1) {}
 
   /// An observer; true.
-  bool see(const ivp::Step<n>& step) {
+  bool see(const ivp::Step& step) {
     if (step.t1 >= target()) {
       spread_.push_back({step.t1, step.x1});
       while (passed_ < count && step.t1 >= target()) ++passed_;
@@ -59,18 +58,17 @@ struct Accuracy {
 };
 
 /// Runs an example to its end.
-template <int n>
-[[nodiscard]] Accuracy accuracy_of(const Example<n>& c, const ivp::NamedIntegrator<n>& run,
-                                   const ivp::Limits& limits) {
-  LastEnds<n> seen(c.t0, c.t1);
-  const auto observe = [&seen](const ivp::Step<n>& step) { return seen.see(step); };
-  const ivp::Solution<n> end = run(c.system, c.x0, c.t0, c.t1, observe, limits);
+[[nodiscard]] inline Accuracy accuracy_of(const Example& c, const ivp::NamedIntegrator& run,
+                                          const ivp::Limits& limits) {
+  LastEnds seen(c.t0, c.t1);
+  const auto observe = [&seen](const ivp::Step& step) { return seen.see(step); };
+  const ivp::Solution end = run(c.system, c.x0, c.t0, c.t1, observe, limits);
   Accuracy accuracy{end.status, {}, end.statistics};
   if (!end.status.ok()) return accuracy;
   std::vector<double> errors;
   for (const auto& e : seen.get()) {
-    const Vector<long double, n> truth = c.reference(e.t);
-    errors.push_back(c.error ? c.error(e.x, truth) : relative_error<n>(e.x, truth, c.amplitude));
+    const ivp::LongState truth = c.reference(e.t);
+    errors.push_back(c.error ? c.error(e.x, truth) : relative_error(e.x, truth, c.amplitude));
   }
   accuracy.error = median(errors);
   return accuracy;

@@ -70,15 +70,8 @@ std::vector<Contender> all_peers(bool quick) {
   return all;
 }
 
-template <int n>
-ivp::NamedIntegrator<n> integrator(const Contender& contender, const Setting& setting) {
-  return any_integrator<n>(any_method(contender.name), setting.settings);
+ivp::NamedIntegrator integrator(const Contender& contender, const Setting& setting) {
+  return any_integrator(any_method(contender.name), setting.settings);
 }
-
-template ivp::NamedIntegrator<2> integrator<2>(const Contender&, const Setting&);
-template ivp::NamedIntegrator<3> integrator<3>(const Contender&, const Setting&);
-template ivp::NamedIntegrator<4> integrator<4>(const Contender&, const Setting&);
-template ivp::NamedIntegrator<6> integrator<6>(const Contender&, const Setting&);
-template ivp::NamedIntegrator<Eigen::Dynamic> integrator<Eigen::Dynamic>(const Contender&, const Setting&);
 
 }  // namespace nlmech::comparison

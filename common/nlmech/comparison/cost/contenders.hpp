@@ -43,7 +43,6 @@ struct Contender {
 [[nodiscard]] std::vector<Contender> all_peers(bool quick);
 
 /// Ready to run.
-template <int n>
-[[nodiscard]] ivp::NamedIntegrator<n> integrator(const Contender& contender, const Setting& setting);
+[[nodiscard]] ivp::NamedIntegrator integrator(const Contender& contender, const Setting& setting);
 
 }  // namespace nlmech::comparison

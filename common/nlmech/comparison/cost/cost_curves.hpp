@@ -20,9 +20,8 @@ namespace nlmech::comparison {
 
 /// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
 /// twice.
-template <int n>
-[[nodiscard]] Cost cost_of(const Example<n>& c, const std::string& setting,
-                           const ivp::NamedIntegrator<n>& run, bool quick) {
+[[nodiscard]] inline Cost cost_of(const Example& c, const std::string& setting,
+                                  const ivp::NamedIntegrator& run, bool quick) {
   const ivp::Limits limits{.steps = 20'000'000};
   const Accuracy seen = accuracy_of(c, run, limits);
   const auto again = [&] { static_cast<void>(run(c.system, c.x0, c.t0, c.t1, {}, limits)); };
@@ -41,14 +40,13 @@ inline constexpr std::size_t least_runs = 3;
 
 /// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
 /// @param quick to enough_for_a_look, even without least_runs
-template <int n>
-[[nodiscard]] std::vector<Curve> cost_curves(const Example<n>& c, const std::vector<Contender>& contenders,
-                                             bool quick) {
+[[nodiscard]] inline std::vector<Curve> cost_curves(const Example& c,
+                                                    const std::vector<Contender>& contenders, bool quick) {
   std::vector<Curve> curves;
   for (const Contender& contender : contenders) {
     Curve curve{contender.label(), contender.kind, {}};
     for (const Setting& setting : contender.settings) {
-      curve.costs.push_back(cost_of(c, setting.text, integrator<n>(contender, setting), quick));
+      curve.costs.push_back(cost_of(c, setting.text, integrator(contender, setting), quick));
       const std::int64_t right_hand_sides = curve.costs.back().work.right_hand_sides;
       if (quick ? right_hand_sides > enough_for_a_look
                 : right_hand_sides > enough_right_hand_sides && curve.costs.size() >= least_runs)
@@ -63,20 +61,19 @@ template <int n>
 /// By differences of runs whose error is far below them.
 /// @param change of each component of the begin, in amplitudes; small enough for a linear answer
 /// @throws Failure if a run fails
-template <int n>
-[[nodiscard]] double condition_of(const Example<n>& c, const ivp::NamedIntegrator<n>& run,
-                                  double change = 1e-6) {
-  const auto end = [&](const ivp::State<n>& x0) {
+[[nodiscard]] inline double condition_of(const Example& c, const ivp::NamedIntegrator& run,
+                                         double change = 1e-6) {
+  const auto end = [&](const ivp::State& x0) {
     const auto solution = run(c.system, x0, c.t0, c.t1, {}, {});
     if (!solution.status.ok()) throw Failure(solution.status);
     return solution.x;
   };
-  const ivp::State<n> plain = end(c.x0);
+  const ivp::State plain = end(c.x0);
   double greatest = 0;
   for (Eigen::Index i = 0; i < plain.size(); ++i) {
-    ivp::State<n> x0 = c.x0;
+    ivp::State x0 = c.x0;
     x0[i] += change * c.amplitude[i];
-    const ivp::State<n> moved = (end(x0) - plain).cwiseQuotient(c.amplitude) / change;
+    const ivp::State moved = (end(x0) - plain).cwiseQuotient(c.amplitude) / change;
     greatest = std::max(greatest, moved.cwiseAbs().maxCoeff());
   }
   return greatest;

@@ -18,10 +18,9 @@ struct Costs {
 };
 
 /// Every setting of every method, and both conditions by a series at 1e-16. @param change see condition_of()
-template <int n>
-[[nodiscard]] Costs costs_of(const Example<n>& c, const std::vector<Contender>& contenders, double change,
-                             bool quick) {
-  const auto accurate = ivp::named_integrator<n>("series", {.tolerance = 1e-16});
+[[nodiscard]] inline Costs costs_of(const Example& c, const std::vector<Contender>& contenders, double change,
+                                    bool quick) {
+  const auto accurate = ivp::named_integrator("series", {.tolerance = 1e-16});
   return {cost_curves(c, contenders, quick), condition_of(c, accurate, change),
           condition_of(c, accurate, 100 * change)};
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "nlmech/ivp/state.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/series/value_of.hpp"
 
@@ -38,20 +39,19 @@ struct Backwards {
 };
 
 /// The end of a solution to some 18 digits.
-template <int n>
 struct ReferenceEnd {
-  Status status;             ///< success, or why there is no reference
-  Vector<long double, n> x;  ///< state at the end
-  Vector<double, n> size;    ///< greatest |x_i| seen on the way
+  Status status;     ///< success, or why there is no reference
+  ivp::LongState x;  ///< state at the end
+  ivp::State size;   ///< greatest |x_i| seen on the way
 };
 
 /// The solution from (t0, x0) to t1 >= t0. @param most_steps of the Taylor series, after which it gives up
 template <class Problem>
-[[nodiscard]] ReferenceEnd<Problem::dimension> reference_ahead(const Problem& problem,
-                                                               const Vector<double, Problem::dimension>& x0,
-                                                               double t0, double t1, std::size_t most_steps) {
+[[nodiscard]] ReferenceEnd reference_ahead(const Problem& problem,
+                                           const Vector<double, Problem::dimension>& x0, double t0, double t1,
+                                           std::size_t most_steps) {
   constexpr int n = Problem::dimension;
-  ReferenceEnd<n> end{{}, x0.template cast<long double>(), x0.cwiseAbs()};
+  ReferenceEnd end{{}, x0.template cast<long double>(), x0.cwiseAbs()};
   const auto look = [&](const problems::TaylorStep<long double, n>& step, const Vector<long double, n>& x) {
     const Vector<long double, n> middle = step.at(step.length / 2);
     end.size = end.size.cwiseMax(middle.template cast<double>().cwiseAbs())
@@ -67,19 +67,16 @@ template <class Problem>
 
 /// The same to any t1.
 template <class Problem>
-[[nodiscard]] ReferenceEnd<Problem::dimension> reference_end(const Problem& problem,
-                                                             const Vector<double, Problem::dimension>& x0,
-                                                             double t0, double t1,
-                                                             std::size_t most_steps = 200'000) {
+[[nodiscard]] ReferenceEnd reference_end(const Problem& problem, const Vector<double, Problem::dimension>& x0,
+                                         double t0, double t1, std::size_t most_steps = 200'000) {
   if (t1 >= t0) return reference_ahead(problem, x0, t0, t1, most_steps);
   return reference_ahead(Backwards<Problem>{problem}, x0, -t0, -t1, most_steps);
 }
 
 /// The largest error of a component: relative to the component, or, where that is close to zero - below a
 /// thousandth of its size - relative to its size. Components that are zero throughout count absolutely.
-template <int n>
-[[nodiscard]] double relative_error(const Vector<double, n>& found, const Vector<long double, n>& truth,
-                                    const Vector<double, n>& size) {
+[[nodiscard]] inline double relative_error(const ivp::State& found, const ivp::LongState& truth,
+                                           const ivp::State& size) {
   double worst = 0;
   for (Eigen::Index i = 0; i < found.size(); ++i) {
     const auto value = static_cast<double>(std::abs(truth[i]));

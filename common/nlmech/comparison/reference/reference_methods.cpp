@@ -36,15 +36,14 @@ bool is_here(const Judge& judge, bool second_order) {
 
 /// Ends an explicit method that is too slow to arrive: one that, after a twentieth of its steps, has made
 /// less than a twentieth of the way that they would have to.
-template <int n>
 class Pace {
  public:
   Pace(const Judge& judge, const Way& way, std::int64_t most)
       : judge_(judge), t0_(way.t0), way_(way.times.back() - way.t0), most_(static_cast<double>(most)) {}
   /// An observer of all segments; empty for methods whose steps may yet grow.
-  [[nodiscard]] ivp::Observer<n> observer() {
+  [[nodiscard]] ivp::Observer observer() {
     if (!judge_.is_explicit) return {};
-    return [this](const ivp::Step<n>& step) {
+    return [this](const ivp::Step& step) {
       ++steps_;
       return steps_ < most_ / 20 || 20 * std::abs(step.t1 - t0_) >= std::abs(way_) * steps_ / most_;
     };
@@ -56,17 +55,16 @@ class Pace {
 };
 
 /// The states at all times, the method begun anew at each.
-template <int n>
-Status states_by(const ivp::NamedIntegrator<n>& run, const ivp::System<n>& system, const Way& way,
-                 const ivp::Observer<n>& observer, const ivp::Limits& limits, StatesAt& states) {
+Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
+                 const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states) {
   const Stopwatch watch;
   states.resize(way.x0.size(), static_cast<Eigen::Index>(way.times.size()));
   ivp::Limits left = limits;
-  ivp::State<n> x = way.x0.template cast<double>();
+  ivp::State x = way.x0.template cast<double>();
   double t = way.t0;
   for (std::size_t k = 0; k < way.times.size(); ++k) {
     left.seconds = limits.seconds - watch.seconds();
-    ivp::Solution<n> end = run(system, x, t, way.times[k], observer, left);
+    ivp::Solution end = run(system, x, t, way.times[k], observer, left);
     if (end.status.outcome() == Outcome::interrupted)
       return Status::failure(Outcome::step_limit, "an explicit method takes too many steps");
     if (!end.status.ok()) return end.status;
@@ -79,12 +77,11 @@ Status states_by(const ivp::NamedIntegrator<n>& run, const ivp::System<n>& syste
 }
 
 /// By absolute tolerances for components that decay, then by those needed.
-template <int n>
-Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& needed, const Effort& effort,
+Status by_judge(const Judge& judge, const ivp::System& system, const Needed& needed, const Effort& effort,
                 const Way& way, double seconds, StatesAt& states) {
   const Stopwatch watch;
   const AnyMethod method = any_method(judge.name);
-  if (method.info.estimate_misses_time && depends_on_time<n>(system, way.t0, way.x0.template cast<double>()))
+  if (method.info.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
     return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
   const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
@@ -93,11 +90,10 @@ Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& 
   for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
-      Pace<n> pace(judge, way, steps);
+      Pace pace(judge, way, steps);
       const ivp::Limits limits{
           .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
-      status =
-          states_by<n>(any_integrator<n>(method, settings), system, way, pace.observer(), limits, states);
+      status = states_by(any_integrator(method, settings), system, way, pace.observer(), limits, states);
     } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());
     }
@@ -106,18 +102,16 @@ Status by_judge(const Judge& judge, const ivp::System<n>& system, const Needed& 
   return status;
 }
 
-template <int n>
-Candidate candidate_of(const Judge& judge, const ivp::System<n>& system, const Needed& needed,
+Candidate candidate_of(const Judge& judge, const ivp::System& system, const Needed& needed,
                        const Effort& effort) {
   return {std::string(judge.name), "", false, [=](const Way& way, double seconds, StatesAt& states) {
-            return by_judge<n>(judge, system, needed, effort, way, seconds, states);
+            return by_judge(judge, system, needed, effort, way, seconds, states);
           }};
 }
 
 }  // namespace
 
-template <int n>
-std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Needed& needed,
+std::vector<Candidate> method_candidates(const ivp::System& system, const Needed& needed,
                                          const Effort& effort) {
   std::vector<Candidate> all;
   for (const Judge& judge : judges) {
@@ -125,13 +119,5 @@ std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Nee
   }
   return all;
 }
-
-template std::vector<Candidate> method_candidates<1>(const ivp::System<1>&, const Needed&, const Effort&);
-template std::vector<Candidate> method_candidates<2>(const ivp::System<2>&, const Needed&, const Effort&);
-template std::vector<Candidate> method_candidates<3>(const ivp::System<3>&, const Needed&, const Effort&);
-template std::vector<Candidate> method_candidates<4>(const ivp::System<4>&, const Needed&, const Effort&);
-template std::vector<Candidate> method_candidates<6>(const ivp::System<6>&, const Needed&, const Effort&);
-template std::vector<Candidate> method_candidates<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
-                                                                  const Needed&, const Effort&);
 
 }  // namespace nlmech::comparison

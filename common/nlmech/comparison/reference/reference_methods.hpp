@@ -20,8 +20,7 @@ namespace nlmech::comparison {
 /// @param system is kept
 /// @param needed how finely
 /// @param effort when to give up
-template <int n>
-[[nodiscard]] std::vector<Candidate> method_candidates(const ivp::System<n>& system, const Needed& needed,
+[[nodiscard]] std::vector<Candidate> method_candidates(const ivp::System& system, const Needed& needed,
                                                        const Effort& effort);
 
 }  // namespace nlmech::comparison

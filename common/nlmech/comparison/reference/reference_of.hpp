@@ -112,10 +112,8 @@ template <class Problem>
 [[nodiscard]] Reference reference_of(const Problem& problem, const Vector<double, Problem::dimension>& x0,
                                      double t0, const std::vector<double>& times, const Needed& needed,
                                      const Effort& effort) {
-  constexpr int m = ivp::compiled_dimension<Problem>;
   std::vector<Candidate> all = taylor_candidates(problem, static_cast<int>(x0.size()), effort);
-  for (Candidate& c : method_candidates<m>(ivp::System<m>(problem), needed, effort))
-    all.push_back(std::move(c));
+  for (Candidate& c : method_candidates(ivp::System(problem), needed, effort)) all.push_back(std::move(c));
   return agree(all, {x0.template cast<long double>(), t0, times}, needed, effort.seconds);
 }
 

@@ -87,8 +87,7 @@ Verification with_condition(const Beside& all, const Reference& reference, const
 
 }  // namespace
 
-template <int n>
-Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, double t0, const Verified& run,
+Verification verify(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
                     const Reference& reference, const Effort& effort) {
   if (reference.undetermined) {
     Verification v;
@@ -103,14 +102,14 @@ Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, doubl
     return v;
   }
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
-  Beside all = beside(run, reference, weights<n>(system, run.times, reference.states, size, run.tolerance));
+  Beside all = beside(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
   if (all.within(most_tolerances * all.weight)) {
     Verification v = all.worst(all.weight);
     v.verdict = Verdict::right;
     return v;
   }
   const Way way{x0.template cast<long double>(), t0, run.times};
-  const Eigen::MatrixXd first = weights<n>(system, {t0}, way.x0, size, run.tolerance);
+  const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (status.ok()) return with_condition(all, reference, size);
   // Without the condition: no digit right is wrong, whatever the problem makes of errors.
@@ -121,18 +120,17 @@ Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, doubl
   return v;
 }
 
-template <int n>
-bool agrees(const ivp::System<n>& system, const ivp::State<n>& x0, double t0, const Verified& run,
-            const ivp::NamedIntegrator<n>& other, ivp::Limits limits) {
+bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
+            const ivp::NamedIntegrator& other, ivp::Limits limits) {
   std::vector<double> times;
   Eigen::MatrixXd states(x0.size(), run.states.cols());
   StatesAt found(x0.size(), run.states.cols());
-  ivp::Solution<n> there{t0, x0, {}, {}};
+  ivp::Solution there{t0, x0, {}, {}};
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
     if (std::isnan(run.states(0, k))) continue;
     const auto count = static_cast<Eigen::Index>(times.size());
     times.push_back(run.times[static_cast<std::size_t>(k)]);
-    there = other(system, ivp::State<n>(there.x), there.t, times.back(), {}, limits);
+    there = other(system, ivp::State(there.x), there.t, times.back(), {}, limits);
     if (!there.status.ok()) return false;
     limits.steps -= there.statistics.steps + there.statistics.rejected;
     limits.seconds -= there.statistics.seconds;
@@ -144,36 +142,8 @@ bool agrees(const ivp::System<n>& system, const ivp::State<n>& x0, double t0, co
   found.conservativeResize(Eigen::NoChange, count);
   const Eigen::MatrixXd theirs = found.template cast<double>();
   const Eigen::VectorXd size = theirs.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
-  const Eigen::MatrixXd weight = weights<n>(system, times, found, size, run.tolerance);
+  const Eigen::MatrixXd weight = weights(system, times, found, size, run.tolerance);
   return ((states - theirs).array().abs() <= most_tolerances * weight.array()).all();
 }
-
-template Verification verify<1>(const ivp::System<1>&, const ivp::State<1>&, double, const Verified&,
-                                const Reference&, const Effort&);
-template Verification verify<2>(const ivp::System<2>&, const ivp::State<2>&, double, const Verified&,
-                                const Reference&, const Effort&);
-template Verification verify<3>(const ivp::System<3>&, const ivp::State<3>&, double, const Verified&,
-                                const Reference&, const Effort&);
-template Verification verify<4>(const ivp::System<4>&, const ivp::State<4>&, double, const Verified&,
-                                const Reference&, const Effort&);
-template Verification verify<6>(const ivp::System<6>&, const ivp::State<6>&, double, const Verified&,
-                                const Reference&, const Effort&);
-template Verification verify<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&,
-                                             const ivp::State<Eigen::Dynamic>&, double, const Verified&,
-                                             const Reference&, const Effort&);
-
-template bool agrees<1>(const ivp::System<1>&, const ivp::State<1>&, double, const Verified&,
-                        const ivp::NamedIntegrator<1>&, ivp::Limits);
-template bool agrees<2>(const ivp::System<2>&, const ivp::State<2>&, double, const Verified&,
-                        const ivp::NamedIntegrator<2>&, ivp::Limits);
-template bool agrees<3>(const ivp::System<3>&, const ivp::State<3>&, double, const Verified&,
-                        const ivp::NamedIntegrator<3>&, ivp::Limits);
-template bool agrees<4>(const ivp::System<4>&, const ivp::State<4>&, double, const Verified&,
-                        const ivp::NamedIntegrator<4>&, ivp::Limits);
-template bool agrees<6>(const ivp::System<6>&, const ivp::State<6>&, double, const Verified&,
-                        const ivp::NamedIntegrator<6>&, ivp::Limits);
-template bool agrees<Eigen::Dynamic>(const ivp::System<Eigen::Dynamic>&, const ivp::State<Eigen::Dynamic>&,
-                                     double, const Verified&, const ivp::NamedIntegrator<Eigen::Dynamic>&,
-                                     ivp::Limits);
 
 }  // namespace nlmech::comparison

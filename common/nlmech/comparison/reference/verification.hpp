@@ -56,8 +56,7 @@ inline constexpr int most_verified = 48;
 /// most_tolerances.
 /// @param reference at run.times
 /// @param effort for the condition
-template <int n>
-[[nodiscard]] Verification verify(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
+[[nodiscard]] Verification verify(const ivp::System& system, const ivp::State& x0, double t0,
                                   const Verified& run, const Reference& reference, const Effort& effort);
 
 /// Does another method, begun anew at each row of the run, come to the same within most_tolerances? Two
@@ -65,8 +64,7 @@ template <int n>
 /// cost more than all else. Where it is false, nothing is known.
 /// @param other at a tolerance below that of the run
 /// @param limits of the other
-template <int n>
-[[nodiscard]] bool agrees(const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
-                          const Verified& run, const ivp::NamedIntegrator<n>& other, ivp::Limits limits);
+[[nodiscard]] bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
+                          const ivp::NamedIntegrator& other, ivp::Limits limits);
 
 }  // namespace nlmech::comparison

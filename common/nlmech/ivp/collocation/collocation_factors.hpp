@@ -46,29 +46,25 @@ namespace nlmech::ivp::adaptive {
 /// of most systems take a half to a third of the time of Eigen's; Eigen's, which work in blocks, for many.
 /// Complex columns and right-hand sides are kept as all real parts, then all imaginary ones, so that loops
 /// over them work on several rows at once.
-/// @tparam Number double or std::complex<double> @tparam n size, or Eigen::Dynamic
-template <class Number, int n>
+/// @tparam Number double or std::complex<double>
+template <class Number>
 class Factors {
  public:
   /// For so many equations.
   explicit Factors(Eigen::Index size) : size_(size) {
-    if constexpr (n == Eigen::Dynamic) {
-      if (is_large()) return;
-      a_.resize(static_cast<std::size_t>(parts * size * size));
-      side_.resize(static_cast<std::size_t>(parts * size));
-      pivot_.resize(static_cast<std::size_t>(size));
-    }
+    if (is_large()) return;
+    a_.resize(static_cast<std::size_t>(parts * size * size));
+    side_.resize(static_cast<std::size_t>(parts * size));
+    pivot_.resize(static_cast<std::size_t>(size));
   }
 
   /// Of @p shift times I less @p j. A singular matrix makes solutions that are not finite.
-  void compute(const Number& shift, const Jacobian<n>& j) {
-    if constexpr (n == Eigen::Dynamic) {
-      if (is_large()) {
-        Large a = -j.template cast<Number>();
-        a.diagonal().array() += shift;
-        large_.compute(a);
-        return;
-      }
+  void compute(const Number& shift, const Jacobian& j) {
+    if (is_large()) {
+      Large a = -j.template cast<Number>();
+      a.diagonal().array() += shift;
+      large_.compute(a);
+      return;
     }
     for (Eigen::Index k = 0; k < size_; ++k) {
       double* const a = column(k);
@@ -78,12 +74,10 @@ class Factors {
     for (Eigen::Index k = 0; k < size_; ++k) eliminate(k);
   }
   /// @p x becomes the solution for the right-hand side @p x.
-  void solve(Vector<Number, n>& x) {
-    if constexpr (n == Eigen::Dynamic) {
-      if (is_large()) {
-        x = large_.solve(x);
-        return;
-      }
+  void solve(Vector<Number, Eigen::Dynamic>& x) {
+    if (is_large()) {
+      x = large_.solve(x);
+      return;
     }
     double* const y = side_.data();
     for (Eigen::Index k = 0; k < size_; ++k) set(y, k, x[k]);
@@ -96,13 +90,10 @@ class Factors {
   }
 
  private:
-  static constexpr bool is_fixed = n != Eigen::Dynamic, is_complex = !std::is_same_v<Number, double>;
+  static constexpr bool is_complex = !std::is_same_v<Number, double>;
   static constexpr Eigen::Index parts = is_complex ? 2 : 1;  // doubles of a number
-  static constexpr std::size_t rows = is_fixed ? static_cast<std::size_t>(n) : 1, row_doubles = parts * rows;
-  static constexpr Eigen::Index most_of_loops = 48;  // equations; twice as many are as fast by blocks
-  using Large = Eigen::Matrix<Number, n, n>;
-  using Doubles = std::vector<double>;
-  struct None {};
+  static constexpr Eigen::Index most_of_loops = 48;          // equations; twice as many are as fast by blocks
+  using Large = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 
   [[nodiscard]] bool is_large() const { return size_ > most_of_loops; }
   [[nodiscard]] static std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
@@ -160,10 +151,9 @@ class Factors {
   }
 
   Eigen::Index size_;
-  std::conditional_t<is_fixed, std::array<double, row_doubles * rows>, Doubles> a_{};
-  std::conditional_t<is_fixed, std::array<double, row_doubles>, Doubles> side_{};
-  std::conditional_t<is_fixed, std::array<Eigen::Index, rows>, std::vector<Eigen::Index>> pivot_{};
-  std::conditional_t<is_fixed, None, Eigen::PartialPivLU<Large>> large_{};
+  std::vector<double> a_, side_;
+  std::vector<Eigen::Index> pivot_;
+  Eigen::PartialPivLU<Large> large_;
 };
 
 }  // namespace nlmech::ivp::adaptive

@@ -36,13 +36,11 @@ namespace nlmech::ivp::adaptive {
 /// geometrically, a share r_0/f of r_0, of which a tenth is added (in tests the whole is 10 to 100 times too
 /// much). Errors of steps of which a tenth of the tolerance can be checked are at most 1.4 times the estimate
 /// in HIRES and through the jumps of van der Pol's oscillator, on average a quarter of it.
-template <SystemLike S, int s>
-class NewtonSteps : public DenseOutput<S::dimension> {
+template <int s>
+class NewtonSteps : public DenseOutput {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
-
   /// @param setup the equation and what is asked
-  explicit NewtonSteps(const Setup<S>& setup)
+  explicit NewtonSteps(const Setup& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
         z_(Increments::Zero(s, system_.size())),
@@ -50,7 +48,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
         f_(z_),
         last_(z_),
         change_of_w_(z_),
-        x0_(State<n>::Zero(system_.size())),
+        x0_(State::Zero(system_.size())),
         x1_(x0_),
         carry_(x0_),
         change_(x0_),
@@ -61,14 +59,14 @@ class NewtonSteps : public DenseOutput<S::dimension> {
         begin_defect_(x0_),
         filtered_(x0_),
         carried_(x0_),
-        jacobian_(Jacobian<n>::Zero(system_.size(), system_.size())),
+        jacobian_(Jacobian::Zero(system_.size(), system_.size())),
         real_(x0_),
         complex_(x0_.template cast<std::complex<double>>()),
         real_factors_(system_.size()),
         complex_factors_(of_each_pair(std::make_index_sequence<pairs>())) {}
 
   /// Starts a segment at (t, x).
-  void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
+  void begin_segment(double t, double end, const State& x, Statistics& statistics) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     carry_.setZero();
@@ -81,9 +79,9 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   /// Is the slope at the begin finite?
   [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
   /// State at the begin.
-  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// h |J|, the greatest row sum, in the latest trial: how stiff the problem is for its step.
   [[nodiscard]] double stiffness() const {
     return std::abs(h_) * jacobian_.cwiseAbs().rowwise().sum().maxCoeff();
@@ -134,7 +132,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
 
   /// Goes on where another order has come to, from its trial function.
   template <int other>
-  [[gnu::noinline]] void continue_from(const NewtonSteps<S, other>& from) {
+  [[gnu::noinline]] void continue_from(const NewtonSteps<other>& from) {
     segment_ = from.segment_;
     x0_ = from.x0_;
     carry_ = from.carry_;
@@ -147,7 +145,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     is_fresh_ = false;
     factored_ = 0;
     eta_ = 1;
-    typename NewtonSteps<S, other>::Row row;
+    typename NewtonSteps<other>::Row row;
     for (int i = 0; i < s; ++i) {
       from.lagrange(table_.nodes[i], row);
       for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(i, d) = dot<other>(row, from.nodes(from.last_, d));
@@ -161,22 +159,23 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   }
 
   /// The trial function itself, of order s + 1.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     if (t == t0_ || t == t1_) {
       x = t == t0_ ? x0_ : x1_;
       return;
     }
     Row row;
     lagrange((t - t0_) / h_, row);
+    x.resize(x0_.size());
     for (Eigen::Index d = 0; d < x0_.size(); ++d) x[d] = x0_[d] + dot<s>(row, nodes(z_, d));
   }
 
  private:
-  template <SystemLike, int>
+  template <int>
   friend class NewtonSteps;
-  using Increments = Eigen::Matrix<double, s, n>;  // at all nodes, a component a column
-  using Row = Column<s>;                           // a number for each node
-  using ComplexFactors = Factors<std::complex<double>, n>;
+  using Increments = Eigen::Matrix<double, s, Eigen::Dynamic>;  // at all nodes, a component a column
+  using Row = Column<s>;                                        // a number for each node
+  using ComplexFactors = Factors<std::complex<double>>;
   static constexpr std::size_t pairs = (s - 1) / 2;  // of complex eigenvalues
   static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
   static constexpr double keep_jacobian = 1e-3;  // contraction
@@ -363,7 +362,7 @@ class NewtonSteps : public DenseOutput<S::dimension> {
     return std::max(visible * carried, carried - rest) + seen_in_tests * missed;
   }
 
-  const S& system_;
+  const System& system_;
   Tolerance tolerance_;
   const collocation::Radau<s>& table_ = collocation::radau<s>();
   const Row lagrange_scale_ = lagrange_scale(table_.nodes);
@@ -371,11 +370,11 @@ class NewtonSteps : public DenseOutput<S::dimension> {
   const collocation::RadauDefect<s>& defect_ = collocation::radau_defect<s>();
   SmoothSegment segment_;
   Increments z_, w_, f_, last_, change_of_w_;
-  State<n> x0_, x1_, carry_, change_, weight_, f0_, node_, slope_, begin_defect_, filtered_, carried_;
-  Jacobian<n> jacobian_;
-  State<n> real_;
-  Vector<std::complex<double>, n> complex_;
-  Factors<double, n> real_factors_;
+  State x0_, x1_, carry_, change_, weight_, f0_, node_, slope_, begin_defect_, filtered_, carried_;
+  Jacobian jacobian_;
+  State real_;
+  Eigen::VectorXcd complex_;
+  Factors<double> real_factors_;
   std::array<ComplexFactors, pairs> complex_factors_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, factored_ = 0, contraction_ = 0, eta_ = 1, left_ = 0,
          left_before_ = 0;

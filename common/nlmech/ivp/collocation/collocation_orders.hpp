@@ -22,8 +22,7 @@ class Orders {
 
   /// @param order which one begins, from 0
   /// @param is_fixed does it stay there?
-  template <class S>
-  Orders(const Setup<S>& setup, int order, bool is_fixed)
+  Orders(const Setup& setup, int order, bool is_fixed)
       : engines_(for_each_of<Engine>(setup)...), order_(order), is_fixed_(is_fixed) {}
 
   /// Calls @p work with the engine that is at work, and answers what it does.
@@ -38,7 +37,6 @@ class Orders {
   }
 
   /// See the engine.
-  template <class State>
   void begin_segment(double t, double end, const State& x, Statistics& statistics) {
     current([&](auto& e) { e.begin_segment(t, end, x, statistics); });
     steps_ = 0;
@@ -74,8 +72,8 @@ class Orders {
  private:
   static constexpr int patience = 4;  // steps with an order before the next change
 
-  template <class, class S>
-  static const Setup<S>& for_each_of(const Setup<S>& setup) {
+  template <class>
+  static const Setup& for_each_of(const Setup& setup) {
     return setup;
   }
   template <int i, class Self, class Work>

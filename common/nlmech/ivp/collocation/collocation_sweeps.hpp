@@ -34,23 +34,22 @@ namespace nlmech::ivp::adaptive {
 /// solution's slope has beyond that degree, a share r_0/max|f| of it if both decay alike. So the estimate is
 /// h r_0^2/max|f|, with the last Legendre coefficients of the slope in place of r_0 where they are larger.
 /// @tparam second are the unknowns accelerations?
-template <SystemLike S, int s, bool second>
-class Sweeper : public DenseOutput<S::dimension> {
+template <int s, bool second>
+class Sweeper : public DenseOutput {
  public:
-  static constexpr int n = S::dimension;                              ///< components of the state
-  using Slope = Vector<double, second ? half<n> : n>;                 ///< what is unknown at a node
-  using Slopes = Eigen::Matrix<double, s, Slope::RowsAtCompileTime>;  ///< at all nodes, a component a column
-  static constexpr std::string_view name = "adaptive-collocation";    ///< in sentences
+  using Slope = State;                                              ///< what is unknown at a node
+  using Slopes = Eigen::Matrix<double, s, Eigen::Dynamic>;          ///< at all nodes, a component a column
+  static constexpr std::string_view name = "adaptive-collocation";  ///< in sentences
 
   /// @param setup the equation and what is asked
-  explicit Sweeper(const Setup<S>& setup)
+  explicit Sweeper(const Setup& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
         shape_(setup.shape),
-        x_(Eigen::Matrix<double, s, n>::Zero(s, system_.size())),
+        x_(Eigen::Matrix<double, s, Eigen::Dynamic>::Zero(s, system_.size())),
         f_(Slopes::Zero(s, second ? system_.size() / 2 : system_.size())),
         last_(f_),
-        x0_(State<n>::Zero(system_.size())),
+        x0_(State::Zero(system_.size())),
         x1_(x0_),
         carry_(x0_),
         change_(x0_),
@@ -61,7 +60,7 @@ class Sweeper : public DenseOutput<S::dimension> {
         v_(f0_) {}
 
   /// Starts a segment at (t, x).
-  void begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
+  void begin_segment(double t, double end, const State& x, Statistics& statistics) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     carry_.setZero();
@@ -72,12 +71,12 @@ class Sweeper : public DenseOutput<S::dimension> {
   /// Is the slope at the begin finite?
   [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
   /// State at the begin.
-  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// A time in which the state, @p x0 with the slope at the begin, changes by a tenth of its size, or by a
   /// tolerance where it has none.
-  [[nodiscard]] double first_length(const State<n>& x0, double interval) const {
+  [[nodiscard]] double first_length(const State& x0, double interval) const {
     const Eigen::Index m = f_.cols();
     double size = 0, rate = 0;
     for (Eigen::Index i = 0; i < x0.size(); ++i) {
@@ -111,7 +110,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
   /// Goes on where another order has come to, from its trial function.
   template <int other>
-  [[gnu::noinline]] void continue_from(const Sweeper<S, other, second>& from) {
+  [[gnu::noinline]] void continue_from(const Sweeper<other, second>& from) {
     segment_ = from.segment_;
     x0_ = from.x0_;
     carry_ = from.carry_;
@@ -137,7 +136,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
   /// The same equations on the part of the latest trial up to @p t: as accurate as its end.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     if (t == t0_ || t == t1_) {
       x = t == t0_ ? x0_ : x1_;
       return;
@@ -154,7 +153,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   }
 
  private:
-  template <SystemLike, int, bool>
+  template <int, bool>
   friend class Sweeper;
   static constexpr double better_than_here = 1.03;  ///< gain for which it is worth to change the order
   static constexpr double first_share = 0.1;        ///< of a state's size, in the first step
@@ -166,7 +165,7 @@ class Sweeper : public DenseOutput<S::dimension> {
   static constexpr double outside = 10;
   static constexpr int most_extrapolated = 9;  ///< degree that is trusted outside the interval
 
-  void slope(double t, const State<n>& x, Slope& f) {
+  void slope(double t, const State& x, Slope& f) {
     if constexpr (second) {
       q_ = positions(x);
       v_ = velocities(x);
@@ -371,16 +370,16 @@ class Sweeper : public DenseOutput<S::dimension> {
     return residual > 0 ? residual * (residual / std::max(size, residual)) : 0;
   }
 
-  const S& system_;
+  const System& system_;
   Tolerance tolerance_;
   double shape_;
   // Of the polynomials; of Gaussians, which change with the step, in own_.
   const collocation::Radau<s>* table_ = &collocation::radau<s>();
   std::shared_ptr<collocation::Radau<s>> own_;
   SmoothSegment segment_;
-  Eigen::Matrix<double, s, n> x_;  // states at the nodes, a component a column
-  Slopes f_, last_;                // slopes there, now and in the step before
-  State<n> x0_, x1_, carry_, change_, per_tolerance_;
+  Eigen::Matrix<double, s, Eigen::Dynamic> x_;  // states at the nodes, a component a column
+  Slopes f_, last_;                             // slopes there, now and in the step before
+  State x0_, x1_, carry_, change_, per_tolerance_;
   Slope f0_, new_, q_, v_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, scale_ = 1, narrow_ = 0;
 };

@@ -2,6 +2,8 @@
 /// What both engines of adaptive-collocation are told and answer.
 #pragma once
 
+#include "nlmech/ivp/system.hpp"
+
 namespace nlmech::ivp::adaptive {
 
 /// How accurate a step is to be: |e_i| against absolute + relative |x_i|.
@@ -11,11 +13,10 @@ struct Tolerance {
 };
 
 /// What an engine is made from.
-template <class S>
 struct Setup {
-  const S& system;      ///< outlives the engine
-  Tolerance tolerance;  ///< of its steps
-  double shape = 0;     ///< c of Gaussians, 1/time; 0: polynomials
+  const System& system;  ///< outlives the engine
+  Tolerance tolerance;   ///< of its steps
+  double shape = 0;      ///< c of Gaussians, 1/time; 0: polynomials
 };
 
 /// What came of a trial step.

@@ -11,14 +11,13 @@
 namespace nlmech::ivp {
 
 /// What integrate() takes for one trajectory.
-template <int n>
 struct Start {
-  const System<n>* system;  ///< outlives the integration; may be the same for many
-  State<n> x0;              ///< initial state
-  double t0;                ///< begin
-  double t1;                ///< end
-  Observer<n> observer;     ///< may be empty; called by the thread that has the trajectory
-  Limits limits;            ///< bounds on its work, from its begin
+  const System* system;  ///< outlives the integration; may be the same for many
+  State x0;              ///< initial state
+  double t0;             ///< begin
+  double t1;             ///< end
+  Observer observer;     ///< may be empty; called by the thread that has the trajectory
+  Limits limits;         ///< bounds on its work, from its begin
   /// When all trajectories are to be over: one that begins late has less time, or none.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 

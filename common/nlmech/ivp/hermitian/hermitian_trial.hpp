@@ -15,23 +15,21 @@
 #include "nlmech/ivp/hermitian/hermitian_operators.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/ivp/solution.hpp"
 
 namespace nlmech::ivp {
 
 /// Goes from (t0, x0) to (t1, x1). f = (v, a) and g = (a, j) are the first two derivatives of the state,
 /// which the system gives by dual numbers; nothing is derived by hand.
-template <SystemLike S>
-class HermitianTrial : public DenseOutput<S::dimension> {
+class HermitianTrial : public DenseOutput {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
-
   /// @param system outlives the trial
-  HermitianTrial(const S& system, const HermitianPair& pair, const algebraic::Newton& newton)
+  HermitianTrial(const System& system, const HermitianPair& pair, const algebraic::Newton& newton)
       : system_(system),
         name_(pair.name),
         step_(solved_for_end(pair)),
         newton_(newton),
-        x0_(State<n>::Zero(system.size())),
+        x0_(State::Zero(system.size())),
         x1_(x0_),
         f0_(x0_),
         f1_(x0_),
@@ -40,7 +38,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
         middle_(x0_),
         error_(x0_),
         known_(x0_),
-        rise_(Half<n>::Zero(system.size() / 2)),
+        rise_(State::Zero(system.size() / 2)),
         missing_(rise_),
         answer_(rise_),
         filter_(system.size() / 2, system.size() / 2),
@@ -51,7 +49,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
 
   /// Starts a segment on which f is smooth at (t, x). False if the right-hand side is not finite there.
   /// @throws std::invalid_argument for a problem that is written for double alone
-  [[nodiscard]] bool begin_segment(double t, double end, const State<n>& x, Statistics& statistics) {
+  [[nodiscard]] bool begin_segment(double t, double end, const State& x, Statistics& statistics) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     require_derivatives(name_, system_.second_derivative(segment_(t), x0_, f0_, g0_));
@@ -68,7 +66,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     predict();
     prepare();
     // [hermitian residual]
-    const auto residual = [&](const State<n>& x, State<n>& r) {
+    const auto residual = [&](const State& x, State& r) {
       static_cast<void>(system_.second_derivative(inside, x, f1_, g1_, fx_, gx_));
       statistics.right_hand_sides += 2;
       r = x - known_;
@@ -76,7 +74,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
       velocities(r) -= h_ * (step_.va1 * velocities(f1_) + (h_ * step_.vj1) * velocities(g1_));
     };
     // [hermitian residual]
-    const auto derivative = [&](const State<n>& /*x*/, Jacobian<n>& matrix) { assemble(matrix); };
+    const auto derivative = [&](const State& /*x*/, Jacobian& matrix) { assemble(matrix); };
     algebraic::Newton newton = newton_;
     // Rounding of f and g reaches velocities as eps |x| / h, however stiff f is, times at most some tens.
     newton.noise =
@@ -98,11 +96,11 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   }
 
   /// State at the begin of the trial.
-  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// dx/dt at the begin.
-  [[nodiscard]] const State<n>& begin_derivative() const { return f0_; }
+  [[nodiscard]] const State& begin_derivative() const { return f0_; }
 
   /// max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) of the estimate e.
   [[nodiscard]] double error_of(double atol, double rtol) const {
@@ -117,7 +115,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   /// |a_q| <= 2, unless it is wanted @p always: of a first step, which may meet a load at one phase wherever
   /// else it looks.
   [[nodiscard]] double unresolved(double atol, double rtol, bool always, Statistics& statistics) {
-    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const Eigen::Index m = system_.size() / 2;
     const auto stiffness = fx_.bottomLeftCorner(m, m), damping = fx_.bottomRightCorner(m, m);
     if (!(h_ * h_ * stiffness.cwiseAbs().rowwise().sum().maxCoeff() > 2) && !always) return 0;
     filter_ = -(h_ * h_ / 12) * stiffness - (h_ / 2) * damping;
@@ -151,14 +149,14 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     system_.jacobian(segment_(t0_ + h_), x1_, gx_);
     statistics.jacobians += 2;
     gx_ -= fx_;
-    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const Eigen::Index m = system_.size() / 2;
     return std::max(h_ * h_ * gx_.bottomLeftCorner(m, m).cwiseAbs().maxCoeff(),
                     std::abs(h_) * gx_.bottomRightCorner(m, m).cwiseAbs().maxCoeff());
   }
 
   /// Quintic Hermite: positions by those, velocities and accelerations of both ends, and its derivative.
   /// Within a step its error is O(h^6) in positions and O(h^5) in velocities.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     x.resize(system_.size());
     interpolate((t - t0_) / h_, x);
   }
@@ -183,8 +181,8 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     velocities(known_) += h_ * (step_.va0 * velocities(f0_) + (h_ * step_.vj0) * velocities(g0_));
   }
 
-  void assemble(Jacobian<n>& matrix) const {
-    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+  void assemble(Jacobian& matrix) const {
+    const Eigen::Index m = system_.size() / 2;
     matrix.topRows(m) = -(h_ * h_) * (step_.qa1 * fx_.bottomRows(m) + (h_ * step_.qj1) * gx_.bottomRows(m));
     matrix.bottomRows(m) = -h_ * (step_.va1 * fx_.bottomRows(m) + (h_ * step_.vj1) * gx_.bottomRows(m));
     matrix.diagonal().array() += 1;
@@ -211,7 +209,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   void measure_rise() {
     const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
     const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
-    const auto m = Eigen::fix<half<n>>(system_.size() / 2);
+    const Eigen::Index m = system_.size() / 2;
     const auto size = [](const auto& v) { return v.cwiseAbs().maxCoeff(); };
     const auto norm = [](const auto& v) { return v.cwiseAbs().rowwise().sum().maxCoeff(); };
     const double h = std::abs(h_), q = std::max(size(q0), size(q1)), v = std::max(size(v0), size(v1));
@@ -224,7 +222,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     }
   }
 
-  void interpolate(double s, State<n>& x) const {
+  void interpolate(double s, State& x) const {
     const double r = 1 - s, s3 = s * s * s, r3 = r * r * r;
     const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
     const auto a0 = velocities(f0_), a1 = velocities(f1_);
@@ -237,7 +235,7 @@ class HermitianTrial : public DenseOutput<S::dimension> {
   }
 
   // The second derivative of the positions of interpolate().
-  void curvature(double s, Half<n>& c) const {
+  void curvature(double s, State& c) const {
     const double r = 1 - s;
     const auto v0 = velocities(x0_), v1 = velocities(x1_), a0 = velocities(f0_), a1 = velocities(f1_);
     c = ((60 * s * r * (r - s)) * rise_ + (r * r * (2 - 30 * s) - 2 * r * (1 + s * (2 - 15 * s))) * v0 +
@@ -257,21 +255,21 @@ class HermitianTrial : public DenseOutput<S::dimension> {
     return worst;
   }
 
-  [[nodiscard]] double displacement(const State<n>& x) const {
+  [[nodiscard]] double displacement(const State& x) const {
     return std::max(positions(x).cwiseAbs().maxCoeff(), std::abs(h_) * velocities(x).cwiseAbs().maxCoeff());
   }
 
-  const S& system_;
+  const System& system_;
   std::string_view name_;
   HermitianStep step_;
   algebraic::Newton newton_;
   SmoothSegment segment_;
-  State<n> x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
-  Half<n> rise_, missing_, answer_;
-  Matrix<double, half<n>> filter_;
-  Eigen::PartialPivLU<Matrix<double, half<n>>> lu_;
-  Jacobian<n> fx_, gx_;
-  algebraic::Workspace<State<n>, Jacobian<n>> workspace_;
+  State x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
+  State rise_, missing_, answer_;
+  Jacobian filter_;
+  Eigen::PartialPivLU<Jacobian> lu_;
+  Jacobian fx_, gx_;
+  algebraic::Workspace<State, Jacobian> workspace_;
   double t0_ = 0, h_ = 1;
 };
 

@@ -38,22 +38,22 @@ struct StepGrid {
 [[nodiscard]] StepGrid make_step_grid(double begin, double end, double length);
 
 /// Base of fixed-step steppers. A stepper has `std::string_view name() const`, a member
-/// `Status step(double t, double h, const State<n>& x0, State<n>& x1, Statistics&)` that goes from t to t +
+/// `Status step(double t, double h, const State& x0, State& x1, Statistics&)` that goes from t to t +
 /// h, and dense output over that step. One with values at inner nodes says so by has_nodes, and fills times_
 /// and states_ in step(). One that carries derivatives from step to step, or looks at the end of a step, has
 /// `void begin_segment(double begin, double end)`, called before the first step of each stretch between
 /// discontinuities.
-template <int n>
-class Stepper : public DenseOutput<n> {
+template <SystemLike S>
+class StepperOf : public DenseOutputOf<S> {
  public:
   /// For states of @p size components.
-  explicit Stepper(int size) : times_(1), states_(size, 1) {}
+  explicit StepperOf(int size) : times_(1), states_(size, 1) {}
   /// Times with values of the method's own within the latest step, its end last. By default the end alone.
   [[nodiscard]] std::span<const double> times() const { return times_; }
   /// States at times(), one a column.
-  [[nodiscard]] const Nodes<n>& states() const { return states_; }
+  [[nodiscard]] const typename S::Nodes& states() const { return states_; }
   /// Called by the walk after a step without inner nodes: the end of the step is the only value.
-  void set_end(double t, const State<n>& x) {
+  void set_end(double t, const typename S::State& x) {
     times_[0] = t;
     states_.col(0) = x;
   }
@@ -62,17 +62,21 @@ class Stepper : public DenseOutput<n> {
 
  protected:
   std::vector<double> times_;  ///< filled by steppers with has_nodes
-  Nodes<n> states_;            ///< filled by steppers with has_nodes
+  typename S::Nodes states_;   ///< filled by steppers with has_nodes
 };
 
-/// Walks from task.t0 to task.t1 with steps of the length @p h > 0.
+/// For every System.
+using Stepper = StepperOf<System>;
+
+/// Integrates from problem.t0 to problem.t1 with steps of the length @p h > 0.
 template <SystemLike S, class MethodStepper>
-[[nodiscard]] Solution<S::dimension> walk(const Task<S>& task, double h, MethodStepper& stepper) {
+[[nodiscard]] SolutionOf<S> integrate_fixed_steps(const InitialValueProblemOf<S>& problem, double h,
+                                                  MethodStepper& stepper) {
   const std::string_view name = stepper.name();
-  Solution<S::dimension> now{task.t0, task.x0, {}, {}};
-  State<S::dimension> next = task.x0;
-  std::vector<double> ends = task.system.discontinuities(task.t0, task.t1);
-  ends.push_back(task.t1);
+  SolutionOf<S> now{problem.t0, problem.x0, {}, {}};
+  typename S::State next = problem.x0;
+  std::vector<double> ends = problem.system.discontinuities(problem.t0, problem.t1);
+  ends.push_back(problem.t1);
   const Stopwatch watch;
   for (const double end : ends) {
     const StepGrid grid = make_step_grid(now.t, end, h);
@@ -82,16 +86,16 @@ template <SystemLike S, class MethodStepper>
     }
     if constexpr (requires { stepper.begin_segment(now.t, end); }) stepper.begin_segment(now.t, end);
     for (std::int64_t k = 0; k < grid.count; ++k) {
-      now.status = check_limits(name, now.t, now.statistics, task.limits, watch);
+      now.status = check_limits(name, now.t, now.statistics, problem.limits, watch);
       if (!now.status.ok()) return now;
       const double length = grid.length(k), t1 = grid.time(k + 1);
       now.status = stepper.step(now.t, length, now.x, next, now.statistics);
       if (now.status.ok() && !next.allFinite()) now.status = non_finite_state(name, now.t, length);
       if (!now.status.ok()) return now;
       ++now.statistics.steps;
-      if (task.observer) {
+      if (problem.observer) {
         if constexpr (!MethodStepper::has_nodes) stepper.set_end(t1, next);
-        const bool go_on = task.observer(
+        const bool go_on = problem.observer(
             {now.statistics.steps, now.t, t1, now.x, next, stepper.times(), stepper.states(), stepper});
         if (!go_on) now.status = interrupted(name, t1);
       }

@@ -16,15 +16,13 @@ namespace nlmech::ivp {
 /// @param threads how many; 0: one a processor
 /// @return a solution for each start, in their order
 /// @throws whatever the method throws
-template <int n>
-[[nodiscard]] std::vector<Solution<n>> each_by(const NamedIntegrator<n>& method,
-                                               std::span<const Start<n>> starts, int threads);
+[[nodiscard]] std::vector<Solution> each_by(const NamedIntegrator& method, std::span<const Start> starts,
+                                            int threads);
 
 /// The same by the method @p name, with the bits of named_integrator(): `series` that chooses its steps moves
 /// several trajectories in a register, see integrate_all().
 /// @throws std::invalid_argument as named_integrator() and the method do
-template <int n>
-[[nodiscard]] std::vector<Solution<n>> named_integrate_all(std::string_view name, const Settings& settings,
-                                                           std::span<const Start<n>> starts, int threads);
+[[nodiscard]] std::vector<Solution> named_integrate_all(std::string_view name, const Settings& settings,
+                                                        std::span<const Start> starts, int threads);
 
 }  // namespace nlmech::ivp

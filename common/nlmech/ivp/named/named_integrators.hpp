@@ -23,35 +23,32 @@ namespace nlmech::ivp::named {
 using RateError = std::function<double(double step)>;
 
 /// A method of fixed step for a step.
-template <int n>
-using OfStep = std::function<NamedIntegrator<n>(double step)>;
+using OfStep = std::function<NamedIntegrator(double step)>;
 
 /// A method with all its options.
-template <int n, class Method>
-[[nodiscard]] NamedIntegrator<n> with_options(const Method& method) {
-  return
-      [method](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
-               const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
+template <class Method>
+[[nodiscard]] NamedIntegrator with_options(const Method& method) {
+  return [method](const System& system, const State& x0, double t0, double t1, const Observer& observer,
+                  const Limits& limits) { return integrate(system, x0, t0, t1, method, observer, limits); };
 }
 
 /// A method of fixed step in search of its step.
 /// @param rate of the method; may be empty
 /// @param rate_is_fixed the same for every step
-template <int n>
-[[nodiscard]] NamedIntegrator<n> searching(const StepSearch& search, const OfStep<n>& make,
-                                           const RateError& rate, bool rate_is_fixed);
+[[nodiscard]] NamedIntegrator searching(const StepSearch& search, const OfStep& make, const RateError& rate,
+                                        bool rate_is_fixed);
 
 /// A method of fixed step. @param make the aggregate for a step
-template <int n, class Make>
-NamedIntegrator<n> fixed_step(const MethodInfo& info, const Settings& settings, std::optional<int> order,
-                              Make make, const RateError& rate = {}) {
-  const OfStep<n> of_step = [make](double step) -> NamedIntegrator<n> { return with_options<n>(make(step)); };
+template <class Make>
+NamedIntegrator fixed_step(const MethodInfo& info, const Settings& settings, std::optional<int> order,
+                           Make make, const RateError& rate = {}) {
+  const OfStep of_step = [make](double step) -> NamedIntegrator { return with_options(make(step)); };
   if (settings.step) return of_step(*settings.step);
   StepSearch search{std::string(info.name), order, settings.tolerance.value_or(default_tolerance)};
   // The step of a collocation costs as many steps of another method as there are unknowns in its matrix.
   if (info.has(nodes_setting))
     search.most_steps /= std::int64_t{1} * settings.nodes.value_or(7) * settings.nodes.value_or(7);
-  return searching<n>(search, of_step, rate, rate && !settings.shape);
+  return searching(search, of_step, rate, rate && !settings.shape);
 }
 
 /// A method that chooses its steps, with the tolerances set; @p method has all else.
@@ -63,9 +60,9 @@ template <class Method>
   return method;
 }
 /// The same, ready to run.
-template <int n, class Method>
-NamedIntegrator<n> by_tolerance(const Settings& settings, Method method = {}) {
-  return with_options<n>(with_tolerances_of(settings, std::move(method)));
+template <class Method>
+NamedIntegrator by_tolerance(const Settings& settings, Method method = {}) {
+  return with_options(with_tolerances_of(settings, std::move(method)));
 }
 
 /// Taylor series.

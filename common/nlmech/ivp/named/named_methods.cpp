@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -23,10 +22,8 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/ivp/series/series.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
-#include "nlmech/ivp/structural/generalized_alpha.hpp"
-#include "nlmech/ivp/structural/hht.hpp"
-#include "nlmech/ivp/structural/newmark.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -37,83 +34,59 @@ using named::by_tolerance;
 using named::fixed_step;
 using named::with_options;
 
-template <int n>
-using Make = NamedIntegrator<n> (*)(const MethodInfo&, const Settings&);
+using Make = NamedIntegrator (*)(const MethodInfo&, const Settings&);
 
-/// A method: what there is to know of it, and how it is made for each size.
+/// A method: what there is to know of it, and how it is made.
 struct Row {
   MethodInfo info;
-  std::tuple<Make<1>, Make<2>, Make<3>, Make<4>, Make<6>, Make<Eigen::Dynamic>> make;
+  Make make;
 };
 
-template <int n, class Maker, bool second_order_only>
-NamedIntegrator<n> made(const MethodInfo& info, const Settings& settings) {
-  if constexpr (second_order_only && !has_halves<n>)
-    throw invalid_argument("{}: it needs positions and as many velocities; a state of {} components has none",
-                           info.name, n);
-  else
-    return Maker{}.template operator()<n>(info, settings);
-}
+constexpr Row row(const MethodInfo& info, Make make) { return {info, make}; }
 
-template <bool second_order_only, class Maker>
-constexpr Row row_of(const MethodInfo& info, Maker /*make*/) {
-  constexpr bool b = second_order_only;
-  return {info,
-          {&made<1, Maker, b>, &made<2, Maker, b>, &made<3, Maker, b>, &made<4, Maker, b>, &made<6, Maker, b>,
-           &made<Eigen::Dynamic, Maker, b>}};
-}
-
-template <class Maker>
-constexpr Row row(const MethodInfo& info, Maker make) {
-  return row_of<false>(info, make);
-}
-
-template <class Maker>
-constexpr Row row_for_accelerations(MethodInfo info, Maker make) {
+constexpr Row row_for_accelerations(MethodInfo info, Make make) {
   info.second_order_only = true;
-  return row_of<true>(info, make);
+  return {info, make};
 }
 
 /// A method that has a step, and no other setting.
 template <class Method>
-constexpr auto with_step = []<int n>(const MethodInfo& info, const Settings& settings) {
-  return fixed_step<n>(info, settings, info.order, [](double step) { return Method{.step = step}; });
+constexpr auto with_step = [](const MethodInfo& info, const Settings& settings) {
+  return fixed_step(info, settings, info.order, [](double step) { return Method{.step = step}; });
 };
 
 /// A method that has tolerances, and no other setting.
 template <class Method>
-constexpr auto with_tolerances = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
-  return by_tolerance<n, Method>(settings);
-};
+constexpr auto with_tolerances =
+    [](const MethodInfo& /*info*/, const Settings& settings) { return by_tolerance<Method>(settings); };
 
 /// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
 template <const HermitianPair& pair>
-constexpr auto with_operators = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
-  if (!settings.step) return by_tolerance<n>(settings, Hermitian{.operators = pair});
-  return with_options<n>(Hermitian{.operators = pair, .step = *settings.step});
+constexpr auto with_operators = [](const MethodInfo& /*info*/, const Settings& settings) {
+  if (!settings.step) return by_tolerance(settings, Hermitian{.operators = pair});
+  return with_options(Hermitian{.operators = pair, .step = *settings.step});
 };
 
-constexpr auto series = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
-  return with_options<n>(named::series_of(settings));
+constexpr auto series = [](const MethodInfo& /*info*/, const Settings& settings) {
+  return with_options(named::series_of(settings));
 };
 
-constexpr auto transversal = []<int n>(const MethodInfo& info, const Settings& settings) {
+constexpr auto transversal = [](const MethodInfo& info, const Settings& settings) {
   const int points = settings.points.value_or(Mtl{}.points);
-  return fixed_step<n>(info, settings, mtl_order(MtlBasis::lagrange, points),
-                       [points](double step) { return Mtl{.step = step, .points = points}; });
+  return fixed_step(info, settings, mtl_order(MtlBasis::lagrange, points),
+                    [points](double step) { return Mtl{.step = step, .points = points}; });
 };
 
-constexpr auto picard = []<int n>(const MethodInfo& info, const Settings& settings) {
+constexpr auto picard = [](const MethodInfo& info, const Settings& settings) {
   const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
-  return fixed_step<n>(info, settings, {},
-                       [order](double step) { return Mcpi{.step = step, .order = order}; });
+  return fixed_step(info, settings, {}, [order](double step) { return Mcpi{.step = step, .order = order}; });
 };
 
 template <collocation::NodeFamily points>
-constexpr auto polynomials = []<int n>(const MethodInfo& info, const Settings& settings) {
+constexpr auto polynomials = [](const MethodInfo& info, const Settings& settings) {
   const int nodes = settings.nodes.value_or(PolynomialCollocation{}.nodes);
   const int order = points == collocation::NodeFamily::left_end_and_radau ? 2 * nodes - 3 : nodes - 1;
-  return fixed_step<n>(info, settings, order, [nodes](double step) {
+  return fixed_step(info, settings, order, [nodes](double step) {
     return PolynomialCollocation{.step = step, .nodes = nodes, .points = points};
   });
 };
@@ -129,16 +102,16 @@ double rate_error(const RbfCollocation& method) {
   return std::abs(growth[inner - 1] - 1);
 }
 
-constexpr auto gaussians = []<int n>(const MethodInfo& info, const Settings& settings) {
+constexpr auto gaussians = [](const MethodInfo& info, const Settings& settings) {
   const auto make = [nodes = settings.nodes.value_or(RbfCollocation{}.nodes),
                      shape = settings.shape.value_or(0)](double step) {
     return RbfCollocation{.step = step, .nodes = nodes, .shape = shape};
   };
-  return fixed_step<n>(info, settings, {}, make, [make](double step) { return rate_error(make(step)); });
+  return fixed_step(info, settings, {}, make, [make](double step) { return rate_error(make(step)); });
 };
 
-constexpr auto adaptive_collocation = []<int n>(const MethodInfo& /*info*/, const Settings& settings) {
-  return by_tolerance<n, AdaptiveCollocation>(
+constexpr auto adaptive_collocation = [](const MethodInfo& /*info*/, const Settings& settings) {
+  return by_tolerance<AdaptiveCollocation>(
       settings, {.nodes = settings.nodes.value_or(0), .shape = settings.shape.value_or(0)});
 };
 
@@ -278,18 +251,10 @@ Controlled controlled(const MethodInfo& method, const Settings& settings) {
   return method.fixed_step() ? Controlled::difference_of_runs : Controlled::local_error;
 }
 
-template <int n>
-NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings) {
+NamedIntegrator named_integrator(std::string_view name, const Settings& settings) {
   const MethodInfo& info = method_info(name);
   check_settings(info, settings);
-  return std::get<Make<n>>(rows[static_cast<std::size_t>(&info - methods.data())].make)(info, settings);
+  return rows[static_cast<std::size_t>(&info - methods.data())].make(info, settings);
 }
-
-template NamedIntegrator<1> named_integrator<1>(std::string_view, const Settings&);
-template NamedIntegrator<2> named_integrator<2>(std::string_view, const Settings&);
-template NamedIntegrator<3> named_integrator<3>(std::string_view, const Settings&);
-template NamedIntegrator<4> named_integrator<4>(std::string_view, const Settings&);
-template NamedIntegrator<6> named_integrator<6>(std::string_view, const Settings&);
-template NamedIntegrator<Eigen::Dynamic> named_integrator<Eigen::Dynamic>(std::string_view, const Settings&);
 
 }  // namespace nlmech::ivp

@@ -37,9 +37,8 @@ inline constexpr int published_order = 20;
 
 /// A method with its settings: integrates a system from x0 at t0 to t1, as integrate() does. The observer may
 /// be empty.
-template <int n>
-using NamedIntegrator = std::function<Solution<n>(const System<n>&, const State<n>& x0, double t0, double t1,
-                                                  const Observer<n>&, const Limits&)>;
+using NamedIntegrator = std::function<Solution(const System&, const State& x0, double t0, double t1,
+                                               const Observer&, const Limits&)>;
 
 /// A setting that some methods have and others have not. Command lines, refusals and help are made of it.
 struct SettingInfo {
@@ -133,7 +132,6 @@ enum class Controlled {
 /// a time that is wrong by a fixed share. For mcpi the N nodes are those of the polynomial of degree N - 1.
 /// @throws std::invalid_argument listing the known names, if there is none of that name; for settings that
 /// the method does not have or that are out of range, naming them; for a method for accelerations if n is odd
-template <int n>
-[[nodiscard]] NamedIntegrator<n> named_integrator(std::string_view name, const Settings& settings);
+[[nodiscard]] NamedIntegrator named_integrator(std::string_view name, const Settings& settings);
 
 }  // namespace nlmech::ivp

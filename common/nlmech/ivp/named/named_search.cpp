@@ -12,10 +12,9 @@ namespace {
 /// Failure if a wrong rate alone makes an error beyond the tolerance: near the end x a time wrong by
 /// rate (t1 - t0) moves the state by that times f. Halving the step does not show it, if the shape follows
 /// the step.
-template <int n>
-Status check_rate(std::string_view name, const System<n>& system, double rate, double t0, double t,
-                  const State<n>& x, double t1, double tolerance) {
-  State<n> f(x.size());
+Status check_rate(std::string_view name, const System& system, double rate, double t0, double t,
+                  const State& x, double t1, double tolerance) {
+  State f(x.size());
   system.rhs(t, x, f);
   const double drift = rate * std::abs(t1 - t0) * (f.array().abs() / (1 + x.array().abs())).maxCoeff();
   if (drift <= tolerance) return {};
@@ -28,27 +27,26 @@ Status check_rate(std::string_view name, const System<n>& system, double rate, d
 
 }  // namespace
 
-template <int n>
-NamedIntegrator<n> searching(const StepSearch& search, const OfStep<n>& make, const RateError& rate,
-                             bool rate_is_fixed) {
-  return [=](const System<n>& system, const State<n>& x0, double t0, double t1, const Observer<n>& observer,
+NamedIntegrator searching(const StepSearch& search, const OfStep& make, const RateError& rate,
+                          bool rate_is_fixed) {
+  return [=](const System& system, const State& x0, double t0, double t1, const Observer& observer,
              const Limits& limits) {
     const Stopwatch watch;
     double last = 1;
-    const FixedStepRun<n> run = [&](double step, const Observer<n>& seen, const Limits& left) {
+    const FixedStepRun run = [&](double step, const Observer& seen, const Limits& left) {
       last = step;
       return make(step)(system, x0, t0, t1, seen, left);
     };
     // Nothing to be found on an interval without length, or from a state that is not finite.
     if (t0 == t1 || !x0.allFinite() || !std::isfinite(t1 - t0)) return run(last, observer, limits);
-    Solution<n> s{t0, x0, {}, {}};
+    Solution s{t0, x0, {}, {}};
     if (rate_is_fixed) s.status = check_rate(search.name, system, rate(1), t0, t0, x0, t1, search.tolerance);
     if (s.status.ok()) {
       StepSearch asked = search;
-      asked.frequency = highest_frequency<n>(system, t0, x0);
+      asked.frequency = highest_frequency(system, t0, x0);
       asked.jumps = system.discontinuities(t0, t1);
-      const Evidence<n> evidence = evidence_of<n>(system, x0, t0, t1, search.tolerance);
-      s = search_step<n>(asked, run, evidence, t0, x0, t1, observer, limits);
+      const Evidence evidence = evidence_of(system, x0, t0, t1, search.tolerance);
+      s = search_step(asked, run, evidence, t0, x0, t1, observer, limits);
     }
     if (s.status.ok() && rate)
       s.status = check_rate(search.name, system, rate(last), t0, s.t, s.x, t1, search.tolerance);
@@ -56,13 +54,5 @@ NamedIntegrator<n> searching(const StepSearch& search, const OfStep<n>& make, co
     return s;
   };
 }
-
-template NamedIntegrator<1> searching(const StepSearch&, const OfStep<1>&, const RateError&, bool);
-template NamedIntegrator<2> searching(const StepSearch&, const OfStep<2>&, const RateError&, bool);
-template NamedIntegrator<3> searching(const StepSearch&, const OfStep<3>&, const RateError&, bool);
-template NamedIntegrator<4> searching(const StepSearch&, const OfStep<4>&, const RateError&, bool);
-template NamedIntegrator<6> searching(const StepSearch&, const OfStep<6>&, const RateError&, bool);
-template NamedIntegrator<Eigen::Dynamic> searching(const StepSearch&, const OfStep<Eigen::Dynamic>&,
-                                                   const RateError&, bool);
 
 }  // namespace nlmech::ivp::named

@@ -31,18 +31,16 @@ struct StepSearch {
 };
 
 /// A method with its step left open: integrates from the same begin to the same end at every call.
-template <int n>
-using FixedStepRun = std::function<Solution<n>(double step, const Observer<n>&, const Limits&)>;
+using FixedStepRun = std::function<Solution(double step, const Observer&, const Limits&)>;
 
 /// What a run is held to beside other runs of its method.
-template <int n>
 struct Evidence {
   /// The same integration by other methods, which choose their steps and whose errors are far below the
   /// tolerance: the first that comes to the end counts. Empty: there is none.
-  std::vector<std::function<Solution<n>(const Observer<n>&, const Limits&)>> references;
+  std::vector<std::function<Solution(const Observer&, const Limits&)>> references;
   /// By how many tolerances a state at a time breaks what the problem knows of its solutions: invariants,
   /// bounds. Empty: it knows nothing.
-  std::function<double(double t, const State<n>& x)> violation;
+  std::function<double(double t, const State& x)> violation;
 };
 
 namespace detail {
@@ -109,17 +107,16 @@ class SearchAccount {
 [[nodiscard]] Status search_limit(const StepSearch& search, Outcome outcome, double t0, const Limits& limits);
 
 /// The states of a run at the times of a search.
-template <int n>
 class Trace {
  public:
   /// @param times outlive the trace
   explicit Trace(const std::vector<double>& times) : times_(&times), states_(times.size()) {}
 
   /// Forgets, and collects from a run from here on.
-  [[nodiscard]] Observer<n> collect(double t0) {
+  [[nodiscard]] Observer collect(double t0) {
     next_ = 0;
     const bool forwards = times_->back() > t0;
-    return [this, forwards](const Step<n>& s) {
+    return [this, forwards](const Step& s) {
       for (; next_ < times_->size(); ++next_) {
         const double t = (*times_)[next_];
         if (forwards ? t > s.t1 : t < s.t1) break;
@@ -134,7 +131,7 @@ class Trace {
     };
   }
   /// The run is over: its end.
-  void end(const Solution<n>& solution) {
+  void end(const Solution& solution) {
     complete_ = solution.status.ok();
     if (complete_) states_.back() = solution.x;
   }
@@ -143,7 +140,7 @@ class Trace {
     if (!complete_ || !other.complete_) return NAN;
     double most = 0;
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      const State<n>&a = states_[k], &b = other.states_[k];
+      const State &a = states_[k], &b = other.states_[k];
       for (Eigen::Index i = 0; i < a.size(); ++i) {
         const double part = std::abs(a[i] - b[i]) / (1 + std::abs(a[i]));
         if (!(part <= most)) most = part;
@@ -165,17 +162,16 @@ class Trace {
 
  private:
   const std::vector<double>* times_;
-  std::vector<State<n>> states_;
+  std::vector<State> states_;
   std::size_t next_ = 0;
   bool complete_ = false;
 };
 
 /// The runs of a search, and the difference between the two latest.
-template <int n>
 class SearchRuns {
  public:
   /// As for search_step(). @param size components of the state
-  SearchRuns(const StepSearch& search, const FixedStepRun<n>& run, double t0, double t1, Eigen::Index size,
+  SearchRuns(const StepSearch& search, const FixedStepRun& run, double t0, double t1, Eigen::Index size,
              const Limits& limits)
       : run_(run),
         t0_(t0),
@@ -188,21 +184,21 @@ class SearchRuns {
         reference_(times_) {}
 
   /// A run with the samples of its states.
-  Solution<n> sample(std::int64_t count) {
+  Solution sample(std::int64_t count) {
     std::swap(now_, before_);
-    Solution<n> solution = add(run_(step(count), now_.collect(t0_), left()));
+    Solution solution = add(run_(step(count), now_.collect(t0_), left()));
     now_.end(solution);
     return solution;
   }
   /// A run for the observer.
-  Solution<n> show(std::int64_t count, const Observer<n>& observer) {
+  Solution show(std::int64_t count, const Observer& observer) {
     return add(run_(step(count), observer, left()));
   }
   /// Between the two latest runs, as Finding says.
   [[nodiscard]] double difference() const { return now_.difference(before_); }
 
   /// The integration by another method, made once. @return its end; a success if there is none
-  const Solution<n>& refer(const Evidence<n>& evidence) {
+  const Solution& refer(const Evidence& evidence) {
     if (referred_ || evidence.references.empty()) return referred_end_;
     referred_ = true;
     const std::int64_t most = reference_steps();
@@ -222,7 +218,7 @@ class SearchRuns {
   /// Half the difference from that integration: what two runs leave of their tolerance to the finer of them.
   [[nodiscard]] double reference_doubt() const { return referred_ ? now_.difference(reference_) / 2 : 0; }
   /// A fourth of what the finer run breaks of the problem's own laws: errors of several components add up.
-  [[nodiscard]] double law_doubt(const Evidence<n>& evidence, double tolerance) const {
+  [[nodiscard]] double law_doubt(const Evidence& evidence, double tolerance) const {
     return evidence.violation ? now_.greatest(evidence.violation) * tolerance / 4 : 0;
   }
 
@@ -243,20 +239,20 @@ class SearchRuns {
     return {limits_.steps - work_.steps - work_.rejected, limits_.seconds - watch_.seconds(),
             limits_.largest_step};
   }
-  Solution<n> add(Solution<n> solution) {
+  Solution add(Solution solution) {
     work_ += solution.statistics;
     return solution;
   }
 
-  const FixedStepRun<n>& run_;
+  const FixedStepRun& run_;
   double t0_, t1_;
   Limits limits_;
   std::int64_t size_;
   Stopwatch watch_;
   Statistics work_;
   std::vector<double> times_;
-  Trace<n> now_, before_, reference_;
-  Solution<n> referred_end_;
+  Trace now_, before_, reference_;
+  Solution referred_end_;
   bool referred_ = false;
 };
 
@@ -292,21 +288,20 @@ class SearchRuns {
 /// @param t1 end, other than @p t0
 /// @param observer sees the accepted run only; may be empty
 /// @param limits bounds on all runs together
-template <int n>
-[[nodiscard]] Solution<n> search_step(const StepSearch& search, const FixedStepRun<n>& run,
-                                      const Evidence<n>& evidence, double t0, const State<n>& x0, double t1,
-                                      const Observer<n>& observer, const Limits& limits) {
+[[nodiscard]] inline Solution search_step(const StepSearch& search, const FixedStepRun& run,
+                                          const Evidence& evidence, double t0, const State& x0, double t1,
+                                          const Observer& observer, const Limits& limits) {
   detail::SearchAccount account(search, std::abs(t1 - t0));
-  detail::SearchRuns<n> runs(search, run, t0, t1, x0.size(), limits);
-  const auto end = [&](double t, const State<n>& x, Status status) {
-    return Solution<n>{t, x, std::move(status), runs.work()};
+  detail::SearchRuns runs(search, run, t0, t1, x0.size(), limits);
+  const auto end = [&](double t, const State& x, Status status) {
+    return Solution{t, x, std::move(status), runs.work()};
   };
   const auto limited = [&](Outcome outcome) {
     return end(t0, x0, detail::search_limit(search, outcome, t0, limits));
   };
   std::int64_t before = 0;
   for (std::int64_t count = account.first_count();; count = detail::SearchAccount::next_count(count)) {
-    Solution<n> solution = runs.sample(count);
+    Solution solution = runs.sample(count);
     const Outcome outcome = solution.status.outcome();
     if (outcome == Outcome::step_limit || outcome == Outcome::time_limit) return limited(outcome);
     if (runs.spent()) return limited(runs.spent_limit());
@@ -330,7 +325,7 @@ template <int n>
         found.evidence = "the problem's invariants or bounds";
       }
     } else if (account.wonders(found)) {
-      const Solution<n>& other = runs.refer(evidence);
+      const Solution& other = runs.refer(evidence);
       if (runs.spent()) return limited(runs.spent_limit());
       if (account.ended(other.status)) return end(other.t, other.x, account.status());
     }

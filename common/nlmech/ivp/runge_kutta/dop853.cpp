@@ -10,4 +10,8 @@ void check_options(const Dop853& method) {
   require_within(method.name, "largest_step", method.largest_step, 0, largest);
 }
 
+Solution run(const InitialValueProblem& problem, const Dop853& method) {
+  return run<System>(problem, method);
+}
+
 }  // namespace nlmech::ivp

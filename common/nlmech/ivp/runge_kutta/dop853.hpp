@@ -63,17 +63,17 @@ inline constexpr auto dense_row = dense[i];
 
 /// Trial steps, and the dense output of the latest.
 template <SystemLike S>
-class Stepper : public DenseOutput<S::dimension> {
+class Stepper : public DenseOutputOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
   /// @param system outlives the stepper
-  explicit Stepper(const S& system) : system_(system), x0_(State<n>::Zero(system.size())), x1_(x0_), y_(x0_) {
-    for (State<n>& k : k_) k.resize(system.size());
-    for (State<n>& r : r_) r.resize(system.size());
+  explicit Stepper(const S& system) : system_(system), x0_(State::Zero(system.size())), x1_(x0_), y_(x0_) {
+    for (State& k : k_) k.resize(system.size());
+    for (State& r : r_) r.resize(system.size());
   }
 
   /// Starts a segment at (t, x): f there is the first stage.
-  void begin_segment(double t, double end, const State<n>& x) {
+  void begin_segment(double t, double end, const State& x) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     system_.rhs(segment_(t), x0_, k_[0]);
@@ -92,16 +92,16 @@ class Stepper : public DenseOutput<S::dimension> {
     const auto add = [](double& largest, double e) __attribute__((always_inline)) {
       if (e > largest || std::isnan(e)) largest = e;  // a NaN stays
     };
-    y_ = weighted<row<stages>, stages>(k_);
-    x1_ = x0_ + h_ * y_;
-    r_[0] = weighted<fifth, stages>(k_);
-    r_[1] = y_ - weighted<third, stages>(k_);
+    weighted<row<stages>, stages>(k_, y_);
+    weighted<fifth, stages>(k_, r_[0]);
+    weighted<third, stages>(k_, r_[1]);
     const Eigen::Index size = x0_.size();
     for (Eigen::Index d = 0; d < size; ++d) {
-      const double before = x0_.data()[d], after = x1_.data()[d];
+      const double slope = y_.data()[d], before = x0_.data()[d], after = before + h_ * slope;
+      x1_.data()[d] = after;
       const double unit = 1 / (absolute + relative * std::max(std::abs(before), std::abs(after)));
       add(fifth_norm, std::abs(unit * r_[0].data()[d]));
-      add(third_norm, std::abs(unit * r_[1].data()[d]));
+      add(third_norm, std::abs(unit * (slope - r_[1].data()[d])));
     }
     const double square = fifth_norm * fifth_norm + 0.01 * (third_norm * third_norm);
     if (!std::isfinite(square)) return square;
@@ -119,17 +119,18 @@ class Stepper : public DenseOutput<S::dimension> {
   }
 
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// f at the begin.
-  [[nodiscard]] const State<n>& begin_derivative() const { return k_.front(); }
+  [[nodiscard]] const State& begin_derivative() const { return k_.front(); }
   /// Is the state at the end of the trial finite?
   [[nodiscard]] bool end_is_finite() const { return x1_.allFinite(); }
   /// Has the solution within the trial been asked for?
   [[nodiscard]] bool has_dense() const { return has_dense_; }
 
   /// The polynomial of degree 7; order 7. The first call after a trial evaluates f three times.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     if (!has_dense_) expand();
+    x.resize(x0_.size());
     const double s = (t - t0_) / h_, u = 1 - s;
     for (Eigen::Index d = 0; d < x0_.size(); ++d) {
       const auto r = [&](std::size_t i) { return r_[i].data()[d]; };
@@ -139,21 +140,10 @@ class Stepper : public DenseOutput<S::dimension> {
   }
 
  private:
-  // The last stage before is the last to be known: what does not need it is added up first.
   template <std::size_t i>
-  [[gnu::always_inline]] void stage(double t, State<n>& y) const {
-    move<row<i>, i>(y);
+  [[gnu::always_inline]] void stage(double t, State& y) const {
+    advance<row<i>, i>(x0_, h_, k_, y);
     system_.rhs(t, y, k_[i]);
-  }
-  // y = x0 + h sum_j weights[j] k_[j]. By pairs of components, but where one would be left over: measured, a
-  // quarter of the run time of a Kepler orbit, and an eighth of Lorenz's the other way.
-  template <const auto& weights, std::size_t count>
-  [[gnu::always_inline]] void move(State<n>& y) const {
-    if constexpr (n > 0 && n % 2 == 1) {
-      for (Eigen::Index d = 0; d < n; ++d) y.data()[d] = x0_.data()[d] + h_ * weighted<weights, count>(k_, d);
-    } else {
-      y = x0_ + h_ * weighted<weights, count>(k_);
-    }
   }
   // Coefficients of the dense output.
   void expand() const {
@@ -175,28 +165,28 @@ class Stepper : public DenseOutput<S::dimension> {
 
   const S& system_;
   SmoothSegment segment_;
-  State<n> x0_, x1_;
+  State x0_, x1_;
   double t0_ = 0, h_ = 1;
   // The last three stages and the coefficients r are made by at(), when it is first called.
-  mutable std::array<State<n>, all_stages> k_;
-  mutable std::array<State<n>, 7> r_;
-  mutable State<n> y_;
+  mutable std::array<State, all_stages> k_;
+  mutable std::array<State, 7> r_;
+  mutable State y_;
   mutable bool has_dense_ = false;
 };
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run : public ChosenSteps<S, Run<S>> {
+class Run : public AdaptiveStepLoop<S, Run<S>> {
  public:
-  /// @param task outlives the run
-  Run(const Task<S>& task, const Dop853& method)
-      : Base(task, Dop853::name,
-             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)}),
+  /// @param problem outlives the run
+  Run(const InitialValueProblemOf<S>& problem, const Dop853& method)
+      : Base(problem, Dop853::name,
+             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(problem.t1 - problem.t0)}),
         method_(method),
-        stepper_(task.system) {}
+        stepper_(problem.system) {}
 
  private:
-  using Base = ChosenSteps<S, Run>;
+  using Base = AdaptiveStepLoop<S, Run>;
   friend Base;
   using Base::control_;
   using Base::now_;
@@ -251,19 +241,14 @@ class Run : public ChosenSteps<S, Run<S>> {
 
 }  // namespace dop853
 
-/// Runs the method of order 8(5,3).
+/// See integrate().
 template <SystemLike S>
-struct Integrator<S, Dop853> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Dop853& method) {
-    check_options(method);
-    return dop853::Run<S>(task, method).run();
-  }
-};
+[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Dop853& method) {
+  check_options(method);
+  return dop853::Run<S>(problem, method).run();
+}
 
-/// @cond
-template <>
-inline constexpr InLibrary in_library<Dop853> = InLibrary::all;
-/// @endcond
+/// The library's, for every System.
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Dop853& method);
 
 }  // namespace nlmech::ivp

@@ -12,4 +12,6 @@ void check_options(const Ode45& method) {
   require_within(method.name, "refine", method.refine, 1, 1000);
 }
 
+Solution run(const InitialValueProblem& problem, const Ode45& method) { return run<System>(problem, method); }
+
 }  // namespace nlmech::ivp

@@ -12,6 +12,7 @@
 #include "nlmech/ivp/chosen_steps.hpp"
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/runge_kutta/weighted.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/support/doubles.hpp"
 
@@ -64,6 +65,10 @@ inline constexpr std::array<std::array<double, stages - 1>, stages> a = {
      {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
      {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}}};
 
+/// The rows, each an object of its own, as add_stages() wants them.
+template <std::size_t i>
+inline constexpr auto row = a[i];
+
 /// Fifth-order minus fourth-order weights.
 inline constexpr std::array<double, stages> difference = {
     71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
@@ -80,16 +85,16 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
 
 /// Trial steps of the pair, and the dense output of the latest.
 template <SystemLike S>
-class Pair : public DenseOutput<S::dimension> {
+class Pair : public DenseOutputOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
   /// @param system outlives the pair
-  explicit Pair(const S& system) : system_(system), x0_(State<n>::Zero(system.size())), x1_(x0_) {
-    for (State<n>& k : k_) k.resize(system.size());
+  explicit Pair(const S& system) : system_(system), x0_(State::Zero(system.size())), x1_(x0_) {
+    for (State& k : k_) k.resize(system.size());
   }
 
   /// Starts a segment at (t, x): f there is the first stage.
-  void begin_segment(double t, double end, const State<n>& x) {
+  void begin_segment(double t, double end, const State& x) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     system_.rhs(segment_(t), x0_, k_[0]);
@@ -98,13 +103,10 @@ class Pair : public DenseOutput<S::dimension> {
   void attempt(double t, double t1) {
     t0_ = t;
     h_ = t1 - t;
-    for (std::size_t i = 1; i < stages; ++i) {
-      x1_ = x0_;
-      for (std::size_t j = 0; j < i; ++j) {
-        if (a[i][j] != 0) x1_ += (h_ * a[i][j]) * k_[j];
-      }
-      system_.rhs(segment_(c[i] == 1 ? t1 : t + c[i] * h_), x1_, k_[i]);
+    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+      (stage<i + 1>(t, t1), ...);
     }
+    (std::make_index_sequence<stages - 1>());
   }
   /// Takes the trial for the begin of the next.
   void accept() {
@@ -113,11 +115,11 @@ class Pair : public DenseOutput<S::dimension> {
   }
 
   /// State at the begin of the trial.
-  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// f at the begin.
-  [[nodiscard]] const State<n>& begin_derivative() const { return k_.front(); }
+  [[nodiscard]] const State& begin_derivative() const { return k_.front(); }
   /// Are state and f at the end of the trial finite?
   [[nodiscard]] bool end_is_finite() const { return x1_.allFinite() && k_.back().allFinite(); }
 
@@ -125,8 +127,7 @@ class Pair : public DenseOutput<S::dimension> {
   [[nodiscard]] double error_of(double threshold) const {
     double largest = 0;
     for (int i = 0; i < system_.size(); ++i) {
-      double e = 0;
-      for (std::size_t j = 0; j < stages; ++j) e += difference[j] * k_[j][i];
+      const double e = weighted<difference, stages>(k_, i);
       const double part = std::abs(h_ * e) / std::max({std::abs(x0_[i]), std::abs(x1_[i]), threshold});
       if (part > largest || std::isnan(part)) largest = part;  // a NaN stays
     }
@@ -134,7 +135,7 @@ class Pair : public DenseOutput<S::dimension> {
   }
 
   /// The quartic; order 4.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     const double s = (t - t0_) / h_;
     x = x0_;
     for (std::size_t i = 0; i < stages; ++i) {
@@ -144,10 +145,17 @@ class Pair : public DenseOutput<S::dimension> {
   }
 
  private:
+  // The last stage is at the end of the step itself.
+  template <std::size_t i>
+  [[gnu::always_inline]] void stage(double t, double t1) {
+    add_stages<row<i>, i>(x0_, h_, k_, x1_);
+    system_.rhs(segment_(c[i] == 1 ? t1 : t + c[i] * h_), x1_, k_[i]);
+  }
+
   const S& system_;
   SmoothSegment segment_;
-  std::array<State<n>, stages> k_;
-  State<n> x0_, x1_;
+  std::array<State, stages> k_;
+  State x0_, x1_;
   double t0_ = 0, h_ = 1;
 };
 
@@ -161,9 +169,8 @@ class Pair : public DenseOutput<S::dimension> {
   return {.largest = largest, .stretch = 1.1, .again = 0.5, .least_change = 1, .measured = true};
 }
 /// Of the first step of a stretch that is @p left long, from the state @p x with the slope @p f.
-template <int n>
-[[nodiscard]] double first_length(const Ode45& method, double largest, double left, const State<n>& x,
-                                  const State<n>& f) {
+template <class X>
+[[nodiscard]] double first_length(const Ode45& method, double largest, double left, const X& x, const X& f) {
   const double length = std::min(largest, left);
   if (method.initial_step > 0) return std::min(length, method.initial_step);
   const double threshold = method.absolute_tolerance / method.relative_tolerance;
@@ -184,17 +191,17 @@ template <int n>
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run : public ChosenSteps<S, Run<S>> {
+class Run : public AdaptiveStepLoop<S, Run<S>> {
  public:
-  /// @param task outlives the run
-  Run(const Task<S>& task, const Ode45& method)
-      : Base(task, Ode45::name, step_rule(task.t0, task.t1, method), method.refine),
+  /// @param problem outlives the run
+  Run(const InitialValueProblemOf<S>& problem, const Ode45& method)
+      : Base(problem, Ode45::name, step_rule(problem.t0, problem.t1, method), method.refine),
         method_(method),
         threshold_(method.absolute_tolerance / method.relative_tolerance),
-        pair_(task.system) {}
+        pair_(problem.system) {}
 
  private:
-  using Base = ChosenSteps<S, Run>;
+  using Base = AdaptiveStepLoop<S, Run>;
   friend Base;
   using Base::control_;
   using Base::now_;
@@ -203,8 +210,8 @@ class Run : public ChosenSteps<S, Run<S>> {
     pair_.begin_segment(now_.t, end, now_.x);
     ++now_.statistics.right_hand_sides;
     if (!pair_.begin_derivative().allFinite()) return non_finite_rhs(Ode45::name, now_.t);
-    control_.start(first_length<S::dimension>(method_, control_.rule().largest, std::abs(end - now_.t),
-                                              now_.x, pair_.begin_derivative()));
+    control_.start(first_length(method_, control_.rule().largest, std::abs(end - now_.t), now_.x,
+                                pair_.begin_derivative()));
     return {};
   }
 
@@ -228,19 +235,14 @@ class Run : public ChosenSteps<S, Run<S>> {
 
 }  // namespace dormand_prince
 
-/// Runs ode45.
+/// See integrate().
 template <SystemLike S>
-struct Integrator<S, Ode45> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Ode45& method) {
-    check_options(method);
-    return dormand_prince::Run<S>(task, method).run();
-  }
-};
+[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Ode45& method) {
+  check_options(method);
+  return dormand_prince::Run<S>(problem, method).run();
+}
 
-/// @cond
-template <>
-inline constexpr InLibrary in_library<Ode45> = InLibrary::all;
-/// @endcond
+/// The library's, for every System.
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Ode45& method);
 
 }  // namespace nlmech::ivp

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "nlmech/ivp/named/fixed_steps.hpp"
+#include "nlmech/ivp/runge_kutta/weighted.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
 
 namespace nlmech::ivp {
@@ -63,15 +65,23 @@ concept ExplicitMethod = requires(const M& method) {
   method.step;
 };
 
+/// Row @p i of a method's tableau and its weights, objects of their own as add_stages() wants them.
+/// @{
+template <class M, std::size_t i>
+inline constexpr auto row_of = M::tableau.a[i];
+template <class M>
+inline constexpr auto weights_of = M::tableau.b;
+/// @}
+
 /// One step of an explicit method; the stages live in the stepper.
 template <SystemLike S, ExplicitMethod M>
-class ExplicitStepper : public Stepper<S::dimension> {
+class ExplicitStepper : public StepperOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
   /// @param system outlives the stepper
   explicit ExplicitStepper(const S& system)
-      : Stepper<n>(system.size()), system_(system), argument_(system.size()), x0_(system.size()) {
-    for (State<n>& k : k_) k.resize(system.size());
+      : StepperOf<S>(system.size()), system_(system), argument_(system.size()), x0_(system.size()) {
+    for (State& k : k_) k.resize(system.size());
   }
   /// The method's.
   [[nodiscard]] static std::string_view name() { return M::name; }
@@ -80,7 +90,7 @@ class ExplicitStepper : public Stepper<S::dimension> {
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
   /// From t to t + h.
-  Status step(double t, double h, const State<n>& x0, State<n>& x1, Statistics& statistics) {
+  Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     t0_ = t;
     x0_ = x0;
     advance(t, h, x0, x1);
@@ -89,54 +99,54 @@ class ExplicitStepper : public Stepper<S::dimension> {
   }
 
   /// A step of the length t - t0 from the begin of the latest step: as accurate as the method itself.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     ExplicitStepper shorter(system_);
     shorter.segment_ = segment_;
+    x.resize(x0_.size());
     shorter.advance(t0_, t - t0_, x0_, x);
   }
 
  private:
   static constexpr std::size_t stages = M::tableau.stages;
 
-  void advance(double t, double h, const State<n>& x0, State<n>& x1) {
-    for (std::size_t i = 0; i < stages; ++i) {
-      argument_ = x0;
-      for (std::size_t j = 0; j < i; ++j) {
-        if (M::tableau.a[i][j] != 0) argument_ += (h * M::tableau.a[i][j]) * k_[j];
-      }
-      system_.rhs(segment_(t + M::tableau.c[i] * h), argument_, k_[i]);
+  template <std::size_t i>
+  [[gnu::always_inline]] void stage(double t, double h, const State& x0) {
+    const double time = segment_(t + M::tableau.c[i] * h);
+    if constexpr (i == 0) {
+      system_.rhs(time, x0, k_[0]);
+    } else {
+      add_stages<row_of<M, i>, i>(x0, h, k_, argument_);
+      system_.rhs(time, argument_, k_[i]);
     }
-    x1 = x0;
-    for (std::size_t i = 0; i < stages; ++i) {
-      if (M::tableau.b[i] != 0) x1 += (h * M::tableau.b[i]) * k_[i];
+  }
+  void advance(double t, double h, const State& x0, State& x1) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+      (stage<i>(t, h, x0), ...);
     }
+    (std::make_index_sequence<stages>());
+    add_stages<weights_of<M>, stages>(x0, h, k_, x1);
   }
 
   const S& system_;
   SmoothSegment segment_;
-  std::array<State<n>, stages> k_;
-  State<n> argument_, x0_;
+  std::array<State, stages> k_;
+  State argument_, x0_;
   double t0_ = 0;
 };
 
-/// Runs an explicit method.
+/// See integrate().
 template <SystemLike S, ExplicitMethod M>
-struct Integrator<S, M> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const M& method) {
-    require_step(M::name, method.step);
-    ExplicitStepper<S, M> stepper(task.system);
-    return walk(task, method.step, stepper);
-  }
-};
+[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const M& method) {
+  require_step(M::name, method.step);
+  ExplicitStepper<S, M> stepper(problem.system);
+  return integrate_fixed_steps(problem, method.step, stepper);
+}
 
-/// @cond
-template <>
-inline constexpr InLibrary in_library<Euler> = InLibrary::all;
-template <>
-inline constexpr InLibrary in_library<Rk4> = InLibrary::all;
-template <>
-inline constexpr InLibrary in_library<Rk6> = InLibrary::all;
-/// @endcond
+/// The library's, for every System.
+/// @{
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Euler& method);
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Rk4& method);
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Rk6& method);
+/// @}
 
 }  // namespace nlmech::ivp

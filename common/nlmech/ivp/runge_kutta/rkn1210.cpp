@@ -26,4 +26,8 @@ Status depends_on_velocities(std::string_view method, double t) {
                   method, t));
 }
 
+Solution run(const InitialValueProblem& problem, const Rkn1210& method) {
+  return run<System>(problem, method);
+}
+
 }  // namespace nlmech::ivp

@@ -70,23 +70,24 @@ inline constexpr Column velocity_error = difference(velocity, low_velocity);  //
 
 /// Trial steps of the pair, and the dense output of the latest.
 template <SystemLike S>
-class Pair : public DenseOutput<S::dimension> {
+class Pair : public DenseOutputOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
+  using Half = typename S::Half;    ///< positions or velocities
   /// @param system outlives the pair
   explicit Pair(const S& system)
       : system_(system),
-        x0_(State<n>::Zero(system.size())),
+        x0_(State::Zero(system.size())),
         x1_(x0_),
-        q0_(Half<n>::Zero(system.size() / 2)),
+        q0_(Half::Zero(system.size() / 2)),
         v0_(q0_),
         q_(q0_),
         v_(q0_) {
-    for (Half<n>& k : k_) k.resize(system.size() / 2);
+    for (Half& k : k_) k.resize(system.size() / 2);
   }
 
   /// Starts a segment at (t, x): the acceleration there is the first stage.
-  void begin_segment(double t, double end, const State<n>& x) {
+  void begin_segment(double t, double end, const State& x) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
     start(t);
@@ -106,11 +107,11 @@ class Pair : public DenseOutput<S::dimension> {
   }
 
   /// State at the begin of the trial.
-  [[nodiscard]] const State<n>& begin_state() const { return x0_; }
+  [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
-  [[nodiscard]] const State<n>& end_state() const { return x1_; }
+  [[nodiscard]] const State& end_state() const { return x1_; }
   /// Acceleration at the begin.
-  [[nodiscard]] const Half<n>& begin_acceleration() const { return k_.front(); }
+  [[nodiscard]] const Half& begin_acceleration() const { return k_.front(); }
   /// Is the state at the end of the trial finite?
   [[nodiscard]] bool end_is_finite() const { return x1_.allFinite(); }
   /// Does the acceleration at the begin, @p t, change with the velocities? Costs two evaluations.
@@ -140,9 +141,10 @@ class Pair : public DenseOutput<S::dimension> {
   }
 
   /// A step of the length t - t0 from the begin of the latest step; order 12.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     Pair shorter(*this);
     shorter.run(t0_, t);
+    x.resize(x0_.size());
     positions(x) = shorter.q_;
     velocities(x) = shorter.v_;
   }
@@ -181,25 +183,25 @@ class Pair : public DenseOutput<S::dimension> {
 
   const S& system_;
   SmoothSegment segment_;
-  std::array<Half<n>, stages> k_;
-  State<n> x0_, x1_;
-  Half<n> q0_, v0_, q_, v_;
+  std::array<Half, stages> k_;
+  State x0_, x1_;
+  Half q0_, v0_, q_, v_;
   double t0_ = 0, h_ = 1;
 };
 
 /// One integration from begin to end.
 template <SystemLike S>
-class Run : public ChosenSteps<S, Run<S>> {
+class Run : public AdaptiveStepLoop<S, Run<S>> {
  public:
-  /// @param task outlives the run
-  Run(const Task<S>& task, const Rkn1210& method)
-      : Base(task, Rkn1210::name,
-             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(task.t1 - task.t0)}),
+  /// @param problem outlives the run
+  Run(const InitialValueProblemOf<S>& problem, const Rkn1210& method)
+      : Base(problem, Rkn1210::name,
+             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(problem.t1 - problem.t0)}),
         method_(method),
-        pair_(task.system) {}
+        pair_(problem.system) {}
 
  private:
-  using Base = ChosenSteps<S, Run>;
+  using Base = AdaptiveStepLoop<S, Run>;
   friend Base;
   using Base::control_;
   using Base::now_;
@@ -248,7 +250,7 @@ class Run : public ChosenSteps<S, Run<S>> {
     Status status = this->take(t1, pair_.end_state(), pair_);
     pair_.accept(t1);
     ++now_.statistics.right_hand_sides;
-    if (status.ok() && now_.statistics.steps == 1 && t1 != this->task_.t1) {
+    if (status.ok() && now_.statistics.steps == 1 && t1 != this->problem_.t1) {
       now_.statistics.right_hand_sides += 2;
       if (pair_.feels_velocities(t1)) status = depends_on_velocities(Rkn1210::name, t1);
     }
@@ -261,20 +263,15 @@ class Run : public ChosenSteps<S, Run<S>> {
 
 }  // namespace rkn1210
 
-/// Runs RKN12(10).
+/// See integrate().
 template <SystemLike S>
-struct Integrator<S, Rkn1210> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Rkn1210& method) {
-    check_options(method);
-    require_accelerations(method.name, task.system);
-    return rkn1210::Run<S>(task, method).run();
-  }
-};
+[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Rkn1210& method) {
+  check_options(method);
+  require_accelerations(method.name, problem.system);
+  return rkn1210::Run<S>(problem, method).run();
+}
 
-/// @cond
-template <>
-inline constexpr InLibrary in_library<Rkn1210> = InLibrary::even;
-/// @endcond
+/// The library's, for every System.
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Rkn1210& method);
 
 }  // namespace nlmech::ivp

@@ -17,4 +17,8 @@ void check_options(const Series& method) {
   if (method.order != 0) require_within(method.name, "order", method.order, 2, 100);
 }
 
+Solution run(const InitialValueProblem& problem, const Series& method) {
+  return run<System>(problem, method);
+}
+
 }  // namespace nlmech::ivp

@@ -66,13 +66,13 @@ namespace taylor_series {
 
 /// Steps of fixed length and order.
 template <class S>
-class FixedStepper : public Stepper<S::dimension> {
+class FixedStepper : public StepperOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
-  /// @param task outlives the stepper
-  FixedStepper(const Task<S>& task, int order)
-      : Stepper<n>(task.system.size()), expansion_(task.system, order), order_(order) {}
+  /// @param problem outlives the stepper
+  FixedStepper(const InitialValueProblemOf<S>& problem, int order)
+      : StepperOf<S>(problem.system.size()), expansion_(problem.system, order), order_(order) {}
 
   /// On the command line.
   [[nodiscard]] std::string_view name() const { return Series::name; }
@@ -83,7 +83,7 @@ class FixedStepper : public Stepper<S::dimension> {
     is_new_ = true;
   }
   /// From t to t + h.
-  Status step(double t, double h, const State<n>& x0, State<n>& x1, Statistics& statistics) {
+  Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (std::exchange(is_new_, false)) expansion_.begin_segment(begin_, end_, x0);
     expansion_.expand(t, x0, power_of_two(std::abs(h)));
     statistics.right_hand_sides += order_;
@@ -93,7 +93,7 @@ class FixedStepper : public Stepper<S::dimension> {
     return {};
   }
   /// Within the latest step.
-  void at(double t, State<n>& x) const override { expansion_.at(t, x); }
+  void at(double t, State& x) const override { expansion_.at(t, x); }
 
  private:
   Expansion<S> expansion_;
@@ -104,27 +104,27 @@ class FixedStepper : public Stepper<S::dimension> {
 
 /// Steps of chosen length: one integration from begin to end.
 template <class S>
-class Run : public ChosenSteps<S, Run<S>> {
+class Run : public AdaptiveStepLoop<S, Run<S>> {
  public:
-  /// @param task outlives the run
-  Run(const Task<S>& task, const Rule& rule)
-      : Base(task, Series::name, Rule::steps),
+  /// @param problem outlives the run
+  Run(const InitialValueProblemOf<S>& problem, const Rule& rule)
+      : Base(problem, Series::name, Rule::steps),
         rule_(rule),
         log2_safety_(rule.log2_safety()),
-        expansion_(task.system, rule.order),
-        next_(task.x0),
-        f_(task.x0) {}
+        expansion_(problem.system, rule.order),
+        next_(problem.x0),
+        f_(problem.x0) {}
 
  private:
-  using Base = ChosenSteps<S, Run>;
+  using Base = AdaptiveStepLoop<S, Run>;
   friend Base;
   using Base::control_;
   using Base::now_;
-  using Base::task_;
+  using Base::problem_;
 
   Status begin(double end) {
     expansion_.begin_segment(now_.t, end, now_.x);
-    task_.system.rhs(expansion_.inside(now_.t), now_.x, f_);
+    problem_.system.rhs(expansion_.inside(now_.t), now_.x, f_);
     ++now_.statistics.right_hand_sides;
     if (!f_.allFinite()) return non_finite_rhs(Series::name, now_.t);
     scale_ = rule_.first_scale(now_.x, f_, std::abs(end - now_.t));
@@ -164,7 +164,7 @@ class Run : public ChosenSteps<S, Run<S>> {
 
   [[nodiscard]] bool slope_agrees(double t1, double h) {
     if (!next_.allFinite()) return false;
-    task_.system.rhs(expansion_.inside(t1), next_, f_);
+    problem_.system.rhs(expansion_.inside(t1), next_, f_);
     ++now_.statistics.right_hand_sides;
     return rule_.slope_agrees(next_, f_, h, [&](int i) { return expansion_.slope_at(h, i); });
   }
@@ -180,30 +180,25 @@ class Run : public ChosenSteps<S, Run<S>> {
   double log2_safety_, scale_ = 1, before_ = 0;
   bool is_tested_ = true;
   Expansion<S> expansion_;
-  State<Base::n> next_, f_;
+  typename S::State next_, f_;
 };
 
 }  // namespace taylor_series
 
-/// Runs series.
+/// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: written for
+/// double alone, or with a branch that it has not announced
 template <SystemLike S>
-struct Integrator<S, Series> {
-  /// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: written for
-  /// double alone, or with a branch that it has not announced
-  static Solution<S::dimension> run(const Task<S>& task, const Series& method) {
-    check_options(method);
-    const taylor_series::Rule rule = rule_of(method);
-    if (method.step > 0) {
-      taylor_series::FixedStepper<S> stepper(task, rule.order);
-      return walk(task, method.step, stepper);
-    }
-    return taylor_series::Run<S>(task, rule).run();
+[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Series& method) {
+  check_options(method);
+  const taylor_series::Rule rule = rule_of(method);
+  if (method.step > 0) {
+    taylor_series::FixedStepper<S> stepper(problem, rule.order);
+    return integrate_fixed_steps(problem, method.step, stepper);
   }
-};
+  return taylor_series::Run<S>(problem, rule).run();
+}
 
-/// @cond
-template <>
-inline constexpr InLibrary in_library<Series> = InLibrary::all;
-/// @endcond
+/// The library's, for every System.
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const Series& method);
 
 }  // namespace nlmech::ivp

@@ -88,27 +88,27 @@ inline void add_increment(double x0, double carry, double increment, double& x1,
 
 /// The series of a step: coefficients in powers of tau = (t - t0)/T with a power of two for T.
 template <class S>
-class Expansion : public DenseOutput<S::dimension> {
+class Expansion : public DenseOutputOf<S> {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
   /// @param system outlives the expansion
   Expansion(const S& system, int order)
-      : taylor_(system.taylor(order)), size_(system.size()), order_(order), carry_(State<n>::Zero(size_)) {}
+      : taylor_(system.taylor(order)), size_(system.size()), order_(order), carry_(State::Zero(size_)) {}
 
   /// Starts a stretch on which the right-hand side is smooth.
-  void begin_segment(double begin, double end, const State<n>& x) {
+  void begin_segment(double begin, double end, const State& x) {
     segment_ = SmoothSegment(begin, end);
     taylor_.begin_segment(segment_(begin), x);
   }
   /// Computes the coefficients at (t, x) with T = @p scale.
-  void expand(double t, const State<n>& x, double scale) {
+  void expand(double t, const State& x, double scale) {
     t0_ = t;
     scale_ = scale;
     taylor_.expand(segment_(t), x, scale);
   }
   /// Its last terms. @param x the state at its begin
-  [[nodiscard]] Tail tail(const State<n>& x, double atol, double rtol) const {
+  [[nodiscard]] Tail tail(const State& x, double atol, double rtol) const {
     Tail tail;
     for (int i = 0; i < size_; ++i) {
       const double* const c = taylor_.coefficients(i);
@@ -122,9 +122,9 @@ class Expansion : public DenseOutput<S::dimension> {
   [[nodiscard]] double inside(double t) const { return segment_(t); }
 
   /// The state @p x1 at t0 + @p h. What rounding cuts off goes to a place that accept() takes over.
-  void advance(double h, const State<n>& x0, State<n>& x1) {
+  void advance(double h, const State& x0, State& x1) {
     const double s = h / scale_;
-    if constexpr (n == Eigen::Dynamic) next_carry_.resize(size_);
+    if constexpr (S::dimension == Eigen::Dynamic) next_carry_.resize(size_);
     for (int i = 0; i < size_; ++i) {
       add_increment(x0[i], carry_[i], increment(taylor_.coefficients(i), order_, s), x1[i], next_carry_[i]);
     }
@@ -137,7 +137,7 @@ class Expansion : public DenseOutput<S::dimension> {
   }
 
   /// Within the latest step.
-  void at(double t, State<n>& x) const override {
+  void at(double t, State& x) const override {
     x.resize(size_);
     const double s = (t - t0_) / scale_;
     for (int i = 0; i < size_; ++i) {
@@ -150,7 +150,7 @@ class Expansion : public DenseOutput<S::dimension> {
   decltype(std::declval<const S&>().taylor(1)) taylor_;
   int size_, order_;
   SmoothSegment segment_;
-  State<n> carry_, next_carry_;
+  State carry_, next_carry_;
   double t0_ = 0, scale_ = 1;
 };
 

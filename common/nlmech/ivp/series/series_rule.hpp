@@ -28,8 +28,8 @@ struct Rule {
   [[nodiscard]] double log2_safety() const { return -0.7 / (order - 1) * 1.4426950408889634; }
 
   /// The unit of time of the first step over @p interval: in which the state would change by its own size.
-  template <int n>
-  [[nodiscard]] double first_scale(const State<n>& x, const State<n>& f, double interval) const {
+  template <class X>
+  [[nodiscard]] double first_scale(const X& x, const X& f, double interval) const {
     const double size = x.template lpNorm<Eigen::Infinity>() + absolute_tolerance;
     const double rate = f.template lpNorm<Eigen::Infinity>();
     return power_of_two(rate * interval > size ? size / rate : interval);
@@ -51,9 +51,8 @@ struct Rule {
   /// Is the slope of the series at the end @p x1 of a step of length @p h that of the equation, @p f? The
   /// term after the last one is some tenth of the tolerance and its slope N + 1 times that; the bound leaves
   /// room for a stiff equation. @param slope_at of component i
-  template <int n, class Slope>
-  [[nodiscard]] bool slope_agrees(const State<n>& x1, const State<n>& f, double h,
-                                  const Slope& slope_at) const {
+  template <class X, class Slope>
+  [[nodiscard]] bool slope_agrees(const X& x1, const X& f, double h, const Slope& slope_at) const {
     const double room = 100.0 * (order + 1), size = x1.template lpNorm<Eigen::Infinity>();
     for (int i = 0; i < static_cast<int>(x1.size()); ++i) {
       const double tolerance = absolute_tolerance + relative_tolerance * std::abs(x1[i]);

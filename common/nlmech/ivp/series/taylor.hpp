@@ -11,11 +11,11 @@ namespace nlmech::ivp {
 
 /// What a system's taylor() gives, by its tape. Used so: begin_segment() at the begin of every stretch on
 /// which the right-hand side is smooth, then expand() for every step, then coefficients().
-/// @tparam S has `Tape record(double t, const State<n>& x) const`
+/// @tparam S has `Tape record(double t, const State& x) const`
 template <class S>
 class TapedTaylor {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
   /// @param system outlives this object
   /// @param order 1 or more
@@ -23,11 +23,9 @@ class TapedTaylor {
 
   /// Records the right-hand side as it is at time @p t, which lies within the stretch.
   /// @throws std::invalid_argument for a branch that the problem has not announced
-  void begin_segment(double t, const Vector<double, n>& x) { expansion_.load(system_.record(t, x), order_); }
+  void begin_segment(double t, const State& x) { expansion_.load(system_.record(t, x), order_); }
   /// Computes the coefficients at (t, x), that of order k times scale^k.
-  void expand(double t, const Vector<double, n>& x, double scale = 1) {
-    expansion_.expand(t, x.data(), scale);
-  }
+  void expand(double t, const State& x, double scale = 1) { expansion_.expand(t, x.data(), scale); }
   /// Coefficients 0 to order of component @p i.
   [[nodiscard]] const double* coefficients(int i) const { return expansion_.coefficients(i); }
   /// Order of the series.
@@ -45,7 +43,7 @@ class TapedTaylor {
 template <class S, class Problem>
 class DirectTaylor {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< all components
 
   /// @param system outlives this object
   /// @param order 1 or more
@@ -54,7 +52,7 @@ class DirectTaylor {
       : order_(order), unrolled_(system.problem(), order, announced), taped_(system, order) {}
 
   /// As TapedTaylor.
-  void begin_segment(double t, const Vector<double, n>& x) {
+  void begin_segment(double t, const State& x) {
     if (is_unrolled()) {
       unrolled_.begin_segment(t, x);
     } else {
@@ -62,7 +60,7 @@ class DirectTaylor {
     }
   }
   /// As TapedTaylor.
-  void expand(double t, const Vector<double, n>& x, double scale = 1) {
+  void expand(double t, const State& x, double scale = 1) {
     if (is_unrolled()) {
       unrolled_.expand(t, x, scale);
     } else {

@@ -5,10 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nlmech/ivp/cubic_hermite.hpp"
-#include "nlmech/ivp/named/fixed_steps.hpp"
-#include "nlmech/ivp/second_order.hpp"
-#include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/ivp/integrate.hpp"
 
 namespace nlmech::ivp {
 
@@ -48,105 +45,7 @@ struct CentralDifference {
   VelocityTime reported = VelocityTime::of_state;
 };
 
-/// One step of central differences; remembers the velocity half a step back.
-template <SystemLike S>
-class CentralDifferenceStepper : public Stepper<S::dimension> {
- public:
-  static constexpr int n = S::dimension;  ///< components of the state
-  /// @param system outlives the stepper
-  CentralDifferenceStepper(const S& system, const CentralDifference& method)
-      : Stepper<n>(system.size()),
-        system_(system),
-        method_(method),
-        given_(method.initial),
-        hermite_(system.size()),
-        q_(Half<n>::Zero(system.size() / 2)),
-        v_(q_),
-        v_half_(q_),
-        a_(q_) {}
-  /// The method's.
-  [[nodiscard]] static std::string_view name() { return CentralDifference::name; }
-
-  /// The next step starts a segment on which f is smooth.
-  void begin_segment(double begin, double end) {
-    segment_ = SmoothSegment(begin, end);
-    starts_ = true;
-  }
-
-  /// From t to t + h.
-  Status step(double t, double h, const State<n>& x0, State<n>& x1, Statistics& statistics) {
-    q_ = positions(x0);
-    if (starts_) {
-      start(t, h, x0);
-      ++statistics.right_hand_sides;
-    }
-    keep(hermite_.x0, hermite_.f0);
-    v_half_ += ((h_before_ + h) / 2) * a_;
-    q_ += h * v_half_;
-    v_ = v_half_ + (h / 2) * a_;
-    system_.acceleration(segment_(t + h), q_, v_, a_);
-    ++statistics.right_hand_sides;
-    v_ = v_half_ + (h / 2) * a_;
-    keep(hermite_.x1, hermite_.f1);
-    hermite_.t0 = t;
-    hermite_.h = h_before_ = h;
-    x1 = hermite_.x1;
-    if (method_.reported == VelocityTime::half_step_before) velocities(x1) = v_half_;
-    return {};
-  }
-
-  /// Cubic Hermite.
-  void at(double t, State<n>& x) const override { hermite_.at(t, x); }
-
- private:
-  // Velocity and acceleration at the begin of a segment, and the velocity that would have been half a step
-  // before. After the first segment v_ is that of the end of the latest step.
-  void start(double t, double h, const State<n>& x0) {
-    if (first_) v_ = velocities(x0);
-    system_.acceleration(segment_(t), q_, v_, a_);
-    if (given_ == VelocityTime::half_step_before) {
-      v_half_ = v_;
-      v_ += (h / 2) * a_;
-      given_ = VelocityTime::of_state;
-    } else {
-      v_half_ = v_ - (h / 2) * a_;
-    }
-    h_before_ = h;
-    first_ = starts_ = false;
-  }
-
-  void keep(State<n>& x, State<n>& f) const {
-    positions(x) = q_;
-    velocities(x) = v_;
-    positions(f) = v_;
-    velocities(f) = a_;
-  }
-
-  const S& system_;
-  CentralDifference method_;
-  VelocityTime given_;
-  SmoothSegment segment_;
-  CubicHermite<n> hermite_;
-  Half<n> q_, v_, v_half_, a_;
-  double h_before_ = 0;
-  bool first_ = true, starts_ = true;
-};
-
-/// Runs the central difference method.
-template <SystemLike S>
-struct Integrator<S, CentralDifference> {
-  /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
-  static Solution<S::dimension> run(const Task<S>& task, const CentralDifference& method) {
-    require_step(method.name, method.step);
-    require_accelerations(method.name, task.system);
-    CentralDifferenceStepper<S> stepper(task.system, method);
-    return walk(task, method.step, stepper);
-  }
-};
-
-/// @cond
-template <>
-inline constexpr InLibrary in_library<CentralDifference> = InLibrary::even;
-/// @endcond
+/// See integrate(). @throws std::invalid_argument also for a problem without accelerations
+[[nodiscard]] Solution run(const InitialValueProblem& problem, const CentralDifference& method);
 
 }  // namespace nlmech::ivp

@@ -108,7 +108,7 @@ class Uncounted {
 template <ivp::SystemLike S>
 class EquationsOf final : public Equations {
  public:
-  static constexpr int n = S::dimension;  ///< components of the state
+  using State = typename S::State;  ///< of the system
 
   /// @param system outlives this object
   explicit EquationsOf(const S& system)
@@ -119,38 +119,31 @@ class EquationsOf final : public Equations {
         j_(system.size(), system.size()) {}
 
   /// f(t, x) without a copy, for libraries that take the state's own type.
-  void rhs(double t, const ivp::State<n>& x, ivp::State<n>& f) {
+  void rhs(double t, const State& x, State& f) {
     ++right_hand_sides_;
     system_.rhs(inside(t), x, f);
   }
   void rhs(double t, const double* x, double* f) override {
-    if constexpr (n != Eigen::Dynamic) {
-      const ivp::State<n> state = Eigen::Map<const ivp::State<n>>(x);
-      ivp::State<n> slope;
-      rhs(t, state, slope);
-      Eigen::Map<ivp::State<n>>{f} = slope;
-    } else {
-      x_ = Eigen::Map<const ivp::State<n>>(x, size());
-      rhs(t, x_, f_);
-      Eigen::Map<ivp::State<n>>(f, size()) = f_;
-    }
+    std::copy_n(x, x_.size(), x_.data());
+    rhs(t, x_, f_);
+    std::copy_n(f_.data(), f_.size(), f);
   }
   void jacobian(double t, const double* x, double* j) override {
     ++jacobians_;
-    x_ = Eigen::Map<const ivp::State<n>>(x, size());
+    std::copy_n(x, x_.size(), x_.data());
     system_.jacobian(inside(t), x_, j_);
-    Eigen::Map<ivp::Jacobian<n>>(j, size(), size()) = j_;
+    std::copy_n(j_.data(), j_.size(), j);
   }
   void time_derivative(double t, const double* x, double* dfdt) override {
-    x_ = Eigen::Map<const ivp::State<n>>(x, size());
+    std::copy_n(x, x_.size(), x_.data());
     if (!system_.time_derivative(inside(t), x_, f_)) {
       const double h = 6e-6 * std::max(1.0, std::abs(t)), before = inside(t - h), after = inside(t + h);
-      ivp::State<n> f(size());
+      State f(size());
       rhs(before, x_, f);
       rhs(after, x_, f_);
       f_ = ((f_ - f) / (after - before)).eval();
     }
-    Eigen::Map<ivp::State<n>>(dfdt, size()) = f_;
+    std::copy_n(f_.data(), f_.size(), dfdt);
   }
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const override {
     return system_.discontinuities(t0, t1);
@@ -158,8 +151,8 @@ class EquationsOf final : public Equations {
 
  private:
   const S& system_;
-  ivp::State<n> x_, f_;
-  ivp::Jacobian<n> j_;
+  State x_, f_;
+  typename S::Jacobian j_;
 };
 
 /// Carries an exception past a C library: kept in the callback, thrown again once the library has returned.

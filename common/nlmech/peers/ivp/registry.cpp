@@ -100,8 +100,7 @@ std::string absent_peer_sentence(std::string_view name) {
   return fmt::format("{} is not in this build: configure with {} (NLMECH_PEERS)", name, find(name).library);
 }
 
-template <int n>
-PeerIntegrator<n> peer_integrator(std::string_view name, double relative, double absolute) {
+PeerIntegrator peer_integrator(std::string_view name, double relative, double absolute) {
   const Peer& peer = find(name);
   require_tolerances(name, {relative, absolute});
   if (!peer.available()) throw std::logic_error(absent_peer_sentence(name));
@@ -109,20 +108,12 @@ PeerIntegrator<n> peer_integrator(std::string_view name, double relative, double
       [&](auto method) {
         method.relative_tolerance = relative;
         method.absolute_tolerance = absolute;
-        return PeerIntegrator<n>([method](const ivp::System<n>& system, const ivp::State<n>& x0, double t0,
-                                          double t1, const ivp::Observer<n>& observer,
-                                          const ivp::Limits& limits) {
+        return PeerIntegrator([method](const ivp::System& system, const ivp::State& x0, double t0, double t1,
+                                       const ivp::Observer& observer, const ivp::Limits& limits) {
           return ivp::integrate(system, x0, t0, t1, method, observer, limits);
         });
       },
       peer.method);
 }
-
-template PeerIntegrator<1> peer_integrator<1>(std::string_view, double, double);
-template PeerIntegrator<2> peer_integrator<2>(std::string_view, double, double);
-template PeerIntegrator<3> peer_integrator<3>(std::string_view, double, double);
-template PeerIntegrator<4> peer_integrator<4>(std::string_view, double, double);
-template PeerIntegrator<6> peer_integrator<6>(std::string_view, double, double);
-template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double, double);
 
 }  // namespace nlmech::peers

@@ -12,8 +12,7 @@
 namespace nlmech::peers {
 
 /// A peer with its tolerance: what is left is the problem.
-template <int n>
-using PeerIntegrator = ivp::NamedIntegrator<n>;
+using PeerIntegrator = ivp::NamedIntegrator;
 
 /// What kind of formula a peer has.
 enum class Family {
@@ -52,26 +51,13 @@ enum class Family {
 /// @throws std::invalid_argument if @p name is not one of all_peer_names()
 [[nodiscard]] std::string absent_peer_sentence(std::string_view name);
 
-/// The peer by its name with a relative and an absolute tolerance, for the compiled System of n = 1, 2,
-/// 3, 4, 6 or Eigen::Dynamic components.
+/// The peer by its name with a relative and an absolute tolerance.
 /// @throws std::invalid_argument if @p name is not one of all_peer_names(), or a tolerance is not positive
 /// @throws std::logic_error if this build does not have the peer
-template <int n>
-[[nodiscard]] PeerIntegrator<n> peer_integrator(std::string_view name, double relative, double absolute);
+[[nodiscard]] PeerIntegrator peer_integrator(std::string_view name, double relative, double absolute);
 /// The same with one tolerance for both.
-template <int n>
-[[nodiscard]] PeerIntegrator<n> peer_integrator(std::string_view name, double tolerance) {
-  return peer_integrator<n>(name, tolerance, tolerance);
+[[nodiscard]] inline PeerIntegrator peer_integrator(std::string_view name, double tolerance) {
+  return peer_integrator(name, tolerance, tolerance);
 }
-
-/// @cond instances compiled in the library
-extern template PeerIntegrator<1> peer_integrator<1>(std::string_view, double, double);
-extern template PeerIntegrator<2> peer_integrator<2>(std::string_view, double, double);
-extern template PeerIntegrator<3> peer_integrator<3>(std::string_view, double, double);
-extern template PeerIntegrator<4> peer_integrator<4>(std::string_view, double, double);
-extern template PeerIntegrator<6> peer_integrator<6>(std::string_view, double, double);
-extern template PeerIntegrator<Eigen::Dynamic> peer_integrator<Eigen::Dynamic>(std::string_view, double,
-                                                                               double);
-/// @endcond
 
 }  // namespace nlmech::peers

@@ -2,25 +2,27 @@
 /// From a task on a system to a run on arrays, and back to a solution.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 
+#include "nlmech/ivp/integrate.hpp"
 #include "nlmech/peers/ivp/peer_stepper.hpp"
 
 namespace nlmech::peers {
 
 /// Shows the steps of a peer to an observer of states.
-template <int n>
-class ObserverOf final : public ArrayObserver {
+template <ivp::SystemLike S>
+class StateObserver final : public ArrayObserver {
  public:
   /// @param observer outlives this object; may be empty, then step() must not be called
-  ObserverOf(const ivp::Observer<n>& observer, int size)
+  StateObserver(const ivp::ObserverOf<S>& observer, int size)
       : observer_(observer), x0_(size), x1_(size), states_(size, 1) {}
 
   bool step(std::int64_t index, double t0, double t1, const double* x0, const double* x1,
             PeerStepper& stepper) override {
-    x0_ = Eigen::Map<const ivp::State<n>>(x0, x0_.size());
-    x1_ = Eigen::Map<const ivp::State<n>>(x1, x1_.size());
+    std::copy_n(x0, x0_.size(), x0_.data());
+    std::copy_n(x1, x1_.size(), x1_.data());
     states_.col(0) = x1_;
     times_[0] = t1;
     const Dense dense(stepper, x0_.size());
@@ -28,10 +30,11 @@ class ObserverOf final : public ArrayObserver {
   }
 
  private:
-  class Dense final : public ivp::DenseOutput<n> {
+  using State = typename S::State;
+  class Dense final : public ivp::DenseOutputOf<S> {
    public:
     Dense(PeerStepper& stepper, Eigen::Index size) : stepper_(stepper), size_(size) {}
-    void at(double t, ivp::State<n>& x) const override {
+    void at(double t, State& x) const override {
       x.resize(size_);
       stepper_.at(t, x.data());
     }
@@ -41,19 +44,21 @@ class ObserverOf final : public ArrayObserver {
     Eigen::Index size_;
   };
 
-  const ivp::Observer<n>& observer_;
-  ivp::State<n> x0_, x1_;
-  ivp::Nodes<n> states_;
+  const ivp::ObserverOf<S>& observer_;
+  State x0_, x1_;
+  typename S::Nodes states_;
   std::array<double, 1> times_{};
 };
 
-/// Lets @p integrate, a callable `Status(EquationsOf<S>&, Run&)`, do the task.
+/// Lets @p integrate, a callable `Status(EquationsOf<S>&, Run&)`, solve the problem.
 template <ivp::SystemLike S, class Integrate>
-[[nodiscard]] ivp::Solution<S::dimension> run_peer(const ivp::Task<S>& task, Integrate&& integrate) {
-  EquationsOf<S> equations(task.system);
-  ObserverOf<S::dimension> observer(task.observer, task.system.size());
-  ivp::Solution<S::dimension> solution{task.t0, task.x0, {}, {}};
-  Run run{equations,   task.t0, task.t1, solution.x.data(), task.limits, task.observer ? &observer : nullptr,
+[[nodiscard]] ivp::SolutionOf<S> run_peer(const ivp::InitialValueProblemOf<S>& problem,
+                                          Integrate&& integrate) {
+  EquationsOf<S> equations(problem.system);
+  StateObserver<S> observer(problem.observer, problem.system.size());
+  ivp::SolutionOf<S> solution{problem.t0, problem.x0, {}, {}};
+  Run run{equations,         problem.t0,     problem.t1,
+          solution.x.data(), problem.limits, problem.observer ? &observer : nullptr,
           Statistics{}};
   solution.status = integrate(equations, run);
   solution.t = run.t;
@@ -61,25 +66,16 @@ template <ivp::SystemLike S, class Integrate>
   return solution;
 }
 
-/// A method that a library runs on arrays, whatever the system is; on some systems perhaps without them.
+/// A method that a library runs on arrays.
 template <class Method>
 concept RunsOnArrays = requires(Run& run, const Method& method) {
   { integrate_by(run, method) } -> std::same_as<Status>;
 };
 
-}  // namespace nlmech::peers
-
 /// Such a method as one of integrate().
-template <nlmech::ivp::SystemLike S, nlmech::peers::RunsOnArrays Method>
-struct nlmech::ivp::Integrator<S, Method> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const Method& method) {
-    return peers::run_peer(task, [&](auto& equations, peers::Run& run) {
-      if constexpr (requires { integrate_by(equations, run, method); }) {
-        return integrate_by(equations, run, method);
-      } else {
-        return integrate_by(run, method);
-      }
-    });
-  }
-};
+template <RunsOnArrays Method>
+[[nodiscard]] ivp::Solution run(const ivp::InitialValueProblem& problem, const Method& method) {
+  return run_peer(problem, [&](auto& /*equations*/, Run& run) { return integrate_by(run, method); });
+}
+
+}  // namespace nlmech::peers

@@ -70,20 +70,15 @@ bool odeint_available() noexcept { return true; }
 Status integrate_by(Run& run, const Odeint& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   if (method.formula == Odeint::Formula::rosenbrock4) return run_rosenbrock4(run, method);
-  return detail::run_explicit_odeint<std::vector<double>>(run.equations, run, method);
+  using detail::OdeintStateOf;
+  switch (run.equations.size()) {
+    case 1: return detail::run_explicit_odeint<OdeintStateOf<1>>(run.equations, run, method);
+    case 2: return detail::run_explicit_odeint<OdeintStateOf<2>>(run.equations, run, method);
+    case 3: return detail::run_explicit_odeint<OdeintStateOf<3>>(run.equations, run, method);
+    case 4: return detail::run_explicit_odeint<OdeintStateOf<4>>(run.equations, run, method);
+    case 6: return detail::run_explicit_odeint<OdeintStateOf<6>>(run.equations, run, method);
+    default: return detail::run_explicit_odeint<std::vector<double>>(run.equations, run, method);
+  }
 }
-
-template <int n>
-requires(ivp::compiled_dimension<ivp::System<n>> != Eigen::Dynamic) Status
-    integrate_by(EquationsOf<ivp::System<n>>& equations, Run& run, const Odeint& method) {
-  require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
-  if (method.formula == Odeint::Formula::rosenbrock4) return run_rosenbrock4(run, method);
-  return detail::run_explicit_odeint<detail::OdeintStateOf<n>>(equations, run, method);
-}
-template Status integrate_by(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
-template Status integrate_by(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
-template Status integrate_by(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
-template Status integrate_by(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
-template Status integrate_by(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
 
 }  // namespace nlmech::peers

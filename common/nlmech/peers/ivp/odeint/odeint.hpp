@@ -45,17 +45,4 @@ struct Odeint {
 /// @throws std::invalid_argument for tolerances out of range
 [[nodiscard]] Status integrate_by(Run& run, const Odeint& method);
 
-/// The same for the compiled System of n = 1, 2, 3, 4 or 6 components, without a second indirection.
-template <int n>
-requires(ivp::compiled_dimension<ivp::System<n>> != Eigen::Dynamic) [[nodiscard]] Status
-    integrate_by(EquationsOf<ivp::System<n>>& equations, Run& run, const Odeint& method);
-
-/// @cond instances compiled in the library
-extern template Status integrate_by(EquationsOf<ivp::System<1>>&, Run&, const Odeint&);
-extern template Status integrate_by(EquationsOf<ivp::System<2>>&, Run&, const Odeint&);
-extern template Status integrate_by(EquationsOf<ivp::System<3>>&, Run&, const Odeint&);
-extern template Status integrate_by(EquationsOf<ivp::System<4>>&, Run&, const Odeint&);
-extern template Status integrate_by(EquationsOf<ivp::System<6>>&, Run&, const Odeint&);
-/// @endcond
-
 }  // namespace nlmech::peers

@@ -9,17 +9,15 @@ namespace nlmech::peers {
 /// An explicit formula of Odeint, compiled with the system that it integrates. The same steps as Odeint.
 struct OdeintDirect : Odeint {};
 
-}  // namespace nlmech::peers
-
 /// The inlined Odeint as a method of integrate(). @throws std::invalid_argument for rosenbrock4
-template <nlmech::ivp::SystemLike S>
-struct nlmech::ivp::Integrator<S, nlmech::peers::OdeintDirect> {
-  /// See integrate().
-  static Solution<S::dimension> run(const Task<S>& task, const peers::OdeintDirect& method) {
-    using State = peers::detail::OdeintStateOf<S::dimension>;
-    peers::require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
-    return peers::run_peer(task, [&](peers::EquationsOf<S>& equations, peers::Run& run) {
-      return peers::detail::run_explicit_odeint<State>(equations, run, method);
-    });
-  }
-};
+template <ivp::SystemLike S>
+[[nodiscard]] ivp::SolutionOf<S> run(const ivp::InitialValueProblemOf<S>& problem,
+                                     const OdeintDirect& method) {
+  using State = detail::OdeintStateOf<S::dimension>;
+  require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
+  return run_peer(problem, [&](EquationsOf<S>& equations, Run& run) {
+    return detail::run_explicit_odeint<State>(equations, run, method);
+  });
+}
+
+}  // namespace nlmech::peers

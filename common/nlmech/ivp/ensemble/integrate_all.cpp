@@ -1,27 +1,23 @@
-/// @file
-/// Series for several trajectories side by side, one a lane of the processor's vectors. Each has the bits of
-/// integrate(), whatever the others do: the same sums (TapeLanes) and the same formulas for its steps (Rule).
-/// Internal to the component.
-#pragma once
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/ensemble/start.hpp"
-#include "nlmech/ivp/integrate.hpp"
+#include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/limits.hpp"
-#include "nlmech/ivp/series/series.hpp"
 #include "nlmech/series/tape_lanes.hpp"
 
-namespace nlmech::ivp::detail {
+namespace nlmech::ivp {
+namespace {
+
+// Series for several trajectories side by side, one a lane of the processor's vectors. Each has the bits of
+// integrate(), whatever the others do: the same sums (TapeLanes) and the same formulas for its steps (Rule).
 
 /// One thread's lanes.
-template <int n>
 class SeriesLanes {
  public:
   /// @param rule of all trajectories
@@ -35,11 +31,11 @@ class SeriesLanes {
 
   /// May it stand in a lane? Smooth equations without a jump on the way, whose solutions are not held to
   /// bounds or invariants that are looked at step by step.
-  [[nodiscard]] static bool suits(const Start<n>& start) {
-    const System<n>& system = *start.system;
-    const State<n>& x0 = start.x0;
+  [[nodiscard]] static bool suits(const Start& start) {
+    const System& system = *start.system;
+    const State& x0 = start.x0;
     if (start.t0 == start.t1 || !x0.allFinite() || system.switches() > 0) return false;
-    State<n> lower = x0, upper = x0;
+    State lower = x0, upper = x0;
     Eigen::VectorXd constant;
     return system.discontinuities(start.t0, start.t1).empty() && !system.bounds(lower, upper) &&
            !system.invariants(start.t0, x0, constant);
@@ -50,7 +46,7 @@ class SeriesLanes {
   /// Lanes with one.
   [[nodiscard]] int busy() const { return busy_; }
   /// Takes in a trajectory that suits, if there is a lane for its kind of equations. @param start outlives it
-  [[nodiscard]] bool take_in(std::size_t number, const Start<n>& start, std::vector<Solution<n>>& solutions) {
+  [[nodiscard]] bool take_in(std::size_t number, const Start& start, std::vector<Solution>& solutions) {
     const std::size_t at = static_cast<std::size_t>(
         std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& l) { return l.start == nullptr; }) -
         lanes_.begin());
@@ -71,7 +67,7 @@ class SeriesLanes {
     lane.number = number;
     lane.segment = segment;
     lane.now = {start.t0, start.x0, {}, {}};
-    lane.carry = lane.next_carry = State<n>::Zero(start.x0.size());
+    lane.carry = lane.next_carry = State::Zero(start.x0.size());
     lane.next = lane.f = start.x0;
     lane.watch = {};
     ++busy_;
@@ -79,7 +75,7 @@ class SeriesLanes {
     return true;
   }
   /// One step of each trajectory, if it is not rejected. Puts what has ended into @p solutions.
-  void run(std::vector<Solution<n>>& solutions) {
+  void run(std::vector<Solution>& solutions) {
     tapes_.expand();
     const Tails tails = measure();
     for (Lane& lane : lanes_) {
@@ -93,14 +89,14 @@ class SeriesLanes {
 
  private:
   struct Lane {
-    const System<n>* equations = nullptr;  // whose constants stand in the lane
-    double recorded = 0;                   // their time, on which announced branches depend
-    const Start<n>* start = nullptr;       // none: the lane is free
+    const System* equations = nullptr;  // whose constants stand in the lane
+    double recorded = 0;                // their time, on which announced branches depend
+    const Start* start = nullptr;       // none: the lane is free
     Limits limits;
     std::size_t number = 0;
     SmoothSegment segment;
-    Solution<n> now;
-    State<n> carry, next, next_carry, f;
+    Solution now;
+    State carry, next, next_carry, f;
     StepControl control{taylor_series::Rule::steps};
     Stopwatch watch;
     double scale = 1, before = 0, t1 = 0;
@@ -108,10 +104,10 @@ class SeriesLanes {
     bool planned = false, tested = true;
   };
   /// Within the latest step of a lane.
-  class Dense : public DenseOutput<n> {
+  class Dense : public DenseOutput {
    public:
     Dense(const SeriesLanes& lanes, const Lane& lane) : lanes_(lanes), lane_(lane) {}
-    void at(double t, State<n>& x) const override {
+    void at(double t, State& x) const override {
       x.resize(lane_.next.size());
       const double s = (t - lane_.now.t) / lane_.scale;
       for (int i = 0; i < static_cast<int>(x.size()); ++i) {
@@ -151,8 +147,8 @@ class SeriesLanes {
     return c;
   }
 
-  void begin(Lane& lane, std::vector<Solution<n>>& solutions) {
-    Solution<n>& now = lane.now;
+  void begin(Lane& lane, std::vector<Solution>& solutions) {
+    Solution& now = lane.now;
     const double end = lane.start->t1;
     lane.start->system->rhs(lane.segment(now.t), now.x, lane.f);
     ++now.statistics.right_hand_sides;
@@ -162,7 +158,7 @@ class SeriesLanes {
     prepare(lane, solutions);
   }
   // A new step.
-  void prepare(Lane& lane, std::vector<Solution<n>>& solutions) {
+  void prepare(Lane& lane, std::vector<Solution>& solutions) {
     if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
     lane.attempts = 0;
     set(lane);
@@ -178,8 +174,8 @@ class SeriesLanes {
   }
 
   // The coefficients say how long the step is.
-  void plan(Lane& lane, const taylor_series::Tail& tail, std::vector<Solution<n>>& solutions) {
-    Solution<n>& now = lane.now;
+  void plan(Lane& lane, const taylor_series::Tail& tail, std::vector<Solution>& solutions) {
+    Solution& now = lane.now;
     lane.planned = false;
     now.statistics.right_hand_sides += order_;
     if (!tail.is_finite()) {
@@ -196,13 +192,13 @@ class SeriesLanes {
     tapes_.set_argument(index(lane), (lane.t1 - now.t) / lane.scale);
   }
   // Where the next trial ends. @return false if there is none
-  bool aim(Lane& lane, std::vector<Solution<n>>& solutions) {
+  bool aim(Lane& lane, std::vector<Solution>& solutions) {
     lane.t1 = lane.control.plan(lane.now.t, lane.start->t1);
     if (lane.t1 != lane.now.t) return true;
     finish(lane, step_underflow(Series::name, lane.now.t, lane.control.length()), solutions);
     return false;
   }
-  void attempt(Lane& lane, std::vector<Solution<n>>& solutions) {
+  void attempt(Lane& lane, std::vector<Solution>& solutions) {
     const int size = static_cast<int>(lane.now.x.size());
     for (int i = 0; i < size; ++i)
       taylor_series::add_increment(lane.now.x[i], lane.carry[i], tapes_.increments(i)[index(lane)],
@@ -227,12 +223,12 @@ class SeriesLanes {
     lane.start->system->rhs(lane.segment(lane.t1), lane.next, lane.f);
     ++lane.now.statistics.right_hand_sides;
     const double h = lane.t1 - lane.now.t, s = h / lane.scale;
-    return rule_.template slope_agrees<n>(lane.next, lane.f, h, [&](int i) {
+    return rule_.template slope_agrees(lane.next, lane.f, h, [&](int i) {
       return taylor_series::slope(series(lane, i).data(), order_, s) / lane.scale;
     });
   }
-  void accept(Lane& lane, std::vector<Solution<n>>& solutions) {
-    Solution<n>& now = lane.now;
+  void accept(Lane& lane, std::vector<Solution>& solutions) {
+    Solution& now = lane.now;
     if (!lane.next.allFinite())
       return finish(lane, non_finite_state(Series::name, now.t, lane.t1 - now.t), solutions);
     std::swap(lane.carry, lane.next_carry);
@@ -247,13 +243,13 @@ class SeriesLanes {
     prepare(lane, solutions);
   }
   [[nodiscard]] bool show(const Lane& lane) const {
-    const Nodes<n> states = lane.next;
+    const Nodes states = lane.next;
     const double times[] = {lane.t1};
     return lane.start->observer({lane.now.statistics.steps, lane.now.t, lane.t1, lane.now.x, lane.next, times,
                                  states, Dense(*this, lane)});
   }
 
-  void finish(Lane& lane, Status status, std::vector<Solution<n>>& solutions) {
+  void finish(Lane& lane, Status status, std::vector<Solution>& solutions) {
     lane.now.status = std::move(status);
     solutions[lane.number] = std::move(lane.now);
     lane.start = nullptr;
@@ -267,11 +263,78 @@ class SeriesLanes {
   std::vector<Lane> lanes_;
 };
 
-extern template class SeriesLanes<1>;
-extern template class SeriesLanes<2>;
-extern template class SeriesLanes<3>;
-extern template class SeriesLanes<4>;
-extern template class SeriesLanes<6>;
-extern template class SeriesLanes<Eigen::Dynamic>;
+/// One thread's lanes, which take the next trajectory when they are free. Those whose equations are of
+/// another kind wait until all of the present kind have ended; if there are more kinds than that pays for,
+/// lanes end what they have for each.
+class LaneWork {
+ public:
+  /// All outlive it.
+  LaneWork(std::span<const Start> starts, const Series& method, InstructionSet set,
+           std::vector<Solution>& solutions)
+      : starts_(starts), method_(method), solutions_(solutions), lanes_(rule_of(method), set) {}
 
-}  // namespace nlmech::ivp::detail
+  /// Runs what @p next hands out to all threads.
+  void run(std::atomic<std::size_t>& next) {
+    run_all([&] { return next.fetch_add(1); }, starts_.size());
+    while (!waiting_.empty()) {
+      const std::vector<std::size_t> those = std::exchange(waiting_, {});
+      ++kinds_;
+      std::size_t k = 0;
+      run_all([&] { return k < those.size() ? those[k++] : starts_.size(); }, starts_.size());
+    }
+  }
+
+ private:
+  static constexpr int most_kinds = 8;
+
+  /// @param next a number of a trajectory, or @p end or more after the last
+  template <class Next>
+  void run_all(const Next& next, std::size_t end) {
+    for (bool more = true; more || lanes_.busy() > 0;) {
+      while (more && lanes_.free() > 0) {
+        const std::size_t i = next();
+        more = i < end;
+        if (more) begin(i);
+      }
+      if (lanes_.busy() > 0) lanes_.run(solutions_);
+    }
+  }
+  void begin(std::size_t i) {
+    const Start& start = starts_[i];
+    detail::check_arguments(start.t0, start.t1, start.x0.size(), start.system->size());
+    if (!lanes_.suits(start)) {
+      solutions_[i] = detail::alone(start, method_);
+    } else if (!lanes_.take_in(i, start, solutions_)) {
+      if (kinds_ < most_kinds) return waiting_.push_back(i);
+      while (lanes_.busy() > 0) lanes_.run(solutions_);
+      static_cast<void>(lanes_.take_in(i, start, solutions_));  // empty lanes take anything
+    }
+  }
+
+  std::span<const Start> starts_;
+  const Series& method_;
+  std::vector<Solution>& solutions_;
+  SeriesLanes lanes_;
+  std::vector<std::size_t> waiting_;
+  int kinds_ = 1;
+};
+
+}  // namespace
+
+std::vector<Solution> integrate_all(std::span<const Start> starts, const Series& method, int threads,
+                                    InstructionSet set) {
+  check_options(method);
+  std::vector<Solution> solutions(starts.size());
+  if (method.step > 0) {
+    share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) solutions[i] = detail::alone(starts[i], method);
+    });
+    return solutions;
+  }
+  std::atomic<std::size_t> next = 0;
+  in_threads(std::min(threads_for(threads), starts.size()),
+             [&] { LaneWork(starts, method, set, solutions).run(next); });
+  return solutions;
+}
+
+}  // namespace nlmech::ivp

@@ -1,0 +1,106 @@
+#include "nlmech/ivp/structural/central_difference.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+#include "nlmech/ivp/cubic_hermite.hpp"
+#include "nlmech/ivp/named/fixed_steps.hpp"
+#include "nlmech/ivp/second_order.hpp"
+#include "nlmech/ivp/smooth_segment.hpp"
+
+namespace nlmech::ivp {
+
+namespace {
+
+/// One step of central differences; remembers the velocity half a step back.
+class CentralDifferenceStepper : public Stepper {
+ public:
+  /// @param system outlives the stepper
+  CentralDifferenceStepper(const System& system, const CentralDifference& method)
+      : Stepper(system.size()),
+        system_(system),
+        method_(method),
+        given_(method.initial),
+        hermite_(system.size()),
+        q_(State::Zero(system.size() / 2)),
+        v_(q_),
+        v_half_(q_),
+        a_(q_) {}
+  /// The method's.
+  [[nodiscard]] static std::string_view name() { return CentralDifference::name; }
+
+  /// The next step starts a segment on which f is smooth.
+  void begin_segment(double begin, double end) {
+    segment_ = SmoothSegment(begin, end);
+    starts_ = true;
+  }
+
+  /// From t to t + h.
+  Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
+    q_ = positions(x0);
+    if (starts_) {
+      start(t, h, x0);
+      ++statistics.right_hand_sides;
+    }
+    keep(hermite_.x0, hermite_.f0);
+    v_half_ += ((h_before_ + h) / 2) * a_;
+    q_ += h * v_half_;
+    v_ = v_half_ + (h / 2) * a_;
+    system_.acceleration(segment_(t + h), q_, v_, a_);
+    ++statistics.right_hand_sides;
+    v_ = v_half_ + (h / 2) * a_;
+    keep(hermite_.x1, hermite_.f1);
+    hermite_.t0 = t;
+    hermite_.h = h_before_ = h;
+    x1 = hermite_.x1;
+    if (method_.reported == VelocityTime::half_step_before) velocities(x1) = v_half_;
+    return {};
+  }
+
+  /// Cubic Hermite.
+  void at(double t, State& x) const override { hermite_.at(t, x); }
+
+ private:
+  // Velocity and acceleration at the begin of a segment, and the velocity that would have been half a step
+  // before. After the first segment v_ is that of the end of the latest step.
+  void start(double t, double h, const State& x0) {
+    if (first_) v_ = velocities(x0);
+    system_.acceleration(segment_(t), q_, v_, a_);
+    if (given_ == VelocityTime::half_step_before) {
+      v_half_ = v_;
+      v_ += (h / 2) * a_;
+      given_ = VelocityTime::of_state;
+    } else {
+      v_half_ = v_ - (h / 2) * a_;
+    }
+    h_before_ = h;
+    first_ = starts_ = false;
+  }
+
+  void keep(State& x, State& f) const {
+    positions(x) = q_;
+    velocities(x) = v_;
+    positions(f) = v_;
+    velocities(f) = a_;
+  }
+
+  const System& system_;
+  CentralDifference method_;
+  VelocityTime given_;
+  SmoothSegment segment_;
+  CubicHermite hermite_;
+  State q_, v_, v_half_, a_;
+  double h_before_ = 0;
+  bool first_ = true, starts_ = true;
+};
+
+}  // namespace
+
+Solution run(const InitialValueProblem& problem, const CentralDifference& method) {
+  require_step(method.name, method.step);
+  require_accelerations(method.name, problem.system);
+  CentralDifferenceStepper stepper(problem.system, method);
+  return integrate_fixed_steps(problem, method.step, stepper);
+}
+
+}  // namespace nlmech::ivp
