@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <vector>
@@ -21,8 +22,8 @@ class BasicState : public Vector<T, Eigen::Dynamic> {
 
   /// No components.
   BasicState() = default;
-  /// So many components, not set.
-  explicit BasicState(Eigen::Index size) : Base(size) {}
+  /// So many components, not set. Of whole numbers alone: State(1.0) is no state.
+  explicit BasicState(std::integral auto size) : Base(static_cast<Eigen::Index>(size)) {}
   /// Of these components.
   BasicState(std::initializer_list<T> x) : Base(static_cast<Eigen::Index>(x.size())) {
     std::copy(x.begin(), x.end(), this->begin());
