@@ -23,7 +23,9 @@ int main() {
   const State rest{2, 0};  // at 2 rad, and so again after a period, which elliptic integrals give
   const double period = 4 * std::comp_ellint_1(std::sin(rest[0] / 2));
   for (const MethodInfo& method : named_methods()) {
-    const auto end = named_integrator(method.name, {.tolerance = 1e-8})(pendulum, rest, 0, period, {}, {});
+    const Settings settings =
+        method.fixed_step() ? Settings{.step = period / 1000} : Settings{.tolerance = 1e-8};
+    const auto end = named_integrator(method.name, settings)(pendulum, rest, 0, period, {}, {});
     const double error = end.status.ok() ? (end.x - rest).cwiseAbs().maxCoeff() : NAN;
     std::printf("%-20s error %.1e, %8.0f right-hand sides, %s\n", method.name.data(), error,
                 double(end.statistics.right_hand_sides), end.status.text().c_str());

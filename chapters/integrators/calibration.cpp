@@ -29,6 +29,7 @@ std::vector<Row> rows_of(const std::vector<ProblemTrials>& all) {
   std::vector<Row> rows;
   for (const ProblemTrials& p : all) {
     for (const MethodTrials& m : p.methods) {
+      if (!m.chooses) continue;  // of equal steps nothing is asked
       Row row{p.problem, m.method, m.peer};
       for (const Trial& t : m.trials) {
         if (!t.success()) continue;
@@ -49,7 +50,6 @@ std::vector<Row> rows_of(const std::vector<ProblemTrials>& all) {
 
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   const std::vector<Row> rows = rows_of(all);
-  const std::size_t methods = all.front().methods.size();
   HeatMap map{"Digits missing against what was asked: whom to believe",
               "miss",
               "!  success with fewer than half of the digits      blank: no success",
@@ -58,9 +58,11 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
               {},
               {}};
   for (const ProblemTrials& p : all) map.problems.push_back(p.problem);
-  for (const MethodTrials& m : all.front().methods) map.methods.push_back(m.method);
+  for (const MethodTrials& m : all.front().methods) {
+    if (m.chooses) map.methods.push_back(m.method);
+  }
   map.cell = [&](std::size_t, std::size_t problem, std::size_t method) -> HeatCell {
-    const Row& row = rows[problem * methods + method];
+    const Row& row = rows[problem * map.methods.size() + method];
     if (row.successes == 0) return {};
     return {std::clamp(row.worst, -3., 6.), row.silent > 0 ? "!" : ""};
   };

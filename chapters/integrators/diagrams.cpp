@@ -20,7 +20,7 @@ Curve curve_of(const MethodTrials& m) {
   for (const Trial& t : m.trials) {
     if (t.status != "refused")
       curve.costs.push_back(
-          {fmt::format("tolerance {:.0e}", t.tolerance), t.status, t.error, t.work, t.time});
+          {(t.step > 0 ? "" : "tolerance ") + t.setting(), t.status, t.error, t.work, t.time});
   }
   return curve;
 }

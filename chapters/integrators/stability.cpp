@@ -13,11 +13,10 @@ namespace {
 
 /// What became of a method on a problem.
 struct Ending {
-  const Trial* best = nullptr;  ///< the run that says success with the most digits; none
-  const Trial* loosest =
-      nullptr;                  ///< the run of the loosest tolerance that delivers half of its digits; none
-  const Trial* last = nullptr;  ///< how the sweep ended
-  double silent = 0;  ///< tightest tolerance of a success with fewer than half of its digits; 0: none
+  const Trial* best = nullptr;     ///< the run that says success with the most digits; none
+  const Trial* loosest = nullptr;  ///< of the loosest setting that is no silent failure; none
+  const Trial* last = nullptr;     ///< how the sweep ended
+  const Trial* silent = nullptr;   ///< the silent failure of the tightest setting; none
 };
 
 Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
@@ -26,7 +25,7 @@ Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
     e.last = &t;
     if (!t.success()) continue;
     if (p.silent_failure(t)) {
-      e.silent = t.tolerance;
+      e.silent = &t;
       continue;
     }
     if (e.best == nullptr || t.digits() > e.best->digits()) e.best = &t;
@@ -36,7 +35,7 @@ Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
 }
 
 std::string mark(const ProblemTrials& p, const Ending& e) {
-  if (e.silent > 0) return "!";
+  if (e.silent != nullptr) return "!";
   if (e.best != nullptr) return "";
   const std::string& status = e.last->status;
   if (!p.has_solution) return status == "refused" ? "—" : "✓";
@@ -51,9 +50,11 @@ std::string mark(const ProblemTrials& p, const Ending& e) {
 
 std::string words(const ProblemTrials& p, const Ending& e) {
   if (!p.has_solution)
-    return e.silent > 0 ? fmt::format("success at {:.0e}, which is wrong", e.silent) : e.last->status;
-  if (e.best == nullptr) return e.silent > 0 ? "silent failure" : e.last->status;
-  return fmt::format("{:.1f} digits, from {:.0e} on", e.best->digits(), e.loosest->tolerance);
+    return e.silent != nullptr ? fmt::format("success at {}, which is wrong", e.silent->setting())
+                               : e.last->status;
+  if (e.best == nullptr) return e.silent != nullptr ? "silent failure" : e.last->status;
+  if (e.best->step > 0) return fmt::format("{:.1f} digits, {}", e.best->digits(), e.best->setting());
+  return fmt::format("{:.1f} digits, from {} on", e.best->digits(), e.loosest->setting());
 }
 
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
@@ -84,22 +85,23 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
     for (const MethodTrials& m : p.methods) {
       const Ending e = ending_of(p, m);
       row.emplace_back(words(p, e));
-      if (p.has_solution || m.peer || e.last->status == "refused") continue;
+      if (p.has_solution || m.peer || !m.chooses || e.last->status == "refused") continue;
       ++ends;
-      noticed += e.silent > 0 && e.silent < 5e-5 ? 0 : 1;
+      noticed += e.silent != nullptr && e.silent->tolerance < 5e-5 ? 0 : 1;
     }
     table.add(std::move(row));
   }
   show.table(std::move(table));
-  show.equals("our methods that notice where a solution ends, at tolerances below 5e-5", noticed, ends,
-              "a success there is wrong; looser tolerances may step across the end of dead-end");
+  show.equals(
+      "our methods that choose their steps and notice where a solution ends, at tolerances below 5e-5",
+      noticed, ends, "a success there is wrong; looser tolerances may step across the end of dead-end");
 }
 
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "stability",
-           .title = "What becomes of every method on every problem: status, digits, loosest tolerance",
+           .title = "What becomes of every method on every problem: status, digits, tolerance or step",
            .content = scene::Content(put, sweep())}};
 }
 

@@ -1,5 +1,7 @@
 #include "chapters/integrators/sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -19,16 +21,15 @@ constexpr double least_digits = 2;  // to expect, before half of them say anythi
 // In counts, so that two sweeps are the same; nor does a tighter tolerance follow a step limit.
 constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
-/// Steps of a run: fewer where runs are repeated in search of a step, and where its steps have many nodes.
-/// A long problem has ten times as many, which formulas of low order are through with at once; not in
-/// searches.
-std::int64_t most_steps(const comparison::AnyMethod& method, int size, std::int64_t length,
-                        const Effort& effort) {
+/// Steps of a run: fewer where they have many nodes. A long problem has ten times as many, which formulas of
+/// low order are through with at once.
+std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const Effort& effort) {
   if (effort.seconds > 0) return std::numeric_limits<std::int64_t>::max();
-  if (!method.info.fixed_step()) return effort.steps * (length > 1 ? 10 : 1);
-  const bool many_nodes = method.info.has(ivp::nodes_setting) || method.info.has(ivp::points_setting);
-  return many_nodes ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
-                    : effort.steps / 8;
+  const bool many_nodes = info.has(ivp::nodes_setting) || info.has(ivp::points_setting);
+  const bool fewer = info.fixed_step() && many_nodes;
+  return (fewer ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
+                : effort.steps) *
+         (length > 1 ? 10 : 1);
 }
 
 /// The median of up to five runs in so many seconds, 4 ms as a rule; a longer run counts by itself.
@@ -56,27 +57,26 @@ std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& 
 }
 
 /// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
-/// not come through is not begun. Nothing of other ways, of searches for a step, whose runs are of any
-/// length, and where a run is bounded in seconds.
-ivp::Solution first_tenth(const SetProblem& p, const comparison::AnyMethod& method,
-                          const ivp::NamedIntegrator& run, ivp::Limits limits) {
-  if (p.length == 1 || method.info.fixed_step() || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
+/// not come through is not begun. Nothing of other ways, of equal steps, whose number is known, and where a
+/// run is bounded in seconds.
+ivp::Solution first_tenth(const SetProblem& p, const ivp::Settings& settings, const ivp::NamedIntegrator& run,
+                          ivp::Limits limits) {
+  if (p.length == 1 || settings.step || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
   limits.steps /= 10;
   return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
 }
 
-Trial trial(const SetProblem& p, const comparison::AnyMethod& method, double tolerance,
+Trial trial(const SetProblem& p, const comparison::AnyMethod& method, const ivp::Settings& settings,
             const Effort& effort) {
-  Trial t{tolerance, "refused"};
-  ivp::Settings settings{.tolerance = tolerance};
-  if (!method.info.fixed_step()) settings.absolute_tolerance = tolerance * p.absolute;
-  ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
+  Trial t{settings.tolerance.value_or(0), "refused"};
+  t.step = settings.step.value_or(0);
+  ivp::Limits limits{.steps = most_steps(method.info, p.system.size(), p.length, effort)};
   if (effort.seconds > 0) limits.seconds = effort.seconds;
   try {
     const auto run = comparison::any_integrator(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
     std::clock_t begin = std::clock();
-    ivp::Solution s = first_tenth(p, method, run, limits);
+    ivp::Solution s = first_tenth(p, settings, run, limits);
     if (s.status.ok()) {
       begin = std::clock();
       s = once();
@@ -102,18 +102,33 @@ std::int64_t work_of(const Trial& t, int size) {
 /// Of so long a way a tolerance looser than this leaves no digit.
 constexpr int loosest_of_long = 7;
 
+/// What is asked of a method: tolerances, or equal steps, coarse first.
+std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInfo& info,
+                                       const Effort& effort) {
+  std::vector<ivp::Settings> all;
+  if (info.fixed_step()) {
+    const double most = static_cast<double>(most_steps(info, p.system.size(), p.length, effort));
+    const double finer = std::pow(2, effort.by);
+    for (double steps = 16.0 * static_cast<double>(p.length); steps <= most; steps *= finer)
+      all.push_back({.step = std::abs(p.t1 - p.t0) / steps});
+    return all;
+  }
+  for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
+    if (p.length > 1 && power < loosest_of_long) continue;
+    const double tolerance = std::pow(10, -power);
+    all.push_back({.tolerance = tolerance, .absolute_tolerance = tolerance * p.absolute});
+  }
+  return all;
+}
+
 MethodTrials trials_of(const SetProblem& problem, const std::string& name, const Effort& effort) {
   const comparison::AnyMethod method = comparison::any_method(name);
   MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
-  const std::int64_t length = problem.length;
-  const int size = problem.system.size();
-  const std::int64_t enough = all.chooses ? effort.enough * length : effort.enough / 6;
-  for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {
-    if (length > 1 && power < loosest_of_long) continue;
-    all.trials.push_back(trial(problem, method, std::pow(10, -power), effort));
+  for (const ivp::Settings& settings : settings_of(problem, method.info, effort)) {
+    all.trials.push_back(trial(problem, method, settings, effort));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
-    if (is_last || work_of(last, size) > enough) break;
+    if (is_last || work_of(last, problem.system.size()) > effort.enough * problem.length) break;
     if (effort.seconds > 0 && last.processor > effort.seconds / 2) break;
   }
   return all;
@@ -142,7 +157,12 @@ std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods
 
 double Trial::digits() const { return error ? std::clamp(-std::log10(std::max(*error, 1e-16)), 0., 16.) : 0; }
 
+std::string Trial::setting() const {
+  return step > 0 ? fmt::format("h = {:.2g}", step) : fmt::format("{:.0e}", tolerance);
+}
+
 std::optional<double> MethodTrials::seconds_for(double digits) const {
+  if (!chooses) return {};
   std::optional<double> best;
   const auto take = [&best](double seconds) { best = best ? std::min(*best, seconds) : seconds; };
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -163,7 +183,7 @@ double ProblemTrials::digits_to_expect(double tolerance) const {
 }
 
 bool ProblemTrials::silent_failure(const Trial& trial) const {
-  if (!trial.success()) return false;
+  if (!trial.success() || (has_solution && trial.step > 0)) return false;
   const double expected = digits_to_expect(trial.tolerance);
   return !has_solution || (expected >= least_digits && trial.digits() < expected / 2);
 }
@@ -171,11 +191,14 @@ bool ProblemTrials::silent_failure(const Trial& trial) const {
 scene::Result<ProblemTrials> sweep_of(const std::string& problem) {
   return {
       "sweep-" + problem,
-      "every method and peer, tolerances 1e-3 to 1e-13, absolute tolerances by the problem; error: median "
-      "over 16 times in the last tenth of the way, reached by a chain of runs; one thread, median of repeats "
-      "in 4 ms; a run has 60 000 steps (duffing-10000: 600 000, and 60 000 of them for its first tenth), "
-      "fewer in search of a step; a sweep ends with its first run of more than 60 000 right-hand sides (6 "
-      "000 000; a Jacobian or factorisation counts as one a component), or 10 000 in search of a step",
+      "every method and peer, tolerances 1e-3 to 1e-13, absolute tolerances by the problem, or equal steps, "
+      "16 "
+      "of them and four times as many from run to run; error: median over 16 times in the last tenth of the "
+      "way, reached by a chain of runs; one thread, median of repeats in 4 ms; a run has 60 000 steps "
+      "(duffing-10000: 600 000, and 60 000 of them for its first tenth), fewer with equal steps of many "
+      "nodes; "
+      "a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000; a Jacobian or "
+      "factorisation counts as one a component)",
       [problem](bool quick) {
         const std::vector<SetProblem> all = problem_set();
         return trials_on(*std::ranges::find(all, problem, &SetProblem::name),

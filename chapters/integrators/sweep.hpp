@@ -16,30 +16,34 @@
 
 namespace nlmech::chapters::integrators {
 
-/// A run at one tolerance.
+/// A run at one tolerance, or with one step.
 struct Trial {
-  double tolerance;                  ///< relative
+  double tolerance;                  ///< relative; 0: with equal steps, of which nothing is promised
   std::string status;                ///< "success"; "refused" by the method before it began
   std::optional<double> error = {};  ///< median over the judged times; nothing if a run failed
   Statistics work = {};              ///< of the run from begin to end
   Timing time = {};                  ///< of the same
   double processor = 0;              ///< s of the processor, of the first run
+  double step = 0;                   ///< length of equal ones; 0: the method chose them
 
   /// Did it say so?
   [[nodiscard]] bool success() const { return status == "success"; }
   /// -log10 of the error, from 0 to 16; 0 without one.
   [[nodiscard]] double digits() const;
+  /// "1e-05" of a tolerance, "h = 0.01" of a step.
+  [[nodiscard]] std::string setting() const;
 };
 
 /// A method on one problem.
 struct MethodTrials {
   std::string method;         ///< "series"
   bool peer;                  ///< another author's
-  bool chooses;               ///< its steps itself; else they are searched by runs that agree
+  bool chooses;               ///< its steps itself; else they are equal
   std::vector<Trial> trials;  ///< loose first; ends where a run took too long
 
   /// Seconds that @p digits take: of the runs that deliver them the fastest, interpolated between tolerances
-  /// where the runs on both sides delivered less and more; nothing if none does.
+  /// where the runs on both sides delivered less and more; nothing if none does, and of equal steps: who asks
+  /// for digits is not told the step.
   [[nodiscard]] std::optional<double> seconds_for(double digits) const;
 };
 
@@ -57,6 +61,7 @@ struct ProblemTrials {
   /// by the condition and the length.
   [[nodiscard]] double digits_to_expect(double tolerance) const;
   /// Did a run say success and give fewer than half of the digits to expect, where these are two or more?
+  /// Where there is no solution any success is one; else equal steps promise nothing.
   [[nodiscard]] bool silent_failure(const Trial& trial) const;
 };
 
@@ -65,7 +70,7 @@ struct Effort {
   int loosest;            ///< power of ten of the first tolerance
   int tightest;           ///< of the last
   int by;                 ///< from one to the next
-  std::int64_t steps;     ///< of a run, fewer in search of a step and with many nodes
+  std::int64_t steps;     ///< of a run, fewer with many nodes
   std::int64_t enough;    ///< right-hand sides of the last run, and Jacobians times components
   double seconds = 0;     ///< instead of steps: of a run; a sweep ends with its first run of half of them
   double timing = 0.004;  ///< s, in which short runs are repeated

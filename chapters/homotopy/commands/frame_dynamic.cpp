@@ -12,6 +12,7 @@
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::homotopy {
@@ -42,8 +43,8 @@ LoadHistory history_of(const DynamicWords& words) {
 
 std::string method_of(const DynamicWords& words) { return words.method.empty() ? "newmark" : words.method; }
 
-/// A step or a tolerance for the method; without one of both a step of a two-thousandth of the time, to begin
-/// with, for `explicit` one within which it is stable.
+/// A step or a tolerance for the method; of fixed step and without one a step of a two-thousandth of the
+/// time, to begin with, for `explicit` one within which it is stable.
 ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
   if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
   const ivp::MethodInfo& method = ivp::method_info(method_of(words));
@@ -52,7 +53,11 @@ ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& 
       throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
     return {.step = words.step, .tolerance = words.tolerance};
   }
-  if (words.step || words.tolerance) return {.step = words.step, .tolerance = words.tolerance};
+  if (words.tolerance)
+    throw input_error(
+        "--tolerance {}: {} takes equal steps; give --step, or a method that chooses its steps, as dop853",
+        *words.tolerance, method.name);
+  if (words.step) return {.step = words.step};
   double step = time / 2000;
   // It is unstable at 2; members that are stretched are stiffer than at rest.
   if (words.method == "explicit") step = std::min(step, 1 / motion.highest_frequency());
@@ -220,7 +225,7 @@ void declare_dynamic(scene::Options& options, DynamicWords& words) {
            "with --dynamic: time step; without it a two-thousandth of the time, halved until half of it "
            "changes no displacement by more than a hundredth of the largest")
       .positive();
-  options.add("--tolerance", words.tolerance, "with --dynamic: instead of a step").positive();
+  options.add("--tolerance", words.tolerance, "with --dynamic: for methods that choose their steps").positive();
   options
       .add("--every", words.every,
            "with --dynamic: rows at multiples of this time and at the end, by the method's dense output; "

@@ -26,11 +26,6 @@ std::vector<std::string> built_method_names() {
   return names;
 }
 
-ivp::Controlled controlled(const AnyMethod& method, const ivp::Settings& settings) {
-  return method.peer ? ivp::Controlled::local_error
-                     : ivp::controlled(ivp::method_info(method.name), settings);
-}
-
 AnyMethod any_method(std::string_view name) {
   if (peers::is_peer(name)) return {std::string(name), true, peers::peer_info(name)};
   const auto names = any_method_names();

@@ -22,9 +22,6 @@ struct AnyMethod {
 /// @throws std::invalid_argument listing all methods and peers, if there is none of that name
 [[nodiscard]] AnyMethod any_method(std::string_view name);
 
-/// What its tolerance or step holds. Peers hold the error of a step.
-[[nodiscard]] ivp::Controlled controlled(const AnyMethod& method, const ivp::Settings& settings);
-
 /// Names of ours, then of the peers, built or not.
 [[nodiscard]] std::vector<std::string> any_method_names();
 

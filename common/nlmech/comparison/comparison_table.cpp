@@ -37,8 +37,7 @@ double ComparisonTable::error_of(const Eigen::VectorXd& x) const {
 
 // What a tolerance did not hold; empty where it did, and where nothing was held to one.
 std::string ComparisonTable::note(const Choice& choice, const Eigen::VectorXd& x) const {
-  const ivp::Controlled what = controlled(choice.method, choice.settings);
-  if (what == ivp::Controlled::step_size) return "";
+  if (choice.settings.step) return "";
   const Tolerance tolerance = tolerance_of(choice.settings);
   double most = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -48,7 +47,7 @@ std::string ComparisonTable::note(const Choice& choice, const Eigen::VectorXd& x
     most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
-  return quoted_cell(fmt::format("off by {:.3g} tolerances, since one {}", most, held(what)));
+  return quoted_cell(fmt::format("off by {:.3g} tolerances, since one {}", most, what_a_tolerance_holds));
 }
 
 void ComparisonTable::add(const Choice& choice, const Status& status, const Statistics& statistics,
@@ -64,9 +63,8 @@ void ComparisonTable::add(const Choice& choice, const Status& status, const Stat
     digits = fmt::format("{:.3f}", digits_of(*error));
     note = this->note(choice, x);
   }
-  text_ += fmt::format("{},{},{},{},{:.4g},{},{},{}\n", choice.method.name, choice.setting(),
-                       to_string(status.outcome()), digits, time.median, statistics.right_hand_sides,
-                       to_string(controlled(choice.method, choice.settings)), note);
+  text_ += fmt::format("{},{},{},{},{:.4g},{},{}\n", choice.method.name, choice.setting(),
+                       to_string(status.outcome()), digits, time.median, statistics.right_hand_sides, note);
   if (curves_.empty() || curves_.back().name != choice.method.name)
     curves_.push_back({choice.method.name, kind_of(choice.method), {}});
   curves_.back().costs.push_back(
@@ -76,7 +74,7 @@ void ComparisonTable::add(const Choice& choice, const Status& status, const Stat
 void ComparisonTable::add_unsuitable(const Choice& choice, const std::string& why) {
   unsuitable_ += (unsuitable_.empty() ? "" : "; ") + why;
   say(choice, why);
-  text_ += fmt::format("{},{},unsuitable,,,,,{}\n", choice.method.name, choice.setting(), quoted_cell(why));
+  text_ += fmt::format("{},{},unsuitable,,,,{}\n", choice.method.name, choice.setting(), quoted_cell(why));
 }
 
 Comparison ComparisonTable::take() {

@@ -15,11 +15,10 @@
 
 namespace nlmech::comparison {
 
-/// Rows `method,setting,status,digits,seconds,right_hand_sides,controlled,note`.
+/// Rows `method,setting,status,digits,seconds,right_hand_sides,note`.
 ///
-/// The digits are those of the end state, but no more than the reference knows. `controlled` says what the
-/// tolerance or step was held to; `note` is the sentence of a failure, or says of a run by a tolerance that
-/// its end is off by more than most_tolerances of them.
+/// The digits are those of the end state, but no more than the reference knows. `note` is the
+/// sentence of a failure, or says of a run by a tolerance that its end is off by more than most_tolerances.
 class ComparisonTable {
  public:
   /// @param program begins what is said on standard error
@@ -47,7 +46,7 @@ class ComparisonTable {
   bool some_ = false;
   std::string unsuitable_;
   std::vector<Curve> curves_;
-  std::string text_ = "method,setting,status,digits,seconds,right_hand_sides,controlled,note\n";
+  std::string text_ = "method,setting,status,digits,seconds,right_hand_sides,note\n";
 };
 
 }  // namespace nlmech::comparison

@@ -20,16 +20,6 @@ std::string advice(const Verification& found, double tolerance) {
 
 }  // namespace
 
-std::string_view held(ivp::Controlled what) {
-  switch (what) {
-    case ivp::Controlled::local_error: return "holds the error of each step, and not what these add up to";
-    case ivp::Controlled::difference_of_runs:
-      return "holds the difference of runs with steps of several lengths";
-    case ivp::Controlled::step_size: break;
-  }
-  return "holds nothing";
-}
-
 Tolerance tolerance_of(const ivp::Settings& settings) {
   const double relative = settings.tolerance.value_or(ivp::default_tolerance);
   return {relative, settings.absolute_tolerance.value_or(relative)};
@@ -71,8 +61,7 @@ std::string remark(const Verification& found, const Reference& reference, const 
                               "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
                               "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
                               method.name, place, found.error, found.tolerances, tolerance, found.allowed,
-                              held(controlled(method, settings)), advice(found, tolerance),
-                              reference.text()));
+                              what_a_tolerance_holds, advice(found, tolerance), reference.text()));
   if (found.tolerances <= most_tolerances) return "";
   return fmt::format(
       "verified: {} is off by {:.2g}, {:.3g} tolerances, since the problem multiplies errors by up to {:.3g}",

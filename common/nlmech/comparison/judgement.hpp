@@ -23,9 +23,9 @@ namespace nlmech::comparison {
 /// @param left wall time that is left of the command's limit, in seconds
 [[nodiscard]] Effort effort_after(const Statistics& work, int components, double left);
 
-/// "holds the error of each step, and not what these add up to": what a tolerance does, as part of a
-/// sentence.
-[[nodiscard]] std::string_view held(ivp::Controlled what);
+/// As part of a sentence.
+inline constexpr std::string_view what_a_tolerance_holds =
+    "holds the error of each step, and not what these add up to";
 
 /// What is worth saying of a run that is right or that could not be verified; empty if nothing.
 /// @param names of the components

@@ -28,14 +28,16 @@ struct Asked {
   Tolerances tolerances;
 };
 
-/// The words of a method and of what it takes.
+/// The words of a method that chooses its steps, and of what it takes.
 std::string any_method(Draw& draw, const std::string& program) {
   if (program == "hermitian")
-    return std::string(" --method ") + draw.one_of({"laier", "argyris", "newmark", "hoff", "bazzi"});
+    return std::string(" --method ") + draw.one_of({"laier", "argyris", "hoff", "bazzi"});
   if (program == "algebraic_series")
     return draw.chance(0.2) ? fmt::format(" --order {}", draw.whole(6, 40)) : "";
-  if (program == "transversal") return draw.chance(0.3) ? fmt::format(" --points {}", draw.whole(1, 8)) : "";
-  const auto method = comparison::any_method(draw.one_of(comparison::built_method_names()));
+  std::vector<std::string> names = comparison::built_method_names();
+  std::erase_if(names,
+                [](const std::string& name) { return comparison::any_method(name).info.fixed_step(); });
+  const auto method = comparison::any_method(draw.one_of(names));
   std::string words = " --method " + method.name;
   if (method.info.has(ivp::nodes_setting) && draw.chance(0.3))
     words += fmt::format(" --nodes {}", draw.whole(3, 24));
@@ -43,8 +45,6 @@ std::string any_method(Draw& draw, const std::string& program) {
     words += fmt::format(" --shape {:.17g}", draw.log_uniform(0.1, 10));
   if (method.info.has(ivp::order_setting) && draw.chance(0.3))
     words += fmt::format(" --order {}", draw.whole(6, 40));
-  if (method.info.has(ivp::points_setting) && draw.chance(0.3))
-    words += fmt::format(" --points {}", draw.whole(1, 8));
   return words;
 }
 

@@ -102,8 +102,9 @@ TEST(Integrate, EveryProblemByEveryOperator) {
 }
 
 TEST(Compare, BesideAPeer) {
-  const Finished f =
-      hermitian("compare --problem laier-duffing --until 10 --methods laier,ode45,newmark --tolerance 1e-8");
+  const Finished f = hermitian(
+      "compare --problem laier-duffing --until 10 --methods laier,ode45,newmark --step 0.01 --tolerance "
+      "1e-8");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
   const auto records = scene::parse_csv(f.output, "output");
   ASSERT_EQ(records.size(), 4U);

@@ -281,8 +281,8 @@ TEST(States, PartsOfOtherSettingsAreRefused) {
     scene::write_whole(folder / file, output(words, folder.string()));
   };
   part("1/2", {"--method", "rk4", "--step", "0.01"});
-  for (const Words& other : {Words{"--method", "rk4", "--step", "0.0100000004"}, Words{"--method", "rk4"},
-                             Words{"--method", "rk4", "--no-verify"}}) {
+  for (const Words& other : {Words{"--method", "rk4", "--step", "0.0100000004"},
+                             Words{"--method", "rk4", "--step", "0.01", "--no-verify"}}) {
     part("2/2", other);
     refused({"merge", "1.csv", "2.csv"}, folder.string(), {"2.csv"});
   }

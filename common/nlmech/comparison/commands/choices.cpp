@@ -17,10 +17,17 @@ namespace {
 /// The number that is written with few digits, as the user would: 1e-5, and not 1e-3/100.
 double as_typed(double value) { return std::stod(fmt::format("{:.12g}", value)); }
 
-/// A method with those of the settings that it has.
+/// A method with those of the settings that it has. Of a step and a tolerance, those that choose their steps
+/// take the tolerance.
 Choice choice(const std::string& name, ivp::Settings settings) {
+  if (settings.step && settings.tolerance) {
+    if (any_method(name).info.fixed_step())
+      settings.tolerance.reset();
+    else
+      settings.step.reset();
+  }
   Choice one{any_method(name), settings};
-  if (one.method.info.fixed_step()) one.settings.absolute_tolerance.reset();
+  if (settings.step || one.method.info.fixed_step()) one.settings.absolute_tolerance.reset();
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     if (!one.method.info.has(*setting)) setting->reset(one.settings);
   }
@@ -32,7 +39,13 @@ void check(const std::vector<Choice>& all, const ivp::Settings& settings,
            const std::vector<std::string>& methods) {
   const auto some = [&all](auto has) { return std::any_of(all.begin(), all.end(), has); };
   const std::string names = fmt::format("{}", fmt::join(methods, ","));
-  if (settings.absolute_tolerance && !some([](const Choice& c) { return !c.method.info.fixed_step(); }))
+  if (settings.step && !some([](const Choice& c) { return c.settings.step; }))
+    throw input_error("--step {}: the methods {} choose their steps; give a tolerance alone", *settings.step,
+                      names);
+  if (settings.tolerance && !some([](const Choice& c) { return c.settings.tolerance; }))
+    throw input_error("--tolerance {}: none of the methods {} chooses its steps; give --step alone",
+                      *settings.tolerance, names);
+  if (settings.absolute_tolerance && !some([](const Choice& c) { return c.settings.absolute_tolerance; }))
     throw input_error("--absolute-tolerance {}: none of the methods {} chooses its steps",
                       *settings.absolute_tolerance, names);
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
@@ -107,7 +120,10 @@ std::vector<Choice> choices(const std::vector<std::string>& methods, const ivp::
                             const std::vector<double>& tolerances) {
   std::vector<Choice> all;
   for (const std::string& name : methods) {
-    if (tolerances.empty()) all.push_back(choice(name, settings));
+    if (tolerances.empty() || any_method(name).info.fixed_step()) {
+      all.push_back(choice(name, settings));
+      continue;
+    }
     for (const double tolerance : tolerances) {
       ivp::Settings these = settings;
       these.tolerance = tolerance;

@@ -76,9 +76,6 @@ Request understand(const Words& words, const OwnProblem& problem, std::vector<do
             .limits = {.seconds = words.limit.value_or(scene::Options::usual_limit),
                        .largest_step = words.largest_step.value_or(std::numeric_limits<double>::infinity())},
             .verify = !words.settings.step && !words.no_verify};
-  if (r.settings.step && r.settings.tolerance)
-    throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
-                      *r.settings.tolerance);
   if (r.settings.step && words.largest_step)
     throw input_error("--step {} --largest-step {}: give equal steps or a bound on chosen ones, not both",
                       *r.settings.step, *words.largest_step);
@@ -101,6 +98,9 @@ Request understand(const Words& words, const OwnProblem& problem) {
 AnyMethod method_of(const Words& words, const OwnProblem& problem, const Request& r) {
   AnyMethod method = about(
       "--method", [&] { return any_method(words.method.empty() ? problem.usual_method(r) : words.method); });
+  if (r.settings.step && r.settings.tolerance)
+    throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
+                      *r.settings.tolerance);
   if (words.largest_step && method.info.fixed_step())
     throw input_error(
         "--largest-step {}: {} takes equal steps; give --step, or a method that chooses its steps",
@@ -168,8 +168,8 @@ int integrate(const Words& words, const OwnProblems& problems, const std::string
 void compare(const Words& words, const OwnProblems& problems, const std::string& program) {
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
-  if (!words.tolerances.empty() && (words.settings.tolerance || words.settings.step))
-    throw InputError("--tolerances: give no --tolerance and no --step with it");
+  if (!words.tolerances.empty() && words.settings.tolerance)
+    throw InputError("--tolerances: give no --tolerance with it");
   const Request r = understand(words, *problem);
   const auto methods = words.method.empty() ? problem->usual_methods(r) : method_list(words.method);
   const auto tolerances = words.tolerances.empty() ? std::vector<double>() : tolerance_list(words.tolerances);
@@ -251,12 +251,12 @@ void declare_common(scene::Options& options, Words& words, const std::string& ma
   options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
   options
       .add("--tolerance", s.tolerance,
-           "relative and absolute; 1e-9 without it. Methods of fixed step shorten their step until two runs "
-           "agree with each other and with another method")
+           "relative and absolute, of the error of a step; 1e-9 without it. For methods that choose their "
+           "steps")
       .positive();
   options
       .add("--absolute-tolerance", s.absolute_tolerance,
-           "for components that become small; --tolerance without it. Not for fixed steps")
+           "for components that become small; --tolerance without it")
       .positive();
   declare_largest_step(options, words);
   options.limit(words.limit, many);
@@ -381,8 +381,7 @@ void add_compare_command(scene::Commands& commands, const OwnProblems& problems)
     options.footer(describe_all(problems));
   };
   commands.add<Words>(
-      "compare",
-      "Methods side by side: method,setting,status,digits,seconds,right_hand_sides,controlled,note as CSV",
+      "compare", "Methods side by side: method,setting,status,digits,seconds,right_hand_sides,note as CSV",
       declare, [problems, program = commands.program()](const Words& words) {
         return compare(words, problems, program);
       });

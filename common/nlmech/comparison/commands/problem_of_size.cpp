@@ -89,11 +89,6 @@ Question question(const ivp::System& system, const Request& r) {
           .largest_step = r.limits.largest_step};
 }
 
-/// May it run so? A bound on steps is for methods that choose them.
-bool obeys_bound(const ivp::MethodInfo& info, const Request& r) {
-  return !info.fixed_step() || !std::isfinite(r.limits.largest_step);
-}
-
 }  // namespace
 
 Reference ProblemOfSize::reference(const ivp::State& x0, double t0, const std::vector<double>& times,
@@ -139,7 +134,7 @@ std::string ProblemOfSize::usual_method(const Request& r) const {
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
     const bool within = r.every || r.draw || !r.events.empty();
-    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && obeys_bound(info, r))
+    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !info.fixed_step())
       q.among.methods.push_back(name);
   }
   if (r.settings.step || r.t0 == r.t1 || q.among.methods.empty()) return usual;
@@ -156,7 +151,7 @@ Chosen ProblemOfSize::chosen(const Request& r, double digits) const {
   Question q = question(system(), r);
   if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
   for (const std::string& name : built_method_names())
-    if (obeys_bound(any_method(name).info, r)) q.among.methods.push_back(name);
+    if (!any_method(name).info.fixed_step()) q.among.methods.push_back(name);
   const Evidence evidence = read_evidence();
   return choose(q, digits, evidence, looked_at(q, evidence));
 }

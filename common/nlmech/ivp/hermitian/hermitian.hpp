@@ -33,8 +33,8 @@ namespace nlmech::ivp {
 ///    next one is longer or shorter by 0.9 err^(-1/(p + 1)), at least 0.2 and at most 5 times; a step that
 ///    is not solved is quartered. Where h^2 |a_q| > 2, and if it is a first one or more than twice as long as
 ///    the one before, a step must pass a second estimate, which vanishes on no oscillation however long the
-///    step: see HermitianTrial::unresolved(). It is the error of a step that is held
-///    (Controlled::local_error): at the end there are those of all steps, times the problem's condition.
+///    step: see HermitianTrial::unresolved(). It is the error of a step that is held:
+///    at the end there are those of all steps, times the problem's condition.
 ///    Where the estimates add up to a hundredth of the state and ten thousand tolerances, the run ends with
 ///    `not_converged`.
 ///

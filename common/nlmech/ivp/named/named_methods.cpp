@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +9,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "nlmech/collocation/matrix.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
@@ -31,10 +29,9 @@ namespace nlmech::ivp {
 namespace {
 
 using named::by_tolerance;
-using named::fixed_step;
 using named::with_options;
 
-using Make = NamedIntegrator (*)(const MethodInfo&, const Settings&);
+using Make = NamedIntegrator (*)(const Settings&);
 
 /// A method: what there is to know of it, and how it is made.
 struct Row {
@@ -51,66 +48,44 @@ constexpr Row row_for_accelerations(MethodInfo info, Make make) {
 
 /// A method that has a step, and no other setting.
 template <class Method>
-constexpr auto with_step = [](const MethodInfo& info, const Settings& settings) {
-  return fixed_step(info, settings, info.order, [](double step) { return Method{.step = step}; });
-};
+constexpr auto with_step =
+    [](const Settings& settings) { return with_options(Method{.step = *settings.step}); };
 
 /// A method that has tolerances, and no other setting.
 template <class Method>
-constexpr auto with_tolerances =
-    [](const MethodInfo& /*info*/, const Settings& settings) { return by_tolerance<Method>(settings); };
+constexpr auto with_tolerances = [](const Settings& settings) { return by_tolerance<Method>(settings); };
 
 /// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
 template <const HermitianPair& pair>
-constexpr auto with_operators = [](const MethodInfo& /*info*/, const Settings& settings) {
+constexpr auto with_operators = [](const Settings& settings) {
   if (!settings.step) return by_tolerance(settings, Hermitian{.operators = pair});
   return with_options(Hermitian{.operators = pair, .step = *settings.step});
 };
 
-constexpr auto series = [](const MethodInfo& /*info*/, const Settings& settings) {
-  return with_options(named::series_of(settings));
+constexpr auto series = [](const Settings& settings) { return with_options(named::series_of(settings)); };
+
+constexpr auto transversal = [](const Settings& settings) {
+  return with_options(Mtl{.step = *settings.step, .points = settings.points.value_or(Mtl{}.points)});
 };
 
-constexpr auto transversal = [](const MethodInfo& info, const Settings& settings) {
-  const int points = settings.points.value_or(Mtl{}.points);
-  return fixed_step(info, settings, mtl_order(MtlBasis::lagrange, points),
-                    [points](double step) { return Mtl{.step = step, .points = points}; });
-};
-
-constexpr auto picard = [](const MethodInfo& info, const Settings& settings) {
+constexpr auto picard = [](const Settings& settings) {
   const int order = settings.nodes ? *settings.nodes - 1 : Mcpi{}.order;
-  return fixed_step(info, settings, {}, [order](double step) { return Mcpi{.step = step, .order = order}; });
+  return with_options(Mcpi{.step = *settings.step, .order = order});
 };
 
 template <collocation::NodeFamily points>
-constexpr auto polynomials = [](const MethodInfo& info, const Settings& settings) {
+constexpr auto polynomials = [](const Settings& settings) {
   const int nodes = settings.nodes.value_or(PolynomialCollocation{}.nodes);
-  const int order = points == collocation::NodeFamily::left_end_and_radau ? 2 * nodes - 3 : nodes - 1;
-  return fixed_step(info, settings, order, [nodes](double step) {
-    return PolynomialCollocation{.step = step, .nodes = nodes, .points = points};
-  });
+  return with_options(PolynomialCollocation{.step = *settings.step, .nodes = nodes, .points = points});
 };
 
-/// Radial functions do not contain the linear ones. With N unknowns D x = h g and g = 1 the state should grow
-/// by h; by how much of h does it miss?
-double rate_error(const RbfCollocation& method) {
-  const collocation::Basis basis = basis_of(method);
-  if (!basis.status().ok()) return HUGE_VAL;
-  const Eigen::Index inner = basis.nodes().size() - 1;
-  const Eigen::VectorXd growth =
-      basis.derivative().bottomRightCorner(inner, inner).lu().solve(Eigen::VectorXd::Ones(inner));
-  return std::abs(growth[inner - 1] - 1);
-}
-
-constexpr auto gaussians = [](const MethodInfo& info, const Settings& settings) {
-  const auto make = [nodes = settings.nodes.value_or(RbfCollocation{}.nodes),
-                     shape = settings.shape.value_or(0)](double step) {
-    return RbfCollocation{.step = step, .nodes = nodes, .shape = shape};
-  };
-  return fixed_step(info, settings, {}, make, [make](double step) { return rate_error(make(step)); });
+constexpr auto gaussians = [](const Settings& settings) {
+  return with_options(RbfCollocation{.step = *settings.step,
+                                     .nodes = settings.nodes.value_or(RbfCollocation{}.nodes),
+                                     .shape = settings.shape.value_or(0)});
 };
 
-constexpr auto adaptive_collocation = [](const MethodInfo& /*info*/, const Settings& settings) {
+constexpr auto adaptive_collocation = [](const Settings& settings) {
   return by_tolerance<AdaptiveCollocation>(
       settings, {.nodes = settings.nodes.value_or(0), .shape = settings.shape.value_or(0)});
 };
@@ -122,72 +97,57 @@ constexpr std::array<const SettingInfo*, 2> nodes_only = {&nodes_setting},
 static_assert(nodes_setting.most == collocation::max_nodes);
 
 constexpr std::array rows = {
-    row({Euler::name, "forward Euler", given, 1}, with_step<Euler>),
-    row({BackwardEuler::name, "backward Euler", given, 1}, with_step<BackwardEuler>),
-    row_for_accelerations({CentralDifference::name, "central differences", given, 2},
+    row({Euler::name, "forward Euler", given}, with_step<Euler>),
+    row({BackwardEuler::name, "backward Euler", given}, with_step<BackwardEuler>),
+    row_for_accelerations({CentralDifference::name, "central differences", given},
                           with_step<CentralDifference>),
-    row({Rk4::name, "the classical Runge-Kutta method", given, 4}, with_step<Rk4>),
-    row({Rk6::name, "Butcher's Runge-Kutta method of 7 stages", given, 6}, with_step<Rk6>),
-    row({Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", chosen, 5},
+    row({Rk4::name, "the classical Runge-Kutta method", given}, with_step<Rk4>),
+    row({Rk6::name, "Butcher's Runge-Kutta method of 7 stages", given}, with_step<Rk6>),
+    row({Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", chosen},
         with_tolerances<Ode45>),
     row({Dop853::name, "Dormand and Prince's method of order 8, controlled by estimates of orders 5 and 3",
-         chosen, 8},
+         chosen},
         with_tolerances<Dop853>),
     row_for_accelerations(
-        {Rkn1210::name, "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", chosen,
-         12},
+        {Rkn1210::name, "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", chosen},
         with_tolerances<Rkn1210>),
     row({Series::name,
          "Taylor series, order and steps by the radius of convergence",
          either,
-         {},
          {&order_setting}},
         series),
-    row_for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", given, 2},
+    row_for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", given},
                           with_step<Newmark>),
-    row_for_accelerations({Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", given, 2},
+    row_for_accelerations({Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", given},
                           with_step<Hht>),
-    row_for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", given, 2},
+    row_for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", given},
                           with_step<GeneralizedAlpha>),
-    row_for_accelerations({laier.name, "Laier's Hermitian operators, with jerks", either, 4},
+    row_for_accelerations({laier.name, "Laier's Hermitian operators, with jerks", either},
                           with_operators<laier>),
-    row_for_accelerations(
-        {argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", either, 4},
-        with_operators<argyris>),
-    row_for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", either, 2},
+    row_for_accelerations({argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", either},
+                          with_operators<argyris>),
+    row_for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", either},
                           with_operators<hoff>),
     row_for_accelerations(
-        {bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark", either, 2},
+        {bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark", either},
         with_operators<bazzi>),
     row({Mtl::name,
          "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
          given,
-         {},
          {&points_setting}},
         transversal),
-    row({Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", given, {}, nodes_only}, picard),
-    row({RbfCollocation::name,
-         "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes",
-         given,
-         {},
+    row({Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", given, nodes_only}, picard),
+    row({RbfCollocation::name, "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes", given,
          nodes_and_shape},
         gaussians),
     row({PolynomialCollocation::lobatto_name,
-         "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1",
-         given,
-         {},
-         nodes_only},
+         "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1", given, nodes_only},
         polynomials<NodeFamily::legendre_gauss_lobatto>),
     row({PolynomialCollocation::radau_name,
-         "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3",
-         given,
-         {},
-         nodes_only},
+         "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3", given, nodes_only},
         polynomials<NodeFamily::left_end_and_radau>),
     row({AdaptiveCollocation::name,
-         "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
-         chosen,
-         {},
+         "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver", chosen,
          nodes_and_shape},
         adaptive_collocation)};
 
@@ -224,6 +184,8 @@ void check_settings(const MethodInfo& method, const Settings& settings) {
       refuse(fmt::format("the {} must be from {} to {}, not {}", setting->name, setting->least, setting->most,
                          *value));
   }
+  if (method.fixed_step() && !settings.step)
+    refuse("it takes equal steps: give a step, or a method that chooses its steps, as series or dop853");
 }
 
 std::span<const MethodInfo> named_methods() { return methods; }
@@ -237,24 +199,10 @@ const MethodInfo& method_info(std::string_view name) {
   throw invalid_argument("there is no method '{}'; there is {}", name, fmt::join(known, ", "));
 }
 
-std::string_view to_string(Controlled controlled) {
-  switch (controlled) {
-    case Controlled::step_size: return "step_size";
-    case Controlled::local_error: return "local_error";
-    case Controlled::difference_of_runs: break;
-  }
-  return "difference_of_runs";
-}
-
-Controlled controlled(const MethodInfo& method, const Settings& settings) {
-  if (settings.step) return Controlled::step_size;
-  return method.fixed_step() ? Controlled::difference_of_runs : Controlled::local_error;
-}
-
 NamedIntegrator named_integrator(std::string_view name, const Settings& settings) {
   const MethodInfo& info = method_info(name);
   check_settings(info, settings);
-  return rows[static_cast<std::size_t>(&info - methods.data())].make(info, settings);
+  return rows[static_cast<std::size_t>(&info - methods.data())].make(settings);
 }
 
 }  // namespace nlmech::ivp

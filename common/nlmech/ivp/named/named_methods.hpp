@@ -14,11 +14,13 @@
 
 namespace nlmech::ivp {
 
-/// What a user may set of a method. A step or a tolerance, not both; neither: default_tolerance.
+/// What a user may set of a method. A step or a tolerance, not both: a step for methods of fixed step, a
+/// tolerance for those that choose their steps (nothing: default_tolerance).
 struct Settings {
-  std::optional<double> step = std::nullopt;       ///< length of a step; positive. Methods of fixed step only
+  std::optional<double> step = std::nullopt;       ///< length of a step; positive
   std::optional<double> tolerance = std::nullopt;  ///< relative, and absolute if nothing else is said;
-                                                   ///< positive. Methods of fixed step: search_step()
+                                                   ///< positive. It holds the error of each step: those of
+                                                   ///< all add up, times the problem's condition
   std::optional<double> absolute_tolerance = std::nullopt;  ///< of components that become small; positive;
                                                             ///< nothing: the tolerance. Not for fixed steps
   std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; nothing: its default
@@ -75,7 +77,7 @@ inline constexpr std::array own_settings = {&nodes_setting, &shape_setting, &ord
 
 /// Where a method's steps come from.
 enum class Steps {
-  given,   ///< equal ones, from the user; with a tolerance from search_step()
+  given,   ///< equal ones, from the user
   chosen,  ///< the method's, by the tolerance
   either   ///< the method's, or equal ones from the user
 };
@@ -85,7 +87,6 @@ struct MethodInfo {
   std::string_view name;                            ///< "rk4"
   std::string_view meaning;                         ///< in a few words
   Steps steps = Steps::given;                       ///< where they come from
-  std::optional<int> order = std::nullopt;          ///< of convergence; nothing if settings change it
   std::array<const SettingInfo*, 2> settings = {};  ///< that it has; the rest is null
   bool second_order_only = false;                   ///< for problems with accelerations alone
   bool estimate_misses_time = false;                ///< its error estimate compares f at equal times alone:
@@ -103,35 +104,17 @@ struct MethodInfo {
 /// them
 void check_settings(const MethodInfo& method, const Settings& settings);
 
-/// What a run was held to, and so what its `success` says of the end of the integration.
-enum class Controlled {
-  step_size,          ///< nothing: the step was given, and the error is what it makes of it
-  local_error,        ///< the error of each step: errors of the steps add up, and the problem's condition
-                      ///< multiplies them; the end is right to about steps x tolerance x condition
-  difference_of_runs  ///< the difference of whole runs with steps of several lengths: the end itself
-};
-
-/// "step_size", "local_error", "difference_of_runs".
-[[nodiscard]] std::string_view to_string(Controlled controlled);
-
 /// All methods, simple ones first.
 [[nodiscard]] std::span<const MethodInfo> named_methods();
 
 /// The method of that name. @throws std::invalid_argument listing the known names
 [[nodiscard]] const MethodInfo& method_info(std::string_view name);
 
-/// What named_integrator() holds the method to with these settings.
-[[nodiscard]] Controlled controlled(const MethodInfo& method, const Settings& settings);
-
-/// The method @p name for systems of n components: 1, 2, 3, 4, 6 or Eigen::Dynamic.
-///
-/// A method of fixed step that is given a tolerance searches its step by search_step() (laier, argyris, hoff
-/// and bazzi choose their steps by an estimate of their error); tolerances of inner iterations stay as they
-/// are. rbf-coll then ends with `not_converged` also where its basis is to blame: if the shape follows the
-/// step (no Settings::shape), it does not converge for a vanishing step, but goes through the right states in
-/// a time that is wrong by a fixed share. For mcpi the N nodes are those of the polynomial of degree N - 1.
+/// The method @p name. Tolerances of inner iterations stay as they are. For mcpi the N nodes are those of the
+/// polynomial of degree N - 1. rbf-coll whose shape follows the step (no Settings::shape) does not converge
+/// for a vanishing step: it goes through the right states in a time that is wrong by a fixed share.
 /// @throws std::invalid_argument listing the known names, if there is none of that name; for settings that
-/// the method does not have or that are out of range, naming them; for a method for accelerations if n is odd
+/// the method does not have, that it lacks or that are out of range, naming them
 [[nodiscard]] NamedIntegrator named_integrator(std::string_view name, const Settings& settings);
 
 }  // namespace nlmech::ivp
