@@ -5,8 +5,6 @@
 #include <string>
 
 #include "chapters/algebraic_series/sections.hpp"
-#include "nlmech/comparison/commands/ivp_commands.hpp"
-#include "nlmech/comparison/commands/library_problems.hpp"
 #include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
 
@@ -45,10 +43,6 @@ std::string section_rows(const Words& words) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  const auto problems =
-      comparison::library_problems({"lorenz", "forced-duffing", "oscillator", "projectile", "bodies"});
-  comparison::add_integrate_command(all, problems, "series");
-  comparison::add_compare_command(all, problems);
   all.add("poincare", "States of the oscillator every pi, from t = pi on, as CSV: section,x,v", declare,
           section_rows);
 }

@@ -1,31 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "chapters/hermitian/peaks.hpp"
-#include "nlmech/comparison/commands/ivp_commands.hpp"
-#include "nlmech/comparison/commands/library_problems.hpp"
-#include "nlmech/comparison/commands/own_problem_of.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::chapters::hermitian {
 namespace {
-
-// The paper's own parameters and starts.
-struct Duffing : problems::DrivenDuffing {
-  static constexpr std::string_view name = "laier-duffing";
-  Duffing() : DrivenDuffing(laier_duffing()) {}
-  [[nodiscard]] static Vector<double, 2> initial_state() { return {0, 0}; }
-};
-struct VanDerPol : problems::VanDerPol {
-  static constexpr std::string_view name = "laier-van-der-pol";
-  VanDerPol() : problems::VanDerPol(laier_van_der_pol()) {}
-  [[nodiscard]] static Vector<double, 2> initial_state() { return {0.01, 0}; }
-};
 
 /// What was typed.
 struct Words {
@@ -55,11 +35,6 @@ std::string peak(const Words& words) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  comparison::OwnProblems problems =
-      comparison::library_problems({"driven-duffing", "van-der-pol", "linear", "two-dof"});
-  problems.insert(problems.begin(), {&comparison::own_problem<Duffing>, &comparison::own_problem<VanDerPol>});
-  comparison::add_integrate_command(all, problems, "laier");
-  comparison::add_compare_command(all, problems);
   all.add("peak", "The first peak of the paper's oscillators, as CSV: t,peak", declare, peak);
 }
 

@@ -29,15 +29,8 @@ struct Asked {
 };
 
 /// The words of a method that chooses its steps, and of what it takes.
-std::string any_method(Draw& draw, const std::string& program) {
-  if (program == "hermitian")
-    return std::string(" --method ") + draw.one_of({"laier", "argyris", "hoff", "bazzi"});
-  if (program == "algebraic_series")
-    return draw.chance(0.2) ? fmt::format(" --order {}", draw.whole(6, 40)) : "";
-  std::vector<std::string> names = comparison::built_method_names();
-  std::erase_if(names,
-                [](const std::string& name) { return comparison::any_method(name).info.fixed_step(); });
-  const auto method = comparison::any_method(draw.one_of(names));
+std::string any_chosen(Draw& draw, const Question& question) {
+  const auto method = comparison::any_method(any_method(draw, question, false));
   std::string words = " --method " + method.name;
   if (method.info.has(ivp::nodes_setting) && draw.chance(0.3))
     words += fmt::format(" --nodes {}", draw.whole(3, 24));
@@ -63,9 +56,8 @@ Asked ask(Draw& draw, bool rows) {
   const double way = draw.log_uniform(1e-4, 1) * a.question.longest * (rows && draw.chance(0.3) ? -1 : 1);
   if (rows && draw.chance(0.3)) a.rows.t0 = draw.uniform(-10, 10);
   const double t1 = a.rows.t0 + way;
-  a.words = fmt::format("{} integrate {} --from {:.17g} --until {:.17g} --tolerance {:.17g}{}",
-                        a.question.program, a.question.words, a.rows.t0, t1, a.tolerances.relative,
-                        any_method(draw, a.question.program));
+  a.words = fmt::format("integrators integrate {} --from {:.17g} --until {:.17g} --tolerance {:.17g}{}",
+                        a.question.words, a.rows.t0, t1, a.tolerances.relative, any_chosen(draw, a.question));
   if (rows && draw.chance(0.2)) {
     a.tolerances.absolute *= draw.log_uniform(1e-3, 1);
     a.words += fmt::format(" --absolute-tolerance {:.17g}", a.tolerances.absolute);
@@ -154,15 +146,13 @@ Case trial(Draw& draw, bool rows) {
   return judge(a, r);
 }
 
-constexpr auto programs = {"rbf_ivp", "hermitian", "transversal", "algebraic_series"};
-
 TEST(AdversaryCommands, IntegratePrintsWhatIsRight) {
-  if (const std::string what = missing(programs); !what.empty()) GTEST_SKIP() << what;
+  if (const std::string what = missing_oracles(); !what.empty()) GTEST_SKIP() << what;
   hunt({.quick = 8, .full = 3'000}, [](Draw& draw) { return trial(draw, false); });
 }
 
 TEST(AdversaryCommands, EveryRowIsRight) {
-  if (const std::string what = missing(programs); !what.empty()) GTEST_SKIP() << what;
+  if (const std::string what = missing_oracles(); !what.empty()) GTEST_SKIP() << what;
   hunt({.quick = 12, .full = 3'000}, [](Draw& draw) { return trial(draw, true); });
 }
 

@@ -33,8 +33,9 @@ std::optional<Eigen::MatrixXd> states_of(const Ran& r, std::size_t count) {
   return x;
 }
 
-/// What a method takes besides its step.
-std::string settings_of(Draw& draw, const ivp::MethodInfo& m) {
+/// The words of a method that takes a step, and of what it takes besides.
+std::string any_stepped(Draw& draw, const Question& question) {
+  const auto m = comparison::any_method(any_method(draw, question, true)).info;
   std::string words = fmt::format(" --method {}", m.name);
   if (m.has(ivp::nodes_setting) && draw.chance(0.3)) words += fmt::format(" --nodes {}", draw.whole(3, 16));
   // With a shape that follows the step radial functions do not converge (named_integrator()).
@@ -42,18 +43,6 @@ std::string settings_of(Draw& draw, const ivp::MethodInfo& m) {
   if (m.has(ivp::order_setting) && draw.chance(0.5)) words += fmt::format(" --order {}", draw.whole(3, 24));
   if (m.has(ivp::points_setting) && draw.chance(0.3)) words += fmt::format(" --points {}", draw.whole(1, 6));
   return words;
-}
-
-std::string any_stepped(Draw& draw, const std::string& program) {
-  if (program == "hermitian")
-    return std::string(" --method ") + draw.one_of({"laier", "argyris", "newmark", "hoff", "bazzi"});
-  if (program == "algebraic_series") return fmt::format(" --order {}", draw.whole(3, 24));
-  if (program == "transversal") return draw.chance(0.3) ? fmt::format(" --points {}", draw.whole(1, 6)) : "";
-  std::vector<const ivp::MethodInfo*> fit;
-  for (const ivp::MethodInfo& m : ivp::named_methods()) {
-    if (m.steps != ivp::Steps::chosen) fit.push_back(&m);
-  }
-  return settings_of(draw, *draw.one_of(fit));
 }
 
 /// Three runs by h, h/2 and h/4 and what they should come to.
@@ -101,9 +90,10 @@ Case halvings(Draw& draw) {
   // A whole number of steps more often than its share, and with it of steps a row.
   const double steps = draw.chance(0.5) ? draw.whole(4, 200) : draw.uniform(4, 1000);
   const int rows = draw.whole(1, 12);
-  const std::string stepped = any_stepped(draw, q.program);
-  const std::string words = fmt::format("{} integrate {} --from {:.17g} --until {:.17g} --every {:.17g}{}",
-                                        q.program, q.words, t0, t1, std::abs(way) / rows, stepped);
+  const std::string stepped = any_stepped(draw, q);
+  const std::string words =
+      fmt::format("integrators integrate {} --from {:.17g} --until {:.17g} --every {:.17g}{}", q.words, t0,
+                  t1, std::abs(way) / rows, stepped);
   const int judged = is_judged_at_its_end(stepped, steps / rows) ? 1 : rows;
   Halved h;
   for (const int part : {1, 2, 4}) {
@@ -121,9 +111,7 @@ Case halvings(Draw& draw) {
 }
 
 TEST(AdversaryCommands, HalvedStepsLeadToTheSolution) {
-  if (const std::string what = missing({"rbf_ivp", "hermitian", "transversal", "algebraic_series"});
-      !what.empty())
-    GTEST_SKIP() << what;
+  if (const std::string what = missing_oracles(); !what.empty()) GTEST_SKIP() << what;
   hunt({.quick = 20, .full = 3'000}, halvings);
 }
 
@@ -148,7 +136,7 @@ Case powers(Draw& draw) {
   const double sign = draw.chance(0.3) ? -1 : 1, rest = draw.chance(0.5) ? draw.uniform(0.1, 0.9) : 0;
   const double t1 = sign * (count + rest) * h;
   const Ran r =
-      ran(fmt::format("rbf_ivp integrate --problem duffing --set hardening=0 --set "
+      ran(fmt::format("integrators integrate --problem duffing --set hardening=0 --set "
                       "natural-frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} "
                       "--step {:.17g} --every {:.17g} --method {}",
                       w, x, v, t1, h, stride * h, method));
@@ -182,7 +170,7 @@ Case powers(Draw& draw) {
 }
 
 TEST(AdversaryCommands, StepsArePowersOfAMatrix) {
-  if (const std::string what = missing({"rbf_ivp"}); !what.empty()) GTEST_SKIP() << what;
+  if (const std::string what = missing_oracles(); !what.empty()) GTEST_SKIP() << what;
   hunt({.quick = 20, .full = 3'000}, powers);
 }
 

@@ -16,33 +16,37 @@
 namespace nlmech::adversary {
 
 Question any_question(Draw& draw) {
-  const std::string any = draw.one_of({"hermitian", "transversal"});  // both have these four problems
-  switch (draw.whole(0, 13)) {
-    case 0: return question<problems::Duffing>(draw, "rbf_ivp", "duffing", 100);
-    case 1: return question<problems::ImpactDuffing>(draw, "rbf_ivp", "impact", 100);
-    case 2: return question<problems::ThreeMassChain>(draw, "rbf_ivp", "three-dof", 100);
-    case 3: return question<problems::VanDerPol>(draw, "rbf_ivp", "van-der-pol", 20);
-    case 4: return question<problems::DrivenDuffing>(draw, any, "driven-duffing", 100);
-    case 5: return question<problems::TwoDof>(draw, any, "two-dof", 100);
-    case 6: return question<problems::LinearOscillator>(draw, any, "linear", 100);
-    case 7: return question<problems::VanDerPol>(draw, any, "van-der-pol", 20);
-    case 8: return question<problems::Lorenz>(draw, "algebraic_series", "lorenz", 30);
-    case 9: return question<problems::StrongOscillator>(draw, "algebraic_series", "oscillator", 30);
-    case 10: return question<problems::Projectile>(draw, "algebraic_series", "projectile", 30, true);
-    case 11: return question<problems::FourBodies>(draw, "algebraic_series", "bodies", 1000, true);
-    case 12: return question<problems::ThreeMassChain>(draw, "rbf_ivp", "three-dof", 20);
-    default: return question<problems::ForcedDuffing>(draw, "algebraic_series", "forced-duffing", 100);
+  switch (draw.whole(0, 11)) {
+    case 0: return question<problems::Duffing>(draw, "duffing", 100);
+    case 1: return question<problems::ImpactDuffing>(draw, "impact", 100);
+    case 2: return question<problems::ThreeMassChain>(draw, "three-dof", 100);
+    case 3: return question<problems::VanDerPol>(draw, "van-der-pol", 20);
+    case 4: return question<problems::DrivenDuffing>(draw, "driven-duffing", 100);
+    case 5: return question<problems::TwoDof>(draw, "two-dof", 100);
+    case 6: return question<problems::LinearOscillator>(draw, "linear", 100);
+    case 7: return question<problems::Lorenz>(draw, "lorenz", 30);
+    case 8: return question<problems::StrongOscillator>(draw, "oscillator", 30);
+    case 9: return question<problems::Projectile>(draw, "projectile", 30, true);
+    case 10: return question<problems::FourBodies>(draw, "bodies", 1000, true);
+    default: return question<problems::ForcedDuffing>(draw, "forced-duffing", 100);
   }
 }
 
-std::string missing(std::initializer_list<const char*> programs) {
+std::string any_method(Draw& draw, const Question& question, bool takes_step) {
+  std::vector<std::string> fit;
+  for (const std::string& name : comparison::built_method_names()) {
+    const ivp::MethodInfo info = comparison::any_method(name).info;
+    const bool takes = takes_step ? info.steps != ivp::Steps::chosen : !info.fixed_step();
+    if (takes && (question.second_order || !info.second_order_only)) fit.push_back(name);
+  }
+  return draw.one_of(fit);
+}
+
+std::string missing_oracles() {
   for (const char* peer : oracles) {
     if (!peers::peer_available(peer)) return peers::absent_peer_sentence(peer);
   }
-  for (const char* program : programs) {
-    if (std::string what = missing_program(program); !what.empty()) return what;
-  }
-  return "";
+  return missing_program("integrators");
 }
 
 }  // namespace nlmech::adversary

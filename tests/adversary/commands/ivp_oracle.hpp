@@ -138,10 +138,10 @@ inline std::optional<Eigen::MatrixXd> moved(const ivp::System& system, const Eig
 
 /// A random initial value problem of a chapter's commands.
 struct Question {
-  std::string program;   ///< "rbf_ivp"
-  std::string words;     ///< "--problem duffing --set hardening=3 --initial 1,0"
-  Eigen::VectorXd x0;    ///< initial state
-  double longest = 100;  ///< time beyond which a run is of no use
+  bool second_order = false;  ///< do methods for accelerations fit?
+  std::string words;          ///< "--problem duffing --set hardening=3 --initial 1,0"
+  Eigen::VectorXd x0;         ///< initial state
+  double longest = 100;       ///< time beyond which a run is of no use
   /// The states at the times of a journey; nothing if an oracle does not arrive.
   std::function<std::optional<Known>(const Journey&)> known;
   /// What the problem makes of one tolerance on the way, for each component and time.
@@ -182,10 +182,8 @@ void set_any_parameters(Draw& draw, Problem& problem, std::string& words) {
 /// A problem with other parameters and a random initial state.
 /// @param keep the initial state near the problem's own: of problems that any state would make meaningless
 template <class Problem>
-[[nodiscard]] Question question(Draw& draw, const std::string& program, const std::string& name,
-                                double longest, bool keep = false) {
+[[nodiscard]] Question question(Draw& draw, const std::string& name, double longest, bool keep = false) {
   Question q;
-  q.program = program;
   q.words = "--problem " + name;
   q.longest = longest;
   Problem problem;
@@ -193,6 +191,7 @@ template <class Problem>
   q.x0 = detail::any_state(draw, problem.initial_state(), keep);
   q.words += fmt::format(" --initial {:.17g}", fmt::join(std::vector<double>(q.x0.begin(), q.x0.end()), ","));
   const ivp::System system(problem);
+  q.second_order = system.second_order();
   q.known = [system, x0 = q.x0](const Journey& way) { return detail::known(system, x0, way); };
   q.moved = [system, x0 = q.x0](const Journey& way, const Known& k, const Tolerances& t) {
     return detail::moved(system, x0, way, k, t);
@@ -207,10 +206,13 @@ template <class Problem>
   return q;
 }
 
-/// Any problem of the four chapters on initial value problems that is not stiff.
+/// Any problem of the library that is not stiff.
 [[nodiscard]] Question any_question(Draw& draw);
 
-/// Are the oracles and the programs there? Else the sentence to skip with.
-[[nodiscard]] std::string missing(std::initializer_list<const char*> programs);
+/// The name of a method for it that takes a step, or of one that chooses its steps.
+[[nodiscard]] std::string any_method(Draw& draw, const Question& question, bool takes_step);
+
+/// Are the oracles and the program there? Else the sentence to skip with.
+[[nodiscard]] std::string missing_oracles();
 
 }  // namespace nlmech::adversary

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "tests/places.hpp"
 
 namespace nlmech::integrators_commands_test {
@@ -20,6 +22,13 @@ using Words = std::vector<std::string>;
 inline Finished integrators(Words words, const std::string& folder = NLMECH_SOURCE_DIR) {
   words.insert(words.begin(), NLMECH_BINARY_DIR "/bin/integrators");
   return scene::run_program(words, folder);
+}
+
+/// With words separated by blanks; "_" stands for a blank within a word.
+inline Finished run(const std::string& words) {
+  Words arguments = scene::split(words, ' ');
+  for (std::string& argument : arguments) std::replace(argument.begin(), argument.end(), '_', ' ');
+  return integrators(arguments);
 }
 
 /// What `integrate` printed.

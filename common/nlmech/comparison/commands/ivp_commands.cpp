@@ -299,17 +299,12 @@ int merge(const Parts& parts) {
 
 }  // namespace
 
-void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
-                           const std::string& method) {
+void add_integrate_command(scene::Commands& commands, const OwnProblems& problems) {
   const auto declare = [&](scene::Options& options, Words& words) {
     declare_common(options, words, "--states");
-    words.method = method;
-    options.add(
-        "--method", words.method,
-        method.empty()
-            ? "one of the methods below; without it the one that was fastest on problems alike and in "
-              "short runs on this one, as choose says"
-            : "one of the methods below");
+    options.add("--method", words.method,
+                "one of the methods below; without it the one that was fastest on problems alike and in "
+                "short runs on this one, as choose says");
     declare_settings(options, words.settings, any_method_names());
     options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
         .positive();

@@ -1,6 +1,5 @@
 /// @file
-/// The commands by which every chapter on initial value problems takes a user's equations and numbers:
-/// `integrate`, `compare` and `choose`.
+/// The commands by which `integrators` takes a user's equations and numbers.
 #pragma once
 
 #include <string>
@@ -13,9 +12,7 @@ namespace nlmech::comparison {
 
 /// `integrate`: a problem from begin to end as rows of CSV.
 /// @param problems that it offers by name, beside equations that are typed
-/// @param method that is taken where `--method` is not given; empty: as the problem asks for
-void add_integrate_command(scene::Commands& commands, const OwnProblems& problems,
-                           const std::string& method = "");
+void add_integrate_command(scene::Commands& commands, const OwnProblems& problems);
 
 /// `merge`: the shards of `integrate --states`.
 void add_merge_command(scene::Commands& commands);

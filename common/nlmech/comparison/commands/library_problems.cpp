@@ -1,10 +1,6 @@
 #include "nlmech/comparison/commands/library_problems.hpp"
 
-#include <algorithm>
-#include <array>
-#include <stdexcept>
-#include <string>
-#include <utility>
+#include <string_view>
 
 #include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/arenstorf.hpp"
@@ -33,34 +29,46 @@
 namespace nlmech::comparison {
 namespace {
 
-using Maker = OwnProblems::value_type;
-template <class Problem>
-constexpr std::pair<std::string_view, Maker> entry = {Problem::name, &own_problem<Problem>};
-
-constexpr std::array all = {
-    entry<problems::Duffing>,          entry<problems::ImpactDuffing>,  entry<problems::ForcedDuffing>,
-    entry<problems::DrivenDuffing>,    entry<problems::VanDerPol>,      entry<problems::LinearOscillator>,
-    entry<problems::TwoDof>,           entry<problems::ThreeMassChain>, entry<problems::Lorenz>,
-    entry<problems::StrongOscillator>, entry<problems::Projectile>,     entry<problems::FourBodies>,
-    entry<problems::BlowUp>,           entry<problems::Robertson>,      entry<problems::Hires>,
-    entry<problems::Kepler>,           entry<problems::Arenstorf>,      entry<problems::Pleiades>,
-    entry<problems::DuffingChain>,     entry<problems::SpringPendulum>, entry<problems::Pollution>,
-    entry<problems::DeadEnd>,          entry<problems::LostDomain>};
+// Laier's own parameters and starts.
+struct LaierDuffing : problems::DrivenDuffing {
+  static constexpr std::string_view name = "laier-duffing";
+  LaierDuffing() : DrivenDuffing(problems::laier_duffing()) {}
+  [[nodiscard]] static Vector<double, 2> initial_state() { return {0, 0}; }
+};
+struct LaierVanDerPol : problems::VanDerPol {
+  static constexpr std::string_view name = "laier-van-der-pol";
+  LaierVanDerPol() : VanDerPol(problems::laier_van_der_pol()) {}
+  [[nodiscard]] static Vector<double, 2> initial_state() { return {0.01, 0}; }
+};
 
 }  // namespace
 
-OwnProblems library_problems(const std::vector<std::string_view>& first) {
-  OwnProblems list;
-  for (const std::string_view name : first) {
-    const auto place =
-        std::find_if(all.begin(), all.end(), [name](const auto& e) { return e.first == name; });
-    if (place == all.end()) throw std::logic_error("no problem " + std::string(name));
-    list.push_back(place->second);
-  }
-  for (const auto& [name, make] : all) {
-    if (std::find(first.begin(), first.end(), name) == first.end()) list.push_back(make);
-  }
-  return list;
+OwnProblems library_problems() {
+  return {&own_problem<problems::Duffing>,
+          &own_problem<problems::ImpactDuffing>,
+          &own_problem<problems::ForcedDuffing>,
+          &own_problem<problems::DrivenDuffing>,
+          &own_problem<LaierDuffing>,
+          &own_problem<problems::VanDerPol>,
+          &own_problem<LaierVanDerPol>,
+          &own_problem<problems::LinearOscillator>,
+          &own_problem<problems::TwoDof>,
+          &own_problem<problems::ThreeMassChain>,
+          &own_problem<problems::Lorenz>,
+          &own_problem<problems::StrongOscillator>,
+          &own_problem<problems::Projectile>,
+          &own_problem<problems::FourBodies>,
+          &own_problem<problems::BlowUp>,
+          &own_problem<problems::Robertson>,
+          &own_problem<problems::Hires>,
+          &own_problem<problems::Kepler>,
+          &own_problem<problems::Arenstorf>,
+          &own_problem<problems::Pleiades>,
+          &own_problem<problems::DuffingChain>,
+          &own_problem<problems::SpringPendulum>,
+          &own_problem<problems::Pollution>,
+          &own_problem<problems::DeadEnd>,
+          &own_problem<problems::LostDomain>};
 }
 
 }  // namespace nlmech::comparison

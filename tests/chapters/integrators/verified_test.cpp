@@ -1,5 +1,5 @@
-/// `rbf_ivp integrate` holds runs by a tolerance to an independent one, and `compare` measures all methods by
-/// one.
+/// `integrators integrate` holds runs by a tolerance to an independent one, and `compare` measures all
+/// methods by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,27 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/process.hpp"
+#include "tests/chapters/integrators/run.hpp"
 #include "tests/ivp/oracle.hpp"
-#include "tests/places.hpp"
 
-namespace nlmech::verified_test {
+namespace nlmech::integrators_commands_test {
 namespace {
-
-using scene::Finished;
-
-/// Runs the program with words separated by blanks; "_" stands for a blank within a word.
-Finished rbf_ivp(const std::string& words) {
-  std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/rbf_ivp"};
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t end = std::min(words.find(' ', begin), words.size());
-    arguments.push_back(words.substr(begin, end - begin));
-    std::replace(arguments.back().begin(), arguments.back().end(), '_', ' ');
-    begin = end + 1;
-  }
-  return scene::run_program(arguments, {});
-}
 
 bool is_absent(const Finished& f) { return f.errors.find("is not in this build") != std::string::npos; }
 
@@ -45,7 +29,7 @@ TEST(IntegrateVerified, RefusesWhatIsFarOff) {
         "--problem duffing --set natural-frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
         "gsl-bsimp",
         "--problem duffing --until 20 --method gsl-msbdf"}) {
-    const Finished f = rbf_ivp("integrate " + words);
+    const Finished f = run("integrate " + words);
     if (is_absent(f)) continue;
     EXPECT_EQ(f.exit_code, 1) << words << f.output;
     EXPECT_EQ(f.output, "") << words;
@@ -61,7 +45,7 @@ TEST(IntegrateVerified, RefusesWhatIsFarOff) {
 TEST(IntegrateVerified, NoRunawayIsASuccess) {
   for (const char* method : {"adaptive-collocation --until 1e14", "cvode-bdf --until 1e11 --tolerance 1e-6",
                              "gsl-msbdf --until 1e11 --tolerance 1e-6"}) {
-    const Finished f = rbf_ivp("integrate --problem robertson --method " + std::string(method));
+    const Finished f = run("integrate --problem robertson --method " + std::string(method));
     if (is_absent(f)) continue;
     EXPECT_EQ(f.exit_code, 1) << method << f.output;
     EXPECT_EQ(f.output, "") << method;
@@ -70,7 +54,7 @@ TEST(IntegrateVerified, NoRunawayIsASuccess) {
 }
 
 TEST(IntegrateVerified, PrintsTheRunAsItIsIfAsked) {
-  const Finished f = rbf_ivp("integrate --problem duffing --until 20 --method gsl-msbdf --no-verify");
+  const Finished f = run("integrate --problem duffing --until 20 --method gsl-msbdf --no-verify");
   if (is_absent(f)) GTEST_SKIP() << f.errors;
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_EQ(f.errors, "");
@@ -80,7 +64,7 @@ TEST(IntegrateVerified, PrintsTheRunAsItIsIfAsked) {
 
 // A step is the user's own, and its error what he asked for.
 TEST(IntegrateVerified, LeavesFixedStepsAlone) {
-  const Finished f = rbf_ivp("integrate --problem duffing --until 20 --method newmark --step 0.1");
+  const Finished f = run("integrate --problem duffing --until 20 --method newmark --step 0.1");
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_EQ(f.errors, "");
 }
@@ -89,10 +73,10 @@ TEST(IntegrateVerified, LeavesFixedStepsAlone) {
 // steps are not.
 TEST(IntegrateVerified, LooksAtRows) {
   const std::string words = "integrate --problem duffing --until 20 --method arkode-erk --tolerance 1e-6";
-  const Finished ends = rbf_ivp(words);
+  const Finished ends = run(words);
   if (is_absent(ends)) GTEST_SKIP() << ends.errors;
   EXPECT_EQ(ends.exit_code, 0) << ends.errors;
-  const Finished rows = rbf_ivp(words + " --every 0.37");
+  const Finished rows = run(words + " --every 0.37");
   double worst = 0;
   if (rows.exit_code == 0) {
     const auto all = scene::parse_numbers(rows.output, "output", {"t", "x1", "v1"});
@@ -108,7 +92,7 @@ struct Row {
 };
 
 std::vector<Row> comparison(const std::string& words, std::string& errors) {
-  const Finished f = rbf_ivp("compare " + words);
+  const Finished f = run("compare " + words);
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   errors = f.errors;
   std::vector<Row> rows;
@@ -178,4 +162,4 @@ TEST(CompareReference, TheLimitIsThatOfTheWholeCommand) {
 }
 
 }  // namespace
-}  // namespace nlmech::verified_test
+}  // namespace nlmech::integrators_commands_test

@@ -1,38 +1,22 @@
-/// `rbf_ivp integrate` and `rbf_ivp compare` as a user types them.
+/// `integrators integrate` and `compare` on the library's problems as a user types them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/process.hpp"
+#include "tests/chapters/integrators/run.hpp"
 #include "tests/ivp/oracle.hpp"
-#include "tests/places.hpp"
 
-namespace nlmech::own_work_test {
+namespace nlmech::integrators_commands_test {
 namespace {
-
-using scene::Finished;
 
 const std::vector<std::string> duffing_columns = {"t", "x1", "v1"};
 
-/// Runs the program with words separated by blanks.
-Finished rbf_ivp(const std::string& words) {
-  std::vector<std::string> arguments = {NLMECH_BINARY_DIR "/bin/rbf_ivp"};
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t end = std::min(words.find(' ', begin), words.size());
-    arguments.push_back(words.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return scene::run_program(arguments, {});
-}
-
 scene::NumberColumns trajectory(const std::string& words, const std::vector<std::string>& columns) {
-  const Finished f = rbf_ivp("integrate " + words);
+  const Finished f = run("integrate " + words);
   EXPECT_EQ(f.exit_code, 0) << words << ": " << f.errors;
   EXPECT_EQ(f.errors, "") << words;
   std::string header;
@@ -83,7 +67,7 @@ TEST(Integrate, EveryMethodOfOursArrives) {
 
 TEST(Integrate, PeersAnswerOrSayThatTheyAreAbsent) {
   for (const std::string peer : {"cvode-adams", "arkode-erk", "gsl-rk8pd", "odeint-dopri5"}) {
-    const Finished f = rbf_ivp("integrate --problem duffing --until 5 --method " + peer);
+    const Finished f = run("integrate --problem duffing --until 5 --method " + peer);
     if (f.exit_code == 0) {
       const auto rows = scene::parse_numbers(f.output, "output", duffing_columns);
       EXPECT_LE(last_error(rows, oracle::duffing(5)), 1e-6) << peer;  // 1e-9 in some hundred steps
@@ -170,15 +154,15 @@ TEST(Integrate, NoWayToGo) {
   EXPECT_EQ(rows.column[1], (std::vector<double>{1, 1}));
 }
 
-struct Bad {
+struct BadWords {
   std::string words;
-  std::vector<std::string> says;
+  Words says;
 };
 
 // Exit code 2, nothing on standard output, and a message with option, value and what there is.
 TEST(OwnWork, BadInputIsNamed) {
   const std::string good = " --problem duffing --until 1";
-  const std::vector<Bad> cases = {
+  const std::vector<BadWords> cases = {
       {"integrate --problem pendulum --until 1 --method rk4",
        {"--problem pendulum", "duffing", "three-dof", "blow-up"}},
       {"integrate --method magic" + good, {"--method", "'magic'", "rbf-coll", "odeint-dopri5"}},
@@ -236,8 +220,8 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --until 1 --method rk4", {"--problem"}},
       {"integrate --method rk4 --frobnicate 1" + good, {"--frobnicate"}},
   };
-  for (const Bad& bad : cases) {
-    const Finished f = rbf_ivp(bad.words);
+  for (const BadWords& bad : cases) {
+    const Finished f = run(bad.words);
     EXPECT_EQ(f.exit_code, 2) << bad.words << ": " << f.errors;
     EXPECT_EQ(f.output, "") << bad.words;
     for (const std::string& word : bad.says)
@@ -247,13 +231,13 @@ TEST(OwnWork, BadInputIsNamed) {
 
 // Exit code 1, a sentence with method, place and what to change, and nothing on standard output.
 TEST(Integrate, FailureSaysWhereAndWhatToChange) {
-  const Finished blow = rbf_ivp("integrate --problem blow-up --until 1 --method rk4 --step 0.01 --every 0.1");
+  const Finished blow = run("integrate --problem blow-up --until 1 --method rk4 --step 0.01 --every 0.1");
   EXPECT_EQ(blow.exit_code, 1);
   EXPECT_EQ(blow.output, "");
   for (const std::string word : {"rk4", "non_finite", "t = 0.5", "smaller step"})
     EXPECT_NE(blow.errors.find(word), std::string::npos) << blow.errors;
   const Finished late =
-      rbf_ivp("integrate --problem duffing --until 1e6 --method euler --step 1e-6 --limit 0.05");
+      run("integrate --problem duffing --until 1e6 --method euler --step 1e-6 --limit 0.05");
   EXPECT_EQ(late.exit_code, 1);
   EXPECT_NE(late.errors.find("time_limit"), std::string::npos) << late.errors;
 }
@@ -263,7 +247,7 @@ struct Row {
 };
 
 std::vector<Row> comparison(const std::string& words, std::string& errors) {
-  const Finished f = rbf_ivp("compare " + words);
+  const Finished f = run("compare " + words);
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   errors = f.errors;
   const auto records = scene::parse_csv(f.output, "output");
@@ -363,7 +347,7 @@ TEST(Compare, BackwardsHasAReferenceToo) {
 
 TEST(OwnWork, HelpNamesProblemsAndMethods) {
   for (const std::string command : {"integrate", "compare"}) {
-    const Finished f = rbf_ivp(command + " --help");
+    const Finished f = run(command + " --help");
     EXPECT_EQ(f.exit_code, 0);
     for (const std::string word : {"three-dof", "hardening=1", "van-der-pol", "radau-coll", "gsl-rk8pd",
                                    "--tolerance", "x'' - mu (1 - x^2) x'"})
@@ -371,36 +355,5 @@ TEST(OwnWork, HelpNamesProblemsAndMethods) {
   }
 }
 
-/// The pendulum of the example, by the classical method with 100 000 steps in extended precision: its error
-/// is below (1e-4)^4 and rounding.
-std::array<long double, 2> pendulum() {
-  const auto f = [](const std::array<long double, 2>& x) {
-    return std::array<long double, 2>{x[1], -std::sin(x[0]) - x[1] / 10};
-  };
-  const auto add = [](const std::array<long double, 2>& x, long double h,
-                      const std::array<long double, 2>& k) {
-    return std::array<long double, 2>{x[0] + h * k[0], x[1] + h * k[1]};
-  };
-  std::array<long double, 2> x = {1, 0};
-  const long double h = 1e-4L;
-  for (int i = 0; i < 100'000; ++i) {
-    const auto a = f(x), b = f(add(x, h / 2, a)), c = f(add(x, h / 2, b)), d = f(add(x, h, c));
-    x = add(add(add(add(x, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
-  }
-  return x;
-}
-
-TEST(Example, OfThePageRuns) {
-  const Finished f = scene::run_program({NLMECH_BINARY_DIR "/bin/rbf_ivp_example"}, {});
-  EXPECT_EQ(f.exit_code, 0) << f.errors;
-  const std::size_t comma = f.output.find(", v = ");
-  ASSERT_TRUE(f.output.starts_with("success: x = ") && comma != std::string::npos) << f.output;
-  const double x = std::stod(f.output.substr(13)), v = std::stod(f.output.substr(comma + 6));
-  // Twelve printed digits; Radau IIA of order 21 in ten steps has no visible error.
-  const auto truth = pendulum();
-  EXPECT_NEAR(x, static_cast<double>(truth[0]), 2e-12);
-  EXPECT_NEAR(v, static_cast<double>(truth[1]), 2e-12);
-}
-
 }  // namespace
-}  // namespace nlmech::own_work_test
+}  // namespace nlmech::integrators_commands_test
