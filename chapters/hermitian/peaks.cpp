@@ -1,16 +1,15 @@
 #include "chapters/hermitian/peaks.hpp"
 
+#include "nlmech/problems/laier.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace nlmech::chapters::hermitian {
 
-problems::DrivenDuffing laier_duffing() {
-  return {.damping = 0.4, .stiffness = 1, .hardening = 0.5, .force = 0.5, .frequency = 0.5};
-}
-
-problems::VanDerPol laier_van_der_pol() { return {.mu = 1.5}; }
+problems::DrivenDuffing laier_duffing() { return problems::LaierDuffing(); }
+problems::VanDerPol laier_van_der_pol() { return problems::LaierVanDerPol(); }
 
 Case duffing_case() { return {.system = ivp::System(laier_duffing()), .x0 = {0, 0}, .sign = 1}; }
 

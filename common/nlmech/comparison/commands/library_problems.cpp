@@ -1,7 +1,5 @@
 #include "nlmech/comparison/commands/library_problems.hpp"
 
-#include <string_view>
-
 #include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/arenstorf.hpp"
 #include "nlmech/problems/blow_up.hpp"
@@ -14,6 +12,7 @@
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/kepler.hpp"
+#include "nlmech/problems/laier.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/pleiades.hpp"
@@ -27,47 +26,20 @@
 #include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::comparison {
-namespace {
-
-// Laier's own parameters and starts.
-struct LaierDuffing : problems::DrivenDuffing {
-  static constexpr std::string_view name = "laier-duffing";
-  LaierDuffing() : DrivenDuffing(problems::laier_duffing()) {}
-  [[nodiscard]] static Vector<double, 2> initial_state() { return {0, 0}; }
-};
-struct LaierVanDerPol : problems::VanDerPol {
-  static constexpr std::string_view name = "laier-van-der-pol";
-  LaierVanDerPol() : VanDerPol(problems::laier_van_der_pol()) {}
-  [[nodiscard]] static Vector<double, 2> initial_state() { return {0.01, 0}; }
-};
-
-}  // namespace
 
 OwnProblems library_problems() {
-  return {&own_problem<problems::Duffing>,
-          &own_problem<problems::ImpactDuffing>,
-          &own_problem<problems::ForcedDuffing>,
-          &own_problem<problems::DrivenDuffing>,
-          &own_problem<LaierDuffing>,
-          &own_problem<problems::VanDerPol>,
-          &own_problem<LaierVanDerPol>,
-          &own_problem<problems::LinearOscillator>,
-          &own_problem<problems::TwoDof>,
-          &own_problem<problems::ThreeMassChain>,
-          &own_problem<problems::Lorenz>,
-          &own_problem<problems::StrongOscillator>,
-          &own_problem<problems::Projectile>,
-          &own_problem<problems::FourBodies>,
-          &own_problem<problems::BlowUp>,
-          &own_problem<problems::Robertson>,
-          &own_problem<problems::Hires>,
-          &own_problem<problems::Kepler>,
-          &own_problem<problems::Arenstorf>,
-          &own_problem<problems::Pleiades>,
-          &own_problem<problems::DuffingChain>,
-          &own_problem<problems::SpringPendulum>,
-          &own_problem<problems::Pollution>,
-          &own_problem<problems::DeadEnd>,
+  return {&own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,
+          &own_problem<problems::ForcedDuffing>,  &own_problem<problems::DrivenDuffing>,
+          &own_problem<problems::LaierDuffing>,   &own_problem<problems::VanDerPol>,
+          &own_problem<problems::LaierVanDerPol>, &own_problem<problems::LinearOscillator>,
+          &own_problem<problems::TwoDof>,         &own_problem<problems::ThreeMassChain>,
+          &own_problem<problems::Lorenz>,         &own_problem<problems::StrongOscillator>,
+          &own_problem<problems::Projectile>,     &own_problem<problems::FourBodies>,
+          &own_problem<problems::BlowUp>,         &own_problem<problems::Robertson>,
+          &own_problem<problems::Hires>,          &own_problem<problems::Kepler>,
+          &own_problem<problems::Arenstorf>,      &own_problem<problems::Pleiades>,
+          &own_problem<problems::DuffingChain>,   &own_problem<problems::SpringPendulum>,
+          &own_problem<problems::Pollution>,      &own_problem<problems::DeadEnd>,
           &own_problem<problems::LostDomain>};
 }
 
