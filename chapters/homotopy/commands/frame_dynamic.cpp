@@ -225,7 +225,8 @@ void declare_dynamic(scene::Options& options, DynamicWords& words) {
            "with --dynamic: time step; without it a two-thousandth of the time, halved until half of it "
            "changes no displacement by more than a hundredth of the largest")
       .positive();
-  options.add("--tolerance", words.tolerance, "with --dynamic: for methods that choose their steps").positive();
+  options.add("--tolerance", words.tolerance, "with --dynamic: for methods that choose their steps")
+      .positive();
   options
       .add("--every", words.every,
            "with --dynamic: rows at multiples of this time and at the end, by the method's dense output; "
