@@ -7,6 +7,7 @@
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/comparison/commands/own_problem_of.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/scene/program/options.hpp"
 
 namespace nlmech::chapters::algebraic_series {
 namespace {

@@ -3,6 +3,8 @@
 #include <string>
 
 #include "chapters/hermitian/peaks.hpp"
+#include "nlmech/scene/program/options.hpp"
+#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::hermitian {
 namespace {
