@@ -22,17 +22,20 @@ std::string output_of(const std::string& program) {
 
 /// The pendulum returns after the period that elliptic integrals give. Single steps are held to 1e-8, and the
 /// end of a period collects some: 1e-5 is what Newmark's operators, of order 2, leave with their estimate of
-/// a step.
-TEST(Examples, EveryIntegratorBringsThePendulumBackOrSaysWhyNot) {
+/// a step. A thousand equal steps leave h^2 by order 2, that is 7e-5, and h = 8e-3, times ten or so, by order
+/// 1 and by radial functions, which do not contain the linear ones.
+TEST(Examples, EveryIntegratorBringsThePendulumBack) {
   const auto lines = lines_in(output_of("every_integrator"));
   EXPECT_EQ(lines.size(), ivp::named_methods().size());
   for (const std::string& line : lines) {
-    const bool success = line.ends_with(", success");
+    EXPECT_TRUE(line.ends_with(", success")) << line;
+    const std::string name = line.substr(0, line.find(' '));
     const auto place = line.find("error ");
     ASSERT_NE(place, std::string::npos) << line;
     const double error = std::stod(line.substr(place + 6));
-    EXPECT_EQ(success, error < 1e-5) << line;
-    EXPECT_TRUE(success || line.find("not_converged: ") != std::string::npos) << line;
+    const bool coarse = name == "euler" || name == "backward-euler" || name == "rbf-coll";
+    const double equal = coarse ? 0.1 : 7e-5;
+    EXPECT_LT(error, ivp::method_info(name).fixed_step() ? equal : 1e-5) << line;
   }
 }
 
