@@ -109,8 +109,11 @@ std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInf
   if (info.fixed_step()) {
     const double most = static_cast<double>(most_steps(info, p.system.size(), p.length, effort));
     const double finer = std::pow(2, effort.by);
-    for (double steps = 16.0 * static_cast<double>(p.length); steps <= most; steps *= finer)
+    double steps = 16.0 * static_cast<double>(p.length);
+    do {
       all.push_back({.step = std::abs(p.t1 - p.t0) / steps});
+      steps *= finer;
+    } while (steps <= most);
     return all;
   }
   for (int power = effort.loosest; power <= effort.tightest; power += effort.by) {

@@ -1,6 +1,5 @@
 /// `compare`: which methods, which tolerances, which reference.
 #include <algorithm>
-#include <filesystem>
 
 #include "tests/chapters/integrators/run.hpp"
 
@@ -75,6 +74,23 @@ TEST(Compare, SweepsByDecadesOrAList) {
   EXPECT_NE(one.errors.find("agree to "), std::string::npos) << one.errors;
 }
 
+// Methods of fixed step take the step, the others the tolerances; without a step they have none to take.
+TEST(Compare, TakesAStepBesideTolerances) {
+  Words words = {"--equation", "x'' = -x",  "--initial", "x=1, x'=0",    "--until",
+                 "2",          "--methods", "rk4,ode45", "--tolerances", "1e-3,1e-6"};
+  const Compared without = compare(words);
+  words.insert(words.end(), {"--step", "0.1"});
+  const Compared with = compare(words);
+  ASSERT_EQ(without.rows.size(), 3U);
+  ASSERT_EQ(with.rows.size(), 3U);
+  EXPECT_EQ(without.rows[0][2], "unsuitable");
+  EXPECT_NE(without.rows[0][6].find("give a step"), std::string::npos) << without.rows[0][6];
+  EXPECT_EQ(with.rows[0][1], "step 0.1");
+  EXPECT_EQ(with.rows[0][2], "success");
+  EXPECT_EQ(with.rows[1][1], "tolerance 0.001");
+  EXPECT_EQ(with.rows[2][1], "tolerance 1e-06");
+}
+
 TEST(Compare, RefusesTolerancesThatCannotBeMeant) {
   const Words begin = {"compare", "--equation", "x' = -x", "--initial",
                        "x=1",     "--until",    "1",       "--tolerances"};
@@ -91,7 +107,6 @@ TEST(Compare, RefusesTolerancesThatCannotBeMeant) {
       {{"1:1e-300"}, "thirty decades"},
       {{"few"}, "--tolerances few"},
       {{"1e-3", "--tolerance", "1e-6"}, "no --tolerance"},
-      {{"1e-3", "--step", "0.1"}, "no --step"},
       {{"1e-3", "--methods", "ode45,ode45"}, "ode45 is given twice"},
       {{"1e-3", "--methods", "ode45,,rk4"}, "--methods"},
       {{"1e-3", "--methods", "all,rk4"}, "there is no method 'all'"}};
@@ -99,34 +114,6 @@ TEST(Compare, RefusesTolerancesThatCannotBeMeant) {
     Words words = begin;
     words.insert(words.end(), more.begin(), more.end());
     expect_refused({words, {says}});
-  }
-}
-
-// A name is one equation everywhere, and the command is one: the same bytes from every program.
-TEST(EveryChapter, HasTheSameCommand) {
-  const Words asks[] = {
-      {"integrate", "--problem", "duffing", "--until", "5", "--every", "1", "--method", "series"},
-      {"integrate", "--problem", "van-der-pol", "--until", "5", "--method", "ode45"},
-      {"integrate", "--problem", "driven-duffing", "--until", "5", "--method", "cvode-adams", "--tolerance",
-       "1e-8"},
-      {"integrate", "--problem", "lorenz", "--until", "5", "--method", "adaptive-collocation"},
-      {"integrate", "--problem", "hires", "--until", "5", "--initial", "x1=2/3", "--method", "cvode-bdf",
-       "--tolerance", "1e-8"},
-      {"integrate", "--equation", "x'' + x^3 = cos(t)", "--initial", "x=pi, x'=0", "--until", "5", "--method",
-       "laier", "--tolerance", "1e-7", "--event", "x=0"},
-      {"integrate", "--file", "chapters/integrators/examples/friction.ode", "--until", "5", "--method",
-       "series"}};
-  for (const Words& ask : asks) {
-    const Finished expected = integrators(ask);
-    EXPECT_EQ(expected.exit_code, 0) << ask[2] << expected.errors;
-    for (const std::string chapter : {"rbf_ivp", "algebraic_series", "hermitian", "transversal"}) {
-      Words words = ask;
-      words.insert(words.begin(), NLMECH_BINARY_DIR "/bin/" + chapter);
-      if (!std::filesystem::exists(words.front())) continue;
-      const Finished f = scene::run_program(words, NLMECH_SOURCE_DIR);
-      EXPECT_EQ(f.exit_code, 0) << chapter << f.errors;
-      EXPECT_EQ(f.output, expected.output) << chapter << " " << ask[2];
-    }
   }
 }
 
