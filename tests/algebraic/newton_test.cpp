@@ -9,15 +9,15 @@
 namespace nlmech::algebraic::newton_test {
 namespace {
 
-using Eigen::Matrix2d;
+using Eigen::MatrixXd;
 using Eigen::Vector2d;
-using Two = Workspace<Vector2d, Matrix2d>;
+using Two = Workspace<Vector2d>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // The circle x^2 + y^2 = 4 meets the hyperbola x y = 1 at x^2 = 2 + sqrt(3).
 const auto circle = [](const Vector2d& x, Vector2d& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; };
-const auto circle_derivative = [](const Vector2d& x, Matrix2d& j) { j << 2 * x[0], 2 * x[1], x[1], x[0]; };
+const auto circle_derivative = [](const Vector2d& x, MatrixXd& j) { j << 2 * x[0], 2 * x[1], x[1], x[0]; };
 
 TEST(Newton, FindsARegularRootToRounding) {
   Vector2d x(2, 1);
@@ -63,11 +63,11 @@ using One = Eigen::Matrix<double, 1, 1>;
 
 // Newton's iteration on atan diverges from beyond |x| = 1.3917; with damping it converges from anywhere.
 const auto arctangent = [](const One& x, One& f) { f[0] = std::atan(x[0]); };
-const auto arctangent_derivative = [](const One& x, One& j) { j(0, 0) = 1 / (1 + x[0] * x[0]); };
+const auto arctangent_derivative = [](const One& x, MatrixXd& j) { j(0, 0) = 1 / (1 + x[0] * x[0]); };
 
 TEST(Newton, DivergenceIsReported) {
   One x(2);
-  Workspace<One, One> w(1);
+  Workspace<One> w(1);
   Statistics cost;
   const Outcome outcome = solve(Newton{}, arctangent, arctangent_derivative, x, w, cost);
   EXPECT_TRUE(outcome == Outcome::newton_diverged || outcome == Outcome::singular_matrix ||
@@ -76,7 +76,7 @@ TEST(Newton, DivergenceIsReported) {
 
 RC_GTEST_PROP(DampedNewton, ConvergesWhereNewtonDiverges, ()) {
   One x(*rc::gen::map(rc::gen::inRange(-100000, 100000), [](int k) { return k / 100.0; }));
-  Workspace<One, One> w(1);
+  Workspace<One> w(1);
   Statistics cost;
   RC_ASSERT(solve(DampedNewton{}, arctangent, arctangent_derivative, x, w, cost) == Outcome::success);
   RC_ASSERT(std::abs(x[0]) <= 1e-12);  // the tolerance on the update, at a root with slope 1
@@ -84,9 +84,9 @@ RC_GTEST_PROP(DampedNewton, ConvergesWhereNewtonDiverges, ()) {
 
 TEST(DampedNewton, NoRootIsNotConverged) {
   const auto f = [](const One& x, One& r) { r[0] = 1 + x[0] * x[0]; };
-  const auto df = [](const One& x, One& j) { j(0, 0) = 2 * x[0]; };
+  const auto df = [](const One& x, MatrixXd& j) { j(0, 0) = 2 * x[0]; };
   One x(1);
-  Workspace<One, One> w(1);
+  Workspace<One> w(1);
   Statistics cost;
   const Outcome outcome = solve(DampedNewton{}, f, df, x, w, cost);
   EXPECT_NE(outcome, Outcome::success);
@@ -96,8 +96,8 @@ TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
   // A residual with an error of 1e-9 that changes sign with every call: updates stay at 1e-9.
   int calls = 0;
   const auto noisy = [&calls](const One& x, One& f) { f[0] = x[0] - 1 + (calls++ % 2 == 0 ? 1e-9 : -1e-9); };
-  const auto slope = [](const One&, One& j) { j(0, 0) = 1; };
-  Workspace<One, One> w(1);
+  const auto slope = [](const One&, MatrixXd& j) { j(0, 0) = 1; };
+  Workspace<One> w(1);
   Statistics cost;
   One x(3);
   EXPECT_EQ(solve(Newton{.tolerance = 1e-12}, noisy, slope, x, w, cost), Outcome::not_converged);

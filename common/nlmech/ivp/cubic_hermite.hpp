@@ -2,6 +2,8 @@
 /// The cubic through two states with two derivatives: dense output of methods of order up to 3.
 #pragma once
 
+#include <utility>
+
 #include "nlmech/ivp/state.hpp"
 
 namespace nlmech::ivp {
@@ -20,6 +22,13 @@ class CubicHermite {
   double t0 = 0;  ///< time of the begin
   double h = 1;   ///< length of the step, signed
 
+  /// Goes on to a step of length @p length from time @p t: the end of the step before is its start.
+  void next_step(double t, double length) {
+    std::swap(x0, x1);
+    std::swap(f0, f1);
+    t0 = t;
+    h = length;
+  }
   /// State at time @p t.
   void at(double t, State& x) const {
     const double s = (t - t0) / h, r = 1 - s;

@@ -2,6 +2,8 @@
 /// What methods for accelerations share: they split a state into positions and velocities.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "nlmech/ivp/failures.hpp"
@@ -21,6 +23,23 @@ template <class X>
 [[nodiscard]] auto velocities(X& x) {
   constexpr int n = X::RowsAtCompileTime, m = n == Eigen::Dynamic ? n : n / 2;
   return x.tail(Eigen::fix<m>(static_cast<int>(x.size()) / 2));
+}
+
+/// Puts a state and its derivative together: x = (q, v), f = (v, a).
+inline void join(const State& q, const State& v, const State& a, State& x, State& f) {
+  const Eigen::Index size = q.size();
+  for (Eigen::Index i = 0; i < size; ++i) {
+    x[i] = q[i];
+    x[size + i] = f[i] = v[i];
+    f[size + i] = a[i];
+  }
+}
+
+/// The greatest |x_i| with begin <= i < end; not for NaN.
+[[nodiscard]] inline double greatest(const State& x, Eigen::Index begin, Eigen::Index end) {
+  double most = 0;
+  for (Eigen::Index i = begin; i < end; ++i) most = std::max(most, std::abs(x[i]));
+  return most;
 }
 
 /// @throws std::invalid_argument unless the system gives accelerations, or if its size is odd

@@ -2,7 +2,7 @@
 
 namespace nlmech::algebraic {
 
-// The sizes that most callers share are compiled here, as a check that the header stands by itself.
-template struct Workspace<Eigen::VectorXd, Eigen::MatrixXd>;
+// What most callers share is compiled here, as a check that the header stands by itself.
+template struct Workspace<Eigen::VectorXd>;
 
 }  // namespace nlmech::algebraic

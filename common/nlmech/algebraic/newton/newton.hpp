@@ -3,10 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "nlmech/algebraic/dense_lu.hpp"
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 
@@ -39,17 +39,16 @@ struct DampedNewton {
 };
 
 /// What the iteration works on; sized once, reused from solve to solve.
-/// @tparam V column vector, Eigen, of fixed or dynamic size
-/// @tparam M square matrix of that size
-template <class V, class M>
+/// @tparam V column vector, Eigen
+template <class V>
 struct Workspace {
   /// For n unknowns.
   explicit Workspace(Eigen::Index n) : residual(n), update(n), trial(n), matrix(n, n), lu(n) {}
-  V residual;                 ///< F(x)
-  V update;                   ///< Newton's step
-  V trial;                    ///< the damped iteration's next x
-  M matrix;                   ///< dF/dx
-  Eigen::PartialPivLU<M> lu;  ///< its factors
+  V residual;              ///< F(x)
+  V update;                ///< Newton's step
+  V trial;                 ///< the damped iteration's next x
+  Eigen::MatrixXd matrix;  ///< dF/dx
+  DenseLu<double> lu;      ///< its factors
 
   /// dF/dx at @p x, factorised. @return success or `non_finite`
   template <class Derivative>
@@ -61,7 +60,7 @@ struct Workspace {
   }
   /// The update from the residual. @return success or `singular_matrix`
   [[nodiscard]] Outcome solve() {
-    update = lu.solve(residual);
+    lu.solve(residual, update);
     return update.allFinite() ? Outcome::success : Outcome::singular_matrix;
   }
 };

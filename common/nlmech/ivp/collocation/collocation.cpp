@@ -134,7 +134,7 @@ class CollocationStepper : public Stepper {
   SmoothSegment segment_;
   std::vector<double> asked_;  // times at which f is asked for
   Eigen::VectorXd unknowns_;
-  algebraic::Workspace<Eigen::VectorXd, Eigen::MatrixXd> work_;
+  algebraic::Workspace<Eigen::VectorXd> work_;
   Nodes derivatives_;
   State node_, x0_;
   Jacobian jacobian_;

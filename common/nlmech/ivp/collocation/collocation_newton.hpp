@@ -10,9 +10,9 @@
 #include <limits>
 #include <utility>
 
+#include "nlmech/algebraic/dense_lu.hpp"
 #include "nlmech/collocation/radau/radau_defect.hpp"
 #include "nlmech/collocation/radau/radau_transform.hpp"
-#include "nlmech/ivp/collocation/collocation_factors.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
@@ -175,7 +175,7 @@ class NewtonSteps : public DenseOutput {
   friend class NewtonSteps;
   using Increments = Eigen::Matrix<double, s, Eigen::Dynamic>;  // at all nodes, a component a column
   using Row = Column<s>;                                        // a number for each node
-  using ComplexFactors = Factors<std::complex<double>>;
+  using ComplexFactors = algebraic::DenseLu<std::complex<double>>;
   static constexpr std::size_t pairs = (s - 1) / 2;  // of complex eigenvalues
   static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
   static constexpr double keep_jacobian = 1e-3;  // contraction
@@ -190,9 +190,9 @@ class NewtonSteps : public DenseOutput {
     return {{(static_cast<void>(p), ComplexFactors(system_.size()))...}};
   }
   [[gnu::noinline]] void factor(Statistics& statistics) {
-    real_factors_.compute(transform_.real / h_, jacobian_);
+    real_factors_.compute(jacobian_, -1, transform_.real / h_);
     for (std::size_t p = 0; p < pairs; ++p)
-      complex_factors_[p].compute(transform_.complex[p] / h_, jacobian_);
+      complex_factors_[p].compute(jacobian_, -1, transform_.complex[p] / h_);
     factored_ = h_;
     ++statistics.factorisations;
   }
@@ -289,15 +289,15 @@ class NewtonSteps : public DenseOutput {
     const Eigen::Index size = x0_.size();
     combine(transform_.to, f_, change_of_w_);
     for (Eigen::Index d = 0; d < size; ++d) real_[d] = change_of_w_(0, d) - transform_.real / h_ * w_(0, d);
-    real_factors_.solve(real_);
+    real_factors_.solve(real_, real_);
     for (Eigen::Index d = 0; d < size; ++d) change_of_w_(0, d) = real_[d];
     for (std::size_t p = 0; p < pairs; ++p) {
       const auto a = static_cast<Eigen::Index>(2 * p + 1), b = a + 1;
       const std::complex<double> eigenvalue = transform_.complex[p] / h_;
       for (Eigen::Index d = 0; d < size; ++d)
         complex_[d] = std::complex<double>(change_of_w_(a, d), change_of_w_(b, d)) -
-                      product(eigenvalue, std::complex<double>(w_(a, d), w_(b, d)));
-      complex_factors_[p].solve(complex_);
+                      algebraic::product(eigenvalue, std::complex<double>(w_(a, d), w_(b, d)));
+      complex_factors_[p].solve(complex_, complex_);
       for (Eigen::Index d = 0; d < size; ++d) {
         change_of_w_(a, d) = complex_[d].real();
         change_of_w_(b, d) = complex_[d].imag();
@@ -335,14 +335,14 @@ class NewtonSteps : public DenseOutput {
     ++statistics.right_hand_sides;
     for (Eigen::Index d = 0; d < size; ++d) slope_[d] -= dot<s>(defect_.inner_slope, nodes(z_, d)) / h_;
     filtered_ = begin_defect_;
-    real_factors_.solve(filtered_);
+    real_factors_.solve(filtered_, filtered_);
     for (Eigen::Index d = 0; d < size; ++d)
       carried_[d] = defect_.begin[0].real() * begin_defect_[d] + defect_.inner[0].real() * slope_[d];
-    real_factors_.solve(carried_);
+    real_factors_.solve(carried_, carried_);
     for (std::size_t p = 0; p < pairs; ++p) {
       for (Eigen::Index d = 0; d < size; ++d)
         complex_[d] = defect_.begin[p + 1] * begin_defect_[d] + defect_.inner[p + 1] * slope_[d];
-      complex_factors_[p].solve(complex_);
+      complex_factors_[p].solve(complex_, complex_);
       for (Eigen::Index d = 0; d < size; ++d) carried_[d] += complex_[d].real();
     }
     double most = 0;
@@ -374,7 +374,7 @@ class NewtonSteps : public DenseOutput {
   Jacobian jacobian_;
   State real_;
   Eigen::VectorXcd complex_;
-  Factors<double> real_factors_;
+  algebraic::DenseLu<double> real_factors_;
   std::array<ComplexFactors, pairs> complex_factors_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, factored_ = 0, contraction_ = 0, eta_ = 1, left_ = 0,
          left_before_ = 0;

@@ -3,7 +3,6 @@
 /// output.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -69,16 +68,19 @@ class HermitianTrial : public DenseOutput {
     const auto residual = [&](const State& x, State& r) {
       static_cast<void>(system_.second_derivative(inside, x, f1_, g1_, fx_, gx_));
       statistics.right_hand_sides += 2;
-      r = x - known_;
-      positions(r) -= (h_ * h_) * (step_.qa1 * velocities(f1_) + (h_ * step_.qj1) * velocities(g1_));
-      velocities(r) -= h_ * (step_.va1 * velocities(f1_) + (h_ * step_.vj1) * velocities(g1_));
+      const Eigen::Index m = x.size() / 2;
+      for (Eigen::Index i = 0; i < m; ++i) {
+        const double a = f1_[m + i], j = g1_[m + i];
+        r[i] = x[i] - known_[i] - (h_ * h_) * (step_.qa1 * a + (h_ * step_.qj1) * j);
+        r[m + i] = x[m + i] - known_[m + i] - h_ * (step_.va1 * a + (h_ * step_.vj1) * j);
+      }
     };
     // [hermitian residual]
     const auto derivative = [&](const State& /*x*/, Jacobian& matrix) { assemble(matrix); };
     algebraic::Newton newton = newton_;
     // Rounding of f and g reaches velocities as eps |x| / h, however stiff f is, times at most some tens.
     newton.noise =
-        std::max(newton.noise, 1024 * epsilon * x0_.cwiseAbs().maxCoeff() * (1 + 1 / std::abs(h_)));
+        std::max(newton.noise, 1024 * epsilon * greatest(x0_, 0, x0_.size()) * (1 + 1 / std::abs(h_)));
     const Outcome outcome = algebraic::solve(newton, residual, derivative, x1_, workspace_, statistics);
     if (outcome != Outcome::success) return outcome;
     static_cast<void>(system_.second_derivative(inside, x1_, f1_, g1_));
@@ -104,7 +106,7 @@ class HermitianTrial : public DenseOutput {
 
   /// max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) of the estimate e.
   [[nodiscard]] double error_of(double atol, double rtol) const {
-    return (error_.array().abs() / (atol + rtol * x0_.array().abs().max(x1_.array().abs()))).maxCoeff();
+    return worst_share(error_, x0_, x1_, atol, rtol);
   }
   /// A second estimate in the same measure, for steps that do not resolve the stiffness of the problem: the
   /// first one holds for short steps, and for long ones there are lengths at which it vanishes on an
@@ -117,7 +119,7 @@ class HermitianTrial : public DenseOutput {
   [[nodiscard]] double unresolved(double atol, double rtol, bool always, Statistics& statistics) {
     const Eigen::Index m = system_.size() / 2;
     const auto stiffness = fx_.bottomLeftCorner(m, m), damping = fx_.bottomRightCorner(m, m);
-    if (!(h_ * h_ * stiffness.cwiseAbs().rowwise().sum().maxCoeff() > 2) && !always) return 0;
+    if (!(h_ * h_ * greatest_row_sum(0) > 2) && !always) return 0;
     filter_ = -(h_ * h_ / 12) * stiffness - (h_ / 2) * damping;
     filter_.diagonal().array() += 1;
     lu_.compute(filter_);
@@ -130,7 +132,7 @@ class HermitianTrial : public DenseOutput {
       curvature(s, missing_);
       missing_ -= velocities(known_);
       missing_ *= h_ * h_;
-      answer_ = lu_.solve(missing_);
+      lu_.solve(missing_, answer_);
       const double part = std::max(worst_share(answer_, positions(x0_), positions(x1_), atol, rtol),
                                    worst_share(answer_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
       if (!(part <= worst)) worst = part;
@@ -166,26 +168,33 @@ class HermitianTrial : public DenseOutput {
 
   // Taylor's polynomial, unless its last terms are the greatest: then the begin.
   void predict() {
-    x1_ = x0_ + h_ * f0_ + (h_ * h_ / 2) * g0_;
-    positions(x1_) += (h_ * h_ * h_ / 6) * velocities(g0_);
-    const double size = displacement(x0_),
-                 last = h_ * h_ * velocities(g0_).cwiseAbs().maxCoeff() * std::abs(h_);
+    const Eigen::Index n = x0_.size(), m = n / 2;
+    for (Eigen::Index i = 0; i < n; ++i) x1_[i] = x0_[i] + h_ * f0_[i] + (h_ * h_ / 2) * g0_[i];
+    for (Eigen::Index i = 0; i < m; ++i) x1_[i] += (h_ * h_ * h_ / 6) * g0_[m + i];
+    const double size = displacement(x0_), last = h_ * h_ * greatest(g0_, m, n) * std::abs(h_);
     if (!(last <= size) || !x1_.allFinite()) x1_ = x0_;
   }
 
   // What the equations know before the iteration.
   void prepare() {
-    known_ = x0_;
-    positions(known_) +=
-        h_ * velocities(x0_) + (h_ * h_) * (step_.qa0 * velocities(f0_) + (h_ * step_.qj0) * velocities(g0_));
-    velocities(known_) += h_ * (step_.va0 * velocities(f0_) + (h_ * step_.vj0) * velocities(g0_));
+    const Eigen::Index m = x0_.size() / 2;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const double v = x0_[m + i], a = f0_[m + i], j = g0_[m + i];
+      known_[i] = x0_[i] + (h_ * v + (h_ * h_) * (step_.qa0 * a + (h_ * step_.qj0) * j));
+      known_[m + i] = v + h_ * (step_.va0 * a + (h_ * step_.vj0) * j);
+    }
   }
 
   void assemble(Jacobian& matrix) const {
-    const Eigen::Index m = system_.size() / 2;
-    matrix.topRows(m) = -(h_ * h_) * (step_.qa1 * fx_.bottomRows(m) + (h_ * step_.qj1) * gx_.bottomRows(m));
-    matrix.bottomRows(m) = -h_ * (step_.va1 * fx_.bottomRows(m) + (h_ * step_.vj1) * gx_.bottomRows(m));
-    matrix.diagonal().array() += 1;
+    const Eigen::Index m = matrix.rows() / 2;
+    for (Eigen::Index k = 0; k < 2 * m; ++k) {
+      for (Eigen::Index i = 0; i < m; ++i) {
+        const double a = fx_(m + i, k), j = gx_(m + i, k);
+        matrix(i, k) = -(h_ * h_) * (step_.qa1 * a + (h_ * step_.qj1) * j);
+        matrix(m + i, k) = -h_ * (step_.va1 * a + (h_ * step_.vj1) * j);
+      }
+      matrix(k, k) += 1;
+    }
   }
 
   // Two operators of higher order than any of the table are left with the error of the step: that of both
@@ -197,41 +206,57 @@ class HermitianTrial : public DenseOutput {
     const double inside = segment_(t0_ + h_ / 2);
     system_.rhs(inside, middle_, known_);
     ++statistics.right_hand_sides;
-    const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
-    positions(error_) = positions(x1_) - positions(x0_) - (h_ / 2) * (velocities(x0_) + velocities(x1_)) -
-                        (h_ * h_ / 10) * (a0 - a1) - (h_ * h_ * h_ / 120) * (j0 + j1);
-    velocities(error_) = velocities(x1_) - velocities(x0_) -
-                         (h_ / 30) * (7 * (a0 + a1) + 16 * velocities(known_)) - (h_ * h_ / 60) * (j0 - j1);
+    const Eigen::Index m = x0_.size() / 2;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const Eigen::Index k = m + i;
+      const double a0 = f0_[k], a1 = f1_[k], j0 = g0_[k], j1 = g1_[k];
+      error_[i] = x1_[i] - x0_[i] - (h_ / 2) * (x0_[k] + x1_[k]) - (h_ * h_ / 10) * (a0 - a1) -
+                  (h_ * h_ * h_ / 120) * (j0 + j1);
+      error_[k] = x1_[k] - x0_[k] - (h_ / 30) * (7 * (a0 + a1) + 16 * known_[k]) - (h_ * h_ / 60) * (j0 - j1);
+    }
   }
 
   // (q1 - q0)/h, by whichever has less rounding: the difference has eps |q|/h; the equation of the step that
   // of its terms, the jerk's being that of the acceleration times the damping.
   void measure_rise() {
-    const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
-    const auto a0 = velocities(f0_), a1 = velocities(f1_), j0 = velocities(g0_), j1 = velocities(g1_);
-    const Eigen::Index m = system_.size() / 2;
-    const auto size = [](const auto& v) { return v.cwiseAbs().maxCoeff(); };
-    const auto norm = [](const auto& v) { return v.cwiseAbs().rowwise().sum().maxCoeff(); };
-    const double h = std::abs(h_), q = std::max(size(q0), size(q1)), v = std::max(size(v0), size(v1));
-    const double damping = norm(fx_.bottomRightCorner(m, m));
-    const double force = norm(fx_.bottomLeftCorner(m, m)) * q + damping * v;
-    if (h * (v + h * force * (1 + h * damping)) < q) {
-      rise_ = v0 + h_ * (step_.qa0 * a0 + step_.qa1 * a1 + h_ * (step_.qj0 * j0 + step_.qj1 * j1));
-    } else {
-      rise_ = (q1 - q0) / h_;
+    const Eigen::Index m = rise_.size(), n = 2 * m;
+    const double h = std::abs(h_), q = std::max(greatest(x0_, 0, m), greatest(x1_, 0, m)),
+                 v = std::max(greatest(x0_, m, n), greatest(x1_, m, n));
+    const double damping = greatest_row_sum(m), force = greatest_row_sum(0) * q + damping * v;
+    const bool by_equation = h * (v + h * force * (1 + h * damping)) < q;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const Eigen::Index k = m + i;
+      rise_[i] = by_equation ? x0_[k] + h_ * (step_.qa0 * f0_[k] + step_.qa1 * f1_[k] +
+                                              h_ * (step_.qj0 * g0_[k] + step_.qj1 * g1_[k]))
+                             : (x1_[i] - x0_[i]) / h_;
     }
+  }
+
+  // The greatest sum of |da_i/dx_k| over half of the components: from 0, positions, or m, velocities.
+  [[nodiscard]] double greatest_row_sum(Eigen::Index begin) const {
+    const Eigen::Index m = rise_.size();
+    double most = 0;
+    for (Eigen::Index i = m; i < 2 * m; ++i) {
+      double sum = 0;
+      for (Eigen::Index k = begin; k < begin + m; ++k) sum += std::abs(fx_(i, k));
+      most = std::max(most, sum);
+    }
+    return most;
   }
 
   void interpolate(double s, State& x) const {
     const double r = 1 - s, s3 = s * s * s, r3 = r * r * r;
-    const auto q0 = positions(x0_), q1 = positions(x1_), v0 = velocities(x0_), v1 = velocities(x1_);
-    const auto a0 = velocities(f0_), a1 = velocities(f1_);
-    positions(x) = q0 + (s3 * (10 - s * (15 - 6 * s))) * (q1 - q0) + (h_ * s * r3 * (1 + 3 * s)) * v0 -
-                   (h_ * r * s3 * (1 + 3 * r)) * v1 + (h_ * h_ / 2 * s * s * r3) * a0 +
-                   (h_ * h_ / 2 * s3 * r * r) * a1;
-    velocities(x) = (30 * s * s * r * r) * rise_ + (r * r * (1 + s * (2 - 15 * s))) * v0 +
-                    (s * s * (1 + r * (2 - 15 * r))) * v1 + (h_ / 2 * s * r * r * (2 - 5 * s)) * a0 -
-                    (h_ / 2 * r * s * s * (2 - 5 * r)) * a1;
+    const Eigen::Index m = rise_.size();
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const double q0 = x0_[i], q1 = x1_[i], v0 = x0_[m + i], v1 = x1_[m + i], a0 = f0_[m + i],
+                   a1 = f1_[m + i];
+      x[i] = q0 + (s3 * (10 - s * (15 - 6 * s))) * (q1 - q0) + (h_ * s * r3 * (1 + 3 * s)) * v0 -
+             (h_ * r * s3 * (1 + 3 * r)) * v1 + (h_ * h_ / 2 * s * s * r3) * a0 +
+             (h_ * h_ / 2 * s3 * r * r) * a1;
+      x[m + i] = (30 * s * s * r * r) * rise_[i] + (r * r * (1 + s * (2 - 15 * s))) * v0 +
+                 (s * s * (1 + r * (2 - 15 * r))) * v1 + (h_ / 2 * s * r * r * (2 - 5 * s)) * a0 -
+                 (h_ / 2 * r * s * s * (2 - 5 * r)) * a1;
+    }
   }
 
   // The second derivative of the positions of interpolate().
@@ -256,7 +281,8 @@ class HermitianTrial : public DenseOutput {
   }
 
   [[nodiscard]] double displacement(const State& x) const {
-    return std::max(positions(x).cwiseAbs().maxCoeff(), std::abs(h_) * velocities(x).cwiseAbs().maxCoeff());
+    const Eigen::Index m = rise_.size();
+    return std::max(greatest(x, 0, m), std::abs(h_) * greatest(x, m, 2 * m));
   }
 
   const System& system_;
@@ -267,9 +293,9 @@ class HermitianTrial : public DenseOutput {
   State x0_, x1_, f0_, f1_, g0_, g1_, middle_, error_, known_;
   State rise_, missing_, answer_;
   Jacobian filter_;
-  Eigen::PartialPivLU<Jacobian> lu_;
+  algebraic::DenseLu<double> lu_;
   Jacobian fx_, gx_;
-  algebraic::Workspace<State, Jacobian> workspace_;
+  algebraic::Workspace<State> workspace_;
   double t0_ = 0, h_ = 1;
 };
 

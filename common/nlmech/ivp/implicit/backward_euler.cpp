@@ -72,7 +72,7 @@ class BackwardEulerStepper : public Stepper {
   algebraic::Newton newton_;
   SmoothSegment segment_;
   State x0_, x1_, f_;
-  algebraic::Workspace<State, Jacobian> workspace_;
+  algebraic::Workspace<State> workspace_;
   double t0_ = 0, h_ = 1;
 };
 

@@ -13,11 +13,10 @@ namespace nlmech::ivp {
 
 namespace detail {
 
-/// So many components at a time, as pairs that every processor has. Handed on by reference: how a function
-/// takes and returns them depends on the processor.
-template <int count>
-struct Components {
-  using Numbers [[gnu::vector_size(count * sizeof(double))]] = double;  ///< the compiler's vector
+/// Two components at a time, which every processor has. Handed on by reference: how a function takes and
+/// returns them depends on the processor.
+struct Pair {
+  using Numbers [[gnu::vector_size(2 * sizeof(double))]] = double;  ///< the compiler's vector
   /// The components from @p from on.
   [[gnu::always_inline]] static void load(const double* from, Numbers& numbers) {
     std::memcpy(&numbers, from, sizeof numbers);
@@ -28,8 +27,7 @@ struct Components {
   }
 };
 /// One component.
-template <>
-struct Components<1> {
+struct Single {
   using Numbers = double;  ///< itself
   /// The component at @p from.
   [[gnu::always_inline]] static void load(const double* from, double& number) { number = *from; }
@@ -37,16 +35,13 @@ struct Components<1> {
   [[gnu::always_inline]] static void store(double* to, double number) { *to = number; }
 };
 
-/// Calls @p work(place, kind) for all of @p size components: by fours, then what is left of them.
+/// Calls @p work(place, kind) for all of @p size components: by pairs, then the one that is left. (By fours
+/// GCC 12 stores through the stack where the processor has pairs only.)
 template <class Work>
 [[gnu::always_inline]] inline void for_components(Eigen::Index size, Work work) {
   Eigen::Index d = 0;
-  for (; d + 4 <= size; d += 4) work(d, Components<4>{});
-  if (d + 2 <= size) {
-    work(d, Components<2>{});
-    d += 2;
-  }
-  if (d < size) work(d, Components<1>{});
+  for (; d + 2 <= size; d += 2) work(d, Pair{});
+  if (d < size) work(d, Single{});
 }
 
 /// @p sum = sum_j weights[j] k_j from left to right, without the terms whose weight is 0 but the first.
@@ -76,35 +71,38 @@ template <std::size_t count, class V, std::size_t stages>
   (std::make_index_sequence<count>());
 }
 
+/// Writes to @p y what @p finish(place, kind, sum) makes of the sum of each component.
+template <const auto& weights, std::size_t count, class V, std::size_t stages, class Finish>
+[[gnu::always_inline]] inline void store_sums(const std::array<V, stages>& k, V& y, Finish finish) {
+  const auto from = places<count>(k);
+  double* const to = y.data();
+  for_components(
+      y.size(), [&](Eigen::Index d, auto kind) __attribute__((always_inline)) {
+        using Kind = decltype(kind);
+        typename Kind::Numbers sum;
+        add_up<weights, Kind>(from, d, sum);
+        finish(d, kind, sum);
+        Kind::store(to + d, sum);
+      });
+}
+
 }  // namespace detail
 
 /// y = sum_j weights[j] k_j over the first `count` stages, each component from left to right.
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[gnu::always_inline]] inline void weighted(const std::array<V, stages>& k, V& y) {
-  const auto from = detail::places<count>(k);
-  double* const to = y.data();
-  detail::for_components(
-      y.size(), [&](Eigen::Index d, auto kind) __attribute__((always_inline)) {
-        using Kind = decltype(kind);
-        typename Kind::Numbers sum;
-        detail::add_up<weights, Kind>(from, d, sum);
-        Kind::store(to + d, sum);
-      });
+  detail::store_sums<weights, count>(k, y, [](auto, auto, auto&) __attribute__((always_inline)){});
 }
 
 /// y = x + h sum_j weights[j] k_j.
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[gnu::always_inline]] inline void advance(const V& x, double h, const std::array<V, stages>& k, V& y) {
-  const auto from = detail::places<count>(k);
   const double* const base = x.data();
-  double* const to = y.data();
-  detail::for_components(
-      y.size(), [&](Eigen::Index d, auto kind) __attribute__((always_inline)) {
-        using Kind = decltype(kind);
-        typename Kind::Numbers sum, start;
-        detail::add_up<weights, Kind>(from, d, sum);
-        Kind::load(base + d, start);
-        Kind::store(to + d, start + h * sum);
+  detail::store_sums<weights, count>(
+      k, y, [&](Eigen::Index d, auto kind, auto& sum) __attribute__((always_inline)) {
+        typename decltype(kind)::Numbers start;
+        decltype(kind)::load(base + d, start);
+        sum = start + h * sum;
       });
 }
 
@@ -137,7 +135,7 @@ template <const auto& weights, std::size_t count, class V, std::size_t stages>
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[nodiscard, gnu::always_inline]] inline double weighted(const std::array<V, stages>& k, Eigen::Index d) {
   double sum = 0;
-  detail::add_up<weights, detail::Components<1>>(detail::places<count>(k), d, sum);
+  detail::add_up<weights, detail::Single>(detail::places<count>(k), d, sum);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "nlmech/algebraic/newton/newton.hpp"
 #include "nlmech/ivp/cubic_hermite.hpp"
@@ -77,19 +78,20 @@ class AlphaStepper : public Stepper {
       system_.acceleration(segment_(t), q_, v_, g0_);
       ++statistics.right_hand_sides;
       a0_ = g0_;
+      join(q_, v_, g0_, hermite_.x1, hermite_.f1);
       starts_ = false;
     }
+    hermite_.next_step(t, h);
     a1_ = a0_;
     if (Status status = solve(t, h, x0, statistics); !status.ok()) return status;
     advance(h, x0);
-    positions(x1) = q_;
-    velocities(x1) = v_;
     // The force at the end, from the equation just solved.
-    g1_ =
-        ((1 - scheme_.alpha_m) * a1_ + scheme_.alpha_m * a0_ - scheme_.alpha_f * g0_) / (1 - scheme_.alpha_f);
-    keep(t, h, x0, x1);
-    g0_ = g1_;
-    a0_ = scheme_.forgets ? g1_ : a1_;
+    const auto [m, f] = std::pair(scheme_.alpha_m, scheme_.alpha_f);
+    for (Eigen::Index i = 0; i < q_.size(); ++i)
+      g0_[i] = ((1 - m) * a1_[i] + m * a0_[i] - f * g0_[i]) / (1 - f);
+    join(q_, v_, g0_, hermite_.x1, hermite_.f1);
+    x1 = hermite_.x1;
+    a0_ = scheme_.forgets ? g0_ : a1_;
     return {};
   }
 
@@ -99,9 +101,13 @@ class AlphaStepper : public Stepper {
  private:
   // Positions and velocities that belong to the accelerations a1.
   void advance(double h, const State& x0) {
-    const auto v0 = velocities(x0);
-    q_ = positions(x0) + h * v0 + (h * h) * ((0.5 - scheme_.beta) * a0_ + scheme_.beta * a1_);
-    v_ = v0 + h * ((1 - scheme_.gamma) * a0_ + scheme_.gamma * a1_);
+    const double beta = scheme_.beta, gamma = scheme_.gamma;
+    const Eigen::Index size = q_.size();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double v0 = x0[size + i], a0 = a0_[i], a1 = a1_[i];
+      q_[i] = x0[i] + h * v0 + (h * h) * ((0.5 - beta) * a0 + beta * a1);
+      v_[i] = v0 + h * ((1 - gamma) * a0 + gamma * a1);
+    }
   }
 
   Status solve(double t, double h, const State& x0, Statistics& statistics) {
@@ -110,16 +116,19 @@ class AlphaStepper : public Stepper {
       advance(h, x0);
       system_.acceleration(t1, q_, v_, g1_);
       ++statistics.right_hand_sides;
-      r = wm * a1_ + scheme_.alpha_m * a0_ - wf * g1_ - scheme_.alpha_f * g0_;
+      for (Eigen::Index i = 0; i < r.size(); ++i)
+        r[i] = wm * a1_[i] + scheme_.alpha_m * a0_[i] - wf * g1_[i] - scheme_.alpha_f * g0_[i];
     };
-    const auto derivative = [&](const State& /*a1_*/, auto& matrix) {
-      positions(hermite_.x1) = q_;  // as a place to work: keep() writes it anew
-      velocities(hermite_.x1) = v_;
+    const auto derivative = [&](const State& /*a1_*/, Jacobian& matrix) {
+      join(q_, v_, g1_, hermite_.x1, hermite_.f1);  // as a place to work: step() writes it anew
       system_.jacobian(t1, hermite_.x1, jacobian_);
-      const Eigen::Index size = system_.size() / 2;
-      matrix = -wf * (scheme_.beta * h * h * jacobian_.bottomLeftCorner(size, size) +
-                      scheme_.gamma * h * jacobian_.bottomRightCorner(size, size));
-      matrix.diagonal().array() += wm;
+      const double by_q = scheme_.beta * h * h, by_v = scheme_.gamma * h;
+      const Eigen::Index size = q_.size();
+      for (Eigen::Index k = 0; k < size; ++k) {
+        for (Eigen::Index i = 0; i < size; ++i)
+          matrix(i, k) = -wf * (by_q * jacobian_(size + i, k) + by_v * jacobian_(size + i, size + k));
+        matrix(k, k) += wm;
+      }
     };
     algebraic::Newton newton = newton_;
     newton.noise = std::max(newton.noise, noise(h, x0));
@@ -133,20 +142,9 @@ class AlphaStepper : public Stepper {
   // stiff g is, by at most eps (|q|/(beta h^2) + |v|/(gamma h)): a change of a1 that is lost in q1 and v1.
   [[nodiscard]] double noise(double h, const State& x0) const {
     constexpr double eps = 4 * std::numeric_limits<double>::epsilon();
-    const double q = positions(x0).cwiseAbs().maxCoeff(), v = velocities(x0).cwiseAbs().maxCoeff();
+    const double q = greatest(x0, 0, q_.size()), v = greatest(x0, q_.size(), x0.size());
     const double by_q = scheme_.beta > 0 ? q / (scheme_.beta * h * h) : 0;
     return eps * (by_q + (scheme_.gamma > 0 ? v / (scheme_.gamma * std::abs(h)) : 0));
-  }
-
-  void keep(double t, double h, const State& x0, const State& x1) {
-    hermite_.t0 = t;
-    hermite_.h = h;
-    hermite_.x0 = x0;
-    hermite_.x1 = x1;
-    positions(hermite_.f0) = velocities(x0);
-    velocities(hermite_.f0) = g0_;
-    positions(hermite_.f1) = velocities(x1);
-    velocities(hermite_.f1) = g1_;
   }
 
   const System& system_;
@@ -157,7 +155,7 @@ class AlphaStepper : public Stepper {
   CubicHermite hermite_;
   Jacobian jacobian_;
   State q_, v_, a0_, a1_, g0_, g1_;
-  algebraic::Workspace<State, Jacobian> workspace_;
+  algebraic::Workspace<State> workspace_;
   bool starts_ = true;
 };
 

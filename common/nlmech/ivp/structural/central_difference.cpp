@@ -37,21 +37,22 @@ class CentralDifferenceStepper : public Stepper {
 
   /// From t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
-    q_ = positions(x0);
     if (starts_) {
       start(t, h, x0);
       ++statistics.right_hand_sides;
     }
-    keep(hermite_.x0, hermite_.f0);
-    v_half_ += ((h_before_ + h) / 2) * a_;
-    q_ += h * v_half_;
-    v_ = v_half_ + (h / 2) * a_;
+    hermite_.next_step(t, h);
+    const double between = (h_before_ + h) / 2;
+    for (Eigen::Index i = 0; i < q_.size(); ++i) {
+      v_half_[i] += between * a_[i];
+      q_[i] += h * v_half_[i];
+      v_[i] = v_half_[i] + (h / 2) * a_[i];
+    }
     system_.acceleration(segment_(t + h), q_, v_, a_);
     ++statistics.right_hand_sides;
-    v_ = v_half_ + (h / 2) * a_;
-    keep(hermite_.x1, hermite_.f1);
-    hermite_.t0 = t;
-    hermite_.h = h_before_ = h;
+    for (Eigen::Index i = 0; i < q_.size(); ++i) v_[i] = v_half_[i] + (h / 2) * a_[i];
+    join(q_, v_, a_, hermite_.x1, hermite_.f1);
+    h_before_ = h;
     x1 = hermite_.x1;
     if (method_.reported == VelocityTime::half_step_before) velocities(x1) = v_half_;
     return {};
@@ -64,6 +65,7 @@ class CentralDifferenceStepper : public Stepper {
   // Velocity and acceleration at the begin of a segment, and the velocity that would have been half a step
   // before. After the first segment v_ is that of the end of the latest step.
   void start(double t, double h, const State& x0) {
+    q_ = positions(x0);
     if (first_) v_ = velocities(x0);
     system_.acceleration(segment_(t), q_, v_, a_);
     if (given_ == VelocityTime::half_step_before) {
@@ -73,15 +75,9 @@ class CentralDifferenceStepper : public Stepper {
     } else {
       v_half_ = v_ - (h / 2) * a_;
     }
+    join(q_, v_, a_, hermite_.x1, hermite_.f1);
     h_before_ = h;
     first_ = starts_ = false;
-  }
-
-  void keep(State& x, State& f) const {
-    positions(x) = q_;
-    velocities(x) = v_;
-    positions(f) = v_;
-    velocities(f) = a_;
   }
 
   const System& system_;

@@ -258,7 +258,7 @@ class MtlStepper : public Stepper {
       jacobian_.diagonal().array() += 1;
       if (jacobian_.allFinite() && f_.allFinite()) {
         lu_.compute(jacobian_);
-        answer_ = lu_.solve(f_);
+        lu_.solve(f_, answer_);
         f_ = answer_;
       }
       const double error = algebraic::detail::length_of_update(f_, node_);
@@ -275,7 +275,7 @@ class MtlStepper : public Stepper {
   mutable MtlWeights weights_;  // at() works in its second half
   SmoothSegment segment_;
   Eigen::VectorXd unknowns_;  // states at the points 1..p
-  algebraic::Workspace<Eigen::VectorXd, Eigen::MatrixXd> work_;
+  algebraic::Workspace<Eigen::VectorXd> work_;
   Eigen::MatrixXd free_, g_, phases_;
   Eigen::VectorXd phase_;
   std::vector<Eigen::MatrixXd> slopes_;  // dg/dx at the points
@@ -283,7 +283,7 @@ class MtlStepper : public Stepper {
   State x0_, node_, answer_;
   mutable State f_;
   Jacobian jacobian_;
-  Eigen::PartialPivLU<Jacobian> lu_;
+  algebraic::DenseLu<double> lu_;
   double t0_ = 0, h_ = 0;
 };
 

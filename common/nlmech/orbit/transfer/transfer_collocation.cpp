@@ -229,7 +229,7 @@ CollocatedTransfer collocate(const TransferProblem& problem, const TransferCollo
     return result;
   }
   VectorXd x = start(problem, method, discrete);
-  algebraic::Workspace<VectorXd, MatrixXd> workspace(discrete.size());
+  algebraic::Workspace<VectorXd> workspace(discrete.size());
   // Where the matrix has lost its digits, updates end as noise.
   const algebraic::Newton newton{
       .tolerance = method.tolerance, .noise = 1e-5, .iterations = method.iterations};

@@ -1,4 +1,4 @@
-// Factors of shift I - J: the residual of a solution is that of elimination with partial pivoting.
+// LU factors: the residual of a solution is that of elimination with partial pivoting.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -6,27 +6,30 @@
 #include <complex>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 
-#include "nlmech/ivp/collocation/collocation_factors.hpp"
+#include "nlmech/algebraic/dense_lu.hpp"
 
-namespace nlmech::ivp::collocation_factors_test {
+namespace nlmech::algebraic::dense_lu_test {
 namespace {
 
-using adaptive::Factors;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using Complex = std::complex<double>;
+template <class Number>
+using Column = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 constexpr double eps = 2.220446049250313e-16;
 
 // |A x - b| of a solution with partial pivoting is at most some n^2 eps |A| |x| unless pivots grow, which
 // random matrices do not make them do (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3);
 // complex products round up to three times as much.
 template <class Number>
-bool solves(Eigen::Index size, const Number& shift, const Jacobian& j,
-            const Vector<Number, Eigen::Dynamic>& b) {
-  Factors<Number> factors(size);
-  factors.compute(shift, j);
-  Vector<Number, Eigen::Dynamic> x = b;
-  factors.solve(x);
-  Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> a = -j.template cast<Number>();
+bool solves(Eigen::Index size, const Number& shift, const MatrixXd& j, const Column<Number>& b) {
+  DenseLu<Number> factors(size);
+  factors.compute(j, -1, shift);
+  Column<Number> x = b;
+  factors.solve(x, x);
+  Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> a = -j.template cast<Number>();
   a.diagonal().array() += shift;
   const double bound = 3 * static_cast<double>(size * size) * eps * a.cwiseAbs().rowwise().sum().maxCoeff() *
                        x.cwiseAbs().maxCoeff();
@@ -48,14 +51,13 @@ Number entry(std::mt19937_64& random) {
 template <class Number>
 bool solves_at_random(std::uint64_t seed, Eigen::Index size) {
   std::mt19937_64 random(seed);
-  const Jacobian j = Jacobian::NullaryExpr(size, size, [&] { return entry<double>(random); });
-  const Vector<Number, Eigen::Dynamic> b =
-      Vector<Number, Eigen::Dynamic>::NullaryExpr(size, [&] { return entry<Number>(random); });
+  const MatrixXd j = MatrixXd::NullaryExpr(size, size, [&] { return entry<double>(random); });
+  const Column<Number> b = Column<Number>::NullaryExpr(size, [&] { return entry<Number>(random); });
   // On the diagonal more than the 0 that an entry may be: regular with probability 1.
   return solves<Number>(size, entry<Number>(random) + Number(0.37), j, b);
 }
 
-RC_GTEST_PROP(CollocationFactors, SolveWhatTheyFactor, (std::uint64_t seed)) {
+RC_GTEST_PROP(DenseLu, SolveWhatTheyFactor, (std::uint64_t seed)) {
   RC_ASSERT((solves_at_random<double>(seed, 1)));
   RC_ASSERT((solves_at_random<double>(seed, 2)));
   RC_ASSERT((solves_at_random<double>(seed, 6)));
@@ -68,45 +70,48 @@ RC_GTEST_PROP(CollocationFactors, SolveWhatTheyFactor, (std::uint64_t seed)) {
   RC_ASSERT((solves_at_random<Complex>(seed, size)));
 }
 
-TEST(CollocationFactors, BringPivotsToTheDiagonal) {
-  Jacobian j(3, 3);
-  j << 0, -1, 0, 0, 0, -2, -4, 0, 0;  // -j takes x to (x2, 2 x3, 4 x1)
-  Factors<double> factors(3);
-  factors.compute(0, j);
-  State x{5, 6, 8};
-  factors.solve(x);
-  EXPECT_EQ(x, (State{2, 5, 3}));
+TEST(DenseLu, BringPivotsToTheDiagonal) {
+  MatrixXd a(3, 3);
+  a << 0, 1, 0, 0, 0, 2, 4, 0, 0;  // takes x to (x2, 2 x3, 4 x1)
+  DenseLu<double> factors(3);
+  factors.compute(a);
+  VectorXd x = Eigen::Vector3d(5, 6, 8);
+  factors.solve(x, x);
+  EXPECT_EQ(x, Eigen::Vector3d(2, 5, 3));
 }
 
 // Squares of these entries are no doubles.
-TEST(CollocationFactors, NeitherOverflowNorUnderflow) {
+TEST(DenseLu, NeitherOverflowNorUnderflow) {
   for (const double scale : {1e-300, 1e-200, 1e200, 1e300}) {
-    Factors<Complex> factors(1);
+    DenseLu<Complex> factors(1);
     for (const Complex part : {Complex(3, 4), Complex(4, -3), Complex(0, 1), Complex(-1, 0)}) {
-      factors.compute(part * scale, Jacobian::Zero(1, 1));
+      factors.compute(MatrixXd::Zero(1, 1), 1, part * scale);
       Eigen::VectorXcd x = Eigen::VectorXcd::Constant(1, part * scale);
-      factors.solve(x);
+      factors.solve(x, x);
       EXPECT_LT(std::abs(x[0] - 1.0), 8 * eps) << part << ' ' << scale;
     }
   }
 }
 
-TEST(CollocationFactors, ASingularMatrixIsNoSolution) {
-  Jacobian j(2, 2);
-  j << 1, 2, 2, 4;
-  for (const Eigen::Index size : {2, 60}) {
-    Factors<double> many(size);
-    many.compute(0, Jacobian::Zero(size, size));
-    Vector<double, Eigen::Dynamic> x = Vector<double, Eigen::Dynamic>::Ones(size);
-    many.solve(x);
-    EXPECT_FALSE(x.allFinite()) << size;
+template <class Number>
+void expect_singular(const MatrixXd& a) {
+  const Column<Number> b = Column<Number>::Ones(a.rows());
+  Column<Number> x = b;
+  DenseLu<Number> factors(a.rows());
+  factors.compute(a);
+  factors.solve(b, x);
+  EXPECT_FALSE(x.allFinite()) << a.rows();
+  factors.solve(Column<Number>(0 * b), x);
+  EXPECT_EQ(x, 0 * b) << a.rows();
+}
+
+TEST(DenseLu, ASingularMatrixHasNoSolution) {
+  const MatrixXd dependent = (MatrixXd(2, 2) << 1, 2, 2, 4).finished();
+  for (const MatrixXd& a : {dependent, MatrixXd(MatrixXd::Zero(2, 2)), MatrixXd(MatrixXd::Zero(60, 60))}) {
+    expect_singular<double>(a);
+    expect_singular<Complex>(a);
   }
-  Factors<double> factors(2);
-  factors.compute(0, j);
-  State x{1, 1};
-  factors.solve(x);
-  EXPECT_FALSE(x.allFinite());
 }
 
 }  // namespace
-}  // namespace nlmech::ivp::collocation_factors_test
+}  // namespace nlmech::algebraic::dense_lu_test

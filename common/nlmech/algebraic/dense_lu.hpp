@@ -1,11 +1,10 @@
 /// @file
-/// Factors of the matrices of Newton's iteration in adaptive-collocation.
+/// LU factors of a dense matrix whose size is known at run time.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -13,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/state.hpp"
-
-namespace nlmech::ivp::adaptive {
+namespace nlmech::algebraic {
 
 /// a b.
 [[nodiscard]] inline double product(double a, double b) { return a * b; }
@@ -24,9 +21,7 @@ namespace nlmech::ivp::adaptive {
                                                   const std::complex<double>& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
-/// 1/a.
-[[nodiscard]] inline double reciprocal(double a) { return 1 / a; }
-/// The same by Smith's formula, which neither overflows nor underflows where the result does not.
+/// 1/a by Smith's formula, which neither overflows nor underflows where the result does not.
 [[nodiscard]] inline std::complex<double> reciprocal(const std::complex<double>& a) {
   if (std::abs(a.real()) >= std::abs(a.imag())) {
     const double ratio = a.imag() / a.real(), part = 1 / (a.real() + a.imag() * ratio);
@@ -42,49 +37,53 @@ namespace nlmech::ivp::adaptive {
   return std::abs(a.real()) + std::abs(a.imag());
 }
 
-/// Factors L U of shift I - J by elimination with partial pivoting: plain loops, which for the few equations
-/// of most systems take a half to a third of the time of Eigen's; Eigen's, which work in blocks, for many.
-/// Complex columns and right-hand sides are kept as all real parts, then all imaginary ones, so that loops
-/// over them work on several rows at once.
+/// Factors L U by elimination with partial pivoting, for Newton's iterations. Nothing is allocated after the
+/// constructor for up to `most_of_loops` equations. Plain loops, which for the few equations of most systems
+/// take a half to a third of the time of Eigen's LU; Eigen's, which works in blocks, for many. The loops for
+/// double round as Eigen's unblocked LU does. Complex columns and right-hand sides are kept as all real
+/// parts, then all imaginary ones, so that loops over them work on several rows at once.
 /// @tparam Number double or std::complex<double>
 template <class Number>
-class Factors {
+class DenseLu {
  public:
+  static constexpr Eigen::Index most_of_loops = 48;  ///< equations; twice as many are as fast by blocks
+
   /// For so many equations.
-  explicit Factors(Eigen::Index size) : size_(size) {
+  explicit DenseLu(Eigen::Index size) : size_(size), large_(is_large() ? size : 0) {
     if (is_large()) return;
     a_.resize(static_cast<std::size_t>(parts * size * size));
     side_.resize(static_cast<std::size_t>(parts * size));
     pivot_.resize(static_cast<std::size_t>(size));
   }
 
-  /// Of @p shift times I less @p j. A singular matrix makes solutions that are not finite.
-  void compute(const Number& shift, const Jacobian& j) {
+  /// Of @p scale times @p a plus @p shift times I. A singular matrix makes solutions that are not finite,
+  /// except of right-hand sides that elimination turns to 0 wherever a pivot is 0.
+  void compute(const Eigen::MatrixXd& a, double scale = 1, const Number& shift = 0) {
     if (is_large()) {
-      Large a = -j.template cast<Number>();
-      a.diagonal().array() += shift;
-      large_.compute(a);
+      large_.compute(scale * a.template cast<Number>() + shift * Large::Identity(size_, size_));
       return;
     }
     for (Eigen::Index k = 0; k < size_; ++k) {
-      double* const a = column(k);
-      for (Eigen::Index i = 0; i < size_; ++i) set(a, i, -j(i, k));
-      set(a, k, get(a, k) + shift);
+      double* const to = column(k);
+      for (Eigen::Index i = 0; i < size_; ++i) set(to, i, scale * a(i, k));
+      set(to, k, get(to, k) + shift);
     }
     for (Eigen::Index k = 0; k < size_; ++k) eliminate(k);
   }
-  /// @p x becomes the solution for the right-hand side @p x.
-  void solve(Vector<Number, Eigen::Dynamic>& x) {
+  /// @p x becomes the solution for the right-hand side @p b, which may be @p x itself.
+  template <class V>
+  void solve(const V& b, V& x) {
     if (is_large()) {
-      x = large_.solve(x);
+      x = large_.solve(b);
       return;
     }
     double* const y = side_.data();
-    for (Eigen::Index k = 0; k < size_; ++k) set(y, k, x[k]);
+    for (Eigen::Index k = 0; k < size_; ++k) set(y, k, b[k]);
     for (Eigen::Index k = 0; k < size_; ++k) swap(y, k, pivot_[at(k)]);
     for (Eigen::Index k = 0; k < size_; ++k) subtract(column(k), get(y, k), k + 1, size_, y);
     for (Eigen::Index k = size_ - 1; k >= 0; --k) {
-      x[k] = product(get(y, k), get(column(k), k));
+      const Number left = get(y, k);
+      x[k] = left == Number(0) ? left : divide(left, get(column(k), k));
       subtract(column(k), x[k], 0, k, y);
     }
   }
@@ -92,13 +91,25 @@ class Factors {
  private:
   static constexpr bool is_complex = !std::is_same_v<Number, double>;
   static constexpr Eigen::Index parts = is_complex ? 2 : 1;  // doubles of a number
-  static constexpr Eigen::Index most_of_loops = 48;          // equations; twice as many are as fast by blocks
   using Large = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 
   [[nodiscard]] bool is_large() const { return size_ > most_of_loops; }
   [[nodiscard]] static std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
   [[nodiscard]] double* column(Eigen::Index k) { return a_.data() + parts * k * size_; }
 
+  // What the diagonal keeps of a pivot: itself, or the reciprocal of a complex one.
+  [[nodiscard]] static Number divisor(const Number& pivot) {
+    if constexpr (is_complex)
+      return reciprocal(pivot);
+    else
+      return pivot;
+  }
+  [[nodiscard]] static Number divide(const Number& a, const Number& divisor) {
+    if constexpr (is_complex)
+      return product(a, divisor);
+    else
+      return a / divisor;
+  }
   // Number i of a column.
   [[nodiscard]] Number get(const double* a, Eigen::Index i) const {
     if constexpr (is_complex)
@@ -130,10 +141,12 @@ class Factors {
         y_im[i] -= a_re[i] * im + a_im[i] * re;
       }
     } else {
-      for (Eigen::Index i = begin; i < end; ++i) y[i] -= a[i] * factor;
+      const double* const __restrict from = a;
+      double* const __restrict to = y;
+      for (Eigen::Index i = begin; i < end; ++i) to[i] -= from[i] * factor;
     }
   }
-  // Brings the pivot of column k to the diagonal, whose reciprocal is kept there, and subtracts its row.
+  // Brings the pivot of column k to the diagonal and subtracts its row. A column of zeros stays.
   void eliminate(Eigen::Index k) {
     double* const a = column(k);
     Eigen::Index p = k;
@@ -144,9 +157,10 @@ class Factors {
     if (p != k) {
       for (Eigen::Index j = 0; j < size_; ++j) swap(column(j), k, p);
     }
-    const Number inverse = reciprocal(get(a, k));
-    set(a, k, inverse);
-    for (Eigen::Index i = k + 1; i < size_; ++i) set(a, i, product(get(a, i), inverse));
+    const Number pivot = get(a, k), by = divisor(pivot);
+    set(a, k, by);
+    if (pivot == Number(0)) return;
+    for (Eigen::Index i = k + 1; i < size_; ++i) set(a, i, divide(get(a, i), by));
     for (Eigen::Index j = k + 1; j < size_; ++j) subtract(a, get(column(j), k), k + 1, size_, column(j));
   }
 
@@ -156,4 +170,4 @@ class Factors {
   Eigen::PartialPivLU<Large> large_;
 };
 
-}  // namespace nlmech::ivp::adaptive
+}  // namespace nlmech::algebraic
