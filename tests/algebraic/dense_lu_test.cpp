@@ -106,10 +106,13 @@ void expect_singular(const MatrixXd& a) {
 }
 
 TEST(DenseLu, ASingularMatrixHasNoSolution) {
-  const MatrixXd dependent = (MatrixXd(2, 2) << 1, 2, 2, 4).finished();
-  for (const MatrixXd& a : {dependent, MatrixXd(MatrixXd::Zero(2, 2)), MatrixXd(MatrixXd::Zero(60, 60))}) {
-    expect_singular<double>(a);
-    expect_singular<Complex>(a);
+  MatrixXd dependent(2, 2);
+  dependent << 1, 2, 2, 4;
+  expect_singular<double>(dependent);
+  expect_singular<Complex>(dependent);
+  for (const Eigen::Index size : {2, 60}) {
+    expect_singular<double>(MatrixXd::Zero(size, size));
+    expect_singular<Complex>(MatrixXd::Zero(size, size));
   }
 }
 

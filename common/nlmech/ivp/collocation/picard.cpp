@@ -58,7 +58,6 @@ class PicardStepper : public Stepper {
         times_of_nodes_(static_cast<std::size_t>(tables_.nodes.size())),
         x_(system.size(), tables_.nodes.size()),
         g_(system.size(), tables_.nodes.size()),
-        integral_(tables_.integral.rows()),
         x0_(system.size()) {
     this->times_.resize(times_of_nodes_.size() - 1);
     this->states_.resize(system.size(), tables_.nodes.size() - 1);
@@ -105,7 +104,8 @@ class PicardStepper : public Stepper {
       x_.rightCols(this->states_.cols()) = this->states_;
       system_.rhs(times_of_nodes_, x_, g_);
       statistics.right_hand_sides += x_.cols();
-      integrate();
+      this->states_.noalias() = (h_ * g_) * tables_.integral.transpose();
+      this->states_.colwise() += x0_;
       if (!this->states_.allFinite()) return sweep == 0 ? Outcome::non_finite : Outcome::not_converged;
       const double change = ((this->states_ - x_.rightCols(this->states_.cols())).array().abs() /
                              (1 + this->states_.array().abs()))
@@ -120,28 +120,12 @@ class PicardStepper : public Stepper {
     return Outcome::not_converged;
   }
 
-  // States at the nodes, from the right-hand side there. Eigen's product works in blocks, which pays from
-  // some ten components on; fewer are integrated one by one, all nodes at a time.
-  void integrate() {
-    if (x0_.size() >= 10) {
-      this->states_.noalias() = (h_ * g_) * tables_.integral.transpose();
-      this->states_.colwise() += x0_;
-      return;
-    }
-    for (Eigen::Index d = 0; d < x0_.size(); ++d) {
-      integral_.setZero();
-      for (Eigen::Index j = 0; j < g_.cols(); ++j) integral_ += (h_ * g_(d, j)) * tables_.integral.col(j);
-      for (Eigen::Index k = 0; k < integral_.size(); ++k) this->states_(d, k) = x0_[d] + integral_[k];
-    }
-  }
-
   const System& system_;
   Mcpi method_;
   PicardTables tables_;
   SmoothSegment segment_;
   std::vector<double> times_of_nodes_;
   Nodes x_, g_;
-  Eigen::VectorXd integral_;  // of one component
   State x0_;
   double t0_ = 0, h_ = 1;
 };
