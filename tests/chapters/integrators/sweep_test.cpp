@@ -95,7 +95,7 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
 }
 
 // The evidence is of the problems as they are: what a look shows of them is what the table says, in its
-// digits.
+// digits. Rounding moves a chosen step by up to a tenth, and so the logarithm of a ratio of steps by 0.04.
 TEST(Evidence, IsOfTheProblemSet) {
   const comparison::Evidence evidence = comparison::read_evidence();
   std::size_t solved = 0;
@@ -113,7 +113,7 @@ TEST(Evidence, IsOfTheProblemSet) {
     EXPECT_EQ(known.operations, seen.operations) << name;
     EXPECT_NEAR(known.stiffness, seen.stiffness, 0.02) << name;
     EXPECT_NEAR(known.decay, seen.decay, 0.02) << name;
-    EXPECT_NEAR(known.variation, seen.variation, 0.02) << name;
+    EXPECT_NEAR(known.variation, seen.variation, 0.05) << name;
     EXPECT_NEAR(std::log10(found->condition), std::log10(p.tolerance_condition), 0.005) << name;
     EXPECT_GE(found->runs.size(), 5U) << name;
   }
