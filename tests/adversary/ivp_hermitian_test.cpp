@@ -66,7 +66,8 @@ double load_frequency(Draw& draw, double interval) {
   return draw.log_uniform(1e-2, 1e6) / interval;
 }
 
-/// The end of a run against the truth, in tolerances: errors of steps add up, and @p condition multiplies them.
+/// The end of a run against the truth, in tolerances: errors of steps add up, and @p condition multiplies
+/// them.
 Case judge(const Asked& asked, const ivp::Solution& s, const Column& truth, double sure,
            const ivp::State& condition, const std::string& what) {
   if (!s.status.ok()) return Case::refused(s.status.text());
@@ -94,8 +95,8 @@ Case oscillator(Draw& draw) {
                       draw.chance(0.6) ? 0 : draw.signed_log(1e-3, 1e3)};
   const Asked asked = ask(draw);
   const double backwards = draw.chance(0.2) ? -1 : 1, end = backwards * interval;
-  const auto s = ivp::named_integrator(asked.method, asked.settings)(
-      ivp::System(p), x0, 0, end, {}, {.steps = most_steps, .seconds = 20});
+  const auto s = ivp::named_integrator(asked.method, asked.settings)(ivp::System(p), x0, 0, end, {},
+                                                                     {.steps = most_steps, .seconds = 20});
   const Real w = p.natural_frequency, W = p.frequency, z = p.damping_ratio;
   Square m = Square::Zero(4, 4);
   m(0, 1) = w;
