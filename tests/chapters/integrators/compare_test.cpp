@@ -89,6 +89,11 @@ TEST(Compare, TakesAStepBesideTolerances) {
   EXPECT_EQ(with.rows[0][2], "success");
   EXPECT_EQ(with.rows[1][1], "tolerance 0.001");
   EXPECT_EQ(with.rows[2][1], "tolerance 1e-06");
+  const Compared absolute = compare({"--equation", "x' = -x", "--initial", "x=1", "--until", "1", "--methods",
+                                     "rk4,ode45", "--step", "0.1", "--absolute-tolerance", "1e-12"});
+  ASSERT_EQ(absolute.rows.size(), 2U);
+  EXPECT_EQ(absolute.rows[0][1], "step 0.1");
+  EXPECT_EQ(absolute.rows[1][1], "tolerance 1e-09 absolute 1e-12");
 }
 
 TEST(Compare, RefusesTolerancesThatCannotBeMeant) {
@@ -107,6 +112,7 @@ TEST(Compare, RefusesTolerancesThatCannotBeMeant) {
       {{"1:1e-300"}, "thirty decades"},
       {{"few"}, "--tolerances few"},
       {{"1e-3", "--tolerance", "1e-6"}, "no --tolerance"},
+      {{"1e-3", "--methods", "rk4,rk6", "--step", "0.1"}, "--tolerances: none of the methods rk4,rk6"},
       {{"1e-3", "--methods", "ode45,ode45"}, "ode45 is given twice"},
       {{"1e-3", "--methods", "ode45,,rk4"}, "--methods"},
       {{"1e-3", "--methods", "all,rk4"}, "there is no method 'all'"}};

@@ -94,6 +94,21 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
   EXPECT_TRUE(p.silent_failure(trial(1e-8, 1e-9, 1)));
 }
 
+// Nothing is promised of equal steps, and who asks for digits is not told them; past an end a success is
+// wrong.
+TEST(Trials, EqualStepsAreJudgedByTheEndAlone) {
+  Trial equal = trial(0, 1, 1);
+  equal.step = 0.25;
+  EXPECT_EQ(equal.setting(), "h = 0.25");
+  EXPECT_EQ(trial(1e-5, 1, 1).setting(), "1e-05");
+  ProblemTrials p{"none", Kind::smooth, true, 1, 100, {}};
+  EXPECT_FALSE(p.silent_failure(equal));
+  p.has_solution = false;
+  EXPECT_TRUE(p.silent_failure(equal));
+  const MethodTrials m{"none", false, false, {trial(0, 1e-4, 1)}};
+  EXPECT_FALSE(m.seconds_for(3));
+}
+
 // The evidence is of the problems as they are: what a look shows of them is what the table says, in its
 // digits. Rounding moves a chosen step by up to a tenth, and so the logarithm of a ratio of steps by 0.04.
 TEST(Evidence, IsOfTheProblemSet) {

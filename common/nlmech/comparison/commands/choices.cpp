@@ -17,17 +17,17 @@ namespace {
 /// The number that is written with few digits, as the user would: 1e-5, and not 1e-3/100.
 double as_typed(double value) { return std::stod(fmt::format("{:.12g}", value)); }
 
-/// A method with those of the settings that it has. Of a step and a tolerance, those that choose their steps
-/// take the tolerance.
+/// A method with those of the settings that it has. Of a step and tolerances, those that choose their steps
+/// take the tolerances.
 Choice choice(const std::string& name, ivp::Settings settings) {
-  if (settings.step && settings.tolerance) {
+  if (settings.step && (settings.tolerance || settings.absolute_tolerance)) {
     if (any_method(name).info.fixed_step())
       settings.tolerance.reset();
     else
       settings.step.reset();
   }
   Choice one{any_method(name), settings};
-  if (settings.step || one.method.info.fixed_step()) one.settings.absolute_tolerance.reset();
+  if (one.method.info.fixed_step()) one.settings.absolute_tolerance.reset();
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     if (!one.method.info.has(*setting)) setting->reset(one.settings);
   }
@@ -130,6 +130,9 @@ std::vector<Choice> choices(const std::vector<std::string>& methods, const ivp::
       all.push_back(choice(name, these));
     }
   }
+  if (!tolerances.empty() && std::ranges::none_of(all, [](const Choice& c) { return c.settings.tolerance; }))
+    throw input_error("--tolerances: none of the methods {} chooses its steps; give --step alone",
+                      fmt::join(methods, ","));
   check(all, settings, methods);
   return all;
 }
