@@ -30,7 +30,7 @@ Status non_finite_coefficients(std::string_view method, double t, int order) {
 Status step_underflow(std::string_view method, double t, double step) {
   return failed_with(Outcome::step_underflow,
                      "{}: a step of {:.6g} does not move t = {:.17g}; the solution may be singular there, "
-                     "else loosen the tolerance",
+                     "else loosen the tolerance, or take a longer step where it is given",
                      method, step, t);
 }
 

@@ -133,9 +133,10 @@ class HermitianTrial : public DenseOutput {
       missing_ -= velocities(known_);
       missing_ *= h_ * h_;
       lu_.solve(missing_, answer_);
-      const double part = std::max(worst_share(answer_, positions(x0_), positions(x1_), atol, rtol),
-                                   worst_share(answer_ / h_, velocities(x0_), velocities(x1_), atol, rtol));
-      if (!(part <= worst)) worst = part;
+      const double q = worst_share(answer_, positions(x0_), positions(x1_), atol, rtol),
+                   v = worst_share(answer_ / h_, velocities(x0_), velocities(x1_), atol, rtol);
+      if (std::isnan(q) || std::isnan(v)) return NAN;
+      worst = std::max({worst, q, v});
     }
     return worst;
   }
@@ -275,7 +276,8 @@ class HermitianTrial : public DenseOutput {
     double worst = 0;
     for (Eigen::Index i = 0; i < e.size(); ++i) {
       const double part = std::abs(e[i]) / (atol + rtol * std::max(std::abs(a[i]), std::abs(b[i])));
-      if (!(part <= worst)) worst = part;
+      if (std::isnan(part)) return part;
+      worst = std::max(worst, part);
     }
     return worst;
   }
