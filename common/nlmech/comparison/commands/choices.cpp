@@ -130,7 +130,8 @@ std::vector<Choice> choices(const std::vector<std::string>& methods, const ivp::
       all.push_back(choice(name, these));
     }
   }
-  if (!tolerances.empty() && std::ranges::none_of(all, [](const Choice& c) { return c.settings.tolerance; }))
+  if (!tolerances.empty() &&
+      std::ranges::none_of(all, [](const Choice& c) { return c.settings.tolerance.has_value(); }))
     throw input_error("--tolerances: none of the methods {} chooses its steps; give --step alone",
                       fmt::join(methods, ","));
   check(all, settings, methods);
