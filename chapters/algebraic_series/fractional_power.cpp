@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/program/power_series.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/series/power_series.hpp"
 #include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series::fractional_power {

@@ -12,9 +12,9 @@
 
 #include "chapters/integrators/typed_problems.hpp"
 #include "chapters/speed.hpp"
-#include "nlmech/expression/problem.hpp"
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/series/series.hpp"
+#include "nlmech/program/problem.hpp"
 
 namespace {
 
@@ -49,7 +49,7 @@ Work steps(std::string name, const ivp::System& system, const ivp::State& x0) {
 template <class Problem>
 void add(const std::string& name, std::vector<Work>& all, std::vector<scene::SpeedClaim>& claims) {
   const ivp::System written(Problem{}),
-      typed(expression::Problem(expression::Equations({name, std::string(Problem::text)})));
+      typed(program::Problem(program::Equations({name, std::string(Problem::text)})));
   const auto pair = [&](const std::string& what, auto work, double most) {
     const std::string ours = fmt::format("{}, {} typed", name, what),
                       theirs = fmt::format("{}, {} in C++", name, what);

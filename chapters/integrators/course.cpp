@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/expression/problem.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -21,10 +21,10 @@ const std::vector<double>& Course::operator[](const std::string& name) const {
   return columns.at(static_cast<std::size_t>(place));
 }
 
-expression::Equations example(const std::string& name) {
+program::Equations example(const std::string& name) {
   const std::string file = name + ".ode";
   const auto path = scene::data_folder() / "chapters" / "integrators" / "examples" / file;
-  return expression::Equations(expression::SourceText(file, scene::read_whole(path)));
+  return program::Equations(program::SourceText(file, scene::read_whole(path)));
 }
 
 std::vector<double> equidistant(double begin, double end, int count) {
@@ -33,10 +33,10 @@ std::vector<double> equidistant(double begin, double end, int count) {
   return times;
 }
 
-Course course(const expression::Equations& equations, const std::vector<double>& times,
+Course course(const program::Equations& equations, const std::vector<double>& times,
               const std::string& method, const std::string& other) {
-  const ivp::System system{expression::Problem(equations)};
-  const std::vector<double> x0 = expression::Equations(equations).initial_state("initial state", "");
+  const ivp::System system{program::Problem(equations)};
+  const std::vector<double> x0 = program::Equations(equations).initial_state("initial state", "");
   const State begin = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
   const ivp::Settings settings{.tolerance = 1e-13};
   Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};

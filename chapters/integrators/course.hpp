@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/expression/equations.hpp"
 #include "nlmech/ivp/solution.hpp"
+#include "nlmech/program/equations.hpp"
 
 namespace nlmech::chapters::integrators {
 
@@ -23,12 +23,12 @@ struct Course {
 };
 
 /// The equations of chapters/integrators/examples/<name>.ode. @throws Failure if the file is not there
-[[nodiscard]] expression::Equations example(const std::string& name);
+[[nodiscard]] program::Equations example(const std::string& name);
 
 /// From the file's initial values to each of @p times, which rise. @p method and @p other begin anew at each
 /// time that is asked for with a tolerance of 1e-13. Where nothing determines the end @p other is empty.
 /// @throws Failure if one of them fails
-[[nodiscard]] Course course(const expression::Equations& equations, const std::vector<double>& times,
+[[nodiscard]] Course course(const program::Equations& equations, const std::vector<double>& times,
                             const std::string& method, const std::string& other);
 
 /// @p count + 1 equidistant times from @p begin to @p end.

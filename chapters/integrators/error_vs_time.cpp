@@ -5,7 +5,7 @@
 
 #include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
-#include "nlmech/expression/problem.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::integrators::error_vs_time {
@@ -30,8 +30,8 @@ std::vector<comparison::Contender> contenders(bool quick) {
 }
 
 comparison::Costs measure(bool quick) {
-  const expression::Equations equations(expression::SourceText("equation", equation));
-  const auto example = comparison::example_of(expression::Problem(equations), "duffing", {1, 0}, 50);
+  const program::Equations equations(program::SourceText("equation", equation));
+  const auto example = comparison::example_of(program::Problem(equations), "duffing", {1, 0}, 50);
   return comparison::costs_of(example, contenders(quick), 1e-8, quick);
 }
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "nlmech/expression/problem.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/support/errors.hpp"
@@ -101,9 +101,8 @@ std::vector<SetProblem> problem_set() {
     if (by != By::nothing) references.complete(p);
     all.emplace_back(std::move(p));
   });
-  const expression::Equations equations(
-      expression::SourceText(std::string(Friction::name), Friction::equation));
-  auto p = made(Friction::name, Kind::extreme, 1, 1, ivp::System(expression::Problem(equations)),
+  const program::Equations equations(program::SourceText(std::string(Friction::name), Friction::equation));
+  auto p = made(Friction::name, Kind::extreme, 1, 1, ivp::System(program::Problem(equations)),
                 {Friction::position, 0}, 0, Friction::end);
   references.complete(p);
   all.emplace_back(std::move(p));

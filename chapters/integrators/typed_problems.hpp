@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::chapters::integrators {
 

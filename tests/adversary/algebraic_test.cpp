@@ -13,7 +13,7 @@
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/newton/potential.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/adversary/adversary.hpp"
 
 namespace nlmech::adversary::algebraic_test {

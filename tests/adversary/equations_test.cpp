@@ -8,17 +8,17 @@
 #include <cmath>
 #include <string>
 
-#include "nlmech/expression/problem.hpp"
 #include "nlmech/ivp/system.hpp"
+#include "nlmech/program/problem.hpp"
 #include "tests/adversary/expression_tree.hpp"
 #include "tests/adversary/mutation.hpp"
 
 namespace nlmech::adversary::equations_test {
 namespace {
 
-using expression::Equations;
-using expression::Problem;
-using expression::SourceText;
+using program::Equations;
+using program::Problem;
+using program::SourceText;
 
 const std::vector<std::string>& examples() {
   static const std::vector<std::string> all = {
@@ -98,7 +98,7 @@ bool is_bounded(const std::string& text) {
   Vector<double, Eigen::Dynamic> x = Eigen::VectorXd::LinSpaced(equations.size(), -1, 2), f(equations.size());
   problem(0.5, x, f);
   if (problem.switches() > 0) {
-    const expression::Mode mode(static_cast<std::size_t>(problem.switches()), 0);
+    const program::Mode mode(static_cast<std::size_t>(problem.switches()), 0);
     std::vector<double> values(mode.size()), rates(mode.size());
     problem.in_mode(mode).surfaces(0.5, x, values, rates);
   }

@@ -6,8 +6,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "nlmech/series/power_series.hpp"
-#include "nlmech/series/series_functions.hpp"
+#include "nlmech/program/power_series.hpp"
+#include "nlmech/program/series_functions.hpp"
 
 namespace nlmech::adversary {
 namespace {

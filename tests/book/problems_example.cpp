@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 
 // A pendulum whose pivot is shaken: q'' = -(1 + a cos(w t)) sin q. State (q, v).
 struct ShakenPendulum {

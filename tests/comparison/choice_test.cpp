@@ -7,13 +7,13 @@
 
 #include "nlmech/comparison/choice/choice_rows.hpp"
 #include "nlmech/comparison/choice/expectation.hpp"
-#include "nlmech/expression/problem.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison::choice_test {
@@ -31,8 +31,8 @@ Features features(const Problem& problem, double end) {
 }
 
 Features typed(const std::string& text, const ivp::State& x0, double end) {
-  const expression::Equations equations(expression::SourceText("equation", text));
-  return look_at_problem(ivp::System(expression::Problem(equations)), x0, 0, end).features;
+  const program::Equations equations(program::SourceText("equation", text));
+  return look_at_problem(ivp::System(program::Problem(equations)), x0, 0, end).features;
 }
 
 // The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
@@ -155,8 +155,8 @@ TEST(Choice, KeepsToTheMethodsThatMayBeChosen) {
 // Along x' = x an error grows by e^t; relative to x, which grows as well, it keeps its size. x'' = x from (1,
 // -1) decays, and an error grows by e^t.
 TEST(Condition, IsTheGrowthOfErrors) {
-  const expression::Equations equations(expression::SourceText("equation", "x'' = x"));
-  const Question q{ivp::System(expression::Problem(equations)), {1, -1}, 0, 5};
+  const program::Equations equations(program::SourceText("equation", "x'' = x"));
+  const Question q{ivp::System(program::Problem(equations)), {1, -1}, 0, 5};
   const Chosen c = looked_at(q, read_evidence());
   EXPECT_EQ(c.condition_seen, 1);
   EXPECT_GT(c.condition, std::exp(5) / 3);

@@ -15,8 +15,8 @@
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/expectation.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
-#include "nlmech/expression/problem.hpp"
 #include "nlmech/ivp/step_control.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison::chosen_steps_test {
@@ -25,8 +25,7 @@ namespace {
 using ivp::State;
 
 ivp::System typed(const std::string& equation) {
-  return ivp::System(
-      expression::Problem(expression::Equations(expression::SourceText("equation", equation))));
+  return ivp::System(program::Problem(program::Equations(program::SourceText("equation", equation))));
 }
 
 /// Tolerances by which the worst method may be off at an end: gsl-msbdf on an oscillator (peers_ivp).
@@ -199,7 +198,7 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
   for (int i = 0; i < 60; ++i) {
     const Forced f = forced(random, i % 6);
     SCOPED_TRACE(fmt::format("{} to {}", f.text, f.end));
-    const auto problem = typed_problem(expression::SourceText("equation", f.text), {});
+    const auto problem = typed_problem(program::SourceText("equation", f.text), {});
     const std::size_t size = problem->state_names().size();
     const Request request{.x0 = std::vector<double>(size, 0.0),
                           .t0 = 0,

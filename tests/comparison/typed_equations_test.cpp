@@ -12,17 +12,17 @@
 
 #include "chapters/integrators/typed_problems.hpp"
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/expression/problem.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::comparison::typed_equations_test {
 namespace {
 
 using Real = ExtendedReal<40>;
-using expression::Equations;
-using expression::SourceText;
-using Typed = expression::Problem;
+using program::Equations;
+using program::SourceText;
+using Typed = program::Problem;
 using State = ivp::State;
 
 template <class Problem>

@@ -7,7 +7,7 @@
 
 #include "nlmech/frames/beam_column.hpp"
 #include "nlmech/frames/stability_functions.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "tests/random.hpp"
 

@@ -16,7 +16,7 @@
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::ivp::testing {
 

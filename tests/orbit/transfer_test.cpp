@@ -9,7 +9,7 @@
 
 #include "nlmech/orbit/acceleration.hpp"
 #include "nlmech/orbit/extended.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/orbit/lambert_problems.hpp"
 
 namespace nlmech::orbit::transfer_test {

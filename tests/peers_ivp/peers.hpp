@@ -10,7 +10,7 @@
 #include <string>
 
 #include "nlmech/peers/ivp/registry.hpp"
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::peers::testing {
 

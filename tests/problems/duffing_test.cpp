@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
 namespace nlmech::problems::tests::duffing_test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "nlmech/series/dual.hpp"
-#include "nlmech/series/power_series.hpp"
+#include "nlmech/program/dual.hpp"
+#include "nlmech/program/power_series.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/problems/oracle.hpp"
 

@@ -15,7 +15,7 @@
 
 #include "nlmech/problems/duffing.hpp"
 #include "tests/places.hpp"
-#include "tests/series/numbers.hpp"
+#include "tests/program/numbers.hpp"
 
 namespace nlmech::problems::tests {
 

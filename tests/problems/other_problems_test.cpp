@@ -2,7 +2,7 @@
 
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
 namespace nlmech::problems::tests::other_problems_test {

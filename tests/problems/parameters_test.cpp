@@ -15,7 +15,7 @@
 #include "nlmech/problems/spring_pendulum.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
-#include "tests/series/numbers.hpp"
+#include "tests/program/numbers.hpp"
 
 namespace nlmech::problems::parameters_test {
 namespace {

@@ -27,7 +27,7 @@
 #include "nlmech/problems/two_body.hpp"
 #include "nlmech/problems/two_dof.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/problems/oracle.hpp"
 
 namespace nlmech::problems::tests::statements_test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/problems/oracle.hpp"
 

@@ -5,7 +5,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 
 namespace nlmech::frame_deck {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/ivp/direct.hpp"
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::references {
 

@@ -7,7 +7,7 @@
 #include "nlmech/algebraic/linear_solver.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/frames/equilibrium.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {

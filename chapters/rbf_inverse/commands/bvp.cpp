@@ -60,11 +60,11 @@ TypedBoundary problem_of(const Words& words) {
     throw InputError("give one of --equation TEXT and --file NAME.ode");
   if (!(words.until > words.from))
     throw input_error("--until {}: must be later than --from {}", words.until, words.from);
-  expression::SourceText source =
-      words.file.empty() ? expression::SourceText("--equation", words.equation)
-                         : expression::SourceText(words.file, comparison::read_equations(words.file));
-  return {expression::Equations(std::move(source), comparison::settings_of(words.set)), words.from,
-          words.until, words.begin, words.end};
+  program::SourceText source = words.file.empty()
+                                   ? program::SourceText("--equation", words.equation)
+                                   : program::SourceText(words.file, comparison::read_equations(words.file));
+  return {program::Equations(std::move(source), comparison::settings_of(words.set)), words.from, words.until,
+          words.begin, words.end};
 }
 
 bvp::Options options_of(const Words& words) {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "nlmech/comparison/commands/choices.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -19,7 +19,7 @@ namespace nlmech::chapters::rbf_inverse {
 namespace {
 
 using comparison::trimmed;
-using expression::Program;
+using program::Program;
 
 /// What stands between commas or semicolons that are in no bracket.
 std::vector<std::string> pieces_of(const char* option, const std::string& text) {
@@ -79,7 +79,7 @@ bool depends_on_state(const Program& program, double t, int n) {
 
 }  // namespace
 
-TypedBoundary::TypedBoundary(expression::Equations equations, double from, double until,
+TypedBoundary::TypedBoundary(program::Equations equations, double from, double until,
                              const std::string& begin, const std::string& end)
     : equations_(std::move(equations)), from_(from), until_(until) {
   if (equations_.initial_time())
@@ -94,7 +94,7 @@ TypedBoundary::TypedBoundary(expression::Equations equations, double from, doubl
 }
 
 Program TypedBoundary::conditions_of(const char* option, const std::string& text) {
-  std::vector<expression::NodeId> all;
+  std::vector<program::NodeId> all;
   if (!trimmed(text).empty()) {
     for (const std::string& piece : pieces_of(option, text)) {
       if (piece.find('=') == std::string::npos)
@@ -107,7 +107,7 @@ Program TypedBoundary::conditions_of(const char* option, const std::string& text
 
 bvp::Start TypedBoundary::guess(const std::string& text) const {
   const int n = states();
-  expression::Equations equations = equations_;
+  program::Equations equations = equations_;
   auto known = std::make_shared<std::vector<std::optional<Program>>>(names().size());
   if (!trimmed(text).empty()) {
     for (const std::string& piece : pieces_of("--guess", text)) {
@@ -118,7 +118,7 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
                           echoed(fmt::format("{}", fmt::join(names(), ", ")), 200));
       std::optional<Program>& one = (*known)[static_cast<std::size_t>(at - names().begin())];
       if (one) throw input_error("--guess {}: {} is given a second time", echoed(piece), *at);
-      const expression::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
+      const program::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
       one = Program(equations.graph(), {node});
       if (depends_on_state(*one, from_, n))
         throw input_error("--guess {}: is to be a function of the time t alone", echoed(piece));

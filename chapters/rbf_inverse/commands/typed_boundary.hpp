@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "nlmech/bvp/problem.hpp"
-#include "nlmech/expression/equations.hpp"
-#include "nlmech/expression/program.hpp"
+#include "nlmech/program/equations.hpp"
+#include "nlmech/program/program.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 
@@ -19,7 +19,7 @@ class TypedBoundary final : public bvp::Problem {
   /// @param begin conditions at @p from, with commas between: "x = 0, x' + 2 x = 1"
   /// @param end the same at @p until
   /// @throws InputError naming the option, for a condition that cannot be read, or too many or too few
-  TypedBoundary(expression::Equations equations, double from, double until, const std::string& begin,
+  TypedBoundary(program::Equations equations, double from, double until, const std::string& begin,
                 const std::string& end);
 
   /// Components of the state: "x", "x'".
@@ -46,11 +46,11 @@ class TypedBoundary final : public bvp::Problem {
                           Eigen::MatrixXd& by_parameter) const override;
 
  private:
-  [[nodiscard]] expression::Program conditions_of(const char* option, const std::string& text);
+  [[nodiscard]] program::Program conditions_of(const char* option, const std::string& text);
 
-  expression::Equations equations_;
+  program::Equations equations_;
   double from_, until_;
-  expression::Program slopes_, begin_, end_;
+  program::Program slopes_, begin_, end_;
 };
 
 }  // namespace nlmech::chapters::rbf_inverse

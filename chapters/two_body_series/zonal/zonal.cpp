@@ -14,8 +14,8 @@
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/kepler.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/series/dual.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::two_body_series::zonal {

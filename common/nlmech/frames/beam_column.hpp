@@ -13,8 +13,8 @@
 #include <cstdint>
 
 #include "nlmech/frames/axial_force.hpp"
-#include "nlmech/series/value_of.hpp"
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/value_of.hpp"
+#include "nlmech/program/vector.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::frames {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {

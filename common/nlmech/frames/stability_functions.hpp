@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::frames {
 

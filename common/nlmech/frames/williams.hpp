@@ -3,7 +3,7 @@
 #pragma once
 
 #include "nlmech/frames/stability_functions.hpp"
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::frames {

@@ -16,9 +16,9 @@
 
 #include "nlmech/ivp/series/taylor.hpp"
 #include "nlmech/ivp/state.hpp"
-#include "nlmech/series/dual.hpp"
-#include "nlmech/series/harmonic.hpp"
-#include "nlmech/series/tape.hpp"
+#include "nlmech/program/dual.hpp"
+#include "nlmech/program/harmonic.hpp"
+#include "nlmech/program/recorded.hpp"
 
 namespace nlmech::ivp {
 
@@ -369,12 +369,12 @@ class Direct {
     }
   }
 
-  /// The right-hand side as a tape: called once, at (t, x).
+  /// The right-hand side as a tape: called once, at time @p t.
   /// @throws std::invalid_argument if it is written for double alone, or branches on the state, or branches
   /// on the time and the problem does not announce discontinuities
-  [[nodiscard]] Tape record(double t, const State& x) const {
-    if constexpr (detail::TakesDual<Problem, Recorded>) {
-      return nlmech::record<Problem, m>(problem_, t, OwnState(x), detail::GivesDiscontinuities<Problem>);
+  [[nodiscard]] Tape record(double t) const {
+    if constexpr (detail::TakesDual<Problem, program::Recorded>) {
+      return program::record(problem_, t, size(), detail::GivesDiscontinuities<Problem>);
     } else {
       throw std::invalid_argument(
           "series: this problem is written for double alone; make its call operator a template on the "

@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::ivp {
 

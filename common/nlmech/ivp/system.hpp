@@ -53,7 +53,7 @@ struct Face {
   virtual std::vector<Harmonic> load() const = 0;
   virtual bool invariants(double, const State&, Eigen::VectorXd&) const = 0;
   virtual bool bounds(State&, State&) const = 0;
-  virtual Tape record(double, const State&) const = 0;
+  virtual Tape record(double) const = 0;
 };
 template <class D>
 struct Compiled final : Face {
@@ -92,7 +92,7 @@ struct Compiled final : Face {
     return direct.invariants(t, x, values);
   }
   bool bounds(State& lower, State& upper) const override { return direct.bounds(lower, upper); }
-  Tape record(double t, const State& x) const override { return direct.record(t, x); }
+  Tape record(double t) const override { return direct.record(t); }
   D direct;
 };
 
@@ -179,8 +179,9 @@ class System {
   /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
   /// there is no bound. False, and nothing is written, if the problem names none.
   [[nodiscard]] bool bounds(State& lower, State& upper) const { return face_->bounds(lower, upper); }
-  /// The right-hand side as a tape: called once, at (t, x). @throws std::invalid_argument as Direct::record()
-  [[nodiscard]] Tape record(double t, const State& x) const { return face_->record(t, x); }
+  /// The right-hand side as a tape: called once, at time @p t. @throws std::invalid_argument as
+  /// Direct::record()
+  [[nodiscard]] Tape record(double t) const { return face_->record(t); }
   /// The Taylor coefficients of solutions, to the order @p order >= 1, through the tape: an object that
   /// refers to this one; see TapedTaylor.
   [[nodiscard]] TapedTaylor<System> taylor(int order) const { return {*this, order}; }

@@ -4,7 +4,7 @@
 
 #include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/scaled.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {

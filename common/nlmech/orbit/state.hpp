@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::orbit {
 

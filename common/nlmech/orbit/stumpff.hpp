@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::orbit {
 

@@ -9,7 +9,7 @@
 
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/series/harmonic.hpp"
+#include "nlmech/program/harmonic.hpp"
 
 namespace nlmech::problems {
 

@@ -10,7 +10,7 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::problems {
 

@@ -32,7 +32,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::problems {
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "nlmech/series/growing_series.hpp"
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/growing_series.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::problems {
 

@@ -8,7 +8,7 @@
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "tests/errata/erratum.hpp"
-#include "tests/series/runge_kutta.hpp"
+#include "tests/program/runge_kutta.hpp"
 
 namespace nlmech::chapters::algebraic_series::errata_test {
 namespace {

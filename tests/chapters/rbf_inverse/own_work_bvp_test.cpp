@@ -187,8 +187,8 @@ TEST(BoundaryValues, WrongWordsAreNamed) {
 // Derivatives of equations and conditions against central differences: h^2 f'''/6 and rounding of f over h.
 TEST(BoundaryValues, DerivativesAreSlopes) {
   const chapters::rbf_inverse::TypedBoundary problem(
-      expression::Equations({"--equation", "x'' + sin(x) y = t; y' = x y^2; z' = exp(x') z; u'' = u^3 x"}), 0,
-      2, "x = y^2, z x' = 1, u = 0", "sin(x) = z, u' + u^3 = y, t x = 3");
+      program::Equations({"--equation", "x'' + sin(x) y = t; y' = x y^2; z' = exp(x') z; u'' = u^3 x"}), 0, 2,
+      "x = y^2, z x' = 1, u = 0", "sin(x) = z, u' + u^3 = y, t x = 3");
   const int n = problem.states();
   ASSERT_EQ(n, 6);
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n, 0.3, 1.4), none;

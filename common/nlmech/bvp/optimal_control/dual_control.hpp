@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "nlmech/bvp/optimal_control/control_model.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 
 namespace nlmech::bvp {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "nlmech/bvp/problem.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 
 namespace nlmech::bvp {
 

@@ -6,7 +6,7 @@
 
 #include "nlmech/bvp/multistart.hpp"
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::bvp {
 

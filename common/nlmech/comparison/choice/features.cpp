@@ -77,10 +77,10 @@ double variation_of(std::vector<double> lengths, double way) {
 }
 
 /// The equations as recorded, those of one mode where they switch; nothing: they are refused.
-std::optional<Tape> tape_of(const ivp::System& system, double t, const ivp::State& x) {
+std::optional<Tape> tape_of(const ivp::System& system, double t) {
   const auto modes = static_cast<std::size_t>(system.switches());
   try {
-    return (modes > 0 ? system.in_mode(ivp::Mode(modes, 1)) : system).record(t, x);
+    return (modes > 0 ? system.in_mode(ivp::Mode(modes, 1)) : system).record(t);
   } catch (const std::invalid_argument&) {
     return {};
   }
@@ -161,7 +161,7 @@ Form form_of(const ivp::System& system, double t, const ivp::State& x) {
 }
 
 bool depends_on_time(const ivp::System& system, double t, const ivp::State& x) {
-  return time_in(tape_of(system, t, x), system, t, x);
+  return time_in(tape_of(system, t), system, t, x);
 }
 
 Look look_at_problem(const ivp::System& system, const ivp::State& x0, double t0, double t1,
@@ -170,7 +170,7 @@ Look look_at_problem(const ivp::System& system, const ivp::State& x0, double t0,
   look.features.components = system.size();
   look.features.form = form_of(system, t0, x0);
   look.features.switches = system.switches() > 0;
-  const std::optional<Tape> tape = tape_of(system, t0, x0);
+  const std::optional<Tape> tape = tape_of(system, t0);
   look.features.operations = tape ? std::max(1, tape->instructions()) : 0;
   look.features.depends_on_time = time_in(tape, system, t0, x0);
   for (const ivp::Settings& settings : coarse) {

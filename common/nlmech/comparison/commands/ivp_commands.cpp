@@ -42,7 +42,7 @@ struct Words {
 /// The problem by name, or the equations that were typed or stand in a file.
 /// @param equations what was typed or read @param values of parameters, in place of those that were typed
 std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& problems,
-                                       const expression::SourceText& equations,
+                                       const program::SourceText& equations,
                                        const CatalogueRuns::Values& values) {
   if (words.problem.empty()) {
     auto settings = settings_of(words.set);
@@ -56,7 +56,7 @@ std::unique_ptr<OwnProblem> problem_of(const Words& words, const OwnProblems& pr
 }
 
 /// The equations, if they were typed or stand in a file.
-expression::SourceText equations_of(const Words& words) {
+program::SourceText equations_of(const Words& words) {
   const int given = !words.problem.empty() + !words.equation.empty() + !words.file.empty();
   if (given != 1) throw InputError("give one of --problem NAME, --equation TEXT and --file NAME.ode");
   if (words.file.empty()) return {"--equation", words.equation};
@@ -120,7 +120,7 @@ std::string heading_of(const Words& words) {
 /// A run for each row of a file.
 int integrate_all(const Words& words, const OwnProblems& problems, const std::string& program) {
   if (!words.plot.empty()) throw input_error("--plot {}: --states draws none", words.plot);
-  const expression::SourceText equations = equations_of(words);
+  const program::SourceText equations = equations_of(words);
   CatalogueRuns runs;
   runs.program = program;
   runs.file = words.states;

@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "nlmech/expression/program.hpp"
+#include "nlmech/program/program.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
@@ -76,21 +76,21 @@ void apply_settings(OwnProblem& problem, const std::vector<std::string>& assignm
 namespace {
 
 /// Equations whose unknowns are the components of a problem, with its initial state.
-expression::Equations components_of(const OwnProblem& problem) {
+program::Equations components_of(const OwnProblem& problem) {
   std::string text;
   const std::vector<std::string> names = problem.state_names();
   const std::vector<double> x0 = problem.initial_state();
   for (std::size_t i = 0; i < names.size(); ++i)
     text += fmt::format("{0}' = 0; {0}(0) = {1:.17g};", names[i], x0[i]);
-  return expression::Equations(expression::SourceText(std::string(problem.name()), text));
+  return program::Equations(program::SourceText(std::string(problem.name()), text));
 }
 
 }  // namespace
 
-StateFunction state_function(expression::Equations equations, const std::string& option,
+StateFunction state_function(program::Equations equations, const std::string& option,
                              const std::string& text) {
-  const expression::NodeId node = equations.expression(option, text);
-  return [program = expression::Program(equations.graph(), {node})](double t, const double* x) {
+  const program::NodeId node = equations.expression(option, text);
+  return [program = program::Program(equations.graph(), {node})](double t, const double* x) {
     double value = 0;
     program.run(t, x, 0, 1, [&value](int, double v) { value = v; });
     return value;

@@ -18,10 +18,10 @@
 #include "nlmech/comparison/choice/chosen.hpp"
 #include "nlmech/comparison/commands/seen.hpp"
 #include "nlmech/comparison/cost/curve.hpp"
-#include "nlmech/expression/equations.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
+#include "nlmech/program/equations.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/status.hpp"
 
@@ -49,7 +49,7 @@ struct WantedEvent {
 };
 
 /// An expression of equations as a function. @throws InputError that points at the mistake
-[[nodiscard]] StateFunction state_function(expression::Equations equations, const std::string& option,
+[[nodiscard]] StateFunction state_function(program::Equations equations, const std::string& option,
                                            const std::string& text);
 
 /// What a user asks of a problem.

@@ -7,8 +7,8 @@
 
 #include "nlmech/comparison/commands/problem_of_size.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
-#include "nlmech/expression/problem.hpp"
-#include "nlmech/expression/syntax.hpp"
+#include "nlmech/program/problem.hpp"
+#include "nlmech/program/syntax.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 class TypedProblem final : public ProblemOfSize {
  public:
-  TypedProblem(expression::Equations equations, expression::Settings settings)
+  TypedProblem(program::Equations equations, program::Settings settings)
       : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_) {}
 
   [[nodiscard]] std::string_view name() const override { return "the equation"; }
@@ -27,14 +27,14 @@ class TypedProblem final : public ProblemOfSize {
   }
   void set_parameter(std::string_view parameter, double value) override {
     settings_[std::string(parameter)] = value;
-    equations_ = expression::Equations(equations_.source(), settings_);
-    problem_ = expression::Problem(equations_);
+    equations_ = program::Equations(equations_.source(), settings_);
+    problem_ = program::Problem(equations_);
   }
   [[nodiscard]] std::vector<std::string> state_names() const override { return equations_.state_names(); }
   [[nodiscard]] std::vector<double> initial_state() const override { return initial_state(""); }
   [[nodiscard]] std::vector<double> initial_state(const std::string& text) const override {
     if (!text.empty() && text.find('=') == std::string::npos) return OwnProblem::initial_state(text);
-    return expression::Equations(equations_).initial_state("--initial", text);
+    return program::Equations(equations_).initial_state("--initial", text);
   }
   [[nodiscard]] double initial_time() const override { return equations_.initial_time().value_or(0); }
   [[nodiscard]] std::string_view equation() const override { return equations_.source().text(); }
@@ -49,16 +49,16 @@ class TypedProblem final : public ProblemOfSize {
   }
 
  private:
-  expression::Equations equations_;
-  expression::Settings settings_;
-  expression::Problem problem_;
+  program::Equations equations_;
+  program::Settings settings_;
+  program::Problem problem_;
 };
 
 }  // namespace
 
-std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
-                                          const expression::Settings& settings) {
-  expression::Equations equations(source, settings);
+std::unique_ptr<OwnProblem> typed_problem(const program::SourceText& source,
+                                          const program::Settings& settings) {
+  program::Equations equations(source, settings);
   return std::make_unique<TypedProblem>(std::move(equations), settings);
 }
 
@@ -68,8 +68,8 @@ std::string read_equations(const std::string& name) {
   const fs::file_status what = fs::status(name, none);
   if (fs::is_character_file(what) || fs::is_block_file(what))
     throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
-  if (fs::is_regular_file(what) && fs::file_size(name, none) > expression::most_bytes)
-    throw input_error("--file {}: more than {} bytes", echoed_path(name), expression::most_bytes);
+  if (fs::is_regular_file(what) && fs::file_size(name, none) > program::most_bytes)
+    throw input_error("--file {}: more than {} bytes", echoed_path(name), program::most_bytes);
   return scene::read_whole(name);
 }
 

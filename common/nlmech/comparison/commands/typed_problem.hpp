@@ -6,13 +6,13 @@
 #include <string>
 
 #include "nlmech/comparison/commands/own_problem.hpp"
-#include "nlmech/expression/equations.hpp"
+#include "nlmech/program/equations.hpp"
 
 namespace nlmech::comparison {
 
 /// @throws InputError that points at a mistake in the text
-[[nodiscard]] std::unique_ptr<OwnProblem> typed_problem(const expression::SourceText& source,
-                                                        const expression::Settings& settings);
+[[nodiscard]] std::unique_ptr<OwnProblem> typed_problem(const program::SourceText& source,
+                                                        const program::Settings& settings);
 
 /// The text of a file of equations; - is standard input.
 /// @throws InputError naming `--file` for a device, a file that cannot be read, or one that nobody has typed

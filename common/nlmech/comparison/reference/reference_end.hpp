@@ -9,7 +9,7 @@
 
 #include "nlmech/ivp/state.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/series/value_of.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::comparison {
 

@@ -9,7 +9,7 @@
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/limits.hpp"
-#include "nlmech/series/tape_lanes.hpp"
+#include "nlmech/program/tape_lanes.hpp"
 
 namespace nlmech::ivp {
 namespace {
@@ -53,7 +53,7 @@ class SeriesLanes {
     Lane& lane = lanes_[at];
     const SmoothSegment segment(start.t0, start.t1);
     if (lane.equations != start.system || lane.recorded != start.t0) {
-      Tape tape = start.system->record(segment(start.t0), start.x0);
+      Tape tape = start.system->record(segment(start.t0));
       const bool fits = order_ > 0 && tapes_.fits(tape);
       if (!fits && busy_ > 0) return false;
       if (!fits) load(tape);

@@ -4,14 +4,14 @@
 #pragma once
 
 #include "nlmech/ivp/series/unrolled_taylor.hpp"
-#include "nlmech/series/tape_expansion.hpp"
-#include "nlmech/series/vector.hpp"
+#include "nlmech/program/tape_expansion.hpp"
+#include "nlmech/program/vector.hpp"
 
 namespace nlmech::ivp {
 
 /// What a system's taylor() gives, by its tape. Used so: begin_segment() at the begin of every stretch on
 /// which the right-hand side is smooth, then expand() for every step, then coefficients().
-/// @tparam S has `Tape record(double t, const State& x) const`
+/// @tparam S has `Tape record(double t) const`
 template <class S>
 class TapedTaylor {
  public:
@@ -23,7 +23,7 @@ class TapedTaylor {
 
   /// Records the right-hand side as it is at time @p t, which lies within the stretch.
   /// @throws std::invalid_argument for a branch that the problem has not announced
-  void begin_segment(double t, const State& x) { expansion_.load(system_.record(t, x), order_); }
+  void begin_segment(double t, const State& /*x*/) { expansion_.load(system_.record(t), order_); }
   /// Computes the coefficients at (t, x), that of order k times scale^k.
   void expand(double t, const State& x, double scale = 1) { expansion_.expand(t, x.data(), scale); }
   /// Coefficients 0 to order of component @p i.

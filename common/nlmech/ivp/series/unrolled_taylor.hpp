@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/series/unrolled_series.hpp"
+#include "nlmech/program/unrolled_series.hpp"
 
 namespace nlmech::ivp {
 

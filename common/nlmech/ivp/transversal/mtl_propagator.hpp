@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "nlmech/series/harmonic.hpp"
+#include "nlmech/program/harmonic.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::ivp {

@@ -12,7 +12,7 @@
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/orbit/acceleration.hpp"
 #include "nlmech/orbit/transfer/transfer.hpp"
-#include "nlmech/series/dual.hpp"
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 

@@ -1,0 +1,244 @@
+#include "nlmech/program/equations.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nlmech/program/highest_derivatives.hpp"
+#include "nlmech/support/echo.hpp"
+
+namespace nlmech::program {
+
+/// Makes equations of what was parsed.
+class EquationReader {
+ public:
+  explicit EquationReader(Equations& made)
+      : made_(made),
+        names_(made.names_),
+        source_(made.source_),
+        tree_(made.tree_),
+        meaning_(made.graph_, made.names_, made.source_, made.tree_) {}
+
+  // Names with a prime, in the order in which the text first has them, with a prime or without.
+  void find_unknowns() {
+    std::map<std::string, std::size_t> first;
+    for (const Syntax& node : tree_.nodes) {
+      if (node.kind != SyntaxKind::name) continue;
+      const auto entry = first.try_emplace(node.name, node.place.begin).first;
+      entry->second = std::min(entry->second, node.place.begin);
+      if (node.primes > 0) take_derivative(node);
+    }
+    std::sort(names_.unknowns.begin(), names_.unknowns.end(),
+              [&](const Unknown& a, const Unknown& b) { return first[a.name] < first[b.name]; });
+    for (std::size_t i = 0; i < names_.unknowns.size(); ++i)
+      names_.numbers[names_.unknowns[i].name] = static_cast<int>(i);
+    if (names_.unknowns.empty())
+      throw source_.mistake({0, source_.text().size()},
+                            "there is no unknown: a derivative is written x' or x''");
+    if (names_.unknowns.size() > most_unknowns)
+      throw source_.mistake(names_.unknowns[most_unknowns].place,
+                            fmt::format("more than {} unknowns", most_unknowns));
+  }
+
+  // All unknowns, then their first derivatives, and so on.
+  void name_components() {
+    for (int primes = 0; primes < highest_order; ++primes) {
+      for (const Unknown& u : names_.unknowns) {
+        if (primes >= u.order) continue;
+        names_.components[{u.name, primes}] = static_cast<int>(made_.state_names_.size());
+        made_.state_names_.push_back(with_primes(u.name, primes));
+      }
+    }
+    made_.graph_ = Graph(static_cast<int>(made_.state_names_.size()));
+    made_.initial_.resize(made_.state_names_.size());
+  }
+
+  // `name = ...` is a definition unless it is the name of an unknown; all else are equations.
+  void define(const Settings& settings) {
+    std::map<std::string, Place> definitions;
+    for (const Statement& statement : tree_.statements) {
+      const Syntax& left = tree_.nodes[statement.left];
+      if (!defines(left)) {
+        equations_.push_back(statement);
+        continue;
+      }
+      hold_name(left.name, left.place);
+      if (!definitions.emplace(left.name, left.place).second)
+        throw source_.mistake(left.place, fmt::format("{} is defined a second time", echoed(left.name)));
+      meaning_.define(left.name, statement.right);
+    }
+    for (const auto& [name, value] : settings) {
+      if (!definitions.contains(name) && !used(name)) throw InputError(unknown_setting(name, definitions));
+      if (!std::isfinite(value))
+        throw InputError(fmt::format("--set {}: a finite number, and this is {}", echoed(name), value));
+      names_.defined[name] = {made_.graph_.number(value), {}};
+    }
+    for (const Statement& statement : tree_.statements) {
+      const Syntax& left = tree_.nodes[statement.left];
+      if (defines(left)) add_parameter(left.name, meaning_.definition(left.name, left.place));
+    }
+    for (const auto& [name, value] : settings) {
+      if (!definitions.contains(name)) add_parameter(name, names_.defined.at(name));
+    }
+  }
+
+  void solve() {
+    HighestDerivatives system(made_.graph_, static_cast<int>(names_.unknowns.size()));
+    for (const Statement& statement : equations_) {
+      LinearForm form = meaning_.form_of(statement.right);
+      meaning_.subtract(form, meaning_.form_of(statement.left));
+      if (form.highest.empty())
+        throw source_.mistake(statement.place, "no highest derivative of an unknown stands here; there are " +
+                                                   echoed(names_.highest(), 200));
+      system.add({form.rest, std::move(form.highest)});
+    }
+    if (equations_.size() > names_.unknowns.size())
+      throw source_.mistake(
+          equations_[names_.unknowns.size()].place,
+          fmt::format("there are more equations than unknowns ({})", echoed(names_.highest(), 200)));
+    const std::vector<NodeId> solved = system.solve([this](int unknown, std::string_view sentence) {
+      const Unknown& u = names_.unknowns[static_cast<std::size_t>(unknown)];
+      return source_.mistake(u.place, fmt::format("{}: {}", with_primes(u.name, u.order), sentence));
+    });
+    for (int primes = 1; primes <= highest_order; ++primes) {
+      for (std::size_t i = 0; i < names_.unknowns.size(); ++i) {
+        const Unknown& u = names_.unknowns[i];
+        if (primes < u.order) made_.slopes_.push_back(Graph::state(names_.components.at({u.name, primes})));
+        if (primes == u.order) made_.slopes_.push_back(solved[i]);
+      }
+    }
+  }
+
+  void take_initial_values() {
+    for (const InitialValue& given : tree_.initial_values) {
+      const double time = meaning_.number(given.time, "the time of an initial value");
+      const auto component = names_.components.find({given.name, given.primes});
+      if (component == names_.components.end()) throw source_.mistake(given.place, no_component(made_));
+      if (made_.initial_time_.value_or(time) != time)
+        throw source_.mistake(given.place,
+                              fmt::format("another initial value is at the time {}", *made_.initial_time_));
+      made_.initial_time_ = time;
+      std::optional<double>& value = made_.initial_[static_cast<std::size_t>(component->second)];
+      if (value) throw source_.mistake(given.place, "given a second time");
+      value = meaning_.number(given.value, "an initial value");
+    }
+  }
+
+  static std::string no_component(const Equations& equations) {
+    return fmt::format("no component of the state; these are {}",
+                       echoed(fmt::format("{}", fmt::join(equations.state_names(), ", ")), 200));
+  }
+
+ private:
+  void hold_name(const std::string& name, const Place& place) const {
+    if (name == "t") throw source_.mistake(place, "t is the time");
+    if (name == "pi") throw source_.mistake(place, "pi is 3.14159...");
+  }
+  void take_derivative(const Syntax& node) {
+    hold_name(node.name, node.place);
+    if (node.primes > highest_order)
+      throw source_.mistake(node.place, fmt::format("derivatives go up to order {}", highest_order));
+    const auto [entry, is_new] =
+        names_.numbers.try_emplace(node.name, static_cast<int>(names_.unknowns.size()));
+    if (is_new) names_.unknowns.push_back({node.name, 0, node.place});
+    Unknown& unknown = names_.unknowns[static_cast<std::size_t>(entry->second)];
+    if (node.primes <= unknown.order) return;
+    unknown.order = node.primes;
+    unknown.place = node.place;
+  }
+  [[nodiscard]] bool defines(const Syntax& left) const {
+    return left.kind == SyntaxKind::name && left.primes == 0 && !names_.numbers.contains(left.name);
+  }
+  [[nodiscard]] bool used(const std::string& name) const {
+    return name != "t" && name != "pi" && !names_.numbers.contains(name) &&
+           std::any_of(tree_.nodes.begin(), tree_.nodes.end(), [&](const Syntax& node) {
+             return node.kind == SyntaxKind::name && node.name == name;
+           });
+  }
+  static std::string unknown_setting(const std::string& name,
+                                     const std::map<std::string, Place>& definitions) {
+    std::vector<std::string> known;
+    for (const auto& [defined, place] : definitions) known.push_back(defined);
+    return fmt::format("--set {}: the equation has no such definition{}{}", echoed(name),
+                       known.empty() ? "" : "; there is ",
+                       echoed(fmt::format("{}", fmt::join(known, ", ")), 200));
+  }
+  void add_parameter(const std::string& name, const LinearForm& form) {
+    if (form.highest.empty() && made_.graph_.is_number(form.rest))
+      made_.parameters_.emplace_back(name, made_.graph_[form.rest].c);
+  }
+
+  Equations& made_;
+  Names& names_;
+  const SourceText& source_;
+  const SyntaxTree& tree_;
+  Meaning meaning_;
+  std::vector<Statement> equations_;
+};
+
+Equations::Equations(SourceText source, const Settings& settings)
+    : source_(std::move(source)), tree_(parse(source_)) {
+  EquationReader reader(*this);
+  reader.find_unknowns();
+  reader.name_components();
+  reader.define(settings);
+  reader.take_initial_values();
+  reader.solve();
+}
+
+bool Equations::second_order() const {
+  return std::all_of(names_.unknowns.begin(), names_.unknowns.end(),
+                     [](const Unknown& u) { return u.order == 2; });
+}
+
+NodeId Equations::expression(const std::string& name, const std::string& text) {
+  const SourceText source(name, text);
+  SyntaxTree tree;
+  if (text.find('=') == std::string::npos) {
+    const std::size_t root = parse_expression(source, tree);
+    return Meaning(graph_, names_, source, tree).expression(root);
+  }
+  tree = parse(source);
+  if (tree.statements.size() != 1 || !tree.initial_values.empty())
+    throw source.mistake({0, text.size()}, "one expression, or one equation");
+  Meaning meaning(graph_, names_, source, tree);
+  const NodeId left = meaning.expression(tree.statements.front().left);
+  return graph_.difference(left, meaning.expression(tree.statements.front().right));
+}
+
+std::vector<double> Equations::initial_state(const std::string& name, const std::string& text) {
+  // "x=1, x'=0"
+  const SourceText source(name, text);
+  const SyntaxTree tree = parse(source, Separator::comma);
+  Meaning meaning(graph_, names_, source, tree);
+  std::vector<std::optional<double>> given(state_names_.size());
+  if (!tree.initial_values.empty())
+    throw source.mistake(tree.initial_values.front().place,
+                         "initial values are given as x=1; --from gives the time");
+  for (const Statement& statement : tree.statements) {
+    const Syntax& left = tree.nodes[statement.left];
+    const int component = left.kind == SyntaxKind::name ? names_.component(left) : -1;
+    if (component < 0) throw source.mistake(left.place, EquationReader::no_component(*this));
+    std::optional<double>& value = given[static_cast<std::size_t>(component)];
+    if (value) throw source.mistake(left.place, "given a second time");
+    value = meaning.number(statement.right, "an initial value");
+  }
+  std::vector<double> x;
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::optional<double> value = given[i] ? given[i] : initial_[i];
+    x.push_back(value.value_or(0));
+    if (!value) missing.push_back(state_names_[i]);
+  }
+  if (missing.empty()) return x;
+  const auto needs = std::find_if(names_.unknowns.begin(), names_.unknowns.end(), [&](const Unknown& u) {
+    return missing.front().substr(0, missing.front().find('\'')) == u.name;
+  });
+  throw source_.mistake(needs->place,
+                        fmt::format("an initial value is missing: {} {}=...", name,
+                                    echoed(fmt::format("{}", fmt::join(missing, "=..., ")), 200)));
+}
+
+}  // namespace nlmech::program

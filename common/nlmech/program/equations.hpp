@@ -1,0 +1,81 @@
+/// @file
+/// Equations as they are typed, solved for the highest derivative of each unknown.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/program/graph.hpp"
+#include "nlmech/program/meaning.hpp"
+#include "nlmech/program/source_text.hpp"
+#include "nlmech/program/syntax.hpp"
+
+namespace nlmech::program {
+
+/// A value given from outside: `--set a=4`.
+using Settings = std::map<std::string, double>;
+
+/// How high derivatives may be.
+inline constexpr int highest_order = 4;
+/// How many unknowns there may be.
+inline constexpr int most_unknowns = 2000;
+
+/// A system of equations. Every method of initial value problems runs on it, through Problem (problem.hpp).
+///
+/// The state holds all unknowns in the order in which the text names them, then their first derivatives, and
+/// so on, without the highest ones. So a system of second order has positions and then velocities.
+class Equations {
+ public:
+  /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`) and initial values (``x'(0) = 1``).
+  /// @param settings replace definitions by numbers, and give those that the text leaves out
+  /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
+  /// finite, or that the text does not name
+  explicit Equations(SourceText source, const Settings& settings = {});
+
+  /// Components of the state.
+  [[nodiscard]] int size() const { return graph_.size(); }
+  /// Is every unknown of second order, so that the state is positions and then velocities?
+  [[nodiscard]] bool second_order() const;
+  /// "x", "y", "x'", "y'"
+  [[nodiscard]] const std::vector<std::string>& state_names() const { return state_names_; }
+  /// The unknowns, as the text first names them.
+  [[nodiscard]] const std::vector<Unknown>& unknowns() const { return names_.unknowns; }
+  /// The definitions that are numbers, as the text names them.
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
+  /// The derivative of each component of the state, in graph().
+  [[nodiscard]] const std::vector<NodeId>& slopes() const { return slopes_; }
+  /// All expressions.
+  [[nodiscard]] const Graph& graph() const { return graph_; }
+  /// The text.
+  [[nodiscard]] const SourceText& source() const { return source_; }
+
+  /// Where a solution begins, if the text says so.
+  [[nodiscard]] std::optional<double> initial_time() const { return initial_time_; }
+  /// The initial state, of what the text gives and @p text, which has the precedence: "x=1, x'=0". Its values
+  /// are expressions of the definitions.
+  /// @param name of @p text in messages: "--initial"
+  /// @throws InputError for a value that is missing, given twice, not finite, or of no component
+  [[nodiscard]] std::vector<double> initial_state(const std::string& name, const std::string& text);
+
+  /// An expression of time, state and definitions, "x = 0" being x - 0.
+  /// @throws InputError that points at the mistake
+  [[nodiscard]] NodeId expression(const std::string& name, const std::string& text);
+
+ private:
+  friend class EquationReader;
+  SourceText source_;
+  SyntaxTree tree_;
+  Graph graph_{0};
+  Names names_;
+  std::vector<std::string> state_names_;
+  std::vector<std::pair<std::string, double>> parameters_;
+  std::vector<NodeId> slopes_;
+  std::vector<std::optional<double>> initial_;
+  std::optional<double> initial_time_;
+};
+
+}  // namespace nlmech::program

@@ -1,0 +1,268 @@
+#include <fmt/format.h>
+
+#include "nlmech/program/syntax.hpp"
+#include "nlmech/support/echo.hpp"
+
+namespace nlmech::program {
+namespace {
+
+/// Recursive descent. From loosest to tightest: sum, product (also by standing side by side, with the same
+/// rank as * and /), sign, power (to the right).
+class Parser {
+ public:
+  Parser(const SourceText& source, SyntaxTree& tree, Separator separator)
+      : source_(source), tree_(tree), tokens_(tokens_of(source, separator)) {}
+
+  void statements() {
+    while (peek().kind != TokenKind::end_of_text) {
+      if (peek().kind == TokenKind::end_of_statement) {
+        ++at_;
+      } else {
+        statement();
+      }
+    }
+  }
+
+  std::size_t only_expression() {
+    const std::size_t root = sum();
+    if (peek().kind != TokenKind::end_of_text) throw expected("an operator or the end");
+    return root;
+  }
+
+ private:
+  [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+  }
+  [[nodiscard]] bool sees(TokenKind kind) const { return peek().kind == kind; }
+  const Token& take() { return tokens_[at_++]; }
+  [[nodiscard]] std::string_view name_of(const Token& token) const { return source_.at(token.name); }
+
+  [[nodiscard]] InputError expected(std::string_view what) const {
+    const Token& token = peek();
+    if (token.kind == TokenKind::end_of_text)
+      return source_.mistake(token.place, fmt::format("expected {}, and here the text ends", what));
+    if (token.kind == TokenKind::end_of_statement)
+      return source_.mistake(token.place, fmt::format("expected {}, and here the equation ends", what));
+    return source_.mistake(token.place, fmt::format("expected {}", what));
+  }
+
+  void statement() {
+    if (begins_initial_value()) return initial_value();
+    const std::size_t first = peek().place.begin, left = sum();
+    if (!sees(TokenKind::equals)) throw expected("an operator or =");
+    ++at_;
+    const std::size_t right = sum();
+    if (sees(TokenKind::equals)) throw source_.mistake(peek().place, "an equation has one sign =");
+    end_statement("an operator or the end of the equation");
+    tree_.statements.push_back({left, right, {first, tree_.nodes[right].place.end}});
+  }
+  void end_statement(std::string_view what) {
+    if (!sees(TokenKind::end_of_statement) && !sees(TokenKind::end_of_text)) throw expected(what);
+  }
+
+  // x'(0) = : a name that is no function, a bracket directly behind it, and the sign = after its end.
+  [[nodiscard]] bool begins_initial_value() const {
+    if (!sees(TokenKind::name) || peek(1).kind != TokenKind::open || peek(1).after_blank) return false;
+    if (function_by_name(name_of(peek()))) return false;
+    std::size_t ahead = 2;
+    for (int depth = 1; depth > 0; ++ahead) {
+      const TokenKind kind = peek(ahead).kind;
+      if (kind == TokenKind::end_of_text || kind == TokenKind::end_of_statement) return false;
+      depth += kind == TokenKind::open ? 1 : kind == TokenKind::close ? -1 : 0;
+    }
+    return peek(ahead).kind == TokenKind::equals;
+  }
+  void initial_value() {
+    const Token& name = take();
+    ++at_;  // bracket
+    const std::size_t time = sum();
+    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    const Place place{name.place.begin, take().place.end};
+    ++at_;  // sign
+    const std::size_t value = sum();
+    end_statement("an operator or the end of the initial value");
+    tree_.initial_values.push_back({std::string(name_of(name)), name.primes, place, time, value});
+  }
+
+  std::size_t add(Syntax node) {
+    tree_.nodes.push_back(std::move(node));
+    return tree_.nodes.size() - 1;
+  }
+  [[nodiscard]] Place span(std::size_t first, std::size_t last) const {
+    return {tree_.nodes[first].place.begin, tree_.nodes[last].place.end};
+  }
+  std::size_t gathered(SyntaxKind kind, std::vector<Syntax::Operand> operands) {
+    if (operands.size() == 1) return operands.front().node;
+    const Place place = span(operands.front().node, operands.back().node);
+    return add({.kind = kind, .place = place, .operands = std::move(operands)});
+  }
+
+  std::size_t sum() {
+    std::vector<Syntax::Operand> terms = {{product()}};
+    while (sees(TokenKind::plus) || sees(TokenKind::minus)) {
+      const bool minus = take().kind == TokenKind::minus;
+      terms.push_back({product(), minus});
+    }
+    return gathered(SyntaxKind::sum, std::move(terms));
+  }
+
+  // Does the next token begin a factor without a sign before it?
+  [[nodiscard]] bool stands_beside() const {
+    if (sees(TokenKind::number))
+      throw source_.mistake(peek().place, "a number stands before what it multiplies; else write * or ^");
+    return sees(TokenKind::name) || sees(TokenKind::open);
+  }
+
+  std::size_t product() {
+    std::vector<Syntax::Operand> factors = {{signed_factor()}};
+    for (;;) {
+      if (sees(TokenKind::times) || sees(TokenKind::over)) {
+        const bool divisor = take().kind == TokenKind::over;
+        factors.push_back({signed_factor(), divisor});
+      } else if (stands_beside()) {
+        if (factors.back().inverse && !is_fraction(factors)) throw unclear_division(factors);
+        factors.push_back({power()});
+      } else {
+        return gathered(SyntaxKind::product, std::move(factors));
+      }
+    }
+  }
+  // `1/2 x` is read as on paper; of `a/b x` a reader cannot tell what is divided by what.
+  [[nodiscard]] bool is_fraction(const std::vector<Syntax::Operand>& factors) const {
+    if (factors.size() != 2 || tree_.nodes[factors[1].node].kind != SyntaxKind::number) return false;
+    const Syntax& first = tree_.nodes[factors[0].node];
+    const bool negative = first.kind == SyntaxKind::negative;
+    return (negative ? tree_.nodes[first.operands[0].node] : first).kind == SyntaxKind::number;
+  }
+  [[nodiscard]] InputError unclear_division(const std::vector<Syntax::Operand>& factors) const {
+    const std::string_view a = source_.at(tree_.nodes[factors[factors.size() - 2].node].place),
+                           b = source_.at(tree_.nodes[factors.back().node].place),
+                           c = source_.at(peek().place);
+    const auto part = [](std::string_view text) { return echoed(text, 20); };
+    return source_.mistake(
+        peek().place, fmt::format("is this ({0}/{1}) {2} or {0}/({1} {2})? Set brackets, or write *", part(a),
+                                  part(b), sees(TokenKind::open) ? "(...)" : part(c)));
+  }
+
+  // Counts how deep brackets, signs and exponents are nested.
+  class Nested {
+   public:
+    Nested(Parser& parser) : parser_(parser) {
+      if (++parser.depth_ > most_nested)
+        throw parser.source_.mistake(parser.peek().place,
+                                     fmt::format("nested more than {} deep", most_nested));
+    }
+    ~Nested() { --parser_.depth_; }
+    Nested(const Nested&) = delete;
+    Nested& operator=(const Nested&) = delete;
+
+   private:
+    Parser& parser_;
+  };
+
+  std::size_t signed_factor() {
+    if (!sees(TokenKind::minus) && !sees(TokenKind::plus)) return power();
+    const Nested nested(*this);
+    const Token& sign = take();
+    const std::size_t operand = signed_factor();
+    if (sign.kind == TokenKind::plus) return operand;
+    return add({.kind = SyntaxKind::negative,
+                .place = {sign.place.begin, tree_.nodes[operand].place.end},
+                .operands = {{operand}}});
+  }
+
+  std::size_t power() {
+    const std::size_t base = primary();
+    if (!sees(TokenKind::power)) return base;
+    const Nested nested(*this);
+    ++at_;
+    const std::size_t exponent = signed_factor();
+    return add({.kind = SyntaxKind::power, .place = span(base, exponent), .operands = {{base}, {exponent}}});
+  }
+
+  std::size_t primary() {
+    const Token& token = peek();
+    if (token.kind == TokenKind::number) {
+      ++at_;
+      return add({.kind = SyntaxKind::number, .place = token.place, .number = token.number});
+    }
+    if (token.kind == TokenKind::name) return name_or_call();
+    if (token.kind == TokenKind::open) return bracket();
+    throw expected("a number, a name or (");
+  }
+  std::size_t bracket() {
+    const Nested nested(*this);
+    const std::size_t begin = take().place.begin, inside = sum();
+    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    tree_.nodes[inside].place = {begin, take().place.end};
+    return inside;
+  }
+
+  std::size_t name_or_call() {
+    const Token& token = take();
+    const std::string_view name = name_of(token);
+    if (const auto function = function_by_name(name)) return call(token, *function);
+    if (sees(TokenKind::open) && !peek().after_blank)
+      throw source_.mistake(
+          token.place,
+          fmt::format("{0} is no function; for a product write {0}*(...), or a blank before the bracket",
+                      echoed(source_.at(token.place))));
+    return add(
+        {.kind = SyntaxKind::name, .place = token.place, .name = std::string(name), .primes = token.primes});
+  }
+  std::size_t call(const Token& token, const FunctionInfo& function) {
+    const Nested nested(*this);
+    if (token.primes > 0)
+      throw source_.mistake(token.place, fmt::format("{} is a function and has no prime", function.name));
+    if (sees(TokenKind::power))
+      throw source_.mistake(peek().place,
+                            fmt::format("a power of a function is written {}(...)^2", function.name));
+    if (!sees(TokenKind::open))
+      throw source_.mistake(
+          token.place,
+          fmt::format("{0} is a function, and needs its argument in brackets: {0}(...)", function.name));
+    ++at_;
+    std::vector<Syntax::Operand> arguments = {{sum()}};
+    while (sees(TokenKind::comma)) {
+      ++at_;
+      arguments.push_back({sum()});
+    }
+    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    const Place place{token.place.begin, take().place.end};
+    if (static_cast<int>(arguments.size()) != function.arguments)
+      throw source_.mistake(
+          place, fmt::format("{} has {} argument{}, and here {}", function.name, function.arguments,
+                             function.arguments == 1 ? "" : "s", arguments.size()));
+    return add({.kind = SyntaxKind::call,
+                .place = place,
+                .function = function.function,
+                .operands = std::move(arguments)});
+  }
+
+  const SourceText& source_;
+  SyntaxTree& tree_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+void hold_to_length(const SourceText& source) {
+  if (source.text().size() > most_bytes)
+    throw source.mistake({most_bytes, most_bytes + 1}, fmt::format("longer than {} bytes", most_bytes));
+}
+
+}  // namespace
+
+SyntaxTree parse(const SourceText& source, Separator separator) {
+  hold_to_length(source);
+  SyntaxTree tree;
+  Parser(source, tree, separator).statements();
+  return tree;
+}
+
+std::size_t parse_expression(const SourceText& source, SyntaxTree& tree) {
+  hold_to_length(source);
+  return Parser(source, tree, Separator::semicolon).only_expression();
+}
+
+}  // namespace nlmech::program

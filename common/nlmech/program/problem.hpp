@@ -1,0 +1,82 @@
+/// @file
+/// Typed equations as a problem, so that every method runs on them.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "nlmech/program/equations.hpp"
+#include "nlmech/program/program.hpp"
+#include "nlmech/program/switches.hpp"
+#include "nlmech/program/vector.hpp"
+
+namespace nlmech::program {
+
+/// The right-hand side of Equations for every type of number: what ivp::System and ivp::Direct take.
+/// Copies share the program.
+class Problem {
+ public:
+  static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: size()
+
+  /// Of these equations.
+  explicit Problem(const Equations& equations)
+      : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
+        switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
+        size_(equations.size()),
+        second_order_(equations.second_order()),
+        smooth_(switches_->count() == 0) {}
+
+  /// Components of the state.
+  [[nodiscard]] int size() const { return size_; }
+  /// Is every unknown of second order?
+  [[nodiscard]] bool second_order() const { return second_order_; }
+
+  /// How many functions decide by their signs what the equations are; none within a mode.
+  [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
+  /// The smooth equations of a mode.
+  [[nodiscard]] Problem in_mode(const Mode& mode) const {
+    Problem smooth = *this;
+    smooth.program_ = switches_->in_mode(mode);
+    smooth.smooth_ = true;
+    return smooth;
+  }
+  /// Within a mode: the functions that decide, or the shares of the upper sides on their surfaces, and the
+  /// derivatives of the functions along a solution.
+  void surfaces(double t, const Vector<double, Eigen::Dynamic>& x, std::span<double> values,
+                std::span<double> rates) const {
+    const auto size = static_cast<std::size_t>(size_), count = values.size();
+    program_->run(t, x, size, size + 2 * count, [&](int i, double value) {
+      const auto k = static_cast<std::size_t>(i);
+      (k < count ? values[k] : rates[k - count]) = value;
+    });
+  }
+
+  /// dx/dt.
+  template <class T>
+  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
+    program_->run(t, x, 0, static_cast<std::size_t>(size_), [&](int i, const T& value) { dxdt[i] = value; });
+  }
+  /// Second-order equations: the accelerations at positions @p q and velocities @p v.
+  template <class T, int m>
+  void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
+    const int half = size_ / 2;
+    const auto state = [&](int i) -> const T& { return i < half ? q[i] : v[i - half]; };
+    program_->run(t, Halves<decltype(state)>{state}, static_cast<std::size_t>(half),
+                  static_cast<std::size_t>(size_), [&](int i, const T& value) { a[i] = value; });
+  }
+
+ private:
+  /// Positions and velocities side by side, read as one state.
+  template <class Get>
+  struct Halves {
+    const Get& get;
+    decltype(auto) operator[](int i) const { return get(i); }
+  };
+
+  std::shared_ptr<const Program> program_;
+  std::shared_ptr<const Switches> switches_;
+  int size_;
+  bool second_order_, smooth_;
+};
+
+}  // namespace nlmech::program

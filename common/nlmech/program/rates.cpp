@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include "nlmech/program/graph.hpp"
+
+namespace nlmech::program {
+namespace {
+
+/// Derivatives along a solution, each node's once.
+class Rates {
+ public:
+  Rates(Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {}
+
+  // Operands have smaller numbers: one pass upwards over the nodes that are needed, without recursion.
+  std::vector<NodeId> of(const std::vector<NodeId>& ids) {
+    const std::vector<bool> needed = parts_of(graph_, ids);
+    known_.assign(needed.size(), 0);
+    for (NodeId i = 0; i < static_cast<NodeId>(needed.size()); ++i) {
+      if (needed[index(i)]) known_[index(i)] = rule(i);
+    }
+    std::vector<NodeId> all;
+    for (const NodeId id : ids) all.push_back(known_[index(id)]);
+    return all;
+  }
+
+ private:
+  NodeId rule(NodeId id) {
+    const Node n = graph_[id];
+    Graph& g = graph_;
+    if (n.operation == Operation::number) return g.number(0);
+    if (n.operation == Operation::variable) return n.a == 0 ? g.number(1) : slopes_[index(n.a - 1)];
+    const NodeId a = n.a, b = n.b, da = known_[index(a)], db = known_[index(b)];
+    switch (n.operation) {
+      case Operation::sum: return g.sum(da, db);
+      case Operation::difference: return g.difference(da, db);
+      case Operation::shifted: return da;
+      case Operation::scaled: return g.product(g.number(n.c), da);
+      case Operation::divided: return g.quotient(da, g.number(n.c));
+      case Operation::product: return g.sum(g.product(da, b), g.product(a, db));
+      case Operation::quotient: return g.quotient(g.difference(da, g.product(id, db)), b);
+      case Operation::reciprocal: return g.negative(g.quotient(g.product(id, da), a));
+      case Operation::power: return g.product(g.product(g.number(n.c), g.power(a, g.number(n.c - 1))), da);
+      case Operation::any_power:
+        return g.product(id,
+                         g.sum(g.product(db, g.call(Function::log, a, a)), g.quotient(g.product(b, da), a)));
+      case Operation::atan2: {
+        const NodeId square = g.sum(g.product(a, a), g.product(b, b));
+        return g.quotient(g.difference(g.product(b, da), g.product(a, db)), square);
+      }
+      case Operation::choice: return g.choice(n.decides, da, db);
+      default: return g.product(derivative(g, n.function, id, a), da);
+    }
+  }
+
+  Graph& graph_;
+  const std::vector<NodeId>& slopes_;
+  std::vector<NodeId> known_;
+};
+
+// sqrt(1 - a^2), with no digits lost near 1.
+NodeId cosine_of_arc(Graph& g, NodeId a) {
+  const NodeId one = g.number(1);
+  const NodeId square = g.product(g.difference(one, a), g.sum(one, a));
+  return g.call(Function::sqrt, square, square);
+}
+
+}  // namespace
+
+NodeId derivative(Graph& g, Function function, NodeId value, NodeId a) {
+  const NodeId one = g.number(1), square = g.product(a, a);
+  switch (function) {
+    case Function::sqrt: return g.quotient(g.number(0.5), value);
+    case Function::exp: return value;
+    case Function::log: return g.quotient(one, a);
+    case Function::sin: return g.call(Function::cos, a, a);
+    case Function::cos: return g.negative(g.call(Function::sin, a, a));
+    case Function::tan: return g.sum(one, g.product(value, value));
+    case Function::asin: return g.quotient(one, cosine_of_arc(g, a));
+    case Function::acos: return g.quotient(g.number(-1), cosine_of_arc(g, a));
+    case Function::atan: return g.quotient(one, g.sum(one, square));
+    case Function::sinh: return g.call(Function::cosh, a, a);
+    case Function::cosh: return g.call(Function::sinh, a, a);
+    case Function::tanh: return g.difference(one, g.product(value, value));
+    default:  // erf: 2/sqrt(pi) exp(-a^2)
+      return g.product(g.number(2 / std::sqrt(std::acos(-1.0))),
+                       g.call(Function::exp, g.negative(square), one));
+  }
+}
+
+std::vector<NodeId> rates(Graph& graph, const std::vector<NodeId>& ids, const std::vector<NodeId>& slopes) {
+  return Rates(graph, slopes).of(ids);
+}
+
+}  // namespace nlmech::program

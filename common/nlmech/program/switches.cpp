@@ -1,0 +1,133 @@
+#include "nlmech/program/switches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "nlmech/program/highest_derivatives.hpp"
+
+namespace nlmech::program {
+namespace {
+
+/// Equations that stay on surfaces: which share of each jump keeps all functions zero.
+class Sliding {
+ public:
+  /// @param slopes of the lower side of each surface @param deciding the functions
+  Sliding(Graph& graph, std::vector<NodeId> slopes, std::vector<NodeId> deciding)
+      : graph_(graph),
+        slopes_(std::move(slopes)),
+        deciding_(std::move(deciding)),
+        fall_(rates(graph_, deciding_, slopes_)) {}
+
+  /// One more surface, with the slopes of its upper side.
+  void add(std::size_t surface, const std::vector<NodeId>& upper) {
+    surfaces_.push_back(surface);
+    rises_.push_back(rates(graph_, deciding_, upper));
+    jumps_.emplace_back();
+    for (std::size_t i = 0; i < upper.size(); ++i)
+      jumps_.back().push_back(graph_.difference(upper[i], slopes_[i]));
+  }
+  /// The share of each surface.
+  std::vector<NodeId> shares() {
+    HighestDerivatives system(graph_, static_cast<int>(surfaces_.size()));
+    for (const std::size_t row : surfaces_) {
+      LinearEquation equation{fall_[row], {}};
+      for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        const NodeId change = graph_.difference(rises_[k][row], fall_[row]);
+        if (!graph_.is_number(change, 0)) equation.highest.emplace(static_cast<int>(k), change);
+      }
+      system.add(std::move(equation));
+    }
+    try {
+      return system.solve([](int, std::string_view sentence) { return InputError(std::string(sentence)); });
+    } catch (const InputError&) {
+      return std::vector<NodeId>(surfaces_.size(), graph_.number(std::nan("")));
+    }
+  }
+  /// The slopes with these shares.
+  std::vector<NodeId> slopes(const std::vector<NodeId>& shares) {
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      for (std::size_t i = 0; i < slopes_.size(); ++i)
+        slopes_[i] = graph_.sum(slopes_[i], graph_.product(shares[k], jumps_[k][i]));
+    }
+    return slopes_;
+  }
+
+ private:
+  Graph& graph_;
+  std::vector<NodeId> slopes_, deciding_, fall_;
+  std::vector<std::size_t> surfaces_;
+  std::vector<std::vector<NodeId>> rises_, jumps_;
+};
+
+}  // namespace
+
+Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {
+  const std::vector<bool> part = parts_of(graph_, slopes_);
+  for (NodeId i = 0; i < graph_.nodes(); ++i) {
+    if (!part[index(i)] || graph_[i].operation != Operation::choice) continue;
+    const NodeId decides = graph_[i].decides;
+    if (std::find(deciding_.begin(), deciding_.end(), decides) == deciding_.end())
+      deciding_.push_back(decides);
+  }
+}
+
+// Slopes and then functions without choices, for a mode without zeros.
+std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
+  std::vector<NodeId> ids = slopes_;
+  ids.insert(ids.end(), deciding_.begin(), deciding_.end());
+  const std::vector<bool> part = parts_of(graph_, ids);
+  std::vector<NodeId> made(part.size());
+  for (NodeId i = 0; i < graph_.nodes(); ++i) {
+    if (!part[index(i)]) continue;
+    const Node& n = graph_[i];
+    if (i <= graph_.size() || n.operation == Operation::number) {
+      made[index(i)] = i;
+    } else if (n.operation == Operation::choice) {
+      const auto decides = std::find(deciding_.begin(), deciding_.end(), n.decides) - deciding_.begin();
+      made[index(i)] = made[index(mode[static_cast<std::size_t>(decides)] < 0 ? n.b : n.a)];
+    } else {
+      made[index(i)] = graph.again(n, made[index(n.a)], made[index(n.b)]);
+    }
+  }
+  for (NodeId& id : ids) id = made[index(id)];
+  return ids;
+}
+
+std::shared_ptr<const Program> Switches::in_mode(const Mode& mode) const {
+  const std::scoped_lock lock(mutex_);
+  if (known_.size() > most_known) known_.clear();
+  std::shared_ptr<const Program>& program = known_[mode];
+  if (program) return program;
+
+  Graph graph = graph_;
+  Mode below = mode;
+  std::replace(below.begin(), below.end(), std::int8_t{0}, std::int8_t{-1});
+  const std::vector<NodeId> all = resolved(below, graph);
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(slopes_.size());
+  std::vector<NodeId> slopes(all.begin(), middle), deciding(middle, all.end()), watched = deciding;
+  if (below != mode) {
+    Sliding sliding(graph, slopes, deciding);
+    for (std::size_t i = 0; i < mode.size(); ++i) {
+      if (mode[i] != 0) continue;
+      Mode above = below;
+      above[i] = 1;
+      std::vector<NodeId> upper = resolved(above, graph);
+      upper.resize(slopes_.size());
+      sliding.add(i, upper);
+    }
+    const std::vector<NodeId> shares = sliding.shares();
+    slopes = sliding.slopes(shares);
+    for (std::size_t i = 0, k = 0; i < mode.size(); ++i) {
+      if (mode[i] == 0) watched[i] = shares[k++];
+    }
+  }
+  const std::vector<NodeId> along = rates(graph, deciding, slopes);
+  std::vector<NodeId> outputs = slopes;
+  outputs.insert(outputs.end(), watched.begin(), watched.end());
+  outputs.insert(outputs.end(), along.begin(), along.end());
+  return program = std::make_shared<const Program>(graph, outputs);
+}
+
+}  // namespace nlmech::program

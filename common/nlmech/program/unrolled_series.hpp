@@ -1,0 +1,374 @@
+/// @file
+/// Power series of which every pass is a function of its own: the number of the coefficient is known to the
+/// compiler, so that all sums are unrolled and all places in memory are constants.
+///
+/// An expression is evaluated once for every order, as with GrowingSeries, but each time with another type:
+/// UnrolledSeries<k> computes coefficient k of each of its operations from those below. Sums run in four
+/// partial sums, squares in half of the products, and the two products with the newest coefficients come
+/// last, so that everything else is done before they are known. Strict IEEE arithmetic: nothing is left for
+/// the compiler to reorder.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "nlmech/program/expansion_errors.hpp"
+#include "nlmech/program/number_traits.hpp"
+#include "nlmech/program/vector.hpp"
+
+namespace nlmech {
+
+namespace unrolled {
+
+/// Highest order of a solution: the highest that any tolerance asks for. Instrumented code is many times
+/// larger and takes minutes to compile: with a sanitizer fewer orders are unrolled, and more left to the
+/// tape.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr int most_order = 10;
+#else
+inline constexpr int most_order = 33;
+#endif
+inline constexpr std::ptrdiff_t stride =
+    std::ptrdiff_t{most_order + 8} / 8 * 8;  ///< from one series to the next in memory
+inline constexpr int endless = 1 << 20;      ///< degree of what is no polynomial in the time
+
+/// The sum of a[i] b[-i] for i = 0, ..., n - 1, in four partial sums.
+template <int n>
+[[nodiscard, gnu::always_inline]] inline double sum(const double* a, const double* b) {
+  if constexpr (n == 0) {
+    return 0;
+  } else if constexpr (n == 1) {
+    return a[0] * b[0];
+  } else if constexpr (n == 2) {
+    return a[0] * b[0] + a[1] * b[-1];
+  } else if constexpr (n == 3) {
+    return (a[0] * b[0] + a[1] * b[-1]) + a[2] * b[-2];
+  } else {
+    double s0 = a[0] * b[0], s1 = a[1] * b[-1], s2 = a[2] * b[-2], s3 = a[3] * b[-3];
+    constexpr int whole = n / 4 * 4;
+#pragma GCC unroll 16
+    for (int i = 4; i < whole; i += 4) {
+      s0 += a[i] * b[-i];
+      s1 += a[i + 1] * b[-i - 1];
+      s2 += a[i + 2] * b[-i - 2];
+      s3 += a[i + 3] * b[-i - 3];
+    }
+    if constexpr (n % 4 > 0) s0 += a[whole] * b[-whole];
+    if constexpr (n % 4 > 1) s1 += a[whole + 1] * b[-whole - 1];
+    if constexpr (n % 4 > 2) s2 += a[whole + 2] * b[-whole - 2];
+    return (s0 + s1) + (s2 + s3);
+  }
+}
+
+/// The sum of a[i] a[n + 1 - i] for i = 1, ..., n: each product once.
+template <int n>
+[[nodiscard, gnu::always_inline]] inline double inner_square(const double* a) {
+  if constexpr (n <= 0) {
+    return 0;
+  } else {
+    const double half = 2 * sum<n / 2>(a + 1, a + n);
+    if constexpr (n % 2 == 1) return half + a[(n + 1) / 2] * a[(n + 1) / 2];
+    return half;
+  }
+}
+
+}  // namespace unrolled
+
+/// One pass over the operations of an expression: hands out places in memory, in the order of the operations.
+template <int k>
+struct UnrolledPass {
+  double* memory;  ///< series number i begins at memory + i stride; null: operations are only counted
+  int used;        ///< series that have a place
+  bool announced;  ///< has the problem announced where it branches in time?
+};
+
+/// A power series in the pass for coefficient k, or a constant. See the head of this file.
+template <int k>
+class UnrolledSeries {
+ public:
+  /// The constant 0.
+  UnrolledSeries() = default;
+
+  /// A constant.
+  template <class S>
+  requires std::convertible_to<S, double>
+  [[gnu::always_inline]] UnrolledSeries(const S& constant) : value_(static_cast<double>(constant)) {}
+
+  /// The variable number @p series, of which coefficient k is @p value.
+  [[nodiscard, gnu::always_inline]] static UnrolledSeries variable(UnrolledPass<k>& pass, int series,
+                                                                   double value, bool is_time) {
+    UnrolledSeries v;
+    v.pass_ = &pass;
+    v.series_ = series;
+    v.value_ = value;
+    v.degree_ = is_time ? 1 : unrolled::endless;
+    v.timed_ = is_time;
+    return v;
+  }
+
+  /// Coefficient k.
+  [[nodiscard, gnu::always_inline]] double coefficient() const { return is_constant() && k > 0 ? 0 : value_; }
+
+  /// The same quantity.
+  [[gnu::always_inline]] UnrolledSeries operator+() const { return *this; }
+  /// Its negative.
+  [[gnu::always_inline]] UnrolledSeries operator-() const {
+    if (is_constant()) return -value_;
+    return linear(*this, *this, -value_);
+  }
+  /// Sum.
+  [[gnu::always_inline]] friend UnrolledSeries operator+(const UnrolledSeries& a, const UnrolledSeries& b) {
+    if (a.is_constant() && b.is_constant()) return a.value_ + b.value_;
+    return linear(a, b, a.coefficient() + b.coefficient());
+  }
+  /// Difference.
+  [[gnu::always_inline]] friend UnrolledSeries operator-(const UnrolledSeries& a, const UnrolledSeries& b) {
+    if (a.is_constant() && b.is_constant()) return a.value_ - b.value_;
+    return linear(a, b, a.coefficient() - b.coefficient());
+  }
+  /// Product.
+  [[gnu::always_inline]] friend UnrolledSeries operator*(const UnrolledSeries& a, const UnrolledSeries& b) {
+    if (a.is_constant() && b.is_constant()) return a.value_ * b.value_;
+    if (a.is_constant() || b.is_constant()) return linear(a, b, a.value_ * b.value_);
+    UnrolledSeries r = result(a, b);
+    r.degree_ = a.degree_ < unrolled::endless && b.degree_ < unrolled::endless ? a.degree_ + b.degree_
+                                                                               : unrolled::endless;
+    return r.keep(product(a, b));
+  }
+  /// Quotient. A divisor that begins with 0 gives infinities and NaN, as numbers do.
+  [[gnu::always_inline]] friend UnrolledSeries operator/(const UnrolledSeries& a, const UnrolledSeries& b) {
+    if (a.is_constant() && b.is_constant()) return a.value_ / b.value_;
+    if (b.is_constant()) return linear(a, b, a.coefficient() / b.value_);
+    UnrolledSeries r = result(a, b);
+    if constexpr (k <= 0) return r.keep(a.value_ / b.value_);
+    const double* d = b.data();
+    // r_0 b_k last: the newest coefficient of the divisor
+    const double rest = a.coefficient() - unrolled::sum<inner>(d + 1, r.data() + k - 1);
+    return r.keep((rest - r.data()[0] * b.value_) / d[0]);
+  }
+  /// Adds a series.
+  [[gnu::always_inline]] UnrolledSeries& operator+=(const UnrolledSeries& b) { return *this = *this + b; }
+  /// Subtracts a series.
+  [[gnu::always_inline]] UnrolledSeries& operator-=(const UnrolledSeries& b) { return *this = *this - b; }
+  /// Multiplies by a series.
+  [[gnu::always_inline]] UnrolledSeries& operator*=(const UnrolledSeries& b) { return *this = *this * b; }
+  /// Divides by a series.
+  [[gnu::always_inline]] UnrolledSeries& operator/=(const UnrolledSeries& b) { return *this = *this / b; }
+
+  /// Square root, for c_0 > 0.
+  [[gnu::always_inline]] friend UnrolledSeries sqrt(const UnrolledSeries& a) {
+    if (a.is_constant()) return std::sqrt(a.value_);
+    UnrolledSeries r = result(a, a);
+    if constexpr (k <= 0) return r.keep(std::sqrt(a.value_));
+    const double* d = r.data();
+    return r.keep((a.value_ - unrolled::inner_square<inner>(d)) / (2 * d[0]));
+  }
+  /// Exponential function.
+  [[gnu::always_inline]] friend UnrolledSeries exp(const UnrolledSeries& a) {
+    if (a.is_constant()) return std::exp(a.value_);
+    const UnrolledSeries slope = a.slope();
+    UnrolledSeries r = result(a, a);
+    if constexpr (k <= 0) return r.keep(std::exp(a.value_));
+    return r.keep(slope.times_rest(r, a.degree_) / k);
+  }
+  /// Natural logarithm, for c_0 > 0.
+  [[gnu::always_inline]] friend UnrolledSeries log(const UnrolledSeries& a) {
+    if (a.is_constant()) return std::log(a.value_);
+    return integral(a, a, std::log(a.value_));
+  }
+  /// Sine and cosine of one argument, which need each other.
+  [[gnu::always_inline]] friend std::pair<UnrolledSeries, UnrolledSeries> sin_cos(const UnrolledSeries& a) {
+    if (a.is_constant()) return {std::sin(a.value_), std::cos(a.value_)};
+    return a.pair_of(k > 0 ? 0 : std::sin(a.value_), k > 0 ? 0 : std::cos(a.value_), -1);
+  }
+  /// Hyperbolic sine and cosine of one argument.
+  [[gnu::always_inline]] friend std::pair<UnrolledSeries, UnrolledSeries> sinh_cosh(const UnrolledSeries& a) {
+    if (a.is_constant()) return {std::sinh(a.value_), std::cosh(a.value_)};
+    return a.pair_of(k > 0 ? 0 : std::sinh(a.value_), k > 0 ? 0 : std::cosh(a.value_), 1);
+  }
+  /// Sine.
+  [[gnu::always_inline]] friend UnrolledSeries sin(const UnrolledSeries& a) { return sin_cos(a).first; }
+  /// Cosine.
+  [[gnu::always_inline]] friend UnrolledSeries cos(const UnrolledSeries& a) { return sin_cos(a).second; }
+  /// Hyperbolic sine.
+  [[gnu::always_inline]] friend UnrolledSeries sinh(const UnrolledSeries& a) { return sinh_cosh(a).first; }
+  /// Hyperbolic cosine.
+  [[gnu::always_inline]] friend UnrolledSeries cosh(const UnrolledSeries& a) { return sinh_cosh(a).second; }
+  /// Tangent.
+  [[gnu::always_inline]] friend UnrolledSeries tan(const UnrolledSeries& a) {
+    if (a.is_constant()) return std::tan(a.value_);
+    return a.self_sloped(std::tan(a.value_), 1);
+  }
+  /// Hyperbolic tangent.
+  [[gnu::always_inline]] friend UnrolledSeries tanh(const UnrolledSeries& a) {
+    if (a.is_constant()) return std::tanh(a.value_);
+    return a.self_sloped(std::tanh(a.value_), -1);
+  }
+  /// a^p for a constant exponent. An integer one by repeated squaring up to |p| = 8, else c_0 != 0 is needed.
+  template <class P>
+  requires std::is_arithmetic_v<P>
+  [[gnu::always_inline]] friend UnrolledSeries pow(const UnrolledSeries& a, P p) {
+    const auto exponent = static_cast<double>(p);
+    if (a.is_constant()) return std::pow(a.value_, exponent);
+    if constexpr (std::is_integral_v<P>) {
+      if (p >= -8 && p <= 8) return a.whole_power(static_cast<int>(p));
+    }
+    return a.real_power(exponent);
+  }
+  /// x^y = exp(y log x), for x > 0.
+  [[gnu::always_inline]] friend UnrolledSeries pow(const UnrolledSeries& x, const UnrolledSeries& y) {
+    if (y.is_constant()) return pow(x, y.value_);
+    return exp(y * log(x));
+  }
+  /// Absolute value: a branch, see value_of().
+  [[gnu::always_inline]] friend UnrolledSeries abs(const UnrolledSeries& a) {
+    return value_of(a) < 0 ? -a : a;
+  }
+  /// The number inside c_0, for a branch. @throws std::invalid_argument if it depends on the state, or the
+  /// problem has not announced its branches
+  [[gnu::always_inline]] friend double value_of(const UnrolledSeries& a) {
+    if (a.is_constant()) return a.value_;
+    if (!a.timed_ || !a.pass_->announced) throw_unannounced_branch(a.timed_);
+    return k <= 0 ? a.value_ : a.data()[0];
+  }
+
+ private:
+  static constexpr int inner = k > 0 ? k - 1 : 0;  ///< products without the newest coefficients
+
+  [[nodiscard, gnu::always_inline]] bool is_constant() const { return pass_ == nullptr; }
+  [[nodiscard, gnu::always_inline]] double* data() const {
+    return pass_->memory + series_ * unrolled::stride;
+  }
+
+  /// A place for the next operation, on @p a and @p b.
+  [[gnu::always_inline]] static UnrolledSeries result(const UnrolledSeries& a, const UnrolledSeries& b) {
+    UnrolledSeries r;
+    r.pass_ = a.is_constant() ? b.pass_ : a.pass_;
+    r.series_ = r.pass_->used++;
+    r.degree_ = unrolled::endless;
+    r.timed_ = (a.is_constant() || a.timed_) && (b.is_constant() || b.timed_);
+    return r;
+  }
+  /// Writes coefficient k.
+  [[gnu::always_inline]] UnrolledSeries& keep(double value) {
+    value_ = value;
+    if constexpr (k >= 0) data()[k] = value;
+    return *this;
+  }
+  [[gnu::always_inline]] static UnrolledSeries linear(const UnrolledSeries& a, const UnrolledSeries& b,
+                                                      double value) {
+    UnrolledSeries r = result(a, b);
+    r.degree_ = std::max(a.is_constant() ? 0 : a.degree_, b.is_constant() ? 0 : b.degree_);
+    return r.keep(value);
+  }
+  [[gnu::always_inline]] static double product(const UnrolledSeries& a, const UnrolledSeries& b) {
+    if constexpr (k <= 0) {
+      return a.value_ * b.value_;
+    } else {
+      if (a.series_ == b.series_) {
+        return unrolled::inner_square<inner>(a.data()) + 2 * (a.data()[0] * a.value_);
+      }
+      if (a.degree_ == 1) return a.data()[0] * b.value_ + a.data()[1] * b.data()[k - 1];
+      if (b.degree_ == 1) return b.data()[0] * a.value_ + b.data()[1] * a.data()[k - 1];
+      const double old = unrolled::sum<inner>(a.data() + 1, b.data() + k - 1);
+      return old + (a.data()[0] * b.value_ + a.value_ * b.data()[0]);
+    }
+  }
+  /// The series s a'(s), of which functions with a differential equation are made.
+  [[nodiscard, gnu::always_inline]] UnrolledSeries slope() const {
+    UnrolledSeries r = result(*this, *this);
+    r.degree_ = degree_;
+    return r.keep(k > 0 ? k * value_ : 0);
+  }
+  /// Coefficient k of this slope times @p r, whose coefficients below k are known.
+  [[nodiscard, gnu::always_inline]] double times_rest(const UnrolledSeries& r, int degree) const {
+    if constexpr (k <= 0) {
+      return 0;
+    } else {
+      if (degree == 1) return data()[1] * r.data()[k - 1];
+      return unrolled::sum<inner>(data() + 1, r.data() + k - 1) + value_ * r.data()[0];
+    }
+  }
+  /// f and g with f' = a' g, g' = sign a' f.
+  [[gnu::always_inline]] std::pair<UnrolledSeries, UnrolledSeries> pair_of(double f0, double g0,
+                                                                           int sign) const {
+    const UnrolledSeries d = slope();
+    UnrolledSeries f = result(*this, *this), g = result(*this, *this);
+    if constexpr (k <= 0) {
+      f.keep(f0);
+      g.keep(g0);
+    } else {
+      const double next_f = d.times_rest(g, degree_) / k, next_g = d.times_rest(f, degree_) / k;
+      f.keep(next_f);
+      g.keep(sign * next_g);
+    }
+    return {f, g};
+  }
+  /// f with f' = a' (1 + sign f^2).
+  [[gnu::always_inline]] UnrolledSeries self_sloped(double f0, int sign) const {
+    const UnrolledSeries d = slope();
+    UnrolledSeries f = result(*this, *this), g = result(*this, *this);
+    if constexpr (k <= 0) {
+      f.keep(f0);
+      g.keep(1 + sign * (f0 * f0));
+    } else {
+      f.keep(d.times_rest(g, degree_) / k);
+      g.keep(sign * (unrolled::inner_square<inner>(f.data()) + 2 * (f.data()[0] * f.value_)));
+    }
+    return f;
+  }
+  /// r with r' = a'/g.
+  [[gnu::always_inline]] static UnrolledSeries integral(const UnrolledSeries& a, const UnrolledSeries& g,
+                                                        double r0) {
+    UnrolledSeries r = result(a, g), d = result(a, g);
+    if constexpr (k <= 0) {
+      d.keep(0);
+      return r.keep(r0);
+    } else {
+      const double known = unrolled::sum<inner>(d.data() + 1, g.data() + k - 1);
+      d.keep((k * a.value_ - known) / g.data()[0]);
+      return r.keep(d.value_ / k);
+    }
+  }
+  /// By repeated squaring.
+  [[nodiscard, gnu::always_inline]] UnrolledSeries whole_power(int p) const {
+    const int n = p < 0 ? -p : p;
+    if (n == 0) return 1;
+    const UnrolledSeries two = n > 1 ? *this * *this : *this, four = n > 3 ? two * two : two;
+    UnrolledSeries r = n == 8 ? four * four : n > 3 ? four : n > 1 ? two : *this;
+    if (n == 6 || n == 7) r = r * two;
+    if (n == 3 || n == 5 || n == 7) r = r * *this;
+    return p < 0 ? 1 / r : r;
+  }
+  /// From a r' = p a' r.
+  [[nodiscard, gnu::always_inline]] UnrolledSeries real_power(double p) const {
+    const UnrolledSeries da = slope();
+    UnrolledSeries r = result(*this, *this), dr = result(*this, *this);
+    if constexpr (k <= 0) {
+      dr.keep(0);
+      return r.keep(std::pow(value_, p));
+    } else {
+      const double rest = unrolled::sum<inner>(dr.data() + 1, data() + k - 1);
+      dr.keep((p * da.times_rest(r, unrolled::endless) - rest) / data()[0]);
+      return r.keep(dr.value_ / k);
+    }
+  }
+
+  UnrolledPass<k>* pass_ = nullptr;
+  int series_ = -1, degree_ = 0;
+  bool timed_ = true;
+  double value_ = 0;
+};
+
+}  // namespace nlmech
+
+/// @cond Doxygen cannot follow specialisations of another library's templates
+// What Eigen has to know about these series as entries of vectors.
+template <int k>
+struct Eigen::NumTraits<nlmech::UnrolledSeries<k>>
+    : nlmech::detail::NumberTraits<nlmech::UnrolledSeries<k>, 5, 10, 100> {};
+/// @endcond

@@ -1,8 +1,0 @@
-#include "nlmech/series/power_series.hpp"
-
-namespace nlmech {
-
-template class PowerSeries<double>;
-template class PowerSeries<long double>;
-
-}  // namespace nlmech

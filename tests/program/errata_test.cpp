@@ -1,0 +1,233 @@
+/// Recurrences of sections 2 and 3 of Filipich and Rosales as printed and as corrected, against closed forms
+/// and series arithmetic in 50 digits that share nothing with them. Those of section 4 stand in
+/// errata_examples_test.cpp.
+#include <gtest/gtest.h>
+
+#include "nlmech/program/power_series.hpp"
+#include "tests/errata/erratum.hpp"
+#include "tests/program/numbers.hpp"
+
+namespace nlmech::tests::errata_test {
+namespace {
+
+using S = PowerSeries<Real>;
+constexpr std::size_t terms = 20;
+const Real tiny = 1e-45;
+
+S tau() { return S::variable(0, terms); }
+
+/// The sum of c_i at^i.
+Real sum_of(const std::vector<Real>& c, const Real& at) {
+  Real sum = 0;
+  for (std::size_t i = c.size(); i-- > 0;) sum = sum * at + c[i];
+  return sum;
+}
+double value(const std::vector<Real>& c, const Real& at) { return static_cast<double>(sum_of(c, at)); }
+
+// Eq. 20: the sum begins with s = 1. With s = 0 it contains B_0 D_i, which is sought: solved for it, the
+// printed equation has 2 B_0 where B_0 belongs.
+TEST(PaperErrata, Eq20TheUnknownStandsInItsOwnSum) {
+  const S f = exp(tau()), g = 2 + sin(tau()), quotient = exp(tau()) / (2 + sin(tau()));
+  const auto divide = [&](const Real& b0) {
+    std::vector<Real> d;
+    for (std::size_t i = 0; i <= terms; ++i) {
+      Real sum = f[i];
+      for (std::size_t s = 1; s <= i; ++s) sum -= g[s] * d[i - s];
+      d.push_back(sum / b0);
+    }
+    return d;
+  };
+  const std::vector<Real> corrected = divide(g[0]), printed = divide(2 * g[0]);
+  for (std::size_t i = 0; i <= terms; ++i) EXPECT_LT(abs(corrected[i] - quotient[i]), tiny);
+  // Of the sum 0.1^21 over the radius, 2.05, is left out: nothing.
+  const Real at = Real(1) / 10;
+  expect_erratum("algebraic_series-20", {.printed = value(printed, at),
+                                         .corrected = value(corrected, at),
+                                         .oracle = static_cast<double>(Real(exp(at) / (2 + sin(at)))),
+                                         .tolerance = epsilon});
+}
+
+// Eqs. 24-26 from P_10, which the paper leaves out.
+std::vector<Real> fractional_power(const S& f, int n, std::size_t count, const Real& first) {
+  const auto size = static_cast<std::size_t>(n);
+  std::vector<std::vector<Real>> p(size + 1, std::vector<Real>(count + 1, Real(0)));
+  p[1][0] = first;
+  for (std::size_t r = 2; r <= size; ++r) p[r][0] = p[r - 1][0] * p[1][0];
+  Real d = pow(p[1][0], n - 1);  // Eq. 25
+  for (std::size_t j = 1; j < size; ++j) d += pow(p[1][0], static_cast<int>(j) - 1) * p[size - j][0];
+  EXPECT_LT(abs(d - n * pow(p[1][0], n - 1)), tiny);  // the sum is n P^(n-1)
+  for (std::size_t i = 1; i <= count; ++i) {
+    Real sum = f[i];
+    for (std::size_t j = 1; j < size; ++j) {
+      Real z = 0;  // Eq. 24
+      for (std::size_t s = 1; s < i; ++s) z += p[size - j][s] * p[1][i - s];
+      sum -= pow(p[1][0], static_cast<int>(j) - 1) * z;
+    }
+    p[1][i] = sum / d;  // Eq. 26
+    for (std::size_t r = 2; r <= size; ++r) {
+      for (std::size_t s = 0; s <= i; ++s) p[r][i] += p[r - 1][s] * p[1][i - s];
+    }
+  }
+  return p[1];
+}
+
+/// f = 1 + 0.3 tau + 0.2 tau^2, whose zeros lie at the distance sqrt(5); f(1) = 1.5.
+S quadratic(std::size_t count) {
+  const S t = S::variable(0, count);
+  return 1 + Real(3) / 10 * t + Real(2) / 10 * t * t;
+}
+
+// "The coefficients P_1i may be found sequentially for i >= 1": from a P_10 that nobody has set, 0 say, all
+// are divided by zero.
+TEST(PaperErrata, Eqs24To26NeedTheFirstCoefficient) {
+  const S f = quadratic(60);
+  expect_erratum("algebraic_series-24-26",
+                 {.printed = value(fractional_power(f, 5, 60, 0), 1),
+                  .corrected = value(fractional_power(f, 5, 60, pow(f[0], Real(1) / 5)), 1),
+                  .oracle = static_cast<double>(pow(Real(3) / 2, Real(1) / 5)),
+                  .tolerance = epsilon});
+}
+
+// The recurrence is right as printed, and the note that n = 5 needs 3000 terms is not: sixty give 24 digits
+// at tau = 1 where the nearest zero of f lies beyond, and none give much where it lies on the circle.
+TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
+  const std::size_t count = 60;
+  const S f = quadratic(count);
+  const std::vector<Real> p = fractional_power(f, 5, count, 1);
+  const S power = pow(f, Real(1) / 5);
+  const Real truth = pow(Real(3) / 2, Real(1) / 5);
+  Real sum = 0;
+  std::size_t needed = 0;  // for ten digits
+  for (std::size_t i = 0; i <= count; ++i) {
+    EXPECT_LT(abs(p[i] - power[i]), tiny) << i;
+    sum += p[i];
+    if (abs(sum - truth) > 1e-10) needed = i + 1;
+  }
+  EXPECT_LT(abs(sum - truth), 1e-22);
+  // Darboux: two zeros at the distance sqrt(5) make terms of 2 i^(-6/5) sqrt(5)^-i/|Gamma(-1/5)|, but for the
+  // phase, which is worth a few of them. Where that is 1e-10:
+  double theory = 20;
+  for (int turn = 0; turn < 50; ++turn) {
+    const double factor = 2 / std::abs(std::tgamma(-0.2)) * std::pow(theory, -1.2);
+    theory = std::log(1e10 * factor) / std::log(std::sqrt(5.0));
+  }
+  expect_erratum(
+      "algebraic_series-26-terms",
+      {.printed = 3000, .corrected = static_cast<double>(needed), .oracle = theory, .tolerance = 0.15});
+  // f = 1 - tau: the recurrence for any exponent, 3000 terms, at tau = 1 where the value is 0. The partial
+  // sums of (1 - tau)^p at 1 are the product of (1 - p/k), about 3000^-p/Gamma(1 - p) = 0.173.
+  std::vector<double> line = {1, -1};
+  line.resize(3001);
+  const PowerSeries<double> root = pow(PowerSeries<double>(line), 0.2);
+  double far = 0;
+  for (std::size_t i = 0; i <= 3000; ++i) far += root[i];
+  EXPECT_NEAR(far, std::pow(3000.5, -0.2) / std::tgamma(0.8), 1e-4);
+  EXPECT_GT(far, 0.17);
+}
+
+// Before Eq. 36 the coefficients of tau^2 v'' about tau = 1 are said to come from (20), which divides; (30)
+// multiplies. v = exp(tau - 1), at tau = 1.2.
+TEST(PaperErrata, Eq36IsAProduct) {
+  std::vector<Real> v = {1}, product, quotient;  // A_i
+  for (std::size_t i = 1; i <= terms + 2; ++i) v.push_back(v.back() / static_cast<int>(i));
+  const Real beta[] = {1, 2, 1};  // Eq. 33
+  const auto second = [&](std::size_t i) {
+    return Real(static_cast<int>((i + 1) * (i + 2)) * v[i + 2]);  // phi_2i A_{i+2}
+  };
+  for (std::size_t i = 0; i <= terms; ++i) {
+    Real times = beta[0] * second(i), by = second(i);
+    for (std::size_t s = 1; s <= std::min<std::size_t>(i, 2); ++s) {
+      times += beta[s] * second(i - s);  // Eq. 30
+      by -= beta[s] * quotient[i - s];   // Eq. 20
+    }
+    product.push_back(times);
+    quotient.push_back(by / beta[0]);
+  }
+  const Real at = Real(2) / 10;
+  expect_erratum("algebraic_series-36", {.printed = value(quotient, at),
+                                         .corrected = value(product, at),
+                                         .oracle = static_cast<double>(Real((1 + at) * (1 + at) * exp(at))),
+                                         .tolerance = epsilon});
+}
+
+// Eq. 41 lets step p begin at t = p - 1. It begins where step p - 1 ends.
+TEST(PaperErrata, Eq41StepsAdjoin) {
+  const double T = 0.35;
+  const int p = 4;
+  double end = 0;
+  for (int step = 1; step < p; ++step) end += T;
+  expect_erratum("algebraic_series-41-start",
+                 {.printed = p - 1, .corrected = (p - 1) * T, .oracle = end, .tolerance = 4 * epsilon});
+}
+
+// "The domain of each tau is unitary which ensures the convergence": dx/dt = -x^2 from 1 has the solution
+// 1/(1 + t), smooth for all t >= 0, and its series about t has the radius 1 + t, whatever T is.
+TEST(PaperErrata, Eq41AUnitDomainDoesNotConverge) {
+  const auto solve = [](int steps, int order) {
+    const Real T = Real(2) / steps;
+    Real x = 1;
+    for (int p = 1; p <= steps; ++p) {
+      std::vector<Real> a = {x};
+      for (int k = 0; k < order; ++k) {
+        const S series(a);
+        a.push_back(-T * (series * series)[static_cast<std::size_t>(k)] / (k + 1));
+      }
+      x = sum_of(a, 1);
+    }
+    return static_cast<double>(x);
+  };
+  // Eight steps of a quarter: 4^-21 is left out of each.
+  expect_erratum("algebraic_series-41-convergence",
+                 {.printed = solve(1, 20), .corrected = solve(8, 20), .oracle = 1.0 / 3, .tolerance = 1e-12});
+  EXPECT_GT(std::abs(solve(1, 40)), 1e4 * std::abs(solve(1, 20)));  // more terms make it worse
+}
+
+// Eq. 52 prints B_1i = omega T for i = 0, where x = omega T tau has it at i = 1, as Eq. 53 says. The cosine
+// by Eqs. 15, 50 and 55 at tau = 1/2.
+TEST(PaperErrata, Eq52TheCoefficientOfALine) {
+  const Real wT = Real(35) / 100;
+  const S x = wT * tau();
+  EXPECT_EQ(x[0], 0);
+  EXPECT_EQ(x[1], wT);
+  const S square = x * x;
+  EXPECT_LT(abs(square[2] - wT * wT), tiny);  // Eq. 53 for m = 2, from the corrected one
+  const auto cosine = [&](std::size_t place) {
+    std::vector<Real> line(terms + 1, Real(0)), c(terms + 1, Real(0));
+    line[place] = wT;  // B_1i
+    S power(std::vector<Real>(terms + 1, Real(0)));
+    power += 1;  // B_0i
+    Real alpha = 1;
+    for (std::size_t j = 0; j <= terms; j += 2) {
+      for (std::size_t i = 0; i <= terms; ++i) c[i] += alpha * power[i];
+      power = power * S(line) * S(line);
+      alpha /= -static_cast<int>((j + 1) * (j + 2));
+    }
+    return value(c, Real(1) / 2);
+  };
+  expect_erratum("algebraic_series-52", {.printed = cosine(0),
+                                         .corrected = cosine(1),
+                                         .oracle = static_cast<double>(Real(cos(wT / 2))),
+                                         .tolerance = epsilon});
+}
+
+// Eq. 56: cos[omega T (p - 1)] C_i, not cos[omega T (p - 1) C_i].
+TEST(PaperErrata, Eq56TheBracketOfTheCosine) {
+  const Real wT = 0.35;
+  const int p = 4;
+  const S exact = cos(wT * (tau() + Real(p - 1))), c = cos(wT * tau()), s = sin(wT * tau());
+  std::vector<Real> printed, corrected;
+  for (std::size_t i = 0; i <= terms; ++i) {
+    corrected.push_back(cos(wT * (p - 1)) * c[i] - sin(wT * (p - 1)) * s[i]);
+    printed.push_back(cos(wT * (p - 1) * c[i]) - sin(wT * (p - 1)) * s[i]);
+    EXPECT_LT(abs(corrected[i] - exact[i]), tiny) << i;
+  }
+  EXPECT_GT(abs(printed[1] - exact[1]), 0.5);  // cos 0 = 1 for every odd i
+  const Real half = Real(1) / 2;
+  expect_erratum("algebraic_series-56", {.printed = value(printed, half),
+                                         .corrected = value(corrected, half),
+                                         .oracle = static_cast<double>(Real(cos(wT * (half + p - 1)))),
+                                         .tolerance = 4 * epsilon});
+}
+
+}  // namespace
+}  // namespace nlmech::tests::errata_test

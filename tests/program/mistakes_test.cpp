@@ -1,0 +1,199 @@
+/// A mistake in an equation is pointed at, with a sentence that says what was expected.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "nlmech/program/equations.hpp"
+
+namespace nlmech::program::mistakes_test {
+namespace {
+
+std::string refusal(const std::string& text, const Settings& settings = {}) {
+  try {
+    (void)Equations(SourceText("E", text), settings);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+struct Case {
+  const char* text;
+  const char* message;
+};
+
+TEST(Mistake, IsPointedAt) {
+  const Case cases[] = {
+      {"x'' + y = 0",
+       "E:1:7: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n  x'' + y = "
+       "0\n        ^"},
+      {"x'' + ab = 0; a = 1; b = 2", "E:1:7: ab is not defined; a product is written a b\n"},
+      {"x'' + = 0", "E:1:7: expected a number, a name or (\n  x'' + = 0\n        ^"},
+      {"x'' + (x = 0", "E:1:10: expected an operator or )\n"},
+      {"x'' + x", "E:1:8: expected an operator or =, and here the text ends\n"},
+      {"x'' = x = 0", "E:1:9: an equation has one sign =\n"},
+      {"x''^2 = x",
+       "E:1:1: x'' stands in a power; a highest derivative has to stand linearly\n  x''^2 = x\n  ^^^"},
+      {"sin(x') = x", "E:1:5: x' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x' y' = x; y' = 1",
+       "E:1:4: y' stands in a product with another one; a highest derivative has to stand linearly\n"},
+      {"1/x' = x", "E:1:3: x' stands in a divisor; a highest derivative has to stand linearly\n"},
+      {"x + 1 = 0", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
+      {"x'' = 1; x + x' = 0", "E:1:10: no highest derivative of an unknown stands here; there are x''\n"},
+      {"x'' = y'", "E:1:7: y': there is no equation left for it\n"},
+      {"x' = 1; x' = 2", "E:1:9: there are more equations than unknowns (x')\n"},
+      {"x' + y' = 1; 2 x' + 2 y' = 3", "E:1:1: x': the equations do not determine it\n"},
+      {"x'' - x'' = 3", "E:1:1: no highest derivative of an unknown stands here; there are x''\n"},
+      {"x' = a(1 + x); a = 2",
+       "E:1:6: a is no function; for a product write a*(...), or a blank before the bracket\n"},
+      {"x' = sin x", "E:1:6: sin is a function, and needs its argument in brackets: sin(...)\n"},
+      {"x' = sin^2(x)", "E:1:9: a power of a function is written sin(...)^2\n"},
+      {"x' = atan2(x)", "E:1:6: atan2 has 2 arguments, and here 1\n"},
+      {"x' = x ** 2", "E:1:8: a power is written with ^\n"},
+      {"x' = x 2", "E:1:8: a number stands before what it multiplies; else write * or ^\n"},
+      {"x' = a/b x; a = 1; b = 2", "E:1:10: is this (a/b) x or a/(b x)? Set brackets, or write *\n"},
+      {"x' = 1.2.3", "E:1:6: a number has one decimal point\n"},
+      {"x' = 1e999", "E:1:6: this number is beyond the range of double precision\n"},
+      {"x' = x $ 2", "E:1:8: $ has no meaning here\n"},
+      {"x\" = 2", "E:1:2: a second derivative is written with two primes, x''\n"},
+      {"x' = (a)'", "E:1:9: a prime stands directly behind the name of an unknown\n"},
+      {"x''''' = 1", "E:1:1: derivatives go up to order 4\n"},
+      {"t' = 1", "E:1:1: t is the time\n"},
+      {"x' = x; sin = 2", "E:1:9: sin is a function, and needs its argument in brackets: sin(...)\n"},
+      {"x' = a; a = b; b = a", "E:1:20: the definition of a leads back to itself\n"},
+      {"x' = a; a = 1; a = 2", "E:1:16: a is defined a second time\n"},
+      {"x' = e^x", "E:1:6: e is not defined; write exp(1), or exp(x) for e^x\n"},
+      {"x' = 1; x(0) = 1; x(0) = 2", "E:1:19: given a second time\n"},
+      {"x'' = 1; x(0) = 1; x'(1) = 2", "E:1:20: another initial value is at the time 0\n"},
+      {"x' = 1; x(0) = x",
+       "E:1:16: an initial value is a number, or an expression of definitions that are\n"},
+      {"x' = 1; x''(0) = 1", "E:1:9: no component of the state; these are x\n"},
+      {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation has one sign =\n"},
+      {"x'' = \u2212x", "E:1:7: a minus sign is typed -\n  x'' = \u2212x\n        ^"},
+      {"x'' = x\u00b2", "E:1:8: a square is typed ^2\n  x'' = x\u00b2\n         ^"},
+      {"x'' = 30\u00b0", "E:1:9: angles are in radians: a degree is pi/180\n"},
+      {"x\u2032 = 1", "E:1:2: a derivative is typed with a straight prime, x'\n"},
+      {"x' = x \xff", "E:1:8: \\xff has no meaning here\n  x' = x \\xff\n         ^^^^"},
+      {"x' =\t\t$", "E:1:7: $ has no meaning here\n  x' =\\t\\t$\n          ^"},
+      {"# a\u00f1o\r\nx' = 1 +\r\n  y\r\n",
+       "E:3:3: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n    y\n    ^"},
+      {"\xEF\xBB\xBFx' = y",
+       "E:1:6: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n  x' = y\n     "
+       "  ^"},
+      {"x' = 1..2", "E:1:6: a number has one decimal point\n"},
+      {"x' = 1e400", "E:1:6: this number is beyond the range of double precision\n"},
+      {"x' = 1e200^2", "E:1:6: this is infinite, or beyond the range of double precision\n"},
+      {"x' = 1 + x/(2 - 2)", "E:1:12: a division by zero\n"},
+      {"x' = log(a) x; a = -1", "E:1:6: this is no real number\n  x' = log(a) x; a = -1\n       ^^^^^^"},
+      {"x'/0 = 1", "E:1:4: a division by zero\n"},
+      {"x' = x - 1 = 2", "E:1:12: an equation has one sign =\n"},
+      {"x' = 2 x)", "E:1:9: expected an operator or the end of the equation\n"},
+      {"x' = (x; y' = 1", "E:1:8: expected an operator or ), and here the equation ends\n"},
+      {"x' = [x]", "E:1:6: brackets are round\n"},
+      {"x' = x, y' = 1", "E:1:7: expected an operator or the end of the equation\n"},
+      {"x'(1 + x') = 1", "E:1:4: the time of an initial value is a number"},
+      {"x' x' = 1", "E:1:4: x' stands in a product with another one"},
+      {"x'' + 2^x'' = 0", "E:1:9: x'' stands in an exponent; a highest derivative has to stand linearly\n"},
+      {"x'' = abs(x'')", "E:1:11: x'' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value is a number"},
+      {"x' = 1; x(0) 1 = 2", "E:1:9: x is no function; for a product write x*(...)"},
+      {"", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
+  };
+  for (const Case& c : cases)
+    EXPECT_EQ(refusal(c.text).substr(0, std::string(c.message).size()), c.message) << refusal(c.text);
+}
+
+TEST(Mistake, OfASetting) {
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"b", 2}}), "--set b: the equation has no such definition; there is a");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"x", 2}}), "--set x: the equation has no such definition; there is a");
+  EXPECT_EQ(refusal("x' = 1", {{"t", 2}}), "--set t: the equation has no such definition");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"a", std::nan("")}}), "--set a: a finite number, and this is nan");
+  EXPECT_EQ(refusal("x' = 1/a; a = 1", {{"a", 0}}).substr(0, 26), "E:1:8: a division by zero\n");
+}
+
+TEST(Mistake, OfAnInitialState) {
+  Equations e(SourceText("E", "x'' + y = 0; y' = x"));
+  const auto refused = [&](const std::string& text) -> std::string {
+    try {
+      (void)e.initial_state("--initial", text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refused("x=1, x'=2"),
+            "E:1:14: an initial value is missing: --initial y=...\n  x'' + y = 0; y' = x\n               ^^");
+  EXPECT_EQ(refused("x=1, x=2"), "--initial:1:6: given a second time\n  x=1, x=2\n       ^");
+  EXPECT_EQ(refused("x=1, z=2"),
+            "--initial:1:6: no component of the state; these are x, y, x'\n  x=1, z=2\n       ^");
+  EXPECT_EQ(refused("x=1, y"),
+            "--initial:1:7: expected an operator or =, and here the text ends\n  x=1, y\n        ^");
+  EXPECT_EQ(refused("x=1/0, y=1, x'=1"), "--initial:1:5: a division by zero\n  x=1/0, y=1, x'=1\n      ^");
+}
+
+TEST(Mistake, DepthIsBounded) {
+  const std::string deep(100'000, '(');
+  EXPECT_NE(refusal("x' = " + deep).find("nested more than 200 deep"), std::string::npos);
+  EXPECT_NE(refusal("x' = " + std::string(100'000, '-') + "1").find("nested more than 200 deep"),
+            std::string::npos);
+  std::string powers = "x' = 2";
+  for (int i = 0; i < 1000; ++i) powers += "^2";
+  EXPECT_NE(refusal(powers).find("nested more than 200 deep"), std::string::npos);
+  std::string chain = "x' = a0; a5000 = 1";
+  for (int i = 0; i < 5000; ++i) chain += ";a" + std::to_string(i) + "=a" + std::to_string(i + 1);
+  EXPECT_NE(refusal(chain).find("definitions are nested too deeply here"), std::string::npos);
+  EXPECT_NE(refusal(std::string(61, 'x') + "' = 1").find("a name has at most 60 characters"),
+            std::string::npos);
+  EXPECT_NE(refusal(std::string(1'000'001, ' ')).find("longer than 1000000 bytes"), std::string::npos);
+}
+
+// Definitions that double, towers of choices and long lists of highest derivatives: shared, or refused.
+TEST(Mistake, GrowthIsBounded) {
+  std::string doubling = "x' = a60; a0 = 1 + x";
+  for (int i = 1; i <= 60; ++i) doubling += fmt::format("; a{0} = a{1} a{1} + a{1}", i, i - 1);
+  EXPECT_EQ(refusal(doubling), "accepted");
+  EXPECT_LT(Equations(SourceText("E", doubling)).graph().nodes(), 300);
+  std::string choices = "x' = a60; a0 = x";
+  for (int i = 1; i <= 60; ++i) choices += fmt::format("; a{0} = abs(a{1} - {0}) + max(a{1}, {0})", i, i - 1);
+  EXPECT_EQ(refusal(choices), "accepted");
+  EXPECT_LT(Equations(SourceText("E", choices)).graph().nodes(), 1000);
+
+  // 1500 highest derivatives, each scaled by each of 1500 factors: two million operations.
+  std::string sum = "F = x0'", product = "0 = F";
+  for (int i = 1; i < 1500; ++i) {
+    sum += fmt::format(" + x{}'", i);
+    product += fmt::format(" (1 + t/{})", i);
+  }
+  const char* const too_many = "the equations come to more than 1000000 operations here";
+  EXPECT_NE(refusal(product + "; " + sum).find(too_many), std::string::npos);
+  std::string copies = "0 = F";
+  for (int i = 0; i < 100'000; ++i) copies += "+F";
+  EXPECT_NE(refusal(copies + "; " + sum).find(too_many), std::string::npos);
+}
+
+TEST(Mistake, LongSumsAreNone) {
+  std::string sum = "x' = 0";
+  for (int i = 0; i < 100'000; ++i) sum += "+x";
+  EXPECT_EQ(refusal(sum), "accepted");
+}
+
+/// Random sentences of the language's words: each is read or refused. tests/adversary has many more of them.
+TEST(Mistake, NoTextBreaksTheReader) {
+  const char* const words[] = {"x",  "x'", "x''", "y",     "y'",   "t",    "a",      "1",     "2.5",
+                               "+",  "-",  "*",   "/",     "^",    "(",    ")",      "=",     ";",
+                               ",",  "\n", " ",   "sin(",  "abs(", "min(", "atan2(", "sqrt(", "1e300",
+                               "pi", "'",  "#",   "x(0)=", "\xff", "e"};
+  std::mt19937 random(20261124);
+  int accepted = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text = i % 2 == 0 ? "x' = " : "";
+    for (auto n = random() % 12; n > 0; --n) text += words[random() % std::size(words)];
+    accepted += refusal(text) == "accepted" ? 1 : 0;
+  }
+  EXPECT_GT(accepted, 200);
+}
+
+}  // namespace
+}  // namespace nlmech::program::mistakes_test
