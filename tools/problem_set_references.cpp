@@ -82,7 +82,7 @@ auto taylor_states(const Problem& problem, const std::vector<Real>& times, int o
                    Visit&& visit) {
   constexpr int n = Problem::dimension;
   Vector<Real, n> x = problem.initial_state().template cast<Real>();
-  Real t = Problem::initial_time;
+  Real t = problem.initial_time;
   std::vector<Vector<Real, n>> states;
   for (const Real& next : times) {
     const auto look = [&](const problems::TaylorStep<Real, n>& step, const Vector<Real, n>& after) {
@@ -113,7 +113,7 @@ Solved by_taylor(const Problem& problem, const std::vector<Real>& times) {
 
 template <class Problem>
 Solved by_radau(const Problem& problem, const std::vector<Real>& times) {
-  const Real t0 = Problem::initial_time;
+  const Real t0 = problem.initial_time;
   const Vector<Real, Problem::dimension> x0 = problem.initial_state().template cast<Real>();
   const double first_step = 1e-12 * static_cast<double>(Real(times.back() - t0));
   Solved solved{
@@ -243,7 +243,7 @@ void make(const std::string& folder, const std::string& only) {
   };
   for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
     if constexpr (by != By::nothing) {
-      solve(c.name, Problem::initial_time, c.end, c.absolute, [&](const std::vector<Real>& times) {
+      solve(c.name, c.problem.initial_time, c.end, c.absolute, [&](const std::vector<Real>& times) {
         if constexpr (by == By::taylor)
           return by_taylor(c.problem, times);
         else

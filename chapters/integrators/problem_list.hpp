@@ -6,22 +6,17 @@
 #include <cstdint>
 #include <string_view>
 
-#include "nlmech/problems/arenstorf.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/bodies.hpp"
-#include "nlmech/problems/dead_end.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/duffing_chain.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/kepler.hpp"
 #include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/pleiades.hpp"
-#include "nlmech/problems/pollution.hpp"
 #include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/spring_pendulum.hpp"
 #include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 
@@ -48,7 +43,7 @@ struct Case {
   static constexpr By reference = by;  ///< how its reference is computed
   std::string_view name;               ///< in tables: "kepler-0.99"
   Problem problem;                     ///< its parameters
-  double end = Problem::final_time;    ///< time
+  double end = problem.final_time;     ///< time
   Kind kind = Kind::smooth;            ///< what makes it hard
   double absolute = 1;                 ///< absolute over relative tolerance: below the components that count
   std::int64_t length = 1;             ///< how many times as many steps it takes as the others
@@ -76,25 +71,25 @@ void for_each_case(Visit&& visit) {
   visit(Case<ThreeMassChain>{"three-masses", {}});
   visit(Case<DuffingChain>{"chain-10", {}});
   visit(Case<Lorenz>{"lorenz", {}});
-  visit(Case<Kepler>{"kepler-0.1", {.eccentricity = 0.1}});
-  visit(Case<Kepler>{"kepler-0.7", {.eccentricity = 0.7}});
-  visit(Case<Kepler>{"kepler-0.99", {.eccentricity = 0.99}});
-  visit(Case<Arenstorf>{"arenstorf", {}});
+  visit(Case<TextProblem>{"kepler-0.1", TextProblem("kepler", {{"eccentricity", 0.1}})});
+  visit(Case<TextProblem>{"kepler-0.7", TextProblem("kepler", {{"eccentricity", 0.7}})});
+  visit(Case<TextProblem>{"kepler-0.99", TextProblem("kepler", {{"eccentricity", 0.99}})});
+  visit(Case<TextProblem>{"arenstorf", TextProblem("arenstorf")});
   visit(Case<FourBodies>{"four-bodies", {}, FourBodies::final_time, smooth, 1e-3});
-  visit(Case<Pleiades>{"pleiades", {}});
+  visit(Case<TextProblem>{"pleiades", TextProblem("pleiades")});
   visit(Case<Duffing>{"duffing-1e6", {.hardening = 1e6}, 0.2, stiff});
   ThreeMassChain pinned;
   pinned.k1 = 1e8;
   visit(Case<ThreeMassChain>{"three-masses-1e8", pinned, 2, stiff});
-  visit(Case<SpringPendulum, By::radau>{"spring-pendulum", {}, SpringPendulum::final_time, stiff});
+  visit(Case<TextProblem, By::radau>{"spring-pendulum", TextProblem("spring-pendulum"), 10, stiff});
   visit(Case<Hires, By::radau>{"hires", {}, Hires::final_time, stiff, 1e-4});
   visit(Case<VanDerPol, By::radau>{"van-der-pol-1000", {.mu = 1000}, 2000, stiff, 1e-3});
   visit(Case<Robertson, By::radau>{"robertson", {}, Robertson::final_time, stiff, 1e-12});
-  visit(Case<Pollution, By::radau>{"pollution", {}, Pollution::final_time, stiff, 1e-8});
+  visit(Case<TextProblem, By::radau>{"pollution", TextProblem("pollution"), 60, stiff, 1e-8});
   visit(Case<Duffing>{"duffing-10000", {}, 47680.5, extreme, 1, 100});
   visit(Case<BlowUp, By::nothing>{"blow-up", {}, BlowUp::final_time, extreme});
-  visit(Case<DeadEnd, By::nothing>{"dead-end", {}, DeadEnd::final_time, extreme});
-  visit(Case<LostDomain, By::nothing>{"lost-domain", {}, LostDomain::final_time, extreme});
+  visit(Case<TextProblem, By::nothing>{"dead-end", TextProblem("dead-end"), 2, extreme});
+  visit(Case<TextProblem, By::nothing>{"lost-domain", TextProblem("lost-domain"), 2, extreme});
 }
 
 /// The times at which errors are judged: 16 equidistant ones in the last tenth, the last of them the end.

@@ -74,6 +74,14 @@ class References {
   std::map<std::string, Known> known_;
 };
 
+template <class Problem>
+ivp::System system_of(const Problem& problem) {
+  if constexpr (requires { problem.system(); })
+    return problem.system();
+  else
+    return ivp::System(problem);
+}
+
 SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t length, ivp::System system,
                 const ivp::State& x0, double t0, double t1) {
   SetProblem p{std::string(name), kind, absolute, length, std::move(system), x0, t0, t1, {}};
@@ -96,8 +104,8 @@ std::vector<SetProblem> problem_set() {
   const References references;
   std::vector<SetProblem> all;
   for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    auto p = made(c.name, c.kind, c.absolute, c.length, ivp::System(c.problem), c.problem.initial_state(),
-                  Problem::initial_time, c.end);
+    auto p = made(c.name, c.kind, c.absolute, c.length, system_of(c.problem), c.problem.initial_state(),
+                  c.problem.initial_time, c.end);
     if (by != By::nothing) references.complete(p);
     all.emplace_back(std::move(p));
   });

@@ -7,9 +7,9 @@
 
 #include "nlmech/comparison/judgement.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
-#include "nlmech/problems/dead_end.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::comparison::verification_test {
@@ -119,11 +119,11 @@ TEST(Verify, SaysThatItDoesNotKnow) {
 
 // y' = -1/(2 y) ends at t = 1 with an infinite slope; before it, all is as ever.
 TEST(Verify, SaysThatTheSolutionEnds) {
-  const Verification v = verdict(problems::DeadEnd{}, Vector<double, 1>(1.0), 2, 0, {1e-3, 1e-3});
+  const program::Problem problem = problems::TextProblem("dead-end");
+  const Verification v = verdict(problem, ivp::State{1}, 2, 0, {1e-3, 1e-3});
   EXPECT_EQ(v.verdict, Verdict::ended) << v.reason;
   EXPECT_NE(v.reason.find("step_underflow"), std::string::npos) << v.reason;
-  EXPECT_EQ(verdict(problems::DeadEnd{}, Vector<double, 1>(1.0), 0.9, 0, {1e-3, 1e-3}).verdict,
-            Verdict::right);
+  EXPECT_EQ(verdict(problem, ivp::State{1}, 0.9, 0, {1e-3, 1e-3}).verdict, Verdict::right);
 }
 
 // A reference that knows eight digits does not find a run wrong that is off by as much.

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/problems/arenstorf.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
@@ -53,9 +53,9 @@ TEST(Dop853, MeetsItsTolerance) {
 
 // Arenstorf's orbit closes after its period; errors of steps grow 1e4 times on the way.
 TEST(Dop853, ClosesArenstorfsOrbit) {
-  const problems::Arenstorf problem;
-  const State x0 = problems::Arenstorf::initial_state();
-  const auto s = integrate(System(problem), x0, 0, problems::Arenstorf::final_time, within(1e-12));
+  const problems::TextProblem problem("arenstorf");
+  const State& x0 = problem.initial_state();
+  const auto s = integrate(problem.system(), x0, 0, problem.final_time, within(1e-12));
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_LT((s.x - x0).cwiseAbs().maxCoeff(), 1e-6);
 }

@@ -9,10 +9,6 @@
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/duffing_chain.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/kepler.hpp"
-#include "nlmech/problems/pleiades.hpp"
-#include "nlmech/problems/pollution.hpp"
-#include "nlmech/problems/spring_pendulum.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/program/numbers.hpp"
@@ -24,8 +20,8 @@ using nlmech::tests::Real;
 
 template <class Problem>
 class Parameters : public ::testing::Test {};
-using Problems = ::testing::Types<Duffing, ImpactDuffing, ThreeMassChain, BasicThreeMassChain<Real>,
-                                  VanDerPol, BlowUp, Pleiades, SpringPendulum, Pollution>;
+using Problems =
+    ::testing::Types<Duffing, ImpactDuffing, ThreeMassChain, BasicThreeMassChain<Real>, VanDerPol, BlowUp>;
 TYPED_TEST_SUITE(Parameters, Problems);
 
 // Setting one parameter changes that one and no other; the problem is nothing but its parameters.
@@ -79,9 +75,6 @@ TEST(SetParameter, RefusesWhatTheEquationHasNoMeaningFor) {
   expect_refused<ThreeMassChain>("m3", 0, "three-dof: m3 must be positive, not 0");
   expect_refused<ImpactDuffing>("duration", -1, "impact: duration must not be negative, is -1");
   expect_refused<Duffing>("hardening", NAN, "duffing: hardening must be finite, not nan");
-  expect_refused<Kepler>("eccentricity", 1, "kepler: eccentricity must be at least 0 and below 1, not 1");
-  expect_refused<Kepler>("eccentricity", -0.1,
-                         "kepler: eccentricity must be at least 0 and below 1, not -0.1");
   expect_refused<DuffingChain>("masses", 2.5,
                                "duffing-chain: masses must be a whole number from 1 to 1000, not 2.5");
   expect_refused<DuffingChain>("masses", 1001,

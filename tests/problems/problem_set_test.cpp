@@ -58,7 +58,7 @@ TEST(ProblemSet, EachHasSixteenStates) {
     const auto states = states_of(std::string(c.name));
     ASSERT_EQ(states.size(), by == By::nothing ? 0U : 16U) << c.name;
     for (int k = 0; const auto& [t, x] : states) {
-      EXPECT_EQ(t, judged_time(Problem::initial_time, c.end, k++)) << c.name;
+      EXPECT_EQ(t, judged_time(c.problem.initial_time, c.end, k++)) << c.name;
       EXPECT_EQ(std::ssize(x), c.problem.initial_state().size()) << c.name;
     }
   });
@@ -69,7 +69,7 @@ TEST(ProblemSet, EachHasSixteenStates) {
 // make an ellipse whose size is not quite 1.
 TEST(ProblemSet, KeplerMovesOnItsEllipse) {
   for (const double e : {0.1, 0.7, 0.99}) {
-    const Vector<double, 4> x0 = Kepler{.eccentricity = e}.initial_state();
+    const ivp::State x0 = TextProblem("kepler", {{"eccentricity", e}}).initial_state();
     const Real r0 = x0[0], v0 = x0[3], size = 1 / (2 / r0 - v0 * v0), eccentricity = 1 - r0 / size;
     const Real rate = 1 / (size * sqrt(size)), across = sqrt(1 - eccentricity * eccentricity);
     char name[32];
@@ -119,7 +119,7 @@ TEST(ProblemSet, EndsAsTheTestSetSays) {
 TEST(ProblemSet, ArenstorfsOrbitCloses) {
   const std::vector<Real> end = states_of("arenstorf").rbegin()->second;
   const double bound = 40 * condition_of("arenstorf") * 0x1p-53;
-  const Vector<double, 4> begin = Arenstorf::initial_state();
+  const ivp::State begin = TextProblem("arenstorf").initial_state();
   for (int i = 0; i < 4; ++i)
     EXPECT_NEAR(static_cast<double>(end[static_cast<std::size_t>(i)]), begin[i], bound) << i;
 }
@@ -131,12 +131,12 @@ TEST(ProblemSet, CollocationAgreesWithTaylorSeries) {
   const Vector<Real, 2> series = reference_state<VanDerPol>("mu=1000", "2000");
   EXPECT_LT(miss(end, {series[0], series[1]}), 1e-17);
 
-  const SpringPendulum pendulum;
+  const TextProblem pendulum("spring-pendulum");
   const auto states = states_of("spring-pendulum");
   std::vector<long double> times;
   for (const auto& state : states) times.push_back(state.first);
-  std::vector<Vector<long double, 4>> found;
-  const Vector<long double, 4> x0 = pendulum.initial_state().cast<long double>();
+  std::vector<ivp::LongState> found;
+  const ivp::LongState x0 = pendulum.initial_state().cast<long double>();
   ASSERT_TRUE(reference_states(pendulum, x0, 0.0L, std::span<const long double>(times), found).ok());
   for (std::size_t k = 0; const auto& state : states) {
     // 12 000 steps of long double, relative to the greatest component.

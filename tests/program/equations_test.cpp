@@ -168,6 +168,38 @@ TEST(Equations, InitialValues) {
   EXPECT_EQ(e.initial_state("--initial", "x'=atan2(0, 1), x=-1"), (std::vector<double>{-1, 0}));
 }
 
+TEST(Equations, SayWhatHoldsOfTheirSolutions) {
+  const Equations e =
+      read("x'' = -k x; k = 4; k > 0; conserved x'^2 + k x^2; t <= 2 k; x <= 1; x >= -k; conserved k");
+  EXPECT_EQ(e.final_time(), 8.0);
+  EXPECT_EQ(e.lower_bounds(), (std::vector<double>{-4, -HUGE_VAL}));
+  EXPECT_EQ(e.upper_bounds(), (std::vector<double>{1, HUGE_VAL}));
+  EXPECT_EQ(e.summary(), "x'' = -k x");
+  const Problem problem(e);
+  const Vector<double, Eigen::Dynamic> x = Vector<double, 2>(3, 5);
+  const Vector<double, Eigen::Dynamic> kept = problem.invariants(0, x);
+  EXPECT_EQ(std::vector<double>(kept.begin(), kept.end()), (std::vector<double>{25 + 36, 4}));
+  Vector<double, Eigen::Dynamic> lower, upper;
+  EXPECT_TRUE(problem.bounds(lower, upper));
+  EXPECT_EQ(lower[0], -4);
+  EXPECT_EQ(upper[0], 1);
+}
+
+TEST(Equations, MaySayNothing) {
+  const Equations e = read("x'' = -x\n  + r; r = 2\t x'");
+  EXPECT_FALSE(e.final_time());
+  EXPECT_EQ(e.summary(), "x'' = -x + r, r = 2 x'");
+  const Problem problem(e);
+  Vector<double, Eigen::Dynamic> none, x = Vector<double, 2>(1, 2);
+  EXPECT_EQ(problem.invariants(0, x).size(), 0);
+  EXPECT_FALSE(problem.bounds(none, none));
+}
+
+// A name, unless an expression follows.
+TEST(Equations, ConservedIsAName) {
+  EXPECT_EQ(slopes(read("x' = conserved; conserved = 3"), {0}), (std::vector<double>{3}));
+}
+
 TEST(Equations, Expressions) {
   Equations e = read("x'' = -k x; k = 4");
   const Program p(e.graph(), {e.expression("--event", "x = 1"), e.expression("--event", "k x' t")});

@@ -99,6 +99,18 @@ TEST(Mistake, IsPointedAt) {
       {"x'' = abs(x'')", "E:1:11: x'' stands in a function; a highest derivative has to stand linearly\n"},
       {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value is a number"},
       {"x' = 1; x(0) 1 = 2", "E:1:9: x is no function; for a product write x*(...)"},
+      {"x' = 1; t >= 2", "E:1:9: of the time the end is given alone: t <= 10\n"},
+      {"x' = 1; t <= 2; t < 3", "E:1:17: given a second time\n"},
+      {"x' = 1; x >= 0; x >= 1", "E:1:17: given a second time\n"},
+      {"x' = 1; x >= 1; x <= 0", "E:1:17: no value is within both bounds\n"},
+      {"x' = a; a = 1; a > 1", "E:1:16: this does not hold: a is 1\n"},
+      {"x' = a; a = x; a > 1", "E:1:16: what a condition is about is a number"},
+      {"x' = 1; x <= x", "E:1:14: a bound is a number"},
+      {"x' = 1; 2 x <= 1", "E:1:9: a condition begins with the time, a component or a definition\n"},
+      {"x' = 1; x' <= 1", "E:1:9: what a condition is about is a number"},
+      {"x' = 1; x < 1 = 2", "E:1:15: expected an operator or the end of the condition\n"},
+      {"x' = 1; conserved x'", "E:1:19: x' may not stand here: it is no component of the state\n"},
+      {"x' = 1; conserved x = 2", "E:1:21: expected an operator or the end of what is conserved\n"},
       {"", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
   };
   for (const Case& c : cases)
@@ -110,6 +122,9 @@ TEST(Mistake, OfASetting) {
   EXPECT_EQ(refusal("x' = a; a = 1", {{"x", 2}}), "--set x: the equation has no such definition; there is a");
   EXPECT_EQ(refusal("x' = 1", {{"t", 2}}), "--set t: the equation has no such definition");
   EXPECT_EQ(refusal("x' = a; a = 1", {{"a", std::nan("")}}), "--set a: a finite number, and this is nan");
+  EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", -2}}),
+            "--set a=-2: the equations have a meaning for a > 0 alone");
+  EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", 2}}), "accepted");
   EXPECT_EQ(refusal("x' = 1/a; a = 1", {{"a", 0}}).substr(0, 26), "E:1:8: a division by zero\n");
 }
 

@@ -84,6 +84,10 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
     : equations_(std::move(equations)), from_(from), until_(until) {
   if (equations_.initial_time())
     throw InputError("--equation: values at a time, as x(0) = 1, are given by --begin and --end here");
+  if (equations_.final_time() || !equations_.lower_bounds().empty() || !equations_.conserved().empty())
+    throw InputError(
+        "--equation: an end, bounds of the state and what is conserved are for initial value problems; here "
+        "--until gives the end");
   slopes_ = Program(equations_.graph(), equations_.slopes());
   begin_ = conditions_of("--begin", begin);
   end_ = conditions_of("--end", end);

@@ -96,6 +96,12 @@ concept GivesUpperBounds = requires(const Problem& problem) {
   problem.upper_bounds();
 };
 
+/// True if the problem may have bounds, and says whether it has.
+template <class Problem>
+concept GivesBounds = requires(const Problem& problem, State& bound) {
+  { problem.bounds(bound, bound) } -> std::same_as<bool>;
+};
+
 /// True if the problem says which of its terms are harmonic loads.
 template <class Problem>
 concept GivesLoad = requires(const Problem& problem) {
@@ -346,7 +352,7 @@ class Direct {
       } else {
         values = problem_.invariants(t, OwnState(x));
       }
-      return true;
+      return values.size() > 0;
     } else {
       return false;
     }
@@ -357,7 +363,9 @@ class Direct {
   [[nodiscard]] bool bounds(State& lower, State& upper) const {
     constexpr bool has_lower = detail::GivesLowerBounds<Problem>,
                    has_upper = detail::GivesUpperBounds<Problem>;
-    if constexpr (has_lower || has_upper) {
+    if constexpr (detail::GivesBounds<Problem>) {
+      return problem_.bounds(lower, upper);
+    } else if constexpr (has_lower || has_upper) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
       lower = State::Constant(size(), -infinity);
       upper = State::Constant(size(), infinity);

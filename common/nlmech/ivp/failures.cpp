@@ -69,10 +69,11 @@ Status bound_left(std::string_view method, int component, double t, double value
 }
 
 Status invariant_lost(std::string_view method, int which, double t, double value, double before) {
-  return failed_with(Outcome::spurious_root,
-                     "{}: quantity {} that this problem conserves is {:.10g} at t = {:.17g} and was {:.10g} "
-                     "at the begin, and the tolerances do not explain it; take smaller tolerances",
-                     method, which, value, t, before);
+  return failed_with(
+      Outcome::spurious_root,
+      "{}: quantity {} that this problem conserves is {:.10g} at t = {:.17g} and was {:.10g} "
+      "at the begin, and the tolerances do not explain it; take smaller tolerances, if it is conserved",
+      method, which, value, t, before);
 }
 
 Status interrupted(std::string_view method, double t) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nlmech/program/highest_derivatives.hpp"
 #include "nlmech/support/echo.hpp"
@@ -126,6 +127,40 @@ class EquationReader {
     }
   }
 
+  void take_conserved() {
+    for (const std::size_t root : tree_.conserved) made_.conserved_.push_back(meaning_.expression(root));
+  }
+
+  void take_conditions(const Settings& settings) {
+    for (const Condition& c : tree_.conditions) {
+      const Syntax& left = tree_.nodes[c.left];
+      if (left.kind != SyntaxKind::name)
+        throw source_.mistake(left.place, "a condition begins with the time, a component or a definition");
+      const double bound = meaning_.number(c.right, "a bound");
+      const int component = names_.component(left);
+      if (left.name == "t" && left.primes == 0) {
+        take_end(c, bound);
+      } else if (component >= 0) {
+        take_bound(c, static_cast<std::size_t>(component), bound);
+      } else {
+        hold(c, left.name, meaning_.number(c.left, "what a condition is about"), bound, settings);
+      }
+    }
+  }
+
+  // Equations, and definitions that are no numbers, each with its blanks as one.
+  void summarise() {
+    for (const Statement& statement : tree_.statements) {
+      const Syntax& left = tree_.nodes[statement.left];
+      if (defines(left) && is_number(names_.defined.at(left.name))) continue;
+      if (!made_.summary_.empty()) made_.summary_ += ", ";
+      for (const char c : source_.at(statement.place)) {
+        const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        if (!blank || made_.summary_.back() != ' ') made_.summary_ += blank ? ' ' : c;
+      }
+    }
+  }
+
   static std::string no_component(const Equations& equations) {
     return fmt::format("no component of the state; these are {}",
                        echoed(fmt::format("{}", fmt::join(equations.state_names(), ", ")), 200));
@@ -165,9 +200,44 @@ class EquationReader {
                        known.empty() ? "" : "; there is ",
                        echoed(fmt::format("{}", fmt::join(known, ", ")), 200));
   }
+  [[nodiscard]] bool is_number(const LinearForm& form) const {
+    return form.highest.empty() && made_.graph_.is_number(form.rest);
+  }
   void add_parameter(const std::string& name, const LinearForm& form) {
-    if (form.highest.empty() && made_.graph_.is_number(form.rest))
-      made_.parameters_.emplace_back(name, made_.graph_[form.rest].c);
+    if (is_number(form)) made_.parameters_.emplace_back(name, made_.graph_[form.rest].c);
+  }
+
+  static bool is_upper(const Condition& c) {
+    return c.relation == TokenKind::at_most || c.relation == TokenKind::below;
+  }
+  void take_end(const Condition& c, double end) {
+    if (!is_upper(c)) throw source_.mistake(c.place, "of the time the end is given alone: t <= 10");
+    if (made_.final_time_) throw source_.mistake(c.place, "given a second time");
+    made_.final_time_ = end;
+  }
+  void take_bound(const Condition& c, std::size_t component, double bound) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (made_.lower_.empty()) {
+      made_.lower_.assign(made_.state_names_.size(), -infinity);
+      made_.upper_.assign(made_.state_names_.size(), infinity);
+    }
+    double& place = (is_upper(c) ? made_.upper_ : made_.lower_)[component];
+    if (std::isfinite(place)) throw source_.mistake(c.place, "given a second time");
+    place = bound;
+    if (!(made_.lower_[component] < made_.upper_[component]))
+      throw source_.mistake(c.place, "no value is within both bounds");
+  }
+  void hold(const Condition& c, const std::string& name, double value, double bound,
+            const Settings& settings) const {
+    const bool holds = c.relation == TokenKind::at_least  ? value >= bound
+                       : c.relation == TokenKind::at_most ? value <= bound
+                       : c.relation == TokenKind::above   ? value > bound
+                                                          : value < bound;
+    if (holds) return;
+    if (settings.contains(name))
+      throw InputError(fmt::format("--set {}={:.6g}: the equations have a meaning for {} alone", echoed(name),
+                                   value, echoed(source_.at(c.place))));
+    throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}", echoed(name), value));
   }
 
   Equations& made_;
@@ -185,7 +255,10 @@ Equations::Equations(SourceText source, const Settings& settings)
   reader.name_components();
   reader.define(settings);
   reader.take_initial_values();
+  reader.take_conditions(settings);
   reader.solve();
+  reader.take_conserved();
+  reader.summarise();
 }
 
 bool Equations::second_order() const {
@@ -217,6 +290,10 @@ std::vector<double> Equations::initial_state(const std::string& name, const std:
   if (!tree.initial_values.empty())
     throw source.mistake(tree.initial_values.front().place,
                          "initial values are given as x=1; --from gives the time");
+  if (!tree.conditions.empty())
+    throw source.mistake(tree.conditions.front().place, "an initial value is given as x=1");
+  if (!tree.conserved.empty())
+    throw source.mistake(tree.nodes[tree.conserved.front()].place, "an initial value is given as x=1");
   for (const Statement& statement : tree.statements) {
     const Syntax& left = tree.nodes[statement.left];
     const int component = left.kind == SyntaxKind::name ? names_.component(left) : -1;

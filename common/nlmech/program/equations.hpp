@@ -30,10 +30,13 @@ inline constexpr int most_unknowns = 2000;
 /// so on, without the highest ones. So a system of second order has positions and then velocities.
 class Equations {
  public:
-  /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`) and initial values (``x'(0) = 1``).
+  /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`), initial values (``x'(0) = 1``),
+  /// conditions
+  /// (`t <= 10` is the end, `x >= 0` holds along every solution that begins so, `a > 0` is asked of a
+  /// definition) and what is conserved (``conserved x'^2 + x^2``).
   /// @param settings replace definitions by numbers, and give those that the text leaves out
   /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
-  /// finite, or that the text does not name
+  /// finite, that the text does not name, or that breaks a condition
   explicit Equations(SourceText source, const Settings& settings = {});
 
   /// Components of the state.
@@ -48,6 +51,13 @@ class Equations {
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
   /// The derivative of each component of the state, in graph().
   [[nodiscard]] const std::vector<NodeId>& slopes() const { return slopes_; }
+  /// What stays constant along every solution, in graph().
+  [[nodiscard]] const std::vector<NodeId>& conserved() const { return conserved_; }
+  /// What each component cannot fall below at later times, if it is above now; empty: no component has a
+  /// bound.
+  [[nodiscard]] const std::vector<double>& lower_bounds() const { return lower_; }
+  /// What each cannot exceed.
+  [[nodiscard]] const std::vector<double>& upper_bounds() const { return upper_; }
   /// All expressions.
   [[nodiscard]] const Graph& graph() const { return graph_; }
   /// The text.
@@ -55,6 +65,10 @@ class Equations {
 
   /// Where a solution begins, if the text says so.
   [[nodiscard]] std::optional<double> initial_time() const { return initial_time_; }
+  /// Where it ends, if the text says so.
+  [[nodiscard]] std::optional<double> final_time() const { return final_time_; }
+  /// The equations and the definitions that are no numbers, in one line.
+  [[nodiscard]] const std::string& summary() const { return summary_; }
   /// The initial state, of what the text gives and @p text, which has the precedence: "x=1, x'=0". Its values
   /// are expressions of the definitions.
   /// @param name of @p text in messages: "--initial"
@@ -73,9 +87,11 @@ class Equations {
   Names names_;
   std::vector<std::string> state_names_;
   std::vector<std::pair<std::string, double>> parameters_;
-  std::vector<NodeId> slopes_;
+  std::vector<NodeId> slopes_, conserved_;
+  std::vector<double> lower_, upper_;
   std::vector<std::optional<double>> initial_;
-  std::optional<double> initial_time_;
+  std::optional<double> initial_time_, final_time_;
+  std::string summary_;
 };
 
 }  // namespace nlmech::program

@@ -48,7 +48,9 @@ class Parser {
 
   void statement() {
     if (begins_initial_value()) return initial_value();
+    if (begins_conserved()) return conserved();
     const std::size_t first = peek().place.begin, left = sum();
+    if (is_relation(peek().kind)) return condition(first, left);
     if (!sees(TokenKind::equals)) throw expected("an operator or =");
     ++at_;
     const std::size_t right = sum();
@@ -58,6 +60,29 @@ class Parser {
   }
   void end_statement(std::string_view what) {
     if (!sees(TokenKind::end_of_statement) && !sees(TokenKind::end_of_text)) throw expected(what);
+  }
+
+  static bool is_relation(TokenKind kind) {
+    return kind == TokenKind::at_least || kind == TokenKind::at_most || kind == TokenKind::above ||
+           kind == TokenKind::below;
+  }
+  void condition(std::size_t first, std::size_t left) {
+    const TokenKind relation = take().kind;
+    const std::size_t right = sum();
+    end_statement("an operator or the end of the condition");
+    tree_.conditions.push_back({left, relation, right, {first, tree_.nodes[right].place.end}});
+  }
+
+  // The word, and an expression behind it.
+  [[nodiscard]] bool begins_conserved() const {
+    if (!sees(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
+    const TokenKind next = peek(1).kind;
+    return next == TokenKind::name || next == TokenKind::number || next == TokenKind::open;
+  }
+  void conserved() {
+    ++at_;
+    tree_.conserved.push_back(sum());
+    end_statement("an operator or the end of what is conserved");
   }
 
   // x'(0) = : a name that is no function, a bracket directly behind it, and the sign = after its end.

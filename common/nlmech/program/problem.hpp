@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/program.hpp"
@@ -17,11 +18,13 @@ namespace nlmech::program {
 class Problem {
  public:
   static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: size()
+  using compiled_once = Problem;                    ///< its System is compiled in the library
 
   /// Of these equations.
   explicit Problem(const Equations& equations)
       : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
+        stated_(std::make_shared<const Stated>(equations)),
         size_(equations.size()),
         second_order_(equations.second_order()),
         smooth_(switches_->count() == 0) {}
@@ -51,6 +54,24 @@ class Problem {
     });
   }
 
+  /// What stays constant along every solution, as the text says; empty where it says nothing.
+  [[nodiscard]] Vector<double, Eigen::Dynamic> invariants(double t,
+                                                          const Vector<double, Eigen::Dynamic>& x) const {
+    const std::size_t count = stated_->conserved.outputs();
+    Vector<double, Eigen::Dynamic> values(static_cast<Eigen::Index>(count));
+    stated_->conserved.run(t, x, 0, count, [&](int i, double value) { values[i] = value; });
+    return values;
+  }
+  /// What no component leaves at later times, as the text says. False, and nothing is written, if it says
+  /// nothing.
+  [[nodiscard]] bool bounds(Vector<double, Eigen::Dynamic>& lower,
+                            Vector<double, Eigen::Dynamic>& upper) const {
+    if (stated_->lower.empty()) return false;
+    lower = Eigen::Map<const Eigen::VectorXd>(stated_->lower.data(), size_);
+    upper = Eigen::Map<const Eigen::VectorXd>(stated_->upper.data(), size_);
+    return true;
+  }
+
   /// dx/dt.
   template <class T>
   void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
@@ -73,8 +94,19 @@ class Problem {
     decltype(auto) operator[](int i) const { return get(i); }
   };
 
+  /// What the text says of all solutions.
+  struct Stated {
+    explicit Stated(const Equations& equations)
+        : conserved(equations.graph(), equations.conserved()),
+          lower(equations.lower_bounds()),
+          upper(equations.upper_bounds()) {}
+    Program conserved;
+    std::vector<double> lower, upper;
+  };
+
   std::shared_ptr<const Program> program_;
   std::shared_ptr<const Switches> switches_;
+  std::shared_ptr<const Stated> stated_;
   int size_;
   bool second_order_, smooth_;
 };

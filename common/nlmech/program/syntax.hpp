@@ -56,11 +56,22 @@ struct InitialValue {
   std::size_t value;  ///< root of the expression behind the sign
 };
 
+/// `name <= expression`: the end of the time, a bound of a component, or for which values of a definition the
+/// equations have a meaning.
+struct Condition {
+  std::size_t left;    ///< root of an expression
+  TokenKind relation;  ///< at_least, at_most, above or below
+  std::size_t right;   ///< root of an expression
+  Place place;         ///< of all of it
+};
+
 /// A whole text.
 struct SyntaxTree {
   std::vector<Syntax> nodes;                 ///< operands before what they are operands of
   std::vector<Statement> statements;         ///< equations and definitions
   std::vector<InitialValue> initial_values;  ///< those that the text gives
+  std::vector<Condition> conditions;         ///< what holds of the time, the state and the definitions
+  std::vector<std::size_t> conserved;        ///< `conserved expression`: roots of the expressions
 };
 
 /// How deep brackets, powers and signs may be nested.

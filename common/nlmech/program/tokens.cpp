@@ -103,6 +103,8 @@ class Reader {
       case ')': depth_ -= depth_ > 0 ? 1 : 0; return add(TokenKind::close, 1, blank);
       case ',': return add(TokenKind::comma, 1, blank);
       case '=': return add(TokenKind::equals, 1, blank);
+      case '>': return peek(1) == '=' ? add(TokenKind::at_least, 2, blank) : add(TokenKind::above, 1, blank);
+      case '<': return peek(1) == '=' ? add(TokenKind::at_most, 2, blank) : add(TokenKind::below, 1, blank);
       default: throw unexpected();
     }
   }

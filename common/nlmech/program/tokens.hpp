@@ -24,6 +24,10 @@ enum class TokenKind {
   close,
   comma,
   equals,
+  at_least,          ///< >=
+  at_most,           ///< <=
+  above,             ///< >
+  below,             ///< <
   end_of_statement,  ///< a semicolon, or the end of a line after which the statement is complete
   end_of_text
 };

@@ -41,6 +41,32 @@ TEST(Integrate, FirstAndLastRowWithoutEvery) {
             2e-9);  // 0.1^12 in each of 200 steps, times ten for what the motion makes of them
 }
 
+TEST(Integrate, TheTextMaySayTheEnd) {
+  const auto kepler = trajectory("--problem kepler", {"t", "x", "y", "x'", "y'"});
+  EXPECT_EQ(kepler.column[0], (std::vector<double>{0, 16}));
+  // Kepler's equation, by Newton's iteration, for the anomaly of 16 units of time.
+  double anomaly = 16;
+  for (int i = 0; i < 50; ++i)
+    anomaly -= (anomaly - 0.7 * std::sin(anomaly) - 16) / (1 - 0.7 * std::cos(anomaly));
+  EXPECT_NEAR(kepler.column[1].back(), std::cos(anomaly) - 0.7, 1e-6);
+  const auto sooner = trajectory("--problem kepler --until 1", {"t", "x", "y", "x'", "y'"});
+  EXPECT_EQ(sooner.column[0].back(), 1);
+  const auto typed = trajectory("--equation x'_=_-x;_x(0)_=_1;_t_<=_2", {"t", "x"});
+  EXPECT_EQ(typed.column[0].back(), 2);
+}
+
+TEST(Integrate, HoldsARunToWhatTheTextSays) {
+  const Finished kept =
+      run("integrate --equation x''_=_-x;_x(0)_=_1;_x'(0)_=_0;_t_<=_9;_conserved_x^2_+_x'^2");
+  EXPECT_EQ(kept.exit_code, 0) << kept.errors;
+  const Finished lost = run("integrate --equation x'_=_-x;_x(0)_=_1;_t_<=_1;_conserved_x");
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_NE(lost.errors.find("quantity 1 that this problem conserves"), std::string::npos) << lost.errors;
+  const Finished left = run("integrate --equation x'_=_-1;_x(0)_=_1;_t_<=_2;_x_>=_0");
+  EXPECT_EQ(left.exit_code, 1);
+  EXPECT_NE(left.errors.find("stay above 0"), std::string::npos) << left.errors;
+}
+
 // Every method reaches the end exactly; each with a step at which its order leaves some digits: the error of
 // Newmark's method, the least accurate of order 2 here, is 4e-4 at P/500 (recorded:
 // 3e-3 at t = 500), those of order 1 are three digits worse.

@@ -181,6 +181,9 @@ TEST(BoundaryValues, WrongWordsAreNamed) {
   refused({"--begin", "x=1", "--end", "x=0", "--set", "b=2"}, "b");
   expect_refused({"--equation", "x'' = x; x(0) = 1", "--until", "1", "--begin", "x=1", "--end", "x=0"},
                  "are given by --begin and --end here");
+  for (const std::string more : {"; t <= 2", "; x >= 0", "; conserved x"})
+    expect_refused({"--equation", "x'' = x" + more, "--until", "1", "--begin", "x=1", "--end", "x=0"},
+                   "are for initial value problems");
   expect_refused({"--until", "1"}, "give one of --equation TEXT and --file NAME.ode");
 }
 

@@ -79,7 +79,12 @@ Request understand(const Words& words, const OwnProblem& problem, std::vector<do
   if (r.settings.step && words.largest_step)
     throw input_error("--step {} --largest-step {}: give equal steps or a bound on chosen ones, not both",
                       *r.settings.step, *words.largest_step);
-  r.t1 = words.until.value_or(r.t0);
+  const std::optional<double> end = words.until ? words.until : problem.final_time();
+  if (!end && words.states.empty())
+    throw InputError(words.problem.empty()
+                         ? "--until: give the time at which it ends, or t <= ... in the text"
+                         : "--until: give the time at which it ends");
+  r.t1 = end.value_or(r.t0);
   check_rows(r);
   for (const std::string& text : words.events) r.events.push_back(event_of("--event", text, problem));
   r.section = !words.section.empty();
@@ -149,7 +154,6 @@ int integrate(const Words& words, const OwnProblems& problems, const std::string
   if (!words.states.empty()) return integrate_all(words, problems, program);
   if (words.threads) throw input_error("--threads {}: is about --states", *words.threads);
   if (!words.shard.empty()) throw input_error("--shard {}: is about --states", words.shard);
-  if (!words.until) throw InputError("--until: is required without --states");
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
@@ -228,13 +232,11 @@ void declare_problem(scene::Options& options, Words& words, const std::string& m
               "names the "
               "unknowns; the problem's own without it");
   options.add("--from", words.from, "time at which it begins; the problem's own without it");
-  if (many.empty())
-    options.add("--until", words.until, "time at which it ends; earlier runs backwards").required();
-  else
-    options.add("--until", words.until,
-                fmt::format("time at which it ends; earlier runs backwards. Required but where {} has a "
-                            "column until",
-                            many));
+  options.add(
+      "--until", words.until,
+      fmt::format("time at which it ends; earlier runs backwards. Required but where the text says t <= "
+                  "...{}",
+                  many.empty() ? "" : fmt::format(", or {} has a column until", many)));
 }
 
 void declare_largest_step(scene::Options& options, Words& words) {

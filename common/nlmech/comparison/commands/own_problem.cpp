@@ -35,7 +35,7 @@ void check_rows(const Request& r) {
 
 std::unique_ptr<OwnProblem> problem_by_name(const OwnProblems& all, const std::string& name) {
   std::vector<std::string> known;
-  for (const auto make : all) {
+  for (const auto& make : all) {
     auto problem = make();
     if (problem->name() == name) return problem;
     known.emplace_back(problem->name());
@@ -114,12 +114,13 @@ std::vector<double> OwnProblem::initial_state(const std::string& text) const {
 
 std::string describe_problems(const OwnProblems& all) {
   std::string text = "Problems, and their parameters for --set:\n";
-  for (const auto make : all) {
+  for (const auto& make : all) {
     const auto problem = make();
     std::vector<std::string> settings;
     for (const auto& [name, value] : problem->parameters())
       settings.push_back(fmt::format("{}={:.6g}", name, value));
-    text += fmt::format("  {}: {}\n    {}; state {}\n", problem->name(), problem->equation(),
+    constexpr std::size_t most = 300;
+    text += fmt::format("  {}: {}\n    {}; state {}\n", problem->name(), echoed(problem->equation(), most),
                         fmt::join(settings, " "), fmt::join(problem->state_names(), ","));
   }
   return text;

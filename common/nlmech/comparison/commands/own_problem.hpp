@@ -132,6 +132,8 @@ class OwnProblem {
   [[nodiscard]] virtual std::vector<double> initial_state(const std::string& text) const;
   /// Where the publication begins.
   [[nodiscard]] virtual double initial_time() const = 0;
+  /// Where the text ends, if it is one that says so.
+  [[nodiscard]] virtual std::optional<double> final_time() const { return {}; }
   /// The equation in text, and which letter is which parameter.
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// An expression of time and components, "x = 0" being x - 0. @throws InputError that points at the mistake
@@ -167,7 +169,7 @@ template <class Problem>
 [[nodiscard]] std::unique_ptr<OwnProblem> own_problem();
 
 /// How to make each of the problems that a program offers.
-using OwnProblems = std::vector<std::unique_ptr<OwnProblem> (*)()>;
+using OwnProblems = std::vector<std::function<std::unique_ptr<OwnProblem>()>>;
 
 /// The problem of that name.
 /// @throws InputError naming `--problem`, the name, and the known ones

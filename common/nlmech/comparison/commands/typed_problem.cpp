@@ -18,10 +18,10 @@ namespace {
 
 class TypedProblem final : public ProblemOfSize {
  public:
-  TypedProblem(program::Equations equations, program::Settings settings)
-      : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_) {}
+  TypedProblem(program::Equations equations, program::Settings settings, std::string_view name)
+      : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_), name_(name) {}
 
-  [[nodiscard]] std::string_view name() const override { return "the equation"; }
+  [[nodiscard]] std::string_view name() const override { return name_.empty() ? "the equation" : name_; }
   [[nodiscard]] std::vector<std::pair<std::string, double>> parameters() const override {
     return equations_.parameters();
   }
@@ -37,7 +37,8 @@ class TypedProblem final : public ProblemOfSize {
     return program::Equations(equations_).initial_state("--initial", text);
   }
   [[nodiscard]] double initial_time() const override { return equations_.initial_time().value_or(0); }
-  [[nodiscard]] std::string_view equation() const override { return equations_.source().text(); }
+  [[nodiscard]] std::optional<double> final_time() const override { return equations_.final_time(); }
+  [[nodiscard]] std::string_view equation() const override { return equations_.summary(); }
   [[nodiscard]] StateFunction expression(const std::string& option, const std::string& text) const override {
     return state_function(equations_, option, text);
   }
@@ -52,14 +53,15 @@ class TypedProblem final : public ProblemOfSize {
   program::Equations equations_;
   program::Settings settings_;
   program::Problem problem_;
+  std::string name_;
 };
 
 }  // namespace
 
 std::unique_ptr<OwnProblem> typed_problem(const program::SourceText& source,
-                                          const program::Settings& settings) {
+                                          const program::Settings& settings, std::string_view name) {
   program::Equations equations(source, settings);
-  return std::make_unique<TypedProblem>(std::move(equations), settings);
+  return std::make_unique<TypedProblem>(std::move(equations), settings, name);
 }
 
 std::string read_equations(const std::string& name) {

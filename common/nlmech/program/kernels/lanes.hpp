@@ -81,7 +81,7 @@ void lane_increments(const double* memory, std::int64_t stride, int size, int or
   const V x = V::load(s), square = x * x;
   for (int i = 0; i < size; ++i) {
     const double* const c = memory + (i + 1) * stride;
-    const auto at = [c](int k) [[gnu::always_inline]] { return V::load(c + k * V::lanes); };
+    const auto at = [c](int k) __attribute__((always_inline)) { return V::load(c + k * V::lanes); };
     int k = order;
     V high = at(k), low = at(k - 1);
     for (k -= 2; k >= 2; k -= 2) {
