@@ -303,8 +303,8 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
   const auto declare = [&](scene::Options& options, Words& words) {
     declare_common(options, words, "--states");
     options.add("--method", words.method,
-                "one of the methods below; without it the one that was fastest on problems alike and in "
-                "short runs on this one, as choose says");
+                "one of the methods below; without it the first that choose would list for the digits of the "
+                "tolerance");
     declare_settings(options, words.settings, any_method_names());
     options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
         .positive();
@@ -354,7 +354,7 @@ void add_choose_command(scene::Commands& commands, const OwnProblems& problems) 
   };
   commands.add<Words>(
       "choose",
-      "Which method for an equation: rank,method,tolerance,seconds,reason as CSV; on standard "
+      "Methods for an equation by a list of rules: rank,method,tolerance,seconds,reason as CSV; on standard "
       "error the command that runs the first",
       declare, [problems, program = commands.program()](const Words& words) {
         return choose(words, problems, program);
