@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -20,31 +19,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A row of tables/reference/method_times.csv.
-struct Measured {
-  std::string problem;
-  int digits;
-  std::string fastest;                   ///< "none": no method delivers them
-  std::map<std::string, double> behind;  ///< time over that of the fastest; infinite: does not deliver
-};
-
-std::vector<Measured> measured() {
-  const auto file = scene::data_folder() / "tables" / "reference" / "method_times.csv";
-  const auto records = scene::parse_csv(scene::read_whole(file), "method_times.csv");
-  constexpr std::string_view over = " over fastest";
-  std::vector<Measured> all;
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    const auto& cells = records[i].cells;
-    Measured& m = all.emplace_back(Measured{cells.at(0), std::stoi(cells.at(1)), cells.at(2), {}});
-    for (std::size_t k = 3; k < cells.size(); ++k) {
-      const std::string& heading = records[0].cells.at(k);
-      double factor = infinity;
-      if (!heading.ends_with(over)) continue;
-      if (!scene::parse_number(cells[k], factor)) factor = infinity;
-      m.behind[heading.substr(0, heading.size() - over.size())] = factor;
-    }
-  }
-  return all;
+/// Time of a method over that of the fastest, by a row of tables/reference/method_times.csv; infinite if it
+/// does not deliver.
+double over_fastest(const scene::CsvRecord& headings, const scene::CsvRecord& row,
+                    const std::string& method) {
+  const auto column = std::ranges::find(headings.cells, method + " over fastest");
+  double factor = infinity;
+  const bool known =
+      column != headings.cells.end() &&
+      scene::parse_number(row.cells.at(static_cast<std::size_t>(column - headings.cells.begin())), factor);
+  return known ? factor : infinity;
 }
 
 /// The first choice for a problem and digits.
@@ -68,21 +52,23 @@ double delivered(const SetProblem& p, const comparison::Ranked& first) {
 }
 
 std::vector<Judged> judge(bool /*quick*/) {
-  const std::vector<Measured> rows = measured();
+  const auto file = scene::data_folder() / "tables" / "reference" / "method_times.csv";
+  const auto rows = scene::parse_csv(scene::read_whole(file), file.filename().string());
   std::vector<Judged> judged;
   for (const SetProblem& p : problem_set()) {
+    if (!p.has_solution()) continue;
     const comparison::ChoiceRequest request{p.system, p.x0, p.t0, p.t1, p.absolute};
-    const comparison::Chosen examined =
-        p.has_solution() ? comparison::examine(request) : comparison::Chosen();
-    for (const Measured& m : rows) {
-      if (m.problem != p.name || m.fastest == "none") continue;
-      const comparison::Chosen c = comparison::choose(request, m.digits, examined);
+    const comparison::Chosen examined = comparison::examine(request);
+    for (const scene::CsvRecord& row : rows) {
+      const std::string& fastest = row.cells.at(2);
+      if (row.cells[0] != p.name || fastest == "none") continue;
+      const int digits = std::stoi(row.cells[1]);
+      const comparison::Chosen c = comparison::choose(request, digits, examined);
       const comparison::Ranked first = c.ranked.empty() ? comparison::Ranked{"none"} : c.ranked.front();
-      const auto behind = m.behind.find(first.method);
-      judged.push_back({p.name, m.digits, c.features,
-                        std::string(comparison::choice_rule(c.features, m.digits).name), first.method,
-                        m.fastest, behind == m.behind.end() ? infinity : behind->second,
-                        m.behind.at("series"), c.condition, c.ranked.empty() ? 0 : delivered(p, first)});
+      judged.push_back({p.name, digits, c.features,
+                        std::string(comparison::choice_rule(c.features, digits).name), first.method, fastest,
+                        over_fastest(rows[0], row, first.method), over_fastest(rows[0], row, "series"),
+                        c.condition, c.ranked.empty() ? 0 : delivered(p, first)});
     }
   }
   return judged;

@@ -104,7 +104,7 @@ std::string ProblemOfSize::usual_method(const Request& r) const {
     const ivp::MethodInfo info = any_method(name).info;
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
-    const bool within = r.every || r.draw || !r.events.empty();
+    const bool within = r.every || !r.events.empty();  // not for a picture, which changes no number
     if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !info.fixed_step())
       q.methods.push_back(name);
   }
