@@ -29,7 +29,7 @@ ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
   return {ivp::System(expression::Problem(equations)), x0, 0, end};
 }
 
-Features features(const ChoiceRequest& q) { return probe_problem(q.system, q.x0, q.t0, q.t1).features; }
+Features features(const ChoiceRequest& q) { return probe_problem(q).features; }
 
 // The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
 TEST(Probe, SeesStiffness) {

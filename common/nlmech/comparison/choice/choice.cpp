@@ -12,25 +12,25 @@ namespace nlmech::comparison {
 namespace {
 
 constexpr double loosest = 1e-3, tightest = 1e-13;  // tolerances
-constexpr std::array rules = {Rule{"stiff",
-                                   "stability would bound the steps of an explicit method",
-                                   [](const Features& f, double) { return f.stiffness > stiff_from; },
-                                   {"adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}},
-                              Rule{"accelerations without velocities",
-                                   "a Nystroem method of order 12 needs the fewest right-hand sides",
-                                   [](const Features& f, double) { return f.velocity_free && !f.switches; },
-                                   {"rkn1210", "dop853", "series", "adaptive-collocation"}},
-                              Rule{"few operations or many digits",
-                                   "Taylor series of high order take the longest steps",
-                                   [](const Features& f, double digits) {
-                                     return f.operations > 0 &&
-                                            (f.operations <= most_operations || digits >= many_digits);
-                                   },
-                                   {"series", "dop853", "adaptive-collocation"}},
-                              Rule{"many operations",
-                                   "a Runge-Kutta method of order 8 costs the least a step",
-                                   [](const Features&, double) { return true; },
-                                   {"dop853", "series", "adaptive-collocation"}}};
+constexpr Rule rules[] = {{"stiff",
+                           "stability would bound the steps of an explicit method",
+                           [](const Features& f, double) { return f.stiffness > stiff_from; },
+                           {"adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}},
+                          {"accelerations without velocities",
+                           "a Nystroem method of order 12 needs the fewest right-hand sides",
+                           [](const Features& f, double) { return f.velocity_free && !f.switches; },
+                           {"rkn1210", "dop853", "series", "adaptive-collocation"}},
+                          {"few operations or many digits",
+                           "Taylor series of high order take the longest steps",
+                           [](const Features& f, double digits) {
+                             return f.operations > 0 &&
+                                    (f.operations <= most_operations || digits >= many_digits);
+                           },
+                           {"series", "dop853", "adaptive-collocation"}},
+                          {"many operations",
+                           "a Runge-Kutta method of order 8 costs the least a step",
+                           [](const Features&, double) { return true; },
+                           {"dop853", "series", "adaptive-collocation"}}};
 
 /// Those methods of the rule that this build has and the request allows.
 std::vector<std::string> candidates(const ChoiceRequest& q, const Features& f, double digits) {
@@ -47,7 +47,7 @@ std::vector<std::string> candidates(const ChoiceRequest& q, const Features& f, d
 }
 
 /// A short run from t0, which may be repeated for its time. Its covered share is 0 if the method fails or is
-/// not for the problem.
+/// not for the problem. @param status gets the first failure
 Ranked short_run(const ChoiceRequest& q, const std::string& method, double tolerance, int repeats,
                  Status& status) {
   constexpr std::int64_t steps = 4000;  // of one component
@@ -60,7 +60,7 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
       const ivp::Solution s = run(q.system, q.x0, q.t0, q.t1, {}, q.limits(steps));
       const Outcome outcome = s.status.outcome();
       if (!s.status.ok() && outcome != Outcome::step_limit && outcome != Outcome::time_limit) {
-        status = s.status;
+        if (status.ok()) status = s.status;
         return {method, tolerance};
       }
       r.covered = (s.t - q.t0) / (q.t1 - q.t0);
@@ -96,7 +96,7 @@ const Rule& choice_rule(const Features& features, double digits) {
 }
 
 std::string method_for(const ChoiceRequest& q, double tolerance) {
-  const Probe probe = probe_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
+  const Probe probe = probe_problem(q);
   if (!probe.status.ok()) return "";
   Status status;
   for (const std::string& method : candidates(q, probe.features, -std::log10(tolerance))) {
@@ -106,7 +106,7 @@ std::string method_for(const ChoiceRequest& q, double tolerance) {
 }
 
 Chosen examine(const ChoiceRequest& q) {
-  const Probe probe = probe_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
+  const Probe probe = probe_problem(q);
   Chosen c{.status = probe.status, .features = probe.features, .growth = {}};
   if (!c.status.ok()) return c;
   c.right_hand_side = right_hand_side_seconds(q);

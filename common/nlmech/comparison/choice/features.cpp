@@ -44,26 +44,26 @@ std::optional<Tape> tape_of(const ivp::System& system, double t, const ivp::Stat
 }
 
 /// Coarse steps. @param stiffness becomes Features::stiffness
-ivp::Solution coarse_steps(const ivp::System& system, const ivp::State& x0, double t0, double t1,
-                           const ivp::Settings& settings, double largest_step, double& stiffness) {
-  const std::int64_t most_steps = std::clamp<std::int64_t>(2000 / system.size(), 20, 400);
-  ivp::Jacobian j(system.size(), system.size());
+Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, double& stiffness) {
+  const Eigen::Index n = q.x0.size();
+  ivp::Jacobian j(n, n);
   double sum = 0;
   int steps = 0, samples = 0;
   const ivp::Observer sample = [&](const ivp::Step& step) {
     constexpr int dense = 24;  // all of so many steps, then every second, third, ...
     ++steps;
     if (steps % (1 + steps / dense) != 0) return true;
-    system.jacobian(step.t1, step.x1, j);
+    q.system.jacobian(step.t1, step.x1, j);
     sum += spectral_radius(j) * std::abs(step.t1 - step.t0);
     ++samples;
     return true;
   };
+  const ivp::Limits limits{
+      .steps = std::clamp<std::int64_t>(2000 / n, 20, 400), .seconds = 0.5, .largest_step = q.largest_step};
   const auto run = any_integrator(any_method("adaptive-collocation"), settings);
-  ivp::Solution end =
-      run(system, x0, t0, t1, sample, {.steps = most_steps, .seconds = 0.5, .largest_step = largest_step});
+  Status status = run(q.system, q.x0, q.t0, q.t1, sample, limits).status;
   if (samples > 0) stiffness = sum / samples;
-  return end;
+  return status;
 }
 
 }  // namespace
@@ -85,16 +85,19 @@ bool depends_on_time(const ivp::System& system, double t, const ivp::State& x) {
   return !system.time_derivative(t, x, dfdt) || !dfdt.isZero(0);
 }
 
-Probe probe_problem(const ivp::System& system, const ivp::State& x0, double t0, double t1,
-                    double largest_step) {
+ivp::Limits ChoiceRequest::limits(std::int64_t steps) const {
+  return {.steps = std::max<std::int64_t>(50, steps / x0.size()), .seconds = 2, .largest_step = largest_step};
+}
+
+Probe probe_problem(const ChoiceRequest& q) {
   Probe probe;
   Features& f = probe.features;
-  f.velocity_free = has_velocity_free_accelerations(system, t0, x0);
-  f.switches = system.switches() > 0;
-  if (const std::optional<Tape> tape = tape_of(system, t0, x0))
-    f.operations = std::max(1, tape->instructions());
+  f.velocity_free = has_velocity_free_accelerations(q.system, q.t0, q.x0);
+  f.switches = q.system.switches() > 0;
+  const std::optional<Tape> tape = tape_of(q.system, q.t0, q.x0);
+  f.operations = tape ? std::max(1, tape->instructions()) : 0;
   for (const ivp::Settings& settings : coarse) {
-    probe.status = coarse_steps(system, x0, t0, t1, settings, largest_step, f.stiffness).status;
+    probe.status = coarse_steps(q, settings, f.stiffness);
     const Outcome outcome = probe.status.outcome();
     if (outcome == Outcome::step_limit || outcome == Outcome::time_limit) probe.status = {};
     if (probe.status.ok()) break;

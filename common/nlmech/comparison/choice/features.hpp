@@ -2,12 +2,30 @@
 /// The features of an initial value problem by which a method is chosen, found before it is solved.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "nlmech/ivp/solution.hpp"
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
+
+/// A problem for which a method is to be chosen.
+struct ChoiceRequest {
+  ivp::System system;                                             ///< equations
+  ivp::State x0;                                                  ///< state at t0
+  double t0;                                                      ///< start
+  double t1;                                                      ///< end
+  double absolute = 1;                                            ///< absolute over relative tolerance
+  std::vector<std::string> methods = {};                          ///< that may be chosen; empty: all
+  double largest_step = std::numeric_limits<double>::infinity();  ///< bound on the steps
+
+  /// Limits of a short run. @param steps with one component; fewer with more, at least 50
+  [[nodiscard]] ivp::Limits limits(std::int64_t steps) const;
+};
 
 /// Are the equations q'' = a(t, q), so that no acceleration depends on a velocity? By the Jacobian at @p x
 /// and beside it.
@@ -35,8 +53,6 @@ struct Probe {
 
 /// Finds the features by some coarse steps of `adaptive-collocation`, at most so many that they take a few
 /// milliseconds with few components.
-/// @param largest_step bound on the steps
-[[nodiscard]] Probe probe_problem(const ivp::System& system, const ivp::State& x0, double t0, double t1,
-                                  double largest_step = std::numeric_limits<double>::infinity());
+[[nodiscard]] Probe probe_problem(const ChoiceRequest& request);
 
 }  // namespace nlmech::comparison

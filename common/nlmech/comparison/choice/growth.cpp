@@ -8,10 +8,6 @@
 
 namespace nlmech::comparison {
 
-ivp::Limits ChoiceRequest::limits(std::int64_t steps) const {
-  return {.steps = std::max<std::int64_t>(50, steps / x0.size()), .seconds = 2, .largest_step = largest_step};
-}
-
 Growth growth_along(const ChoiceRequest& q, const std::string& method) {
   constexpr Eigen::Index most_components = 64;  // each is perturbed by itself
   constexpr int intervals = 6;

@@ -2,29 +2,11 @@
 /// How a problem multiplies errors between t0 and t1, found by cheap runs.
 #pragma once
 
-#include <cstdint>
-#include <limits>
 #include <string>
-#include <vector>
 
-#include "nlmech/ivp/solution.hpp"
-#include "nlmech/ivp/system.hpp"
+#include "nlmech/comparison/choice/features.hpp"
 
 namespace nlmech::comparison {
-
-/// A problem for which a method is to be chosen.
-struct ChoiceRequest {
-  ivp::System system;                                             ///< equations
-  ivp::State x0;                                                  ///< state at t0
-  double t0;                                                      ///< start
-  double t1;                                                      ///< end
-  double absolute = 1;                                            ///< absolute over relative tolerance
-  std::vector<std::string> methods = {};                          ///< that may be chosen; empty: all
-  double largest_step = std::numeric_limits<double>::infinity();  ///< bound on the steps
-
-  /// Limits of a short run. @param steps with one component; fewer with more, at least 50
-  [[nodiscard]] ivp::Limits limits(std::int64_t steps) const;
-};
 
 /// What a problem makes of errors.
 struct Growth {

@@ -127,7 +127,7 @@ std::vector<std::string> ProblemOfSize::usual_methods(const Request& r) const {
     return fixed;
   }
   std::vector<std::string> names = {"adaptive-collocation"};
-  const Features features = probe_problem(system, begin(r), r.t0, r.t1, r.limits.largest_step).features;
+  const Features features = probe_problem(choice_request(system, r)).features;
   if (features.stiffness < stiff_from) {
     names.insert(names.end(), {"series", "ode45"});
     if (features.velocity_free) names.emplace_back("rkn1210");
