@@ -9,6 +9,7 @@
 
 #include "chapters/integrators/heat_map.hpp"
 #include "chapters/integrators/sweep.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 
 namespace nlmech::chapters::integrators::summary {
 namespace {
@@ -37,6 +38,7 @@ Winner fastest(const ProblemTrials& p, double digits, Of of) {
 struct Row {
   std::string problem;
   int digits;
+  const ProblemTrials* trials;
   Winner ours, peer;
   [[nodiscard]] std::string first() const { return ours.seconds <= peer.seconds ? ours.method : peer.method; }
   [[nodiscard]] std::optional<double> lead() const {
@@ -44,6 +46,16 @@ struct Row {
     return peer.seconds / ours.seconds;
   }
 };
+
+/// The first choices of the rules, each once.
+std::vector<std::string> first_choices() {
+  std::vector<std::string> names;
+  for (const comparison::Rule& rule : comparison::choice_rules()) {
+    const std::string name(rule.methods.front());
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
 
 std::optional<double> milliseconds(double seconds) {
   if (!std::isfinite(seconds)) return {};
@@ -54,16 +66,26 @@ std::vector<Row> rows_of(const std::vector<const ProblemTrials*>& problems) {
   std::vector<Row> rows;
   for (const ProblemTrials* p : problems) {
     for (const int digits : asked)
-      rows.push_back({p->problem, digits, fastest(*p, digits, [](const MethodTrials& m) { return !m.peer; }),
+      rows.push_back({p->problem, digits, p,
+                      fastest(*p, digits, [](const MethodTrials& m) { return !m.peer; }),
                       fastest(*p, digits, [](const MethodTrials& m) { return m.peer; })});
   }
   return rows;
 }
 
 /// Seconds of a method over those of the fastest; infinite if it does not deliver.
-double behind(const ProblemTrials& p, std::size_t method, double digits) {
+double behind(const ProblemTrials& p, const MethodTrials& method, double digits) {
   const double best = fastest(p, digits, [](const MethodTrials&) { return true; }).seconds;
-  return p.methods[method].seconds_for(digits).value_or(infinity) / best;
+  return method.seconds_for(digits).value_or(infinity) / best;
+}
+
+/// A column of the table.
+scene::ColumnOf<Row> column_behind(const std::string& method) {
+  return {method + " over fastest", [method](const Row& r) -> std::optional<double> {
+            const auto trials = std::ranges::find(r.trials->methods, method, &MethodTrials::method);
+            const double factor = behind(*r.trials, *trials, r.digits);
+            return std::isfinite(factor) ? std::optional(factor) : std::nullopt;
+          }};
 }
 
 /// Those that somewhere are at most three times as slow as the fastest.
@@ -71,7 +93,7 @@ std::vector<std::size_t> contenders(const std::vector<const ProblemTrials*>& pro
   std::vector<std::size_t> all;
   for (std::size_t m = 0; m < problems.front()->methods.size(); ++m) {
     const bool counts = std::ranges::any_of(problems, [&](const ProblemTrials* p) {
-      return std::ranges::any_of(asked, [&](int digits) { return behind(*p, m, digits) <= 3; });
+      return std::ranges::any_of(asked, [&](int digits) { return behind(*p, p->methods[m], digits) <= 3; });
     });
     if (counts) all.push_back(m);
   }
@@ -92,21 +114,24 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   for (const ProblemTrials* p : problems) map.problems.push_back(p->problem);
   for (const std::size_t m : shown) map.methods.push_back(problems.front()->methods[m].method);
   map.cell = [&](std::size_t panel, std::size_t problem, std::size_t method) -> HeatCell {
-    const double factor = behind(*problems[problem], shown[method], asked[panel]);
+    const double factor = behind(*problems[problem], problems[problem]->methods[shown[method]], asked[panel]);
     if (!std::isfinite(factor)) return {};
     return {std::min(2., std::log10(factor)), factor == 1 ? "●" : ""};
   };
   show_heat_map(map, show);
 
   const std::vector<Row> rows = rows_of(problems);
-  show.table(rows, {{"problem", &Row::problem},
-                    {"digits", &Row::digits},
-                    {"fastest", &Row::first},
-                    {"best of ours", [](const Row& r) { return r.ours.method; }},
-                    {"its time, ms", [](const Row& r) { return milliseconds(r.ours.seconds); }},
-                    {"best peer", [](const Row& r) { return r.peer.method; }},
-                    {"its time, ms ", [](const Row& r) { return milliseconds(r.peer.seconds); }},
-                    {"peer over ours", &Row::lead}});
+  scene::ColumnsOf<std::vector<Row>> columns = {
+      {"problem", &Row::problem},
+      {"digits", &Row::digits},
+      {"fastest", &Row::first},
+      {"best of ours", [](const Row& r) { return r.ours.method; }},
+      {"its time, ms", [](const Row& r) { return milliseconds(r.ours.seconds); }},
+      {"best peer", [](const Row& r) { return r.peer.method; }},
+      {"its time, ms ", [](const Row& r) { return milliseconds(r.peer.seconds); }},
+      {"peer over ours", &Row::lead}};
+  for (const std::string& method : first_choices()) columns.push_back(column_behind(method));
+  show.table(rows, columns);
   show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
   double least = infinity;
   for (const ProblemTrials* p : problems) {

@@ -24,7 +24,6 @@ constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'00
 /// Steps of a run: fewer where they have many nodes. A long problem has ten times as many, which formulas of
 /// low order are through with at once.
 std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const Effort& effort) {
-  if (effort.seconds > 0) return std::numeric_limits<std::int64_t>::max();
   const bool many_nodes = info.has(ivp::nodes_setting) || info.has(ivp::points_setting);
   const bool fewer = info.fixed_step() && many_nodes;
   return (fewer ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
@@ -32,9 +31,10 @@ std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t leng
          (length > 1 ? 10 : 1);
 }
 
-/// The median of up to five runs in so many seconds, 4 ms as a rule; a longer run counts by itself.
+/// The median of up to five runs in 4 ms; a longer run counts by itself.
 /// @param first of the processor, of the run that was
-Timing timing_of(const std::function<void()>& run, double first, double all) {
+Timing timing_of(const std::function<void()>& run, double first) {
+  constexpr double all = 0.004;
   if (first > all / 2) return {first, first, first, 1};
   return time_repeats(run, std::clamp(static_cast<int>(all / std::max(first, 1e-6)) - 1, 1, 5));
 }
@@ -57,11 +57,10 @@ std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& 
 }
 
 /// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
-/// not come through is not begun. Nothing of other ways, of equal steps, whose number is known, and where a
-/// run is bounded in seconds.
+/// not come through is not begun. Nothing of other ways, and of equal steps, whose number is known.
 ivp::Solution first_tenth(const SetProblem& p, const ivp::Settings& settings, const ivp::NamedIntegrator& run,
                           ivp::Limits limits) {
-  if (p.length == 1 || settings.step || std::isfinite(limits.seconds)) return {p.t0, p.x0, {}, {}};
+  if (p.length == 1 || settings.step) return {p.t0, p.x0, {}, {}};
   limits.steps /= 10;
   return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
 }
@@ -71,7 +70,6 @@ Trial trial(const SetProblem& p, const comparison::AnyMethod& method, const ivp:
   Trial t{settings.tolerance.value_or(0), "refused"};
   t.step = settings.step.value_or(0);
   ivp::Limits limits{.steps = most_steps(method.info, p.system.size(), p.length, effort)};
-  if (effort.seconds > 0) limits.seconds = effort.seconds;
   try {
     const auto run = comparison::any_integrator(method, settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
@@ -87,7 +85,7 @@ Trial trial(const SetProblem& p, const comparison::AnyMethod& method, const ivp:
     t.time = {t.processor, t.processor, t.processor, 1};
     if (!s.status.ok()) return t;
     t.error = p.has_solution() ? error_of(p, run, limits, s.x) : HUGE_VAL;
-    t.time = timing_of([&] { static_cast<void>(once()); }, t.processor, effort.timing);
+    t.time = timing_of([&] { static_cast<void>(once()); }, t.processor);
   } catch (const std::invalid_argument&) {
     // A method for accelerations on a problem that has none, and the like.
   }
@@ -132,7 +130,6 @@ MethodTrials trials_of(const SetProblem& problem, const std::string& name, const
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
     if (is_last || work_of(last, problem.system.size()) > effort.enough * problem.length) break;
-    if (effort.seconds > 0 && last.processor > effort.seconds / 2) break;
   }
   return all;
 }
@@ -151,12 +148,6 @@ ProblemTrials trials_on(const SetProblem& problem, const std::vector<std::string
 }
 
 }  // namespace
-
-std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods, const Effort& effort) {
-  std::vector<ProblemTrials> all;
-  for (const SetProblem& problem : problem_set()) all.push_back(trials_on(problem, methods, effort));
-  return all;
-}
 
 double Trial::digits() const { return error ? std::clamp(-std::log10(std::max(*error, 1e-16)), 0., 16.) : 0; }
 

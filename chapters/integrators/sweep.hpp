@@ -67,18 +67,12 @@ struct ProblemTrials {
 
 /// How much of it: of each run, and after which run a method's sweep ends.
 struct Effort {
-  int loosest;            ///< power of ten of the first tolerance
-  int tightest;           ///< of the last
-  int by;                 ///< from one to the next
-  std::int64_t steps;     ///< of a run, fewer with many nodes
-  std::int64_t enough;    ///< right-hand sides of the last run, and Jacobians times components
-  double seconds = 0;     ///< instead of steps: of a run; a sweep ends with its first run of half of them
-  double timing = 0.004;  ///< s, in which short runs are repeated
+  int loosest;          ///< power of ten of the first tolerance
+  int tightest;         ///< of the last
+  int by;               ///< from one to the next
+  std::int64_t steps;   ///< of a run, fewer with many nodes
+  std::int64_t enough;  ///< right-hand sides of the last run, and Jacobians times components
 };
-
-/// These methods on every problem of the set.
-[[nodiscard]] std::vector<ProblemTrials> trials_of_all(const std::vector<std::string>& methods,
-                                                       const Effort& effort);
 
 /// Every method on one problem, shared by name.
 [[nodiscard]] scene::Result<ProblemTrials> sweep_of(const std::string& problem);

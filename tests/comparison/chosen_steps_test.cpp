@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/expectation.hpp"
+#include "nlmech/comparison/choice/features.hpp"
 #include "nlmech/comparison/commands/typed_problem.hpp"
 #include "nlmech/ivp/step_control.hpp"
 #include "nlmech/program/problem.hpp"
@@ -134,14 +134,6 @@ TEST(DependsOnTime, BySymbolsAndByClocks) {
   EXPECT_FALSE(depends("x'' + 0.1 x' + x + x^3 = 0"));
   EXPECT_FALSE(depends("x' = k x; k' = 0"));  // a constant unknown is no clock
   EXPECT_FALSE(depends("x'' = -sin(x) + 2"));
-}
-
-TEST(Suits, NoMethodWhoseEstimateMissesTheTime) {
-  for (const std::string& name : built_method_names()) {
-    if (!any_method(name).info.estimate_misses_time) continue;
-    EXPECT_TRUE(suits(name, {.form = Form::accelerations}));
-    EXPECT_FALSE(suits(name, {.form = Form::accelerations, .depends_on_time = true}));
-  }
 }
 
 /// Numbers that are the same everywhere: distributions of the library differ between its implementations.

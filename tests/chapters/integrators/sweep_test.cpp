@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "nlmech/comparison/choice/evidence.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/series/series.hpp"
 
@@ -107,32 +106,6 @@ TEST(Trials, EqualStepsAreJudgedByTheEndAlone) {
   EXPECT_TRUE(p.silent_failure(equal));
   const MethodTrials m{"none", false, false, {trial(0, 1e-4, 1)}};
   EXPECT_FALSE(m.seconds_for(3));
-}
-
-// The evidence is of the problems as they are: what a look shows of them is what the table says, in its
-// digits. Rounding moves a chosen step by up to a tenth, and so the logarithm of a ratio of steps by 0.04.
-TEST(Evidence, IsOfTheProblemSet) {
-  const comparison::Evidence evidence = comparison::read_evidence();
-  std::size_t solved = 0;
-  for (const SetProblem& p : problem_set()) {
-    const std::string& name = p.name;
-    const auto found = std::ranges::find(evidence.problems, name, &comparison::SolvedProblem::name);
-    ASSERT_EQ(found != evidence.problems.end(), p.has_solution()) << name;
-    if (!p.has_solution()) continue;
-    ++solved;
-    const comparison::Features &known = found->features,
-                               seen = comparison::look_at_problem(p.system, p.x0, p.t0, p.t1).features;
-    EXPECT_EQ(known.components, seen.components) << name;
-    EXPECT_EQ(known.form, seen.form) << name;
-    EXPECT_EQ(known.switches, seen.switches) << name;
-    EXPECT_EQ(known.operations, seen.operations) << name;
-    EXPECT_NEAR(known.stiffness, seen.stiffness, 0.02) << name;
-    EXPECT_NEAR(known.decay, seen.decay, 0.02) << name;
-    EXPECT_NEAR(known.variation, seen.variation, 0.05) << name;
-    EXPECT_NEAR(std::log10(found->condition), std::log10(p.tolerance_condition), 0.005) << name;
-    EXPECT_GE(found->runs.size(), 5U) << name;
-  }
-  EXPECT_EQ(solved, evidence.problems.size());
 }
 
 }  // namespace

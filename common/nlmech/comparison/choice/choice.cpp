@@ -4,65 +4,83 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/growth.hpp"
-#include "nlmech/problems/duffing.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 namespace {
 
-constexpr std::size_t most_rivals = 5;
-constexpr double hopeless = 0.9;  // log10 of the factor behind the first, from which a method does not run
-constexpr double tie = 1.1;       // a peer that leads by less is no faster
-constexpr double budget = 2e5;    // of a run, in units of Measured: two milliseconds or so
-constexpr double enough = 0.005;  // s, after which a run is not repeated for its time
+constexpr double loosest = 1e-3, tightest = 1e-13;  // tolerances
+constexpr Rule rules[] = {{"stiff",
+                           "stability would bound the steps of an explicit method",
+                           [](const Features& f, double) { return f.stiffness > stiff_from; },
+                           {"adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}},
+                          {"accelerations without velocities",
+                           "a Nystroem method of order 12 needs the fewest right-hand sides",
+                           [](const Features& f, double) { return f.velocity_free && !f.switches; },
+                           {"rkn1210", "dop853", "series", "adaptive-collocation"}},
+                          {"few operations or many digits",
+                           "Taylor series of high order take the longest steps",
+                           [](const Features& f, double digits) {
+                             return f.operations > 0 &&
+                                    (f.operations <= most_operations || digits >= many_digits);
+                           },
+                           {"series", "dop853", "adaptive-collocation"}},
+                          {"many operations",
+                           "a Runge-Kutta method of order 8 costs the least a step",
+                           [](const Features&, double) { return true; },
+                           {"dop853", "series", "adaptive-collocation"}}};
 
-/// A run of a method on a part of the way.
-struct Part {
-  bool refused = false;
-  Status status;
-  double seen = 0, cost = 0, seconds = 0;
-};
-
-Part run_part(const Question& q, const Expectation& e, double end, double most_cost) {
-  Part part;
-  try {
-    const auto run = any_integrator(
-        any_method(e.method), {.tolerance = e.tolerance, .absolute_tolerance = e.tolerance * q.absolute});
-    const ivp::Solution s = run(q.system, q.x0, q.t0, end, {}, e.limits(most_cost, q.largest_step));
-    part.seen = (s.t - q.t0) / (q.t1 - q.t0);
-    part.cost = e.cost * static_cast<double>(std::max<std::int64_t>(s.statistics.right_hand_sides, 1));
-    part.seconds = s.statistics.seconds;
-    const Outcome outcome = s.status.outcome();
-    if (outcome != Outcome::step_limit && outcome != Outcome::time_limit) part.status = s.status;
-  } catch (const std::invalid_argument&) {
-    part.refused = true;
+/// Those methods of the rule that this build has and the request allows.
+std::vector<std::string> candidates(const ChoiceRequest& q, const Features& f, double digits) {
+  const auto has = [](const auto& names, const auto& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  const std::vector<std::string> built = built_method_names();
+  std::vector<std::string> all;
+  for (const std::string_view name : choice_rule(f, digits).methods) {
+    const bool recorded = name != "series" || f.operations > 0;
+    if (recorded && has(built, name) && (q.methods.empty() || has(q.methods, name))) all.emplace_back(name);
   }
-  return part;
+  return all;
 }
 
-/// What is expected of both: the runs, and what problems alike say, which knows whether digits are delivered,
-/// two to one. Where a fast motion has died out, or not begun, a part of the way says little of the rest, and
-/// problems alike count the more, the shorter the part.
-void weigh(const Features& features, std::vector<Ranked>& ranked) {
-  constexpr double of_runs = 2. / 3, stiff = 1;
-  const Ranked first = ranked.front();
-  const double weight =
-      of_runs * (features.stiffness < stiff ? 1 : std::pow(std::min(first.seen, 1.0), 0.25));
-  for (Ranked& r : ranked)
-    r.cost =
-        first.cost * std::pow(r.cost / first.cost, weight) * std::pow(r.behind / first.behind, 1 - weight);
+/// A short run from t0, which may be repeated for its time. Its covered share is 0 if the method fails or is
+/// not for the problem. @param status gets the first failure
+Ranked short_run(const ChoiceRequest& q, const std::string& method, double tolerance, int repeats,
+                 Status& status) {
+  constexpr std::int64_t steps = 4000;  // of one component
+  constexpr double enough = 0.005;      // s
+  Ranked r{method, tolerance};
+  try {
+    const auto run = any_integrator(any_method(method),
+                                    {.tolerance = tolerance, .absolute_tolerance = tolerance * q.absolute});
+    for (int i = 0; i < repeats && (i == 0 || r.seconds < enough); ++i) {
+      const ivp::Solution s = run(q.system, q.x0, q.t0, q.t1, {}, q.limits(steps));
+      const Outcome outcome = s.status.outcome();
+      if (!s.status.ok() && outcome != Outcome::step_limit && outcome != Outcome::time_limit) {
+        if (status.ok()) status = s.status;
+        return {method, tolerance};
+      }
+      r.covered = (s.t - q.t0) / (q.t1 - q.t0);
+      r.seconds = i == 0 ? s.statistics.seconds : std::min(r.seconds, s.statistics.seconds);
+      r.right_hand_sides = static_cast<double>(s.statistics.right_hand_sides);
+    }
+  } catch (const std::invalid_argument&) {
+    return {method, tolerance};
+  }
+  r.seconds /= r.covered;
+  r.right_hand_sides /= r.covered;
+  return r;
 }
 
 /// Seconds of a right-hand side.
-double right_hand_side_seconds(const Question& q) {
-  ivp::State x = q.x0, f(q.x0.size());
+double right_hand_side_seconds(const ChoiceRequest& q) {
+  ivp::State f(q.x0.size());
   const auto calls = [&](int count) {
     const Stopwatch watch;
-    for (int i = 0; i < count; ++i) q.system.rhs(q.t0, x, f);
+    for (int i = 0; i < count; ++i) q.system.rhs(q.t0, q.x0, f);
     return watch.seconds() / count;
   };
   const double one = calls(1);
@@ -71,58 +89,31 @@ double right_hand_side_seconds(const Question& q) {
 
 }  // namespace
 
-std::vector<Ranked> rank_methods(const Question& q, const Features& features, const Evidence& evidence,
-                                 Status& status) {
-  std::vector<Ranked> ranked;
-  double end = q.t1, best = budget, first = 0;
-  std::size_t rivals = 0;
-  for (const Expectation& e : expectations(evidence, features, q.level)) {
-    if (!q.among.has(e.method)) continue;
-    const double place = e.behind + e.short_of;
-    if (rivals == most_rivals || (rivals > 0 && place > first + hopeless)) break;
-    const double most = rivals == 0 ? best : 2 * best;
-    Part part = run_part(q, e, end, most);
-    if (part.refused) continue;
-    for (int again = 0; q.timed && again < 2 && part.seconds < enough; ++again)
-      part.seconds = std::min(part.seconds, run_part(q, e, end, most).seconds);
-    if (!part.status.ok() || !(part.seen > 0)) {
-      if (status.ok()) status = part.status;
-      continue;
-    }
-    if (rivals++ == 0) {
-      // The others run as far as the first came.
-      first = place;
-      end = part.seen < 1 ? q.t0 + part.seen * (q.t1 - q.t0) : q.t1;
-      best = part.cost;
-    }
-    best = std::min(best, part.cost * std::abs((end - q.t0) / (q.t1 - q.t0)) / part.seen);
-    const double cost = part.cost / part.seen * std::pow(10, e.short_of);
-    ranked.push_back(
-        {e.method, e.tolerance, cost, part.seen, part.seconds, std::pow(10, e.behind), e.short_of});
-  }
-  if (ranked.empty()) return ranked;
-  status = {};
-  weigh(features, ranked);
-  std::ranges::stable_sort(ranked, {},
-                           [](const Ranked& r) { return r.cost * (any_method(r.method).peer ? tie : 1); });
-  return ranked;
+std::span<const Rule> choice_rules() { return rules; }
+
+const Rule& choice_rule(const Features& features, double digits) {
+  return *std::ranges::find_if(rules, [&](const Rule& rule) { return rule.holds(features, digits); });
 }
 
-Chosen looked_at(const Question& q, const Evidence& evidence) {
-  Chosen c;
-  c.look = look_at_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
-  c.status = c.look.status;
+std::string method_for(const ChoiceRequest& q, double tolerance) {
+  const Probe probe = probe_problem(q);
+  if (!probe.status.ok()) return "";
+  Status status;
+  for (const std::string& method : candidates(q, probe.features, -std::log10(tolerance))) {
+    if (short_run(q, method, std::clamp(tolerance, tightest, loosest), 1, status).covered > 0) return method;
+  }
+  return "";
+}
+
+Chosen examine(const ChoiceRequest& q) {
+  const Probe probe = probe_problem(q);
+  Chosen c{.status = probe.status, .features = probe.features, .growth = {}};
   if (!c.status.ok()) return c;
-  c.alike = most_alike(evidence, c.look.features, 3);
   c.right_hand_side = right_hand_side_seconds(q);
-  for (const Expectation& e : expectations(evidence, c.look.features, q.level)) {
-    if (!q.among.has(e.method)) continue;
-    const Growth growth = growth_along(q, e);
-    if (!(growth.seen > 0)) continue;
-    // Of a part of the way: errors grow at least as the way does.
-    c.condition = growth.factor / growth.seen;
-    c.condition_seen = growth.seen;
-    c.condition_is_bound = growth.at_least;
+  for (const std::string& method : candidates(q, c.features, c.digits)) {
+    c.growth = growth_along(q, method);
+    if (!(c.growth.covered > 0)) continue;
+    c.condition = c.growth.factor / c.growth.covered;  // errors grow at least in proportion to the time
     break;
   }
   constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
@@ -130,32 +121,19 @@ Chosen looked_at(const Question& q, const Evidence& evidence) {
   return c;
 }
 
-Chosen choose(Question q, double digits, const Evidence& evidence, Chosen c) {
+Chosen choose(const ChoiceRequest& q, double digits, Chosen c) {
   c.digits = digits;
   if (!c.status.ok()) return c;
-  q.level = std::min(digits, c.possible) + std::log10(c.condition);
-  q.timed = true;
-  c.ranked = rank_methods(q, c.look.features, evidence, c.status);
+  constexpr double safety = 1. / 3;  // an error of one tolerance at any time, and those of the other steps
+  const double tolerance = safety * std::pow(10, -std::min(digits, c.possible)) / c.condition;
+  c.missing = std::max(0.0, std::log10(tightest / tolerance));
+  Status status;
+  for (const std::string& method : candidates(q, c.features, digits)) {
+    const Ranked r = short_run(q, method, std::clamp(tolerance, tightest, loosest), 3, status);
+    if (r.covered > 0) c.ranked.push_back(r);
+  }
+  if (c.ranked.empty()) c.status = status;
   return c;
-}
-
-bool Among::has(const std::string& method) const {
-  return methods.empty() || std::ranges::find(methods, method) != methods.end();
-}
-
-double unit_seconds() {
-  constexpr int calls = 2000;
-  const ivp::System system{problems::Duffing{}};
-  ivp::State x = problems::Duffing::initial_state(), f;
-  const Timing time = time_repeats(
-      [&] {
-        for (int i = 0; i < calls; ++i) {
-          system.rhs(0, x, f);
-          x += 1e-12 * f;
-        }
-      },
-      9);
-  return time.smallest / calls;
 }
 
 }  // namespace nlmech::comparison

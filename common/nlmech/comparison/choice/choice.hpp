@@ -1,31 +1,74 @@
 /// @file
-/// Which method for a problem: those that were fast on problems like it run against each other on it.
+/// Which method for an initial value problem: a list of rules, of which the first that holds decides.
 #pragma once
 
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "nlmech/comparison/choice/chosen.hpp"
-#include "nlmech/comparison/choice/expectation.hpp"
-#include "nlmech/comparison/choice/question.hpp"
+#include "nlmech/comparison/choice/features.hpp"
+#include "nlmech/comparison/choice/growth.hpp"
+#include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
 
-/// Ranks methods. What decides are counts of steps and right-hand sides, each with what it cost where times
-/// were measured, and no time of this run: asked twice, it answers the same. (Unless right-hand sides are so
-/// expensive that wall time ends the runs.)
-/// @returns the fastest first; empty if every method failed on the way, with the status of the first
-[[nodiscard]] std::vector<Ranked> rank_methods(const Question& question, const Features& features,
-                                               const Evidence& evidence, Status& status);
+/// A rule of the list.
+struct Rule {
+  std::string_view name;                            ///< "stiff"
+  std::string_view reason;                          ///< why its methods, in a clause
+  bool (*holds)(const Features& f, double digits);  ///< for that many digits at t1
+  std::array<std::string_view, 4> methods;          ///< the best first; some may be empty
+};
 
-/// Looks at the problem and finds its condition.
-/// @returns all of Chosen but the ranks; its status is a failure if the solution ends on the way
-[[nodiscard]] Chosen looked_at(const Question& question, const Evidence& evidence);
+/// Features::stiffness from which stability bounds the steps of explicit methods. Those of `dop853` end near
+/// 6, and its steps for nine digits are 5.6 times shorter than the coarse ones of the probe.
+inline constexpr double stiff_from = 30;
+/// Of a right-hand side: with more operations a step of `series` costs more than it is longer than that of
+/// `dop853`.
+inline constexpr int most_operations = 13;
+/// From so many digits on the order 8 of `dop853` is too low for that.
+inline constexpr double many_digits = 11;
 
-/// Ranks for @p digits at the end. Question::level does not count.
-/// @param looked of looked_at(), at the same question
-[[nodiscard]] Chosen choose(Question question, double digits, const Evidence& evidence, Chosen looked);
+/// The list; its last rule always holds.
+[[nodiscard]] std::span<const Rule> choice_rules();
+/// The first that holds.
+[[nodiscard]] const Rule& choice_rule(const Features& features, double digits);
 
-/// Seconds of the unit of Measured on this machine: one right-hand side of the free Duffing oscillator.
-[[nodiscard]] double unit_seconds();
+/// A method of a choice, in the order of preference.
+struct Ranked {
+  std::string method;           ///< its name
+  double tolerance = 0;         ///< relative; absolute in the ratio that was asked for
+  double covered = 0;           ///< share of the interval of its short run
+  double seconds = 0;           ///< of the whole interval, by the short run
+  double right_hand_sides = 0;  ///< of the whole interval, by the short run
+};
+
+/// An answer to the question which method gives so many digits.
+struct Chosen {
+  Status status;                    ///< a failure: the problem, or every method on it, ends before t1
+  Features features;                ///< of the problem
+  double digits = 9;                ///< asked for at t1
+  Growth growth;                    ///< of errors; Growth::covered is 0 if it is not known
+  double condition = 1;             ///< of the whole interval: the factor of the growth, or more
+  double possible = 15;             ///< digits that rounding leaves
+  double missing = 0;               ///< digits by which the tightest tolerance, 1e-13, falls short
+  double right_hand_side = 0;       ///< s of one
+  std::vector<Ranked> ranked = {};  ///< the best first
+};
+
+/// The method for runs by @p tolerance: the first of the rule's that may be chosen and does not fail in a
+/// short run; empty if there is none.
+[[nodiscard]] std::string method_for(const ChoiceRequest& request, double tolerance);
+
+/// Finds the features of the problem and the growth of errors.
+/// @returns all of Chosen but what depends on the digits; its status is a failure if the solution ends early
+[[nodiscard]] Chosen examine(const ChoiceRequest& request);
+
+/// Ranks the methods of the rule for @p digits at t1, each by a short run. Times decide nothing: asked twice,
+/// it gives the same order.
+/// @param examined of examine(), for the same request
+[[nodiscard]] Chosen choose(const ChoiceRequest& request, double digits, Chosen examined);
 
 }  // namespace nlmech::comparison

@@ -1,7 +1,6 @@
 #include "nlmech/comparison/choice/choice_rows.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,44 +12,27 @@
 namespace nlmech::comparison {
 namespace {
 
-/// "not stiff (0.8 an accurate step)": how far the fastest motion goes within a step as the solution asks
-/// for.
-std::string stiffness(const Features& f) {
-  const double turned = std::pow(10, f.stiffness);
-  const char* word = "not stiff";
-  if (f.stiffness > 1) word = f.decay > 0.5 ? "mildly stiff" : "fast vibrations";
-  if (f.stiffness > 1.7) word = f.decay > 0.5 ? "stiff" : "very fast vibrations";
-  return fmt::format("{} (the fastest motion goes {:.2g} of its units of time in an accurate step)", word,
-                     turned);
-}
-
-std::string smoothness(const Features& f) {
-  if (f.switches) return "switches";
-  return f.operations > 0 ? "smooth" : "smooth but not recorded as series";
-}
-
+/// "9 digits where errors grow 4.8 times"
 std::string accuracy(const Chosen& c) {
-  if (!(c.condition_seen > 0)) return fmt::format("{:.3g} digits", c.digits);
-  return fmt::format("{:.3g} digits where errors grow {}{:.2g} times", c.digits,
-                     c.condition_is_bound ? "more than " : "", c.condition);
+  if (!(c.growth.covered > 0)) return fmt::format("{:.3g} digits", c.digits);
+  return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
 }
 
-std::string form(const Features& f) {
-  switch (f.form) {
-    case Form::conservative: return "accelerations without velocities";
-    case Form::accelerations: return "accelerations";
-    case Form::first_order: break;
-  }
-  return "first order";
+/// "not stiff (...); smooth, operations: 5": what the rules ask.
+std::string features(const Features& f) {
+  const std::string operations =
+      f.operations > 0 ? fmt::format("operations: {}", f.operations) : "not recorded as series";
+  return fmt::format("{} (the fastest motion goes {:.2g} of its units of time in an accurate step); {}, {}",
+                     f.stiffness > stiff_from ? "stiff" : "not stiff", f.stiffness,
+                     f.switches ? "switches" : "smooth", operations);
 }
 
-std::string runs(const Ranked& r, const Chosen& c) {
-  const double percent = 100 * r.seen;
-  std::string text = percent > 99.9 ? "ran the whole way"
-                                    : fmt::format("ran {:.{}g} % of the way", percent, percent < 10 ? 1 : 2);
-  if (r.short_of > 0.05)
-    text += fmt::format("; its tightest tolerance lacks {}{:.1g} digits",
-                        c.condition_is_bound ? "more than " : "", r.short_of);
+/// "280 right-hand sides; ran 12 % of the time"
+std::string run(const Ranked& r, const Chosen& c) {
+  const double percent = 100 * r.covered;
+  std::string text = fmt::format("about {:.2g} right-hand sides; ran ", r.right_hand_sides);
+  text += percent > 99.9 ? "to the end" : fmt::format("{:.{}g} % of the time", percent, percent < 10 ? 1 : 2);
+  if (c.missing > 0.05) text += fmt::format("; its tightest tolerance lacks {:.1g} digits", c.missing);
   return text;
 }
 
@@ -60,22 +42,17 @@ std::string choice_rows(const Chosen& c) {
   if (!c.status.ok()) throw Failure(c.status);
   if (c.ranked.empty())
     throw Failure(failed_with(Outcome::outside_validity, "no method of this build is for the problem"));
-  const Features& f = c.look.features;
-  const Ranked& first = c.ranked.front();
-  const double second_a_unit = first.seconds / (first.cost * first.seen);
+  const Rule& rule = choice_rule(c.features, c.digits);
+  std::string why = fmt::format("{}; {}; {}: {}; a right-hand side takes {:.2g} s", accuracy(c),
+                                features(c.features), rule.name, rule.reason, c.right_hand_side);
+  if (c.ranked.front().method != rule.methods.front())
+    why += fmt::format("; {} fails or is not in this build", rule.methods.front());
   std::string text = "rank,method,tolerance,seconds,reason\n";
   for (std::size_t i = 0; i < c.ranked.size(); ++i) {
     const Ranked& r = c.ranked[i];
-    std::string reason;
-    if (i == 0)
-      reason = fmt::format("{}; {}; {}; {}; a right-hand side takes {:.2g} s; like {}; {}", accuracy(c),
-                           stiffness(f), smoothness(f), form(f), c.right_hand_side, fmt::join(c.alike, ", "),
-                           runs(r, c));
-    else
-      reason = fmt::format("{:.2g} times as long as {}; on problems alike {:.2g} times the fastest; {}",
-                           r.cost / first.cost, first.method, r.behind, runs(r, c));
-    text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.cost * second_a_unit,
-                        quoted_cell(reason));
+    text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.seconds,
+                        quoted_cell(fmt::format("{}; {}", why, run(r, c))));
+    why = "next by the same rule";
   }
   return text;
 }
@@ -83,10 +60,9 @@ std::string choice_rows(const Chosen& c) {
 std::string choice_remark(const Chosen& c) {
   if (c.digits <= c.possible) return "";
   return fmt::format(
-      "the problem multiplies errors by {}{:.2g}, so that rounding alone leaves {} {:.2g} of the {:.3g} "
+      "the problem multiplies errors by {:.2g}, so that rounding alone leaves about {:.2g} of the {:.3g} "
       "digits",
-      c.condition_is_bound ? "more than " : "", c.condition, c.condition_is_bound ? "less than" : "about",
-      std::max(0.0, c.possible), c.digits);
+      c.condition, std::max(0.0, c.possible), c.digits);
 }
 
 std::string shell_line(const std::vector<std::string>& words) {

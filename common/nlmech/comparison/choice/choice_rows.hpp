@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/choice/chosen.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 
 namespace nlmech::comparison {
 
@@ -13,7 +13,7 @@ namespace nlmech::comparison {
 /// @throws Failure if there is nothing to choose from, with the reason
 [[nodiscard]] std::string choice_rows(const Chosen& chosen);
 
-/// What is worth saying beside the rows: digits that the problem does not give; empty if nothing.
+/// A remark beside the rows: digits that the problem does not give; empty if there are none.
 [[nodiscard]] std::string choice_remark(const Chosen& chosen);
 
 /// Words as they are typed to a shell.

@@ -188,7 +188,8 @@ void compare(const Words& words, const OwnProblems& problems, const std::string&
 }
 
 /// The words of a command that runs the first of a choice.
-std::vector<std::string> run_of(const Words& words, const Ranked& first, const std::string& program) {
+std::vector<std::string> run_of(const Words& words, double until, const Ranked& first,
+                                const std::string& program) {
   std::vector<std::string> all = {program, "integrate"};
   const auto add = [&all](const char* option, const std::string& text) {
     if (!text.empty()) all.insert(all.end(), {option, text});
@@ -200,7 +201,7 @@ std::vector<std::string> run_of(const Words& words, const Ranked& first, const s
   all.insert(all.end(), words.set.begin(), words.set.end());
   add("--initial", words.initial);
   if (words.from) add("--from", fmt::format("{}", *words.from));
-  add("--until", fmt::format("{}", *words.until));
+  add("--until", fmt::format("{}", until));
   add("--method", first.method);
   add("--tolerance", fmt::format("{:.1e}", first.tolerance));
   if (words.settings.absolute_tolerance)
@@ -217,7 +218,7 @@ void choose(const Words& words, const OwnProblems& problems, const std::string& 
   const std::string rows = choice_rows(found), remark = choice_remark(found);
   if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
   scene::print_result(rows);
-  scene::tell(shell_line(run_of(words, found.ranked.front(), program)));
+  scene::tell(shell_line(run_of(words, r.t1, found.ranked.front(), program)));
 }
 
 /// @param many the option with which it may take as long as it takes, and ends may stand in a file; or empty
@@ -305,8 +306,8 @@ void add_integrate_command(scene::Commands& commands, const OwnProblems& problem
   const auto declare = [&](scene::Options& options, Words& words) {
     declare_common(options, words, "--states");
     options.add("--method", words.method,
-                "one of the methods below; without it the one that was fastest on problems alike and in "
-                "short runs on this one, as choose says");
+                "one of the methods below; without it the first that choose would list for the digits of the "
+                "tolerance");
     declare_settings(options, words.settings, any_method_names());
     options.add("--every", words.every, "rows at this distance in time; without it the first and the last")
         .positive();
@@ -356,7 +357,7 @@ void add_choose_command(scene::Commands& commands, const OwnProblems& problems) 
   };
   commands.add<Words>(
       "choose",
-      "Which method for an equation: rank,method,tolerance,seconds,reason as CSV; on standard "
+      "Methods for an equation by a list of rules: rank,method,tolerance,seconds,reason as CSV; on standard "
       "error the command that runs the first",
       declare, [problems, program = commands.program()](const Words& words) {
         return choose(words, problems, program);

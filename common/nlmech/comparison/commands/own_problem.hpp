@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/chosen.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/seen.hpp"
 #include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/ivp/events.hpp"
@@ -138,7 +138,7 @@ class OwnProblem {
   [[nodiscard]] virtual std::string_view equation() const = 0;
   /// An expression of time and components, "x = 0" being x - 0. @throws InputError that points at the mistake
   [[nodiscard]] virtual StateFunction expression(const std::string& option, const std::string& text) const;
-  /// The method that is taken where none is named: what rank_methods() says for the digits of the tolerance,
+  /// The method that is taken where none is named: what method_for() says for the tolerance,
   /// among those that have the settings, and, for rows and events on the way, values there as exact as at the
   /// end. `series` where the problem ends before its end, and for a step.
   [[nodiscard]] virtual std::string usual_method(const Request& request) const = 0;

@@ -1,6 +1,5 @@
 #include "nlmech/comparison/commands/problem_of_size.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -79,7 +78,7 @@ ivp::State begin(const Request& r) {
   return Eigen::Map<const Eigen::VectorXd>(r.x0.data(), static_cast<Eigen::Index>(r.x0.size()));
 }
 
-Question question(const ivp::System& system, const Request& r) {
+ChoiceRequest choice_request(const ivp::System& system, const Request& r) {
   const Tolerance tolerance = tolerance_of(r.settings);
   return {.system = system,
           .x0 = begin(r),
@@ -98,62 +97,26 @@ Reference ProblemOfSize::reference(const ivp::State& x0, double t0, const std::v
   return agree(all, {x0.template cast<long double>(), t0, times}, needed, effort.seconds);
 }
 
-// Where a component decays many times within the way, its decay and not the solution would bound the steps of
-// an explicit method. The initial state may not show it yet, as where a reaction has not begun: a few coarse
-// steps of an implicit method do.
-bool ProblemOfSize::is_stiff(const Request& r) const {
-  constexpr double many_decays = 2000;
-  const ivp::System system = this->system();
-  ivp::Jacobian j(system.size(), system.size());
-  const auto decays_fast = [&](double t, const ivp::State& x) {
-    system.jacobian(t, x, j);
-    if (!j.allFinite()) return false;
-    // Eigenvalues of many components take their cube; their diagonal has the scale of what decays.
-    constexpr int many = 100;
-    const Eigen::VectorXd rates =
-        system.size() > many ? Eigen::VectorXd(j.diagonal()) : Eigen::MatrixXd(j).eigenvalues().real();
-    const double fastest = r.t1 > r.t0 ? -rates.minCoeff() : rates.maxCoeff();
-    return fastest * std::abs(r.t1 - r.t0) > many_decays;
-  };
-  bool stiff = decays_fast(r.t0, begin(r));
-  if (stiff || r.t0 == r.t1) return stiff;
-  const ivp::Observer look = [&](const ivp::Step& step) {
-    stiff = decays_fast(step.t1, step.x1);
-    return !stiff;
-  };
-  const auto coarse = any_integrator(any_method("adaptive-collocation"), {.tolerance = 1e-3});
-  static_cast<void>(coarse(system, begin(r), r.t0, r.t1, look, {.steps = 20, .seconds = 0.1}));
-  return stiff;
-}
-
 std::string ProblemOfSize::usual_method(const Request& r) const {
   constexpr const char* usual = "series";
-  Question q = question(system(), r);
+  ChoiceRequest q = choice_request(system(), r);
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo info = any_method(name).info;
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
-    const bool within = r.every || r.draw || !r.events.empty();
+    const bool within = r.every || !r.events.empty();  // not for a picture, which changes no number
     if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !info.fixed_step())
-      q.among.methods.push_back(name);
+      q.methods.push_back(name);
   }
-  if (r.settings.step || r.t0 == r.t1 || q.among.methods.empty()) return usual;
-  const double tolerance = tolerance_of(r.settings).relative;
-  q.level = -std::log10(tolerance);
-  const Look look = look_at_problem(q.system, q.x0, q.t0, q.t1, q.largest_step);
-  if (!look.status.ok()) return usual;
-  Status status;
-  const std::vector<Ranked> ranked = rank_methods(q, look.features, read_evidence(), status);
-  return ranked.empty() ? usual : ranked.front().method;
+  if (r.settings.step || r.t0 == r.t1 || q.methods.empty()) return usual;
+  const std::string method = method_for(q, tolerance_of(r.settings).relative);
+  return method.empty() ? usual : method;
 }
 
 Chosen ProblemOfSize::chosen(const Request& r, double digits) const {
-  Question q = question(system(), r);
+  ChoiceRequest q = choice_request(system(), r);
   if (r.settings.absolute_tolerance) q.absolute = *r.settings.absolute_tolerance * std::pow(10, digits);
-  for (const std::string& name : built_method_names())
-    if (!any_method(name).info.fixed_step()) q.among.methods.push_back(name);
-  const Evidence evidence = read_evidence();
-  return choose(q, digits, evidence, looked_at(q, evidence));
+  return choose(q, digits, examine(q));
 }
 
 std::vector<std::string> ProblemOfSize::usual_methods(const Request& r) const {
@@ -164,9 +127,10 @@ std::vector<std::string> ProblemOfSize::usual_methods(const Request& r) const {
     return fixed;
   }
   std::vector<std::string> names = {"adaptive-collocation"};
-  if (!is_stiff(r)) {
+  const Features features = probe_problem(choice_request(system, r)).features;
+  if (features.stiffness < stiff_from) {
     names.insert(names.end(), {"series", "ode45"});
-    if (form_of(system, r.t0, begin(r)) == Form::conservative) names.emplace_back("rkn1210");
+    if (features.velocity_free) names.emplace_back("rkn1210");
     add_first({"odeint-fehlberg78", "gsl-rk8pd", "arkode-erk"}, names);
     add_first({"odeint-bulirsch-stoer"}, names);
     add_first({"cvode-adams", "gsl-msadams"}, names);

@@ -36,7 +36,6 @@ class ProblemOfSize : public OwnProblem {
 
  private:
   class Run;
-  [[nodiscard]] bool is_stiff(const Request& request) const;
   [[nodiscard]] Reference reference(const ivp::State& x0, double t0, const std::vector<double>& times,
                                     const Needed& needed, const Effort& effort) const;
 };
