@@ -54,12 +54,18 @@ inline constexpr auto dense_row = dense[i];
 
 /// Coefficients, and in what the method differs from other pairs.
 struct Pair : EmbeddedPair<Pair> {
-  static constexpr const auto &c = dop853::c, &a = dop853::a, &error_weights = fifth;
-  static constexpr int order = 8;
-  static constexpr std::size_t dense_stages = 3, coefficients = 7;
-  static constexpr double safety = 0.8, most_growth = 10;
+  static constexpr const auto& c = dop853::c;          ///< abscissae
+  static constexpr const auto& a = dop853::a;          ///< rows
+  static constexpr const auto& error_weights = fifth;  ///< of the first estimate
+  static constexpr int order = 8;                      ///< of both estimates as one
+  static constexpr std::size_t dense_stages = 3;       ///< for dense output
+  static constexpr std::size_t coefficients = 7;       ///< of the polynomial
+  static constexpr double safety = 0.8;                ///< instead of the usual 0.9
+  static constexpr double most_growth = 10;            ///< instead of the usual 6
 
+  /// error^(1/8).
   [[nodiscard]] static double root(double error) { return std::sqrt(std::sqrt(std::sqrt(error))); }
+  /// Writes the state at the end. @return E5 E5/sqrt(E5^2 + E3^2/100); NaN if a component is
   template <class S>
   [[nodiscard]] static double finish(TrialStep<S, Pair>& step, const Dop853& method) {
     auto &slopes = step.r[0], &fifths = step.r[1], &thirds = step.r[2];
@@ -95,6 +101,7 @@ struct Pair : EmbeddedPair<Pair> {
       step.r[6][d] = h * weighted<dense_row<3>, all_stages>(k, d);
     }
   }
+  /// The polynomial of degree 7; order 7.
   template <class S>
   static void at(const TrialStep<S, Pair>& step, double t, typename S::State& x) {
     x.resize(step.x0.size());

@@ -77,11 +77,15 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
 
 /// Coefficients, and the step control of MATLAB.
 struct Pair : EmbeddedPair<Pair> {
-  static constexpr const auto &c = dormand_prince::c, &a = dormand_prince::a, &error_weights = difference;
-  static constexpr int order = 5;
-  static constexpr bool step_times_weights = true;
+  static constexpr const auto& c = dormand_prince::c;       ///< abscissae
+  static constexpr const auto& a = dormand_prince::a;       ///< rows
+  static constexpr const auto& error_weights = difference;  ///< of the fourth-order formula
+  static constexpr int order = 5;                           ///< of the estimate
+  static constexpr bool step_times_weights = true;          ///< as MATLAB
+  /// MATLAB's.
   static constexpr double least_relative_tolerance = 100 * std::numeric_limits<double>::epsilon();
 
+  /// Steps of at most a tenth of the interval, the last one stretched; halved after further rejections.
   [[nodiscard]] static StepRule step_rule(const Ode45& method, double t0, double t1) {
     const double interval = std::abs(t1 - t0);
     // A tenth of a very short interval may be less than the shortest step.
@@ -90,16 +94,20 @@ struct Pair : EmbeddedPair<Pair> {
                                : std::max(interval / 10, 16 * spacing(std::max(std::abs(t0), std::abs(t1))));
     return {.largest = largest, .stretch = 1.1, .again = 0.5, .least_change = 1, .measured = true};
   }
+  /// Relative to the larger of the state and atol/rtol, 0.8 rtol^(1/5).
   [[nodiscard]] static FirstStep first_step(const Ode45& method) {
     return {method.absolute_tolerance / method.relative_tolerance,
             0.8 * std::pow(method.relative_tolerance, 0.2)};
   }
+  /// At most five times as long.
   [[nodiscard]] static double next_length(const StepControl& control, double error) {
     return control.taken() / std::max(0.2, 1.25 * std::pow(error, 0.2));
   }
+  /// After the first rejection; a tenth for an error that is NaN.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::max(0.1, 0.8 * std::pow(error, -0.2));
   }
+  /// max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) / rtol; NaN if a component is.
   template <class S>
   [[nodiscard]] static double finish(const TrialStep<S, Pair>& step, const Ode45& method) {
     const double threshold = method.absolute_tolerance / method.relative_tolerance;
@@ -111,6 +119,7 @@ struct Pair : EmbeddedPair<Pair> {
     }
     return largest / method.relative_tolerance;
   }
+  /// The quartic; order 4.
   template <class S>
   static void at(const TrialStep<S, Pair>& step, double t, typename S::State& x) {
     const double s = (t - step.t0) / step.h;

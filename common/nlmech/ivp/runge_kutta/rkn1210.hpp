@@ -52,17 +52,22 @@ namespace rkn1210 {
 
 /// Coefficients and step control.
 struct Pair : NystromPair<Pair> {
-  static constexpr const auto &c = rkn1210::c, &a = rkn1210::a, &position = rkn1210::position,
-                              &velocity = rkn1210::velocity;
-  static constexpr Column error_weights = difference(position, low_position);
+  static constexpr const auto& c = rkn1210::c;                                 ///< abscissae
+  static constexpr const auto& a = rkn1210::a;                                 ///< rows
+  static constexpr const auto& position = rkn1210::position;                   ///< of order 12
+  static constexpr const auto& velocity = rkn1210::velocity;                   ///< of order 12
+  static constexpr Column error_weights = difference(position, low_position);  ///< of positions
+  /// Of velocities.
   static constexpr Column velocity_error_weights = difference(velocity, low_velocity);
-  static constexpr int order = 11;
-  static constexpr double most_growth = 4;
+  static constexpr int order = 11;          ///< of the estimate
+  static constexpr double most_growth = 4;  ///< of steps
 
+  /// Positions and velocities change by 2 (atol + rtol)^(1/12) of their size; no part of the way is kept back.
   [[nodiscard]] static FirstStep first_step(const Rkn1210& method) {
     const double tolerance = method.absolute_tolerance + method.relative_tolerance;
     return {method.absolute_tolerance / tolerance, 2 * std::pow(std::min(1.0, tolerance), 1. / 12)};
   }
+  /// At least a fifth.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::min(0.9, std::max(0.2, 0.9 * std::pow(error, -1. / order)));
   }
