@@ -3,20 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "tests/ivp/coefficient_table.hpp"
 #include "tests/ivp/oracle.hpp"
-#include "tests/places.hpp"
 
 namespace nlmech::ivp::dop853_coefficients_test {
 namespace {
 
 using oracle::Real;
+using testing::CoefficientTable;
 using Weights = std::vector<Real>;
 
 constexpr std::size_t stages = dop853::all_stages, end_of_step = dop853::stages;
@@ -24,29 +22,15 @@ constexpr std::size_t stages = dop853::all_stages, end_of_step = dop853::stages;
 // of weights up to 40.
 constexpr double rounding = 1e-23;
 
-/// tables/reference/dop853.csv, by symbol, i and j, as it is written.
-std::map<std::string, std::string> written() {
-  std::ifstream file(NLMECH_SOURCE_DIR "/tables/reference/dop853.csv");
-  std::map<std::string, std::string> values;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#' || line.starts_with("symbol")) continue;
-    const auto last = line.rfind(',');
-    values[line.substr(0, last)] = line.substr(last + 1);
-  }
-  EXPECT_EQ(values.size(), 156U);
-  return values;
-}
+CoefficientTable written() { return {"dop853", 156}; }
 
 /// The coefficients with all their digits.
 struct Exact {
   std::vector<Weights> a, dense;
   Weights c, third, fifth;
   Exact() {
-    const auto values = written();
-    const auto get = [&](const std::string& key) {
-      const auto found = values.find(key);
-      return found == values.end() ? Real(0) : Real(found->second);
-    };
+    const CoefficientTable table = written();
+    const auto get = [&](const std::string& key) { return table.get(key); };
     for (std::size_t i = 1; i <= stages; ++i) {
       const std::string n = std::to_string(i);
       c.push_back(get("c," + n + ","));
@@ -185,13 +169,8 @@ TEST(Dop853Coefficients, DenseOutputIsOfOrderSeven) {
 }
 
 TEST(Dop853Coefficients, HeaderIsTheTableRounded) {
-  const auto values = written();
-  std::size_t compared = 0;
-  const auto same = [&](double mine, const std::string& key) {
-    const auto found = values.find(key);
-    EXPECT_EQ(mine, found == values.end() ? 0 : std::strtod(found->second.c_str(), nullptr)) << key;
-    compared += found != values.end();
-  };
+  CoefficientTable table = written();
+  const auto same = [&](double mine, const std::string& key) { table.expect_rounded(mine, key); };
   for (std::size_t i = 0; i < stages; ++i) {
     const std::string n = std::to_string(i + 1);
     same(dop853::c[i], "c," + n + ",");
@@ -203,7 +182,7 @@ TEST(Dop853Coefficients, HeaderIsTheTableRounded) {
       same(dop853::a[i][j], "a," + n + "," + std::to_string(j + 1));
     for (std::size_t r = 0; r < 4; ++r) same(dop853::dense[r][i], "dense," + std::to_string(r + 4) + "," + n);
   }
-  EXPECT_EQ(compared, values.size());
+  table.expect_all_compared();
 }
 
 }  // namespace

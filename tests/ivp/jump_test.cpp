@@ -1,72 +1,74 @@
-// A right-hand side that jumps in value: every method must see one smooth function on each side of the jump.
+// A right-hand side that jumps in value, announced: every method must see one smooth function on each side of
+// the jump. Both sides are parabolas, so that methods of order two or more are exact.
 #include <gtest/gtest.h>
 
+#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
-#include "nlmech/ivp/implicit/backward_euler.hpp"
-#include "nlmech/ivp/runge_kutta/dop853.hpp"
-#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
-#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/ivp/structural/alpha_family.hpp"
-#include "nlmech/ivp/structural/central_difference.hpp"
+#include "nlmech/ivp/hermitian/hermitian.hpp"
+#include "nlmech/ivp/runge_kutta/rkn1210.hpp"
+#include "nlmech/ivp/series/series.hpp"
+#include "nlmech/ivp/transversal/mtl.hpp"
+#include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::jump_test {
 namespace {
 
-// q'' = 1 before t = 1, q'' = -2 from there on. From rest at 0: q(2) = 1/2 + 1 - 1 = 1/2, v(2) = 1 - 2 = -1.
-struct Push {
-  static constexpr int dimension = 2;
-  template <class T>
-  void acceleration(const T& t, const Vector<T, 1>&, const Vector<T, 1>&, Vector<T, 1>& a) const {
-    a[0] = T(value_of(t) < 1 ? 1 : -2);
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    dxdt << x[1], T(value_of(t) < 1 ? 1 : -2);
-  }
-  [[nodiscard]] static std::vector<double> discontinuities(double t0, double t1) {
-    const bool between = std::min(t0, t1) < 1 && 1 < std::max(t0, t1);
-    return between ? std::vector<double>{1} : std::vector<double>{};
-  }
-};
+using namespace testing;
 
-// Every method of order two or more is exact on each side; 32 steps of 0.0625 round to 32 ulp, collocation to
-// the norm of its matrices (some 50) more.
+// The jump, at t = 0.3, as the end of the run, its start, and within it, in both directions of time; errors
+// at the ends of steps and within them.
 template <class Method>
-void expect_exact(const Method& method) {
-  const System system(Push{});
-  const auto there = integrate(system, {0, 0}, 0, 2, method);
-  ASSERT_TRUE(there.status.ok()) << there.status.text();
-  EXPECT_NEAR(there.x[0], 0.5, 1e-12) << Method::name;
-  EXPECT_NEAR(there.x[1], -1, 1e-12) << Method::name;
-  const auto back = integrate(system, {0.5, -1}, 2, 0, method);
-  ASSERT_TRUE(back.status.ok()) << back.status.text();
-  EXPECT_NEAR(back.x[0], 0, 1e-12) << Method::name << ", backwards";
-  EXPECT_NEAR(back.x[1], 0, 1e-12) << Method::name << ", backwards";
+void expect_exact(const Method& method, double most, bool within = true) {
+  const JumpingForce problem;
+  for (const double end : {0.3, 1.0})
+    EXPECT_LT(largest_error(problem, method, 0, end, within), most) << method_name(method) << ' ' << end;
+  EXPECT_LT(largest_error(problem, method, 0.3, 1, within), most) << method_name(method);
+  for (const double begin : {0.3, 0.4, 1.0})
+    EXPECT_LT(largest_error(problem, method, begin, 0, within), most) << method_name(method) << ' ' << begin;
 }
 
+// Rounding of states of size 1 in up to 40 steps.
 TEST(Jump, IsNeverLookedAcross) {
-  constexpr double h = 0.0625;
-  expect_exact(Rk4{.step = h});
-  expect_exact(Rk6{.step = h});
-  expect_exact(Ode45{});
-  expect_exact(Dop853{});
-  expect_exact(Newmark{.step = h});
-  expect_exact(Hht{.step = h});
-  expect_exact(GeneralizedAlpha{.step = h});
-  expect_exact(CentralDifference{.step = h});
-  expect_exact(Mcpi{.step = h});
-  expect_exact(PolynomialCollocation{.step = h, .nodes = 5});
-  expect_exact(
-      PolynomialCollocation{.step = h, .nodes = 5, .points = collocation::NodeFamily::left_end_and_radau});
+  for_each_method([&](const auto& method) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, BackwardEuler>) {
+      for (const double h : {0.1, 0.03, 0.07}) expect_exact(with_step(method, h), 1e-14);
+    }
+  });
+  expect_exact(Rk6{.step = 0.0625}, 1e-14);
 }
 
-// Euler is exact for the velocity alone.
+TEST(Jump, IsNeverLookedAcrossByStepsOfTheirChoice) {
+  expect_exact(Ode45{}, 1e-12);
+  expect_exact(Dop853{}, 1e-12);
+  expect_exact(Rkn1210{}, 16 * eps);
+  expect_exact(Series{}, 16 * eps);
+  expect_exact(Series{.order = 3, .step = 0.07}, 16 * eps);
+  expect_exact(AdaptiveCollocation{}, 16 * eps);
+}
+
+// Rounding to the norm of matrices (some 50), and Newton's tolerance.
+TEST(Jump, IsNeverLookedAcrossByCollocation) {
+  constexpr double h = 0.0625;
+  expect_exact(Mcpi{.step = h}, 1e-12);
+  expect_exact(PolynomialCollocation{.step = h, .nodes = 5}, 1e-12);
+  expect_exact(
+      PolynomialCollocation{.step = h, .nodes = 5, .points = collocation::NodeFamily::left_end_and_radau},
+      1e-12);
+  for (const HermitianPair& pair : hermitian_table) {
+    for (const double step : {0.1, 0.03, 0.0})
+      expect_exact(Hermitian{.operators = pair, .step = step}, 1e-13);
+  }
+  for (const int p : {1, 3}) expect_exact(Mtl{.step = 0.07, .points = p}, 100 * eps, false);
+}
+
+// Euler's methods are exact for the velocity alone.
 TEST(Jump, ShowsEulerTheRightSide) {
-  const auto s = integrate(System(Push{}), {0, 0}, 0, 2, Euler{.step = 0.0625});
-  EXPECT_NEAR(s.x[1], -1, 1e-14);
-  const auto b = integrate(System(Push{}), {0, 0}, 0, 2, BackwardEuler{.step = 0.0625});
-  EXPECT_NEAR(b.x[1], -1, 1e-12);
+  const JumpingForce problem;
+  const auto s = integrate(System(problem), {0, 0}, 0, 1, Euler{.step = 0.0625});
+  EXPECT_NEAR(s.x[1], problem.exact(1)[1], 1e-14);
+  const auto b = integrate(System(problem), {0, 0}, 0, 1, BackwardEuler{.step = 0.0625});
+  EXPECT_NEAR(b.x[1], problem.exact(1)[1], 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // What all methods owe their caller at the edges: ends, limits, observers, bad numbers, bad options.
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "nlmech/ivp/collocation/collocation.hpp"
+#include "nlmech/ivp/collocation/picard.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::method_edges_test {
@@ -8,12 +12,30 @@ namespace {
 
 using namespace testing;
 
+// Those of for_each_method(), and collocation.
+template <class Do>
+void for_all_methods(Do&& action) {
+  for_each_method(action);
+  action(Mcpi{.step = 0.01});
+  action(PolynomialCollocation{.step = 0.01, .nodes = 5});
+  action(
+      PolynomialCollocation{.step = 0.01, .nodes = 5, .points = collocation::NodeFamily::left_end_and_radau});
+  action(RbfCollocation{.step = 0.01});
+}
+
+// The name of a method in sentences; collocation has a name_of() of its own.
+template <class Method>
+std::string name_of(const Method& method) {
+  return std::string(method_name(method));
+}
+
 TEST(EveryMethod, StandsStillForAnEmptyInterval) {
-  for_each_method([](const auto& method) {
+  for_all_methods([](const auto& method) {
     const auto solution = integrate(System(Oscillator{}), State{1, 2}, 3, 3, method);
     EXPECT_TRUE(solution.status.ok());
     EXPECT_EQ(solution.t, 3);
     EXPECT_EQ(solution.x, (State{1, 2}));
+    EXPECT_EQ(solution.statistics.steps, 0);
     EXPECT_EQ(solution.statistics.right_hand_sides, 0);
   });
 }
@@ -50,23 +72,33 @@ TEST(FixedSteps, LandOnTheEnd) {
   });
 }
 
+// The spacing of doubles at 1e16 is 2.
 TEST(FixedSteps, NoticeAStepThatDoesNotMoveTime) {
-  for_each_method([](const auto& method) {
+  for_all_methods([](const auto& method) {
     if constexpr (requires { method.step; }) {
-      const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, 2, with_step(method, 1e-20));
-      EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << method.name;
-      EXPECT_EQ(solution.t, 1);
+      for (const auto& [step, begin, end] : {std::array{1e-20, 1.0, 2.0}, {0.5, 1e16, 1e16 + 64}}) {
+        const auto s = integrate(System(Oscillator{}), State{1, 0}, begin, end, with_step(method, step));
+        EXPECT_EQ(s.status.outcome(), Outcome::step_underflow) << s.status.text();
+        EXPECT_EQ(s.t, begin);
+        EXPECT_NE(s.status.sentence().find(name_of(method)), std::string::npos);
+        if (begin > 1) {
+          EXPECT_NE(s.status.sentence().find("t = 10000000000000000"), std::string::npos);
+        }
+      }
     }
   });
 }
 
 TEST(EveryMethod, KeepsToItsLimits) {
-  for_each_method([](const auto& method) {
+  for_all_methods([](const auto& method) {
     const auto used_up = integrate(System(Oscillator{}), State{1, 0}, 0, 100, method, {}, {.steps = 7});
     EXPECT_EQ(used_up.status.outcome(), Outcome::step_limit) << method.name;
-    EXPECT_LE(used_up.statistics.steps + used_up.statistics.rejected, 7) << method.name;
+    EXPECT_EQ(used_up.statistics.steps + used_up.statistics.rejected, 7) << method.name;
+    if constexpr (requires { method.step; }) {
+      EXPECT_NEAR(used_up.t, 7 * method.step, 1e-15);
+    }
     EXPECT_LT(used_up.t, 100);
-    EXPECT_NE(used_up.status.sentence().find(method.name), std::string::npos);
+    EXPECT_NE(used_up.status.sentence().find(name_of(method)), std::string::npos);
     const auto late = integrate(System(Oscillator{}), State{1, 0}, 0, 100, method, {}, {.seconds = 0});
     EXPECT_EQ(late.status.outcome(), Outcome::time_limit) << method.name;
   });
@@ -112,13 +144,15 @@ TEST(EveryMethod, SeesRightHandSidesThatAreNotFinite) {
   for (const double value : {nan, infinity, -infinity}) {
     for (const double at : {-1.0, 0.5}) {
       const System system(Poisoned{at, value});
-      for_each_method([&](const auto& method) {
+      for_all_methods([&](const auto& method) {
         const auto solution = integrate(system, State{1, 0}, 0, 2, method);
         EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name << solution.status.text();
         EXPECT_TRUE(solution.x.allFinite()) << method.name;
         EXPECT_LE(solution.t, std::max(at + 0.01, 0.0)) << method.name;
         EXPECT_NEAR(solution.x[0], std::cos(solution.t), 0.01) << method.name;
-        EXPECT_NE(solution.status.sentence().find(method.name), std::string::npos);
+        EXPECT_GE(solution.t, at - 0.01) << method.name;
+        EXPECT_NE(solution.status.sentence().find(name_of(method)), std::string::npos);
+        EXPECT_NE(solution.status.sentence().find("t = "), std::string::npos);
       });
     }
   }
@@ -128,6 +162,7 @@ TEST(EveryMethod, RefusesAnInitialStateThatIsNotFinite) {
   for_each_method([](const auto& method) {
     const auto solution = integrate(System(Oscillator{}), State{1, nan}, 0, 2, method);
     EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name;
+    EXPECT_NE(solution.status.sentence().find("component 2"), std::string::npos);
   });
 }
 
@@ -188,8 +223,8 @@ struct Rotation {
 TEST(StructuralMethods, NeedAccelerations) {
   for_each_method([](const auto& method) {
     using Method = std::decay_t<decltype(method)>;
-    if constexpr (std::is_same_v<Method, BackwardEuler> || std::is_same_v<Method, Ode45> ||
-                  std::is_same_v<Method, Dop853>) {
+    if constexpr (std::is_same_v<Method, BackwardEuler> || std::is_same_v<Method, Rk4> ||
+                  std::is_same_v<Method, Ode45> || std::is_same_v<Method, Dop853>) {
       EXPECT_TRUE(integrate(System(Rotation{}), State{1, 0}, 0, 1, method).status.ok());
     } else {
       try {

@@ -13,6 +13,7 @@
 #include "nlmech/ivp/implicit/backward_euler.hpp"
 #include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/problems/problem.hpp"
@@ -163,9 +164,11 @@ template <class Problem, class Method>
   return largest;
 }
 
-// Every method of this folder that has a step of its own choice or not, once.
+// Methods of every kind, with equal steps and with chosen ones, but for collocation, of which the accuracy is
+// that of its matrices.
 template <class Do>
 void for_each_method(Do&& action) {
+  action(Rk4{});
   action(BackwardEuler{});
   action(CentralDifference{});
   action(Newmark{});

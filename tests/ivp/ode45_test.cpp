@@ -1,11 +1,10 @@
+// ode45: its coefficients, its output, its steps. The rest: embedded_runge_kutta_test.cpp and
+// adaptive_methods_test.cpp.
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::ode45_test {
@@ -78,27 +77,6 @@ TEST(Ode45, ErrorEstimateIsOfOrderFour) {
   }
 }
 
-// One step of length h: error h^6 at its end (times the number of steps: order 5), h^5 inside.
-TEST(Ode45, LocalErrorsHaveTheStatedExponents) {
-  const Manufactured problem;
-  const auto errors = [&](double h) {
-    State middle(2);
-    const auto look = [&](const Step& step) {
-      step.dense.at(0.5 * h, middle);
-      return true;
-    };
-    const auto solution = integrate(System(problem), State{1, 0}, 0, h, with_step(Ode45{}, h), look);
-    EXPECT_EQ(solution.statistics.steps, 1);
-    return State{(solution.x - problem.exact(h)).cwiseAbs().maxCoeff(),
-                 (middle - problem.exact(h / 2)).cwiseAbs().maxCoeff()};
-  };
-  const State coarse = errors(0.1), fine = errors(0.05);
-  EXPECT_NEAR(std::log2(coarse[0] / fine[0]), 6, 0.3);
-  EXPECT_NEAR(std::log2(coarse[1] / fine[1]), 5, 0.3);
-  const double global = largest_error(problem, with_step(Ode45{}, 2 / 50.), 0, 2);
-  EXPECT_NEAR(std::log2(global / largest_error(problem, with_step(Ode45{}, 2 / 100.), 0, 2)), 5, 0.1);
-}
-
 TEST(Ode45, RefinedOutputIsTheDenseOutput) {
   for (const int refine : {1, 4, 7}) {
     State x(2);
@@ -126,46 +104,6 @@ TEST(Ode45, CountsItsWork) {
   EXPECT_EQ(s.right_hand_sides, 6 * (s.steps + s.rejected) + 1);
 }
 
-// Every discontinuity is the end of a step, and the solution keeps the accuracy of a smooth one: with rtol =
-// 1e-9 the free oscillator has 1e-9 a unit of time (Table 4.2: 1e-6 after 477).
-TEST(Ode45, StopsAtDiscontinuities) {
-  const problems::ImpactDuffing problem;
-  const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> reference(
-      problem, Vector<long double, 2>(0, 0), 0, 10);
-  std::vector<double> ends;
-  const auto note = [&](const Step& step) {
-    ends.push_back(step.t1);
-    return true;
-  };
-  const auto solution = integrate(System(problem), State{0, 0}, 0, 10, Ode45{}, note);
-  EXPECT_TRUE(solution.status.ok());
-  EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 1);
-  EXPECT_EQ(std::count(ends.begin(), ends.end(), 1.0), 1);
-  EXPECT_LT((solution.x - reference(10).cast<double>()).cwiseAbs().maxCoeff(), 2e-8);
-  const auto back = integrate(System(problem), solution.x, 10, 0, Ode45{}, note);
-  EXPECT_EQ(std::count(ends.begin(), ends.end(), 0.5), 2);
-  EXPECT_LT(back.x.cwiseAbs().maxCoeff(), 2e-8);
-}
-
-// y' = y^3 ends at t = 1/2. The shortest step there is 16 spacings, 1.8e-15; how near it comes is a matter of
-// the accumulated error, about the tolerance.
-TEST(Ode45, UnderflowsAtABlowUp) {
-  const auto solution = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Ode45{});
-  EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow) << solution.status.text();
-  EXPECT_NEAR(solution.t, 0.5, 1e-7);
-  EXPECT_GT(solution.x[0], 1e3);
-  EXPECT_TRUE(solution.x.allFinite());
-  EXPECT_NE(solution.status.sentence().find("ode45"), std::string::npos);
-}
-
-TEST(Ode45, RefusesTheFirstStepThatIsTooLong) {
-  const auto solution =
-      integrate(System(Manufactured{}), State{1, 0}, 0, 5, Ode45{.initial_step = 5, .largest_step = 5});
-  EXPECT_TRUE(solution.status.ok());
-  EXPECT_GE(solution.statistics.rejected, 1);
-  EXPECT_LT((solution.x - Manufactured{}.exact(5)).cwiseAbs().maxCoeff(), 1e-7);
-}
-
 // Nothing is finite from 0.03 on: the first trial, of length 1, is followed by one of a tenth, then by
 // halves: 0.1, 0.05, 0.025, which is accepted.
 TEST(Ode45, ShrinksFirstToATenthAndThenByHalves) {
@@ -178,39 +116,6 @@ TEST(Ode45, ShrinksFirstToATenthAndThenByHalves) {
   const auto solution = integrate(System(Poisoned{.at = 0.03}), State{1, 0}, 0, 2, method, stop);
   EXPECT_EQ(first, 0.025);
   EXPECT_EQ(solution.statistics.rejected, 3);
-}
-
-// A largest step below the spacing of doubles at t would never arrive.
-TEST(Ode45, NoticesAStepThatDoesNotMoveTime) {
-  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, 2, Ode45{.largest_step = 1e-20});
-  EXPECT_EQ(solution.status.outcome(), Outcome::step_underflow);
-  EXPECT_EQ(solution.t, 1);
-}
-
-// An interval of a few doubles is one step.
-TEST(Ode45, CrossesTheSmallestInterval) {
-  const double end = std::nextafter(1.0, 2.0);
-  const auto solution = integrate(System(Oscillator{}), State{1, 0}, 1, end, Ode45{});
-  EXPECT_TRUE(solution.status.ok()) << solution.status.text();
-  EXPECT_EQ(solution.t, end);
-}
-
-// At t0 = 0 the spacing of doubles is 5e-324, and halving towards it must end too.
-TEST(Ode45, GivesUpWhereNothingIsFinite) {
-  Poisoned problem{.at = 1e-300};
-  const auto solution = integrate(System(problem), State{1, 0}, 0, 1, Ode45{});
-  EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << solution.status.text();
-  EXPECT_TRUE(solution.x.allFinite());
-}
-
-TEST(Ode45, SaysWhichOptionIsWrong) {
-  EXPECT_EQ(refusal(Ode45{.relative_tolerance = 1e-15}),
-            "ode45: relative_tolerance must be between 2.22045e-14 and 0.1, not 1e-15");
-  EXPECT_NE(refusal(Ode45{.relative_tolerance = nan}).find("nan"), std::string::npos);
-  EXPECT_NE(refusal(Ode45{.absolute_tolerance = 0}).find("absolute_tolerance"), std::string::npos);
-  EXPECT_NE(refusal(Ode45{.initial_step = -1}).find("initial_step"), std::string::npos);
-  EXPECT_NE(refusal(Ode45{.largest_step = infinity}).find("largest_step"), std::string::npos);
-  EXPECT_NE(refusal(Ode45{.refine = 0}).find("refine"), std::string::npos);
 }
 
 }  // namespace

@@ -1,22 +1,18 @@
 /// RKN12(10): its coefficients fulfil the order conditions in extended precision, converge with the orders 12
-/// and 10, and the method does what its header says.
+/// and 10, and the method refuses velocities. The rest: embedded_runge_kutta_test.cpp and
+/// adaptive_methods_test.cpp.
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "nlmech/support/extended_real.hpp"
+#include "tests/ivp/coefficient_table.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
-#include "tests/places.hpp"
 
 namespace nlmech::ivp::rkn1210_test {
 namespace {
@@ -24,18 +20,7 @@ namespace {
 using namespace testing;
 using oracle::Real;
 
-/// tables/reference/rkn12_10.csv, by symbol, i and j, as it is written.
-std::map<std::string, std::string> written() {
-  std::ifstream file(NLMECH_SOURCE_DIR "/tables/reference/rkn12_10.csv");
-  std::map<std::string, std::string> values;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#' || line.starts_with("symbol")) continue;
-    const auto last = line.rfind(',');
-    values[line.substr(0, last)] = line.substr(last + 1);
-  }
-  EXPECT_EQ(values.size(), 181U);
-  return values;
-}
+CoefficientTable written() { return {"rkn12_10", 181}; }
 
 /// The coefficients with all their digits.
 struct Exact {
@@ -43,11 +28,8 @@ struct Exact {
   Real a[stages][stages], c[stages], position[stages], velocity[stages], low_position[stages],
       low_velocity[stages];
   Exact() {
-    const auto values = written();
-    const auto get = [&](const std::string& key) {
-      const auto found = values.find(key);
-      return found == values.end() ? Real(0) : Real(found->second);
-    };
+    const CoefficientTable table = written();
+    const auto get = [&](const std::string& key) { return table.get(key); };
     for (int i = 0; i < stages; ++i) {
       const std::string n = std::to_string(i + 1);
       c[i] = get("c," + n + ",");
@@ -142,13 +124,8 @@ TEST(Rkn1210Coefficients, OrdersOfConvergence) {
 }
 
 TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
-  const auto values = written();
-  std::size_t compared = 0;
-  const auto same = [&](double mine, const std::string& key) {
-    const auto found = values.find(key);
-    EXPECT_EQ(mine, found == values.end() ? 0 : std::strtod(found->second.c_str(), nullptr)) << key;
-    compared += found != values.end();
-  };
+  CoefficientTable table = written();
+  const auto same = [&](double mine, const std::string& key) { table.expect_rounded(mine, key); };
   for (std::size_t i = 0; i < rkn1210::stages; ++i) {
     const std::string n = std::to_string(i + 1);
     same(rkn1210::c[i], "c," + n + ",");
@@ -159,47 +136,7 @@ TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
     for (std::size_t j = 0; j + 1 < rkn1210::stages; ++j)
       same(rkn1210::a[i][j], "a," + n + "," + std::to_string(j + 1));
   }
-  EXPECT_EQ(compared, values.size());
-}
-
-// q'' = -q from (1, 0).
-TEST(Rkn1210, MeetsItsTolerance) {
-  for (const double tolerance : {1e-6, 1e-9, 1e-12, 1e-14}) {
-    const auto s = integrate(System(Oscillator{}), State{1, 0}, 0, 20,
-                             Rkn1210{.relative_tolerance = tolerance, .absolute_tolerance = tolerance});
-    ASSERT_TRUE(s.status.ok()) << s.status.text();
-    // The embedded order 10 is controlled and order 12 is what is kept; rounding of some dozen steps.
-    const double room = 10 * tolerance + 64 * eps;
-    EXPECT_NEAR(s.x[0], std::cos(20), room);
-    EXPECT_NEAR(s.x[1], -std::sin(20), room);
-  }
-}
-
-TEST(Rkn1210, SystemAndDirectAreTheSame) {
-  const problems::Duffing duffing;
-  const auto a = integrate(System(duffing), problems::Duffing::initial_state(), 0, 30, Rkn1210{});
-  const auto b = integrate(Direct(duffing), problems::Duffing::initial_state(), 0, 30, Rkn1210{});
-  EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides);
-  // Inlined expressions may be contracted otherwise.
-  EXPECT_LE(oracle::distance(a.x, b.x), 1e3 * eps);
-  EXPECT_LE(oracle::distance(a.x, oracle::duffing(30)), 1e-6);
-}
-
-TEST(Rkn1210, DenseOutputIsOfTheSameOrder) {
-  double largest = 0;
-  State x(2);
-  const auto watch = [&](const Step& step) {
-    for (const double part : {0.2, 0.5, 0.9, 1.0}) {
-      const double t = step.t0 + part * (step.t1 - step.t0);
-      step.dense.at(t, x);
-      largest = std::max(largest, oracle::distance(x, oracle::duffing(t)));
-    }
-    return true;
-  };
-  const auto s = integrate(System(problems::Duffing{}), problems::Duffing::initial_state(), 0, 5,
-                           Rkn1210{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, watch);
-  EXPECT_TRUE(s.status.ok());
-  EXPECT_LE(largest, 1e-11);
+  table.expect_all_compared();
 }
 
 TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
@@ -212,38 +149,12 @@ TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
   EXPECT_EQ(s.right_hand_sides, 1 + s.steps + 16 * (s.steps + s.rejected) + 4);
 }
 
-TEST(Rkn1210, StopsAtDiscontinuities) {
-  JumpingForce problem;
-  const auto s = integrate(System(problem), State{0, 0}, 0, 1, Rkn1210{});
-  ASSERT_TRUE(s.status.ok()) << s.status.text();
-  EXPECT_LE(oracle::distance(s.x, problem.exact(1)), 16 * eps);  // parabolas: exact on both sides
-}
-
 // A force that feels velocities is no problem of this method's, and says so. Van der Pol's from x = 1 shows
 // it only after the first step.
 TEST(Rkn1210, RefusesVelocities) {
   EXPECT_THROW((void)integrate(System(Manufactured{}), State{1, 0}, 0, 1, Rkn1210{}), std::invalid_argument);
   const auto s = integrate(System(problems::VanDerPol{}), State{1, 0.5}, 0, 5, Rkn1210{});
   EXPECT_EQ(s.status.outcome(), Outcome::outside_validity) << s.status.text();
-}
-
-TEST(Rkn1210, EndsWhereNothingIsFinite) {
-  const auto s = integrate(System(Poisoned{}), State{1, 0}, 0, 1, Rkn1210{});
-  EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << s.status.text();
-  EXPECT_TRUE(s.x.allFinite());
-  EXPECT_NEAR(s.t, 0.5, 1e-6);
-  const auto few = integrate(System(Oscillator{}), State{1, 0}, 0, 1e6, Rkn1210{}, {}, {.steps = 7});
-  EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
-  const auto stopped = integrate(System(Oscillator{}), State{1, 0}, 0, 1e6, Rkn1210{},
-                                 [](const Step& step) { return step.index < 3; });
-  EXPECT_EQ(stopped.status.outcome(), Outcome::interrupted);
-}
-
-TEST(Rkn1210, SaysWhichOptionIsWrong) {
-  EXPECT_NE(refusal(Rkn1210{.relative_tolerance = -1}).find("relative_tolerance"), std::string::npos);
-  EXPECT_NE(refusal(Rkn1210{.absolute_tolerance = 0}).find("absolute_tolerance"), std::string::npos);
-  EXPECT_NE(refusal(Rkn1210{.initial_step = nan}).find("nan"), std::string::npos);
-  EXPECT_NE(refusal(Rkn1210{.largest_step = -1}).find("largest_step"), std::string::npos);
 }
 
 }  // namespace

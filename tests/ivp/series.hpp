@@ -1,25 +1,14 @@
 /// What the tests of the Taylor series method share.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include "nlmech/ivp/series/series.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
+#include "tests/ivp/reference.hpp"
 
 namespace nlmech::ivp::testing {
 
 /// Steps chosen by one tolerance.
 inline Series with_tolerance(double tolerance, int order = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .order = order};
-}
-
-/// The state at t1 in long double.
-template <class Problem>
-State reference(const Problem& problem, const State& x0, double t0, double t1) {
-  const problems::ReferenceTrajectory<long double, Problem> path(problem, x0.template cast<long double>(), t0,
-                                                                 t1);
-  EXPECT_TRUE(path.status().ok()) << path.status().text();
-  return path(t1).template cast<double>();
 }
 
 }  // namespace nlmech::ivp::testing

@@ -9,11 +9,11 @@
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
 #include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/reference.hpp"
 
 namespace nlmech::ivp::stiff_test {
 namespace {
@@ -106,19 +106,12 @@ TEST(StiffChain, RadialFunctionsHaveItToo) {
   EXPECT_NEAR(growth(RbfCollocation{.step = 1.2e-3, .nodes = 7, .shape = 0.367 / 1.2e-3}), 1.2940, 1e-3);
 }
 
-/// The end of van der Pol's oscillator in extended precision.
-State van_der_pol(double mu, double end) {
-  const problems::VanDerPol problem{.mu = mu};
-  const problems::ReferenceTrajectory<long double, problems::VanDerPol> truth(problem, {2, 0}, 0, end);
-  EXPECT_TRUE(truth.status().ok()) << truth.status().text();
-  return truth(end).cast<double>();
-}
-
 template <class Method>
 double van_der_pol_error(double mu, double end, const Method& method) {
-  const auto s = integrate(System(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method);
+  const problems::VanDerPol problem{.mu = mu};
+  const auto s = integrate(System(problem), {2, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
-  return distance(s.x, van_der_pol(mu, end));
+  return distance(s.x, testing::reference(problem, {2, 0}, 0, end));
 }
 
 // Over leaps with steps that resolve them; the solution moves by 200 times an error of time there.
@@ -168,22 +161,6 @@ TEST(BlowUp, IsPassedByCollocationOfFixedStep) {
   }
 }
 
-TEST(NoNumber, EndsTheRunBeforeIt) {
-  for (const double poison : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL}) {
-    const System system(testing::Poisoned{.at = 1, .value = poison});  // q'' = -q up to t = 1
-    const auto expect_end = [&](const auto& method, std::string_view name) {
-      const auto s = integrate(system, {1, 0}, 0, 2, method);
-      EXPECT_EQ(s.status.outcome(), Outcome::non_finite) << name << ": " << s.status.text();
-      EXPECT_TRUE(s.x.allFinite());
-      EXPECT_NEAR(s.t, 1, method.step + 1e-12);
-      expect_sentence(s.status, name, "t = ");
-    };
-    expect_end(Mcpi{.step = 0.1}, "mcpi");
-    expect_end(lobatto(0.1), "lgl-coll");
-    expect_end(RbfCollocation{.step = 0.1}, "rbf-coll");
-  }
-}
-
 /// All methods of this file on the free Duffing oscillator.
 template <class Check>
 void with_each(double step, Check&& check) {
@@ -191,26 +168,6 @@ void with_each(double step, Check&& check) {
   check(lobatto(step), "lgl-coll");
   check(radau(step), "radau-coll");
   check(RbfCollocation{.step = step, .shape = 0.367 / step}, "rbf-coll");
-}
-
-TEST(Times, AStepThatDoesNotMoveTimeIsRefused) {
-  const System system(problems::Duffing{});
-  with_each(0.5, [&](const auto& method, std::string_view name) {
-    const auto s = integrate(system, {1, 0}, 1e16, 1e16 + 64, method);
-    EXPECT_EQ(s.status.outcome(), Outcome::step_underflow) << s.status.text();
-    EXPECT_EQ(s.t, 1e16);
-    expect_sentence(s.status, name, "t = 10000000000000000");
-  });
-}
-
-TEST(Times, AnEmptyIntervalGivesTheStateBack) {
-  const System system(problems::Duffing{});
-  with_each(0.1, [&](const auto& method, std::string_view name) {
-    const auto s = integrate(system, {1, 0}, 3, 3, method);
-    EXPECT_TRUE(s.status.ok()) << name;
-    EXPECT_EQ(s.x, (State{1, 0}));
-    EXPECT_EQ(s.statistics.steps, 0);
-  });
 }
 
 // The motion from rest is even in time: a period backwards is as good as a period forwards. The errors of

@@ -189,23 +189,6 @@ TEST(Hht, AsPrintedIsOfFirstOrder) {
   EXPECT_NEAR(observed_order(Hht{.alpha = 0, .form = Hht::Form::as_printed}, 200), 2, 0.1);
 }
 
-// A jump in the force, announced, forwards and backwards, not on a step end and as the end of the run:
-// methods that are exact for parabolas stay so. Tolerance: rounding of states of size 1 in up to 40 steps.
-TEST(StructuralMethods, RespectJumps) {
-  const JumpingForce problem;
-  for_each_method([&](const auto& method) {
-    using Method = std::decay_t<decltype(method)>;
-    if constexpr (!std::is_same_v<Method, BackwardEuler>) {
-      for (const double h : {0.1, 0.03, 0.07}) {
-        for (const double end : {0.3, 1.0})
-          EXPECT_LT(largest_error(problem, with_step(method, h), 0, end, true), 1e-14) << Method::name << h;
-        for (const double begin : {0.3, 0.4, 1.0})
-          EXPECT_LT(largest_error(problem, with_step(method, h), begin, 0, true), 1e-14) << Method::name << h;
-      }
-    }
-  });
-}
-
 // The fault of Table 4.4: a velocity of half a step before, carried into another step, is wrong by
 // (h' - h)/2 a. On q'' = 2 from rest that is the only error: exactly (h' - h) in v, and grows linearly in q.
 TEST(CentralDifference, RestartFaultIsTheStatedOne) {
@@ -311,19 +294,6 @@ TEST(StructuralMethods, KnowRoundingNoiseOfStiffForces) {
     EXPECT_LT(largest_error(problem, GeneralizedAlpha{.step = 1e-3}, 0, 2), 1e-3 * amplitude);
     EXPECT_LT(largest_error(problem, BackwardEuler{.step = 1e-3}, 0, 2), 1e-3 * amplitude);
   }
-}
-
-TEST(StructuralMethods, FixedAndDynamicSizesAgree) {
-  const Manufactured problem;
-  const System fixed(problem);
-  const System dynamic(problem);
-  for_each_method([&](const auto& method) {
-    const auto a = integrate(fixed, State{1, 0}, 0, 3, method);
-    const auto b = integrate(dynamic, State{1, 0}, 0, 3, method);
-    ASSERT_TRUE(a.status.ok() && b.status.ok()) << method.name;
-    EXPECT_LT((a.x - b.x).cwiseAbs().maxCoeff(), 1e-13) << method.name;  // order of summation
-    EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name;
-  });
 }
 
 }  // namespace

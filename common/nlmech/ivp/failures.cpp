@@ -106,6 +106,18 @@ void require_second_order(std::string_view method, bool second_order) {
         method);
 }
 
+void refuse_velocities(std::string_view method) {
+  throw invalid_argument("{}: the accelerations of this problem depend on velocities; take another method",
+                         method);
+}
+
+Status depends_on_velocities(std::string_view method, double t) {
+  return Status::failure(
+      Outcome::outside_validity,
+      fmt::format("{}: the accelerations depend on velocities, as shows at t = {:.17g}; take another method",
+                  method, t));
+}
+
 void require_derivatives(std::string_view method, bool given) {
   if (!given)
     throw invalid_argument(

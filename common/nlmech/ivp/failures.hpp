@@ -41,6 +41,10 @@ void require_step(std::string_view method, double step);
 void require_within(std::string_view method, std::string_view option, double value, double low, double high);
 /// @throws std::invalid_argument unless @p second_order: the method is for problems with accelerations
 void require_second_order(std::string_view method, bool second_order);
+/// @throws std::invalid_argument saying that the accelerations depend on velocities
+[[noreturn]] void refuse_velocities(std::string_view method);
+/// The failure `outside_validity` of the same content.
+[[nodiscard]] Status depends_on_velocities(std::string_view method, double t);
 /// @throws std::invalid_argument unless @p given: the method is for problems that can be differentiated
 void require_derivatives(std::string_view method, bool given);
 

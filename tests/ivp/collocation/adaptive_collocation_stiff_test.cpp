@@ -4,12 +4,12 @@
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/problems/hires.hpp"
 #include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/robertson.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/reference.hpp"
 #include "tests/ivp/test_set.hpp"
 
 namespace nlmech::ivp::adaptive_collocation_stiff_test {
@@ -128,9 +128,7 @@ TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
 TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
   problems::ThreeMassChain chain;
   chain.k1 = 1e8;
-  const problems::ReferenceTrajectory<long double, problems::ThreeMassChain> truth(
-      chain, Vector<long double, 6>::Zero(), 0, 2);
-  const State end = truth(2).cast<double>();
+  const State end = testing::reference(chain, State::Zero(6), 0, 2);
   const problems::Duffing hard{.hardening = 1e6};
   for (int d = 4; d <= 12; d += 2) {
     const double tolerance = std::pow(10., -d);

@@ -151,18 +151,6 @@ TEST(Hermitian, EnergyErrorIsBounded) {
   }
 }
 
-// Announced jumps, forwards and backwards: parabolas are exact. Rounding of states of size 1 in up to 40
-// steps.
-TEST(Hermitian, RespectsJumps) {
-  for (const HermitianPair& pair : hermitian_table) {
-    for (const double step : {0.1, 0.03, 0.0}) {
-      const Hermitian method{.operators = pair, .step = step};
-      EXPECT_LT(largest_error(JumpingForce{}, method, 0, 1, true), 1e-13) << pair.name << step;
-      EXPECT_LT(largest_error(JumpingForce{}, method, 1, 0, true), 1e-13) << pair.name << step;
-    }
-  }
-}
-
 // Two degrees of freedom: masses that move as one are two Duffing oscillators, each the other's double.
 TEST(Hermitian, TwoDegreesOfFreedomMoveAsOne) {
   const problems::TwoDof pair{.damping = 0, .force = 0};
@@ -231,16 +219,6 @@ TEST(Hermitian, FailsWithASentence) {
   EXPECT_EQ(poisoned.status.outcome(), Outcome::non_finite);
   EXPECT_NEAR(poisoned.t, 0.4, 1e-12);
   EXPECT_NE(poisoned.status.sentence().find("laier"), std::string::npos);
-  const auto chosen = integrate(System(Poisoned{}), State{1, 0}, 0, 1, Hermitian{});
-  EXPECT_FALSE(chosen.status.ok());
-  EXPECT_LE(chosen.t, 0.5);
-  EXPECT_GT(chosen.t, 0.49);  // it creeps up to where the force ends
-  const auto limited = integrate(System(Oscillator{}), State{1, 0}, 0, 1e6, Hermitian{}, {}, {.steps = 50});
-  EXPECT_EQ(limited.status.outcome(), Outcome::step_limit);
-  const auto stopped = integrate(System(Oscillator{}), State{1, 0}, 0, 10, Hermitian{},
-                                 [](const Step& s) { return s.index < 3; });
-  EXPECT_EQ(stopped.status.outcome(), Outcome::interrupted);
-  EXPECT_EQ(stopped.statistics.steps, 3);
 }
 
 }  // namespace

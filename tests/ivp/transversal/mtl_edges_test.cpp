@@ -73,15 +73,5 @@ TEST(Mtl, NonFiniteForceIsAStatus) {
   EXPECT_TRUE(s.x.allFinite());
 }
 
-// Jumps of the force end a block; on both sides the motion is a parabola, which p = 1 has exactly.
-TEST(Mtl, BlocksEndAtDiscontinuities) {
-  const testing::JumpingForce problem;
-  for (const int p : {1, 3}) {
-    const auto s = integrate(System(problem), State{0, 0}, 0, 1, Mtl{.step = 0.07, .points = p});
-    ASSERT_TRUE(s.status.ok());
-    EXPECT_NEAR(oracle::distance(s.x, problem.exact(1)), 0, 100 * eps);
-  }
-}
-
 }  // namespace
 }  // namespace nlmech::ivp::mtl_edges_test

@@ -6,9 +6,9 @@
 #include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/reference.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
 
 namespace nlmech::ivp::mtl_orders_test {
@@ -27,9 +27,7 @@ double error_of(const DrivenDuffing& problem, const State& truth, double end, co
 // x'' + 0.1 x' + x + x^3 = cos t to t = 12: the order from the last of some halvings, all errors above 1e-12.
 TEST(Mtl, ObservedOrders) {
   const DrivenDuffing problem{.damping = 0.1};
-  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
-  ASSERT_TRUE(reference.status().ok());
-  const State truth = reference(12).cast<double>();
+  const State truth = testing::reference(problem, {1, 0}, 0, 12);
   for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian}) {
     for (int p = 1; p <= 6; ++p) {
       const int steps = p < 3 ? 960 : p < 6 ? 480 : 240;
@@ -49,8 +47,7 @@ TEST(Mtl, ObservedOrders) {
 
 TEST(Mtl, InterpoletsAreOfSecondOrder) {
   const DrivenDuffing problem{.damping = 0.1};
-  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 12);
-  const State truth = reference(12).cast<double>();
+  const State truth = testing::reference(problem, {1, 0}, 0, 12);
   for (const int p : {1, 3, 4}) {
     const Mtl coarse{.step = 0.01, .points = p, .basis = MtlBasis::interpolet};
     Mtl fine = coarse;
@@ -72,9 +69,7 @@ TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
 // First order in form: Lorenz's equations, which name no linear part, are equidistant collocation.
 TEST(Mtl, FirstOrderProblems) {
   const problems::Lorenz problem;
-  const problems::ReferenceTrajectory<long double, problems::Lorenz> reference(
-      problem, problems::Lorenz::initial_state().cast<long double>(), 0, 1);
-  const State truth = reference(1).cast<double>();
+  const State truth = testing::reference(problem, problems::Lorenz::initial_state(), 0, 1);
   const auto error = [&](double h) {
     const auto s = integrate(System(problem), problems::Lorenz::initial_state(), 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();
@@ -88,8 +83,7 @@ TEST(Mtl, FirstOrderProblems) {
 TEST(Mtl, ErrorGoesWithTheNonlinearity) {
   const auto error = [](double hardening) {
     const DrivenDuffing problem{.damping = 0.1, .hardening = hardening};
-    const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 6);
-    return error_of(problem, reference(6).cast<double>(), 6, {.step = 0.2, .points = 3});
+    return error_of(problem, testing::reference(problem, {1, 0}, 0, 6), 6, {.step = 0.2, .points = 3});
   };
   EXPECT_NEAR(error(1e-3) / error(1e-4), 10, 0.2);
 }

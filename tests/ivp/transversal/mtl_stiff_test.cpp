@@ -11,6 +11,7 @@
 #include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/reference.hpp"
 
 namespace nlmech::ivp::mtl_stiff_test {
 namespace {
@@ -23,10 +24,7 @@ Solution oscillator(double mu, double end, const Mtl& method) {
   return integrate(System(VanDerPol{.mu = mu}), State{2, 0}, 0, end, method);
 }
 
-State truth_of(double mu, double end) {
-  const problems::ReferenceTrajectory<long double, VanDerPol> reference(VanDerPol{.mu = mu}, {2, 0}, 0, end);
-  return reference(end).cast<double>();
-}
+State truth_of(double mu, double end) { return testing::reference(VanDerPol{.mu = mu}, {2, 0}, 0, end); }
 
 // ------------------------------------------------------------ van der Pol
 
@@ -120,8 +118,7 @@ DrivenDuffing fast(double m) { return {.stiffness = 1e6, .hardening = m}; }
 // step.
 TEST(MtlStiff, SmoothStartIsExactForEveryStep) {
   for (const double m : {1., 1e3}) {
-    const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(fast(m), {1e-6, 0}, 0, 1);
-    const State truth = reference(1).cast<double>();
+    const State truth = testing::reference(fast(m), {1e-6, 0}, 0, 1);
     for (const double h : {0.059, 0.1, 1. / 3}) {
       const auto s = integrate(System(fast(m)), State{1e-6, 0}, 0, 1, Mtl{.step = h});
       ASSERT_TRUE(s.status.ok()) << s.status.text();
@@ -135,8 +132,7 @@ TEST(MtlStiff, SmoothStartIsExactForEveryStep) {
 // above 3 the cubic force is sampled below its frequency and the error is of that size; with w h = 0.5 it is
 // small.
 TEST(MtlStiff, OscillatoryStartAliases) {
-  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(fast(1), {1, 0}, 0, 1);
-  const double truth = static_cast<double>(reference(1)[0]);
+  const double truth = testing::reference(fast(1), {1, 0}, 0, 1)[0];
   const auto error = [&](double h) {
     const auto s = integrate(System(fast(1)), State{1, 0}, 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();

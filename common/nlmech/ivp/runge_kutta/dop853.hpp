@@ -3,21 +3,17 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <string_view>
-#include <utility>
 
-#include "nlmech/ivp/chosen_steps.hpp"
-#include "nlmech/ivp/failures.hpp"
-#include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/runge_kutta/dop853_coefficients.hpp"
-#include "nlmech/ivp/runge_kutta/weighted.hpp"
-#include "nlmech/ivp/smooth_segment.hpp"
-#include "nlmech/support/doubles.hpp"
+#include "nlmech/ivp/runge_kutta/embedded_runge_kutta.hpp"
 
 namespace nlmech::ivp {
+
+namespace dop853 {
+struct Pair;
+}
 
 /// Order 8 in 12 stages, with estimates of orders 5 and 3 (J. R. Dormand, P. J. Prince; E. Hairer, S. P.
 /// Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, sections II.5 and II.10;
@@ -43,210 +39,82 @@ namespace nlmech::ivp {
 /// within 0.3), and errors at tolerances from 1e-6 to 1e-13 to ten tolerances for an oscillator.
 struct Dop853 {
   static constexpr std::string_view name = "dop853";  ///< on command lines and in tables
+  using Pair = dop853::Pair;                          ///< coefficients, error and step control
   double relative_tolerance = 1e-9;                   ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                   ///< atol, positive
   double initial_step = 0;                            ///< of each segment; 0: chosen from f(t0, x0)
   double largest_step = 0;                            ///< 0: the interval
 };
 
-/// @throws std::invalid_argument naming an option out of range and its value
-void check_options(const Dop853& method);
-
 namespace dop853 {
 
-/// The rows of a, each an object of its own, as weighted() wants them.
-template <std::size_t i>
-inline constexpr auto row = a[i];
-/// The rows of the dense output, likewise.
+/// Rows of the dense output, each an object of its own as weighted() wants it.
 template <std::size_t i>
 inline constexpr auto dense_row = dense[i];
 
-/// Trial steps, and the dense output of the latest.
-template <SystemLike S>
-class Stepper : public DenseOutputOf<S> {
- public:
-  using State = typename S::State;  ///< all components
-  /// @param system outlives the stepper
-  explicit Stepper(const S& system) : system_(system), x0_(State::Zero(system.size())), x1_(x0_), y_(x0_) {
-    for (State& k : k_) k.resize(system.size());
-    for (State& r : r_) r.resize(system.size());
-  }
+/// Coefficients, and in what the method differs from other pairs.
+struct Pair : EmbeddedPair<Pair> {
+  static constexpr const auto& c = dop853::c;          ///< abscissae
+  static constexpr const auto& a = dop853::a;          ///< rows
+  static constexpr const auto& error_weights = fifth;  ///< of the first estimate
+  static constexpr int order = 8;                      ///< of both estimates as one
+  static constexpr std::size_t dense_stages = 3;       ///< for dense output
+  static constexpr std::size_t coefficients = 7;       ///< of the polynomial
+  static constexpr double safety = 0.8;                ///< instead of the usual 0.9
+  static constexpr double most_growth = 10;            ///< instead of the usual 6
 
-  /// Starts a segment at (t, x): f there is the first stage.
-  void begin_segment(double t, double end, const State& x) {
-    segment_ = SmoothSegment(t, end);
-    x0_ = x;
-    system_.rhs(segment_(t), x0_, k_[0]);
-  }
-  /// Goes from the begin, t, to t1; end_state() tells where to. @return the error over the tolerance: NaN if
-  /// a component is
-  [[nodiscard]] double attempt(double t, double t1, double absolute, double relative) {
-    t0_ = t;
-    h_ = t1 - t;
-    has_dense_ = false;
-    const auto all = [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
-      (stage<i + 1>(segment_(c[i + 1] == 1 ? t1 : t + c[i + 1] * h_), y_), ...);
-    };
-    all(std::make_index_sequence<stages - 1>());
+  /// error^(1/8).
+  [[nodiscard]] static double root(double error) { return std::sqrt(std::sqrt(std::sqrt(error))); }
+  /// Writes the state at the end. @return E5 E5/sqrt(E5^2 + E3^2/100); NaN if a component is
+  template <class S>
+  [[nodiscard]] static double finish(TrialStep<S, Pair>& step, const Dop853& method) {
+    auto &slopes = step.r[0], &fifths = step.r[1], &thirds = step.r[2];
+    weighted<stage_weights<Pair, stages>, stages>(step.k, slopes);
+    weighted<fifth, stages>(step.k, fifths);
+    weighted<third, stages>(step.k, thirds);
+    const double h = step.h, absolute = method.absolute_tolerance, relative = method.relative_tolerance;
     double fifth_norm = 0, third_norm = 0;
-    const auto add = [](double& largest, double e) __attribute__((always_inline)) {
-      if (e > largest || std::isnan(e)) largest = e;  // a NaN stays
-    };
-    weighted<row<stages>, stages>(k_, y_);
-    weighted<fifth, stages>(k_, r_[0]);
-    weighted<third, stages>(k_, r_[1]);
-    const Eigen::Index size = x0_.size();
-    for (Eigen::Index d = 0; d < size; ++d) {
-      const double slope = y_.data()[d], before = x0_.data()[d], after = before + h_ * slope;
-      x1_.data()[d] = after;
+    for (Eigen::Index d = 0; d < slopes.size(); ++d) {
+      const double slope = slopes.data()[d], before = step.x0.data()[d], after = before + h * slope;
+      step.x1.data()[d] = after;
       const double unit = 1 / (absolute + relative * std::max(std::abs(before), std::abs(after)));
-      add(fifth_norm, std::abs(unit * r_[0].data()[d]));
-      add(third_norm, std::abs(unit * (slope - r_[1].data()[d])));
+      enlarge(fifth_norm, std::abs(unit * fifths.data()[d]));
+      enlarge(third_norm, std::abs(unit * (slope - thirds.data()[d])));
     }
     const double square = fifth_norm * fifth_norm + 0.01 * (third_norm * third_norm);
     if (!std::isfinite(square)) return square;
-    return square > 0 ? std::abs(h_) * (fifth_norm * fifth_norm) / std::sqrt(square) : 0;
+    return square > 0 ? std::abs(h) * (fifth_norm * fifth_norm) / std::sqrt(square) : 0;
   }
-  /// f at the end of the trial, @p t1: the first stage of the next step. @return is it finite?
-  [[nodiscard]] bool close(double t1) {
-    system_.rhs(segment_(t1), x1_, k_[stages]);
-    return k_[stages].allFinite();
+  /// Coefficients of the dense output.
+  template <class S>
+  static void expand(TrialStep<S, Pair>& step) {
+    const double h = step.h;
+    const auto& k = step.k;
+    for (Eigen::Index d = 0; d < step.x0.size(); ++d) {
+      const double way = step.x1[d] - step.x0[d], begin = h * k[0][d] - way;
+      step.r[0][d] = way;
+      step.r[1][d] = begin;
+      step.r[2][d] = way - h * k[stages][d] - begin;
+      step.r[3][d] = h * weighted<dense_row<0>, all_stages>(k, d);
+      step.r[4][d] = h * weighted<dense_row<1>, all_stages>(k, d);
+      step.r[5][d] = h * weighted<dense_row<2>, all_stages>(k, d);
+      step.r[6][d] = h * weighted<dense_row<3>, all_stages>(k, d);
+    }
   }
-  /// Takes the trial for the begin of the next.
-  void accept() {
-    std::swap(x0_, x1_);
-    std::swap(k_[0], k_[stages]);
-  }
-
-  /// State at the end of the trial.
-  [[nodiscard]] const State& end_state() const { return x1_; }
-  /// f at the begin.
-  [[nodiscard]] const State& begin_derivative() const { return k_.front(); }
-  /// Is the state at the end of the trial finite?
-  [[nodiscard]] bool end_is_finite() const { return x1_.allFinite(); }
-  /// Has the solution within the trial been asked for?
-  [[nodiscard]] bool has_dense() const { return has_dense_; }
-
-  /// The polynomial of degree 7; order 7. The first call after a trial evaluates f three times.
-  void at(double t, State& x) const override {
-    if (!has_dense_) expand();
-    x.resize(x0_.size());
-    const double s = (t - t0_) / h_, u = 1 - s;
-    for (Eigen::Index d = 0; d < x0_.size(); ++d) {
-      const auto r = [&](std::size_t i) { return r_[i].data()[d]; };
+  /// The polynomial of degree 7; order 7.
+  template <class S>
+  static void at(const TrialStep<S, Pair>& step, double t, typename S::State& x) {
+    x.resize(step.x0.size());
+    const double s = (t - step.t0) / step.h, u = 1 - s;
+    for (Eigen::Index d = 0; d < x.size(); ++d) {
+      const auto r = [&](std::size_t i) { return step.r[i].data()[d]; };
       const double inner = r(3) + s * (r(4) + u * (r(5) + s * r(6)));
-      x.data()[d] = x0_.data()[d] + s * (r(0) + u * (r(1) + s * (r(2) + u * inner)));
+      x.data()[d] = step.x0.data()[d] + s * (r(0) + u * (r(1) + s * (r(2) + u * inner)));
     }
   }
-
- private:
-  template <std::size_t i>
-  [[gnu::always_inline]] void stage(double t, State& y) const {
-    advance<row<i>, i>(x0_, h_, k_, y);
-    system_.rhs(t, y, k_[i]);
-  }
-  // Coefficients of the dense output.
-  void expand() const {
-    stage<stages + 1>(segment_(t0_ + c[stages + 1] * h_), y_);
-    stage<stages + 2>(segment_(t0_ + c[stages + 2] * h_), y_);
-    stage<stages + 3>(segment_(t0_ + c[stages + 3] * h_), y_);
-    for (Eigen::Index d = 0; d < x0_.size(); ++d) {
-      const double way = x1_[d] - x0_[d], begin = h_ * k_[0][d] - way;
-      r_[0][d] = way;
-      r_[1][d] = begin;
-      r_[2][d] = way - h_ * k_[stages][d] - begin;
-      r_[3][d] = h_ * weighted<dense_row<0>, all_stages>(k_, d);
-      r_[4][d] = h_ * weighted<dense_row<1>, all_stages>(k_, d);
-      r_[5][d] = h_ * weighted<dense_row<2>, all_stages>(k_, d);
-      r_[6][d] = h_ * weighted<dense_row<3>, all_stages>(k_, d);
-    }
-    has_dense_ = true;
-  }
-
-  const S& system_;
-  SmoothSegment segment_;
-  State x0_, x1_;
-  double t0_ = 0, h_ = 1;
-  // The last three stages and the coefficients r are made by at(), when it is first called.
-  mutable std::array<State, all_stages> k_;
-  mutable std::array<State, 7> r_;
-  mutable State y_;
-  mutable bool has_dense_ = false;
-};
-
-/// One integration from begin to end.
-template <SystemLike S>
-class Run : public AdaptiveStepLoop<S, Run<S>> {
- public:
-  /// @param problem outlives the run
-  Run(const InitialValueProblemOf<S>& problem, const Dop853& method)
-      : Base(problem, Dop853::name,
-             {.largest = method.largest_step > 0 ? method.largest_step : std::abs(problem.t1 - problem.t0)}),
-        method_(method),
-        stepper_(problem.system) {}
-
- private:
-  using Base = AdaptiveStepLoop<S, Run>;
-  friend Base;
-  using Base::control_;
-  using Base::now_;
-
-  Status begin(double end) {
-    stepper_.begin_segment(now_.t, end, now_.x);
-    ++now_.statistics.right_hand_sides;
-    if (!stepper_.begin_derivative().allFinite()) return non_finite_rhs(Dop853::name, now_.t);
-    control_.start(first_length(std::abs(end - now_.t)));
-    return {};
-  }
-
-  // The state should not change by more than a share of itself that shrinks with the tolerance as steps do,
-  // and where f is 0 the first step should not be all there is.
-  [[nodiscard]] double first_length(double left) const {
-    const double length = std::min(control_.rule().largest, left);
-    if (method_.initial_step > 0) return std::min(length, method_.initial_step);
-    const double tolerance = method_.absolute_tolerance + method_.relative_tolerance;
-    const double least = method_.absolute_tolerance / tolerance;
-    double rate = 0;
-    for (Eigen::Index i = 0; i < now_.x.size(); ++i)
-      rate = std::max(rate, std::abs(stepper_.begin_derivative()[i]) / std::max(std::abs(now_.x[i]), least));
-    rate /= root(std::min(1.0, tolerance));
-    return length * rate > 10 ? 1 / rate : length / 10;
-  }
-
-  double attempt(double t1) {
-    const double error = stepper_.attempt(now_.t, t1, method_.absolute_tolerance, method_.relative_tolerance);
-    now_.statistics.right_hand_sides += static_cast<std::int64_t>(stages) - 1;
-    if (!stepper_.end_is_finite()) return nan;
-    if (!(error <= 1)) return error;
-    ++now_.statistics.right_hand_sides;
-    return stepper_.close(t1) ? error : nan;
-  }
-  [[nodiscard]] static double root(double error) { return std::sqrt(std::sqrt(std::sqrt(error))); }
-  [[nodiscard]] double shorter(double error) const {
-    // A fifth for a NaN.
-    return control_.taken() * std::min(0.9, std::max(0.2, 0.9 / root(error)));
-  }
-  Status accept(double t1, double error) {
-    const double now = root(std::max(error, 1e-30));
-    control_.accepted(control_.taken() * std::clamp(control_.change(0.8, now, now), 0.2, 10.));
-    Status status = this->take(t1, stepper_.end_state(), stepper_);
-    if (stepper_.has_dense()) now_.statistics.right_hand_sides += 3;
-    stepper_.accept();
-    return status;
-  }
-
-  const Dop853& method_;
-  Stepper<S> stepper_;
 };
 
 }  // namespace dop853
-
-/// See integrate().
-template <SystemLike S>
-[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Dop853& method) {
-  check_options(method);
-  return dop853::Run<S>(problem, method).run();
-}
 
 /// The library's, for every System.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Dop853& method);

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
-#include <utility>
-#include <vector>
 
-#include "nlmech/ivp/chosen_steps.hpp"
-#include "nlmech/ivp/failures.hpp"
-#include "nlmech/ivp/integrate.hpp"
-#include "nlmech/ivp/runge_kutta/weighted.hpp"
-#include "nlmech/ivp/smooth_segment.hpp"
-#include "nlmech/support/doubles.hpp"
+#include "nlmech/ivp/runge_kutta/embedded_runge_kutta.hpp"
 
 namespace nlmech::ivp {
+
+namespace dormand_prince {
+struct Pair;
+}
 
 /// Orders 5 and 4 in 7 stages, the last of which is the first of the next step (J. R. Dormand, P. J. Prince,
 /// A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19-26), goes on with the
@@ -38,15 +36,13 @@ namespace nlmech::ivp {
 /// 1.175e-4 and 1.142e-6.
 struct Ode45 {
   static constexpr std::string_view name = "ode45";  ///< on command lines and in tables
+  using Pair = dormand_prince::Pair;                 ///< coefficients and step control
   double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1
   double absolute_tolerance = 1e-9;                  ///< atol, positive
   double initial_step = 0;                           ///< of each segment; 0: chosen from f(t0, x0)
   double largest_step = 0;                           ///< 0: a tenth of the interval
   int refine = 4;                                    ///< values a step for observers, from 1 to 1000
 };
-
-/// @throws std::invalid_argument naming an option out of range and its value
-void check_options(const Ode45& method);
 
 namespace dormand_prince {
 
@@ -65,10 +61,6 @@ inline constexpr std::array<std::array<double, stages - 1>, stages> a = {
      {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
      {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}}};
 
-/// The rows, each an object of its own, as add_stages() wants them.
-template <std::size_t i>
-inline constexpr auto row = a[i];
-
 /// Fifth-order minus fourth-order weights.
 inline constexpr std::array<double, stages> difference = {
     71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
@@ -83,164 +75,67 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
      {0, -11. / 7, 11. / 3, -55. / 28},
      {0, 3. / 2, -4, 5. / 2}}};
 
-/// Trial steps of the pair, and the dense output of the latest.
-template <SystemLike S>
-class Pair : public DenseOutputOf<S> {
- public:
-  using State = typename S::State;  ///< all components
-  /// @param system outlives the pair
-  explicit Pair(const S& system) : system_(system), x0_(State::Zero(system.size())), x1_(x0_) {
-    for (State& k : k_) k.resize(system.size());
-  }
+/// Coefficients, and the step control of MATLAB.
+struct Pair : EmbeddedPair<Pair> {
+  static constexpr const auto& c = dormand_prince::c;       ///< abscissae
+  static constexpr const auto& a = dormand_prince::a;       ///< rows
+  static constexpr const auto& error_weights = difference;  ///< of the fourth-order formula
+  static constexpr int order = 5;                           ///< of the estimate
+  static constexpr bool step_times_weights = true;          ///< as MATLAB
+  /// MATLAB's.
+  static constexpr double least_relative_tolerance = 100 * std::numeric_limits<double>::epsilon();
 
-  /// Starts a segment at (t, x): f there is the first stage.
-  void begin_segment(double t, double end, const State& x) {
-    segment_ = SmoothSegment(t, end);
-    x0_ = x;
-    system_.rhs(segment_(t), x0_, k_[0]);
+  /// Steps of at most a tenth of the interval, the last one stretched; halved after further rejections.
+  [[nodiscard]] static StepRule step_rule(const Ode45& method, double t0, double t1) {
+    const double interval = std::abs(t1 - t0);
+    // A tenth of a very short interval may be less than the shortest step.
+    const double largest = method.largest_step > 0
+                               ? std::min(interval, method.largest_step)
+                               : std::max(interval / 10, 16 * spacing(std::max(std::abs(t0), std::abs(t1))));
+    return {.largest = largest, .stretch = 1.1, .again = 0.5, .least_change = 1, .measured = true};
   }
-  /// Goes from the begin, t, to t1; end_state() and error_of() tell where to.
-  void attempt(double t, double t1) {
-    t0_ = t;
-    h_ = t1 - t;
-    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
-      (stage<i + 1>(t, t1), ...);
-    }
-    (std::make_index_sequence<stages - 1>());
+  /// Relative to the larger of the state and atol/rtol, 0.8 rtol^(1/5).
+  [[nodiscard]] static FirstStep first_step(const Ode45& method) {
+    return {method.absolute_tolerance / method.relative_tolerance,
+            0.8 * std::pow(method.relative_tolerance, 0.2)};
   }
-  /// Takes the trial for the begin of the next.
-  void accept() {
-    std::swap(x0_, x1_);
-    std::swap(k_.front(), k_.back());
+  /// At most five times as long.
+  [[nodiscard]] static double next_length(const StepControl& control, double error) {
+    return control.taken() / std::max(0.2, 1.25 * std::pow(error, 0.2));
   }
-
-  /// State at the begin of the trial.
-  [[nodiscard]] const State& begin_state() const { return x0_; }
-  /// State at the end of the trial.
-  [[nodiscard]] const State& end_state() const { return x1_; }
-  /// f at the begin.
-  [[nodiscard]] const State& begin_derivative() const { return k_.front(); }
-  /// Are state and f at the end of the trial finite?
-  [[nodiscard]] bool end_is_finite() const { return x1_.allFinite() && k_.back().allFinite(); }
-
-  /// max_i |e_i| / max(|x0_i|, |x1_i|, threshold); NaN if a component is.
-  [[nodiscard]] double error_of(double threshold) const {
+  /// After the first rejection; a tenth for an error that is NaN.
+  [[nodiscard]] static double shorter_length(double taken, double error) {
+    return taken * std::max(0.1, 0.8 * std::pow(error, -0.2));
+  }
+  /// max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) / rtol; NaN if a component is.
+  template <class S>
+  [[nodiscard]] static double finish(const TrialStep<S, Pair>& step, const Ode45& method) {
+    const double threshold = method.absolute_tolerance / method.relative_tolerance;
     double largest = 0;
-    for (int i = 0; i < system_.size(); ++i) {
-      const double e = weighted<difference, stages>(k_, i);
-      const double part = std::abs(h_ * e) / std::max({std::abs(x0_[i]), std::abs(x1_[i]), threshold});
-      if (part > largest || std::isnan(part)) largest = part;  // a NaN stays
+    for (int i = 0; i < step.x0.size(); ++i) {
+      const double e = weighted<difference, stages>(step.k, i);
+      enlarge(largest,
+              std::abs(step.h * e) / std::max({std::abs(step.x0[i]), std::abs(step.x1[i]), threshold}));
     }
-    return largest;
+    return largest / method.relative_tolerance;
   }
-
   /// The quartic; order 4.
-  void at(double t, State& x) const override {
-    const double s = (t - t0_) / h_;
-    x = x0_;
-    for (std::size_t i = 0; i < stages; ++i) {
-      const auto& w = dense[i];
-      x += (h_ * (s * (w[0] + s * (w[1] + s * (w[2] + s * w[3]))))) * k_[i];
+  template <class S>
+  static void at(const TrialStep<S, Pair>& step, double t, typename S::State& x) {
+    const double s = (t - step.t0) / step.h;
+    std::array<double, stages> b;
+    for (std::size_t i = 0; i < stages; ++i)
+      b[i] = step.h * (s * (dense[i][0] + s * (dense[i][1] + s * (dense[i][2] + s * dense[i][3]))));
+    x.resize(step.x0.size());
+    for (Eigen::Index d = 0; d < x.size(); ++d) {
+      double sum = step.x0.data()[d];
+      for (std::size_t i = 0; i < stages; ++i) sum += b[i] * step.k[i].data()[d];
+      x.data()[d] = sum;
     }
   }
-
- private:
-  // The last stage is at the end of the step itself.
-  template <std::size_t i>
-  [[gnu::always_inline]] void stage(double t, double t1) {
-    add_stages<row<i>, i>(x0_, h_, k_, x1_);
-    system_.rhs(segment_(c[i] == 1 ? t1 : t + c[i] * h_), x1_, k_[i]);
-  }
-
-  const S& system_;
-  SmoothSegment segment_;
-  std::array<State, stages> k_;
-  State x0_, x1_;
-  double t0_ = 0, h_ = 1;
-};
-
-/// How lengths follow each other on the way from @p t0 to @p t1.
-[[nodiscard]] inline StepRule step_rule(double t0, double t1, const Ode45& method) {
-  const double interval = std::abs(t1 - t0);
-  // A tenth of a very short interval may be less than the shortest step.
-  const double largest = method.largest_step > 0
-                             ? std::min(interval, method.largest_step)
-                             : std::max(interval / 10, 16 * spacing(std::max(std::abs(t0), std::abs(t1))));
-  return {.largest = largest, .stretch = 1.1, .again = 0.5, .least_change = 1, .measured = true};
-}
-/// Of the first step of a stretch that is @p left long, from the state @p x with the slope @p f.
-template <class X>
-[[nodiscard]] double first_length(const Ode45& method, double largest, double left, const X& x, const X& f) {
-  const double length = std::min(largest, left);
-  if (method.initial_step > 0) return std::min(length, method.initial_step);
-  const double threshold = method.absolute_tolerance / method.relative_tolerance;
-  double rate = 0;  // of relative change
-  for (int i = 0; i < static_cast<int>(x.size()); ++i)
-    rate = std::max(rate, std::abs(f[i]) / std::max(std::abs(x[i]), threshold));
-  rate /= 0.8 * std::pow(method.relative_tolerance, 0.2);
-  return length * rate > 1 ? 1 / rate : length;
-}
-/// After a step of length @p taken with the error @p error, in tolerances.
-[[nodiscard]] inline double next_length(double taken, double error) {
-  return taken / std::max(0.2, 1.25 * std::pow(error, 0.2));
-}
-/// After the first rejection; a tenth for an error that is NaN.
-[[nodiscard]] inline double shorter_length(double taken, double error) {
-  return taken * std::max(0.1, 0.8 * std::pow(error, -0.2));
-}
-
-/// One integration from begin to end.
-template <SystemLike S>
-class Run : public AdaptiveStepLoop<S, Run<S>> {
- public:
-  /// @param problem outlives the run
-  Run(const InitialValueProblemOf<S>& problem, const Ode45& method)
-      : Base(problem, Ode45::name, step_rule(problem.t0, problem.t1, method), method.refine),
-        method_(method),
-        threshold_(method.absolute_tolerance / method.relative_tolerance),
-        pair_(problem.system) {}
-
- private:
-  using Base = AdaptiveStepLoop<S, Run>;
-  friend Base;
-  using Base::control_;
-  using Base::now_;
-
-  Status begin(double end) {
-    pair_.begin_segment(now_.t, end, now_.x);
-    ++now_.statistics.right_hand_sides;
-    if (!pair_.begin_derivative().allFinite()) return non_finite_rhs(Ode45::name, now_.t);
-    control_.start(first_length(method_, control_.rule().largest, std::abs(end - now_.t), now_.x,
-                                pair_.begin_derivative()));
-    return {};
-  }
-
-  double attempt(double t1) {
-    pair_.attempt(now_.t, t1);
-    now_.statistics.right_hand_sides += stages - 1;
-    return pair_.end_is_finite() ? pair_.error_of(threshold_) / method_.relative_tolerance : nan;
-  }
-  [[nodiscard]] double shorter(double error) const { return shorter_length(control_.taken(), error); }
-  Status accept(double t1, double error) {
-    control_.accepted(next_length(control_.taken(), error));
-    Status status = this->take(t1, pair_.end_state(), pair_);
-    pair_.accept();
-    return status;
-  }
-
-  const Ode45& method_;
-  double threshold_;
-  Pair<S> pair_;
 };
 
 }  // namespace dormand_prince
-
-/// See integrate().
-template <SystemLike S>
-[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Ode45& method) {
-  check_options(method);
-  return dormand_prince::Run<S>(problem, method).run();
-}
 
 /// The library's, for every System.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Ode45& method);
