@@ -1,5 +1,5 @@
-// What every method that chooses its steps owes its caller: directions, ends, jumps, observers, limits,
-// blow-ups and numbers that are none. What is of one method alone is in its own file.
+// Checks of all adaptive methods: directions of time, ends, discontinuities, observers, limits, blow-ups,
+// values that are not finite. A check of one method only is in the file of that method.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -181,8 +181,8 @@ TEST(AdaptiveMethods, EndAtABlowUp) {
   }
 }
 
-// Numbers that are none from t = 1/2 on: a run ends shortly before, with a finite state. It is not begun
-// there, nor at a time of which they are the next.
+// Accelerations are not finite from t = 1/2 on: a run ends shortly before, with a finite state, and one from
+// a later time fails at once.
 TEST(AdaptiveMethods, EndWhereNothingIsFinite) {
   for (const Case& method : {Case(Ode45{}, 1e-6), Case(Dop853{}, 1e-6), Case(Rkn1210{}, 1e-6),
                              Case(AdaptiveCollocation{}, 0.01), Case(Hermitian{}, 0.01)}) {

@@ -1,5 +1,5 @@
-/// The method of order 8(5,3): what is of it alone. Its coefficients: dop853_coefficients_test.cpp; the rest:
-/// embedded_runge_kutta_test.cpp and adaptive_methods_test.cpp.
+/// The method of order 8(5,3): checks of this method only. Coefficients: dop853_coefficients_test.cpp; shared
+/// checks: embedded_runge_kutta_test.cpp, adaptive_methods_test.cpp.
 #include "nlmech/ivp/runge_kutta/dop853.hpp"
 
 #include <gtest/gtest.h>

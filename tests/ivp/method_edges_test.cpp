@@ -160,9 +160,11 @@ TEST(EveryMethod, SeesRightHandSidesThatAreNotFinite) {
 
 TEST(EveryMethod, RefusesAnInitialStateThatIsNotFinite) {
   for_each_method([](const auto& method) {
-    const auto solution = integrate(System(Oscillator{}), State{1, nan}, 0, 2, method);
-    EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name;
-    EXPECT_NE(solution.status.sentence().find("component 2"), std::string::npos);
+    for (const double value : {nan, -infinity}) {
+      const auto solution = integrate(System(Oscillator{}), State{1, value}, 0, 2, method);
+      EXPECT_EQ(solution.status.outcome(), Outcome::non_finite) << method.name;
+      EXPECT_NE(solution.status.sentence().find("component 2"), std::string::npos);
+    }
   });
 }
 

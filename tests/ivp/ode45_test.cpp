@@ -1,5 +1,5 @@
-// ode45: its coefficients, its output, its steps. The rest: embedded_runge_kutta_test.cpp and
-// adaptive_methods_test.cpp.
+// ode45: coefficients, output, steps. Checks that it shares with other methods:
+// embedded_runge_kutta_test.cpp, adaptive_methods_test.cpp.
 #include <gtest/gtest.h>
 
 #include <numeric>

@@ -127,11 +127,7 @@ struct Pair : EmbeddedPair<Pair> {
     for (std::size_t i = 0; i < stages; ++i)
       b[i] = step.h * (s * (dense[i][0] + s * (dense[i][1] + s * (dense[i][2] + s * dense[i][3]))));
     x.resize(step.x0.size());
-    for (Eigen::Index d = 0; d < x.size(); ++d) {
-      double sum = step.x0.data()[d];
-      for (std::size_t i = 0; i < stages; ++i) sum += b[i] * step.k[i].data()[d];
-      x.data()[d] = sum;
-    }
+    add_stages(step.x0, b, step.k, x);
   }
 };
 

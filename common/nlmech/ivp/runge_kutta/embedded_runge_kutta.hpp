@@ -1,5 +1,6 @@
 /// @file
-/// Explicit Runge-Kutta methods with an error estimate: one integration for all; each of them is a tableau.
+/// Explicit Runge-Kutta methods with an error estimate: one integration for all of them; a method is a
+/// tableau.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +22,11 @@
 
 namespace nlmech::ivp {
 
-/// Length of the first step on a smooth segment: the time in which a component changes by the part `change`
-/// of its size, at most 1/`parts` of the segment.
+/// Rule for the first step of a smooth segment: no component may change by more than `change` times its size,
+/// and the step is at most 1/`parts` of the segment.
 struct FirstStep {
-  double floor = 0;   ///< size of a component that is smaller
-  double change = 0;  ///< relative to the size
+  double floor = 0;   ///< smallest size of a component
+  double change = 0;  ///< relative change
   double parts = 1;   ///< 1 or more
 };
 
@@ -77,12 +78,12 @@ struct EmbeddedPair {
   template <class S>
   using Trial = TrialStep<S, P>;
   static constexpr bool is_nystrom = false;  ///< for accelerations: NystromPair
-  /// Is the argument of a stage x + (h a0) k0 + (h a1) k1 + ..., or x + h (a0 k0 + a1 k1 + ...)? They differ
-  /// by rounding.
+  /// Argument of a stage: x + (h a0) k0 + (h a1) k1 + ... if true, else x + h (a0 k0 + a1 k1 + ...). The two
+  /// differ by rounding.
   static constexpr bool step_times_weights = false;
   static constexpr std::size_t dense_stages = 0;  ///< last rows of a and c, evaluated for dense output only
   static constexpr std::size_t coefficients = 0;  ///< vectors from which dense output is made
-  static constexpr double least_relative_tolerance = 0;  ///< that may be asked for
+  static constexpr double least_relative_tolerance = 0;  ///< smallest that is accepted
   static constexpr double safety = 0.9;                  ///< of the step that would just meet the tolerance
   static constexpr double most_growth = 5;               ///< of lengths from a step to the next
 
@@ -90,21 +91,21 @@ struct EmbeddedPair {
   [[nodiscard]] static StepRule step_rule(const auto& method, double t0, double t1) {
     return {.largest = method.largest_step > 0 ? method.largest_step : std::abs(t1 - t0)};
   }
-  /// The change shrinks with the tolerance as steps do. Where f is 0 it says nothing of the way ahead, hence
-  /// a tenth.
+  /// The state changes by (atol + rtol)^(1/order) of its size in the first step, which is at most a tenth of
+  /// the segment: f = 0 at the start gives no length.
   [[nodiscard]] static FirstStep first_step(const auto& method) {
     const double tolerance = method.absolute_tolerance + method.relative_tolerance;
     return {method.absolute_tolerance / tolerance, P::root(std::min(1.0, tolerance)), 10};
   }
   /// error^(1/order).
   [[nodiscard]] static double root(double error) { return std::pow(error, 1. / P::order); }
-  /// Of the step after an accepted one with @p error, in tolerances: by StepControl::change(), at least a
-  /// fifth.
+  /// Length of the step after an accepted one, whose error is @p error tolerances: by StepControl::change(),
+  /// at least a fifth of the accepted one.
   [[nodiscard]] static double next_length(StepControl& control, double error) {
     const double now = P::root(std::max(error, 1e-30));
     return control.taken() * std::clamp(control.change(P::safety, now, now), 0.2, P::most_growth);
   }
-  /// Of the trial after a rejected one of length @p taken; a fifth for a NaN.
+  /// Length of the trial after a rejected one of length @p taken; a fifth of it if the error is NaN.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::min(0.9, std::max(0.2, 0.9 / P::root(error)));
   }
@@ -132,8 +133,8 @@ struct EmbeddedPair {
       rate = std::max(rate, std::abs(step.k[0][i]) / std::max(std::abs(step.x0[i]), floor));
     return rate;
   }
-  /// Writes the state at the end if no stage has. @return the error in tolerances, max_i |e_i|/(atol + rtol
-  /// max(|x0_i|, |x1_i|)); NaN if a component is
+  /// Writes the state at the end of the trial, unless the last stage has. @return the error in tolerances,
+  /// max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); NaN if a component is
   template <class S>
   [[nodiscard]] static double finish(TrialStep<S, P>& step, const auto& method) {
     constexpr std::size_t stages = P::error_weights.size(), end = TrialStep<S, P>::end;
@@ -190,7 +191,7 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
 
   /// The first call after a step evaluates f at the stages for dense output, if there are any.
   void at(double t, State& x) const override {
-    if constexpr (Pair::is_nystrom) {  // a shorter step; stages but the first are no longer needed
+    if constexpr (Pair::is_nystrom) {  // a shorter step, over the stages of the last, which are used up
       trial_.h = t - trial_.t0;
       evaluate<1>(t, std::make_index_sequence<stages - 1>());
       Pair::state(trial_, x);
@@ -222,7 +223,7 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
     else
       return 1;
   }
-  // The next stages of a step to t1; a stage that is there has this time, not a rounded one.
+  // Stages of a step to t1. A stage at the end is evaluated at t1 itself: t0 + h may be another double.
   template <std::size_t from, std::size_t... i>
   [[gnu::always_inline]] void evaluate(double t1, std::index_sequence<i...>) const {
     (Pair::template stage<from + i>(

@@ -39,7 +39,7 @@ struct NystromPair : EmbeddedPair<P> {
     step.v0 = velocities(step.x0);
     system.acceleration(time, step.q0, step.v0, step.k[0]);
   }
-  /// Stage @p i. The last stage before is the last to be known: what does not need it is added up first.
+  /// Stage @p i. Adds the stage before last, so that the other terms need not wait for its evaluation.
   template <std::size_t i, class S>
   [[gnu::always_inline]] static void stage(const S& system, double time, NystromStep<S, P>& step) {
     const double h = step.h, square = h * h;

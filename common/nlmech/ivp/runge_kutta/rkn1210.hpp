@@ -62,8 +62,7 @@ struct Pair : NystromPair<Pair> {
   static constexpr int order = 11;          ///< of the estimate
   static constexpr double most_growth = 4;  ///< of steps
 
-  /// Positions and velocities change by 2 (atol + rtol)^(1/12) of their size; no part of the way is kept
-  /// back.
+  /// Positions and velocities change by 2 (atol + rtol)^(1/12) of their size in the first step.
   [[nodiscard]] static FirstStep first_step(const Rkn1210& method) {
     const double tolerance = method.absolute_tolerance + method.relative_tolerance;
     return {method.absolute_tolerance / tolerance, 2 * std::pow(std::min(1.0, tolerance), 1. / 12)};

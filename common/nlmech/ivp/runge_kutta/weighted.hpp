@@ -86,6 +86,27 @@ template <const auto& weights, std::size_t count, class V, std::size_t stages, c
       });
 }
 
+/// y = x + what @p terms adds for each component: it calls its argument with the weight and the number of a
+/// stage.
+template <std::size_t count, class V, std::size_t stages, class Terms>
+[[gnu::always_inline]] inline void add_terms(const V& x, const std::array<V, stages>& k, V& y, Terms terms) {
+  const auto from = places<count>(k);
+  const double* const base = x.data();
+  double* const to = y.data();
+  for_components(
+      y.size(), [&](Eigen::Index d, auto kind) __attribute__((always_inline)) {
+        using Kind = decltype(kind);
+        typename Kind::Numbers sum;
+        Kind::load(base + d, sum);
+        terms([&](double weight, std::size_t j) __attribute__((always_inline)) {
+          typename Kind::Numbers stage;
+          Kind::load(from[j] + d, stage);
+          sum += weight * stage;
+        });
+        Kind::store(to + d, sum);
+      });
+}
+
 }  // namespace detail
 
 /// y = sum_j weights[j] k_j over the first `count` stages, each component from left to right.
@@ -110,24 +131,25 @@ template <const auto& weights, std::size_t count, class V, std::size_t stages>
 /// written for a tableau.
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[gnu::always_inline]] inline void add_stages(const V& x, double h, const std::array<V, stages>& k, V& y) {
-  const auto from = detail::places<count>(k);
-  const double* const base = x.data();
-  double* const to = y.data();
-  detail::for_components(
-      y.size(), [&](Eigen::Index d, auto kind) __attribute__((always_inline)) {
-        using Kind = decltype(kind);
-        typename Kind::Numbers sum;
-        Kind::load(base + d, sum);
-        const auto add = [&](double weight, const double* place) __attribute__((always_inline)) {
-          typename Kind::Numbers stage;
-          Kind::load(place + d, stage);
-          sum += (h * weight) * stage;
-        };
+  detail::add_terms<count>(
+      x, k, y, [&](auto add) __attribute__((always_inline)) {
         [&]<std::size_t... j>(std::index_sequence<j...>) __attribute__((always_inline)) {
-          ((weights[j] != 0 ? add(weights[j], from[j]) : void()), ...);
+          ((weights[j] != 0 ? add(h * weights[j], j) : void()), ...);
         }
         (std::make_index_sequence<count>());
-        Kind::store(to + d, sum);
+      });
+}
+
+/// y = x + b_0 k_0 + b_1 k_1 + ..., from left to right, over all stages, with weights known at run time.
+template <class V, std::size_t stages>
+[[gnu::always_inline]] inline void add_stages(const V& x, const std::array<double, stages>& b,
+                                              const std::array<V, stages>& k, V& y) {
+  detail::add_terms<stages>(
+      x, k, y, [&](auto add) __attribute__((always_inline)) {
+        [&]<std::size_t... j>(std::index_sequence<j...>) __attribute__((always_inline)) {
+          (add(b[j], j), ...);
+        }
+        (std::make_index_sequence<stages>());
       });
 }
 
