@@ -135,8 +135,8 @@ TEST(ProblemSet, CollocationAgreesWithTaylorSeries) {
   const auto states = states_of("spring-pendulum");
   std::vector<long double> times;
   for (const auto& state : states) times.push_back(state.first);
-  std::vector<ivp::LongState> found;
-  const ivp::LongState x0 = pendulum.initial_state().cast<long double>();
+  std::vector<Vector<long double, Eigen::Dynamic>> found;
+  const Vector<long double, Eigen::Dynamic> x0 = pendulum.initial_state().cast<long double>();
   ASSERT_TRUE(reference_states(pendulum, x0, 0.0L, std::span<const long double>(times), found).ok());
   for (std::size_t k = 0; const auto& state : states) {
     // 12 000 steps of long double, relative to the greatest component.

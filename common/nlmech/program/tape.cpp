@@ -47,6 +47,10 @@ bool is_integral(const Node& n) {
          n.function == Function::erf;
 }
 
+}  // namespace
+
+namespace detail {
+
 /// What outputs need of a graph, in operations that have a recurrence.
 struct Recurrences {
   Graph graph;
@@ -77,7 +81,7 @@ struct Recurrences {
   }
 };
 
-}  // namespace
+}  // namespace detail
 
 /// Makes the instructions of a tape.
 class TapeCompiler {
@@ -323,7 +327,7 @@ class TapeCompiler {
     }
   }
 
-  Recurrences needed_;
+  detail::Recurrences needed_;
   const Graph& graph_;
   Tape& tape_;
   std::vector<NodeId> slope_;  // of each function that is an integral, its derivative
