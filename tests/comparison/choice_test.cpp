@@ -29,6 +29,8 @@ ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
   return {ivp::System(program::Problem(equations)), x0, 0, end};
 }
 
+Features features(const ChoiceRequest& q) { return probe_problem(q).features; }
+
 // The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
 TEST(Probe, SeesStiffness) {
   EXPECT_GT(features(request(problems::VanDerPol{.mu = 1000}, 500)).stiffness, 100);
@@ -143,6 +145,8 @@ TEST(Choice, MoreDigitsTakeTighterTolerances) {
 // Along x' = x an error grows by e^t; relative to x, which grows as well, it keeps its size. x'' = x from (1,
 // -1) decays, and an error grows by e^t.
 TEST(Condition, IsTheGrowthOfErrors) {
+  const Chosen c = examine(typed("x'' = x", {1, -1}, 5));
+  EXPECT_EQ(c.growth.covered, 1);
   EXPECT_GT(c.condition, std::exp(5) / 3);
   EXPECT_LT(c.condition, std::exp(5) * 10);
 }
