@@ -186,7 +186,7 @@ TEST(Equations, SayWhatHoldsOfTheirSolutions) {
 }
 
 TEST(Equations, MaySayNothing) {
-  const Equations e = read("x'' = -x +\n  r; r = 2\t x'");
+  const Equations e = read("x'' = -x + # what\n  r; r = 2\t x'");
   EXPECT_FALSE(e.final_time());
   EXPECT_EQ(e.summary(), "x'' = -x + r, r = 2 x'");
   const Problem problem(e);

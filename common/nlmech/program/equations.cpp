@@ -148,14 +148,16 @@ class EquationReader {
     }
   }
 
-  // Equations, and definitions that are no numbers, each with its blanks as one.
+  // Equations, and definitions that are no numbers, without comments, blanks as one.
   void summarise() {
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
       if (defines(left) && is_number(names_.defined.at(left.name))) continue;
       if (!made_.summary_.empty()) made_.summary_ += ", ";
+      bool comment = false;
       for (const char c : source_.at(statement.place)) {
-        const bool blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+        comment = c == '#' || (comment && c != '\n');
+        const bool blank = comment || c == ' ' || c == '\n' || c == '\t' || c == '\r';
         if (!blank || made_.summary_.back() != ' ') made_.summary_ += blank ? ' ' : c;
       }
     }
