@@ -36,6 +36,24 @@ TEST(Probe, SeesStiffness) {
   EXPECT_GT(features(request(problems::VanDerPol{.mu = 1000}, 500)).stiffness, 100);
 }
 
+// Heat along a rod of 200 points: the coarse steps grow from a small first one for a long time.
+TEST(Probe, SeesStiffnessOfManyComponents) {
+  std::string text;
+  ivp::State x0 = ivp::State::Zero(200);
+  for (int i = 1; i <= 200; ++i) {
+    const auto u = [](int k) { return k < 1 || k > 200 ? std::string("0") : "u" + std::to_string(k); };
+    text += "u" + std::to_string(i) + "' = 40401*(" + u(i - 1) + " - 2 " + u(i) + " + " + u(i + 1) + ");";
+    x0[i - 1] = std::sin(i * 3.141592653589793 / 201);
+  }
+  EXPECT_GT(features(typed(text, x0, 50)).stiffness, 100);
+}
+
+TEST(Probe, ReadsVelocitiesOffTheEquations) {
+  EXPECT_FALSE(features(typed("x'' = -x - exp(-(t - 500)^2) x'", {1, 0}, 1000)).velocity_free);
+  EXPECT_FALSE(features(typed("x'' = -x - t x'", {1, 0}, 1)).velocity_free);
+  EXPECT_TRUE(features(typed("x'' = -x/sqrt(1 - x^2)", {0.95, 0}, 0.1)).velocity_free);
+}
+
 // Steps of a unit of time or so, at any frequency.
 TEST(Probe, AnOscillatorIsNotStiff) {
   for (const double k : {1., 1e6})

@@ -198,6 +198,8 @@ TEST(Equations, MaySayNothing) {
 // A name, unless an expression follows.
 TEST(Equations, ConservedIsAName) {
   EXPECT_EQ(slopes(read("x' = conserved; conserved = 3"), {0}), (std::vector<double>{3}));
+  EXPECT_EQ(slopes(read("conserved x' = 6; conserved = 3"), {0}), (std::vector<double>{2}));
+  EXPECT_EQ(read("x' = 0; conserved -x").conserved().size(), 1u);
 }
 
 TEST(Equations, Expressions) {

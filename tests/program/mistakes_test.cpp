@@ -110,7 +110,9 @@ TEST(Mistake, IsPointedAt) {
       {"x' = 1; x' <= 1", "E:1:9: what a condition is about is a number"},
       {"x' = 1; x < 1 = 2", "E:1:15: expected an operator or the end of the condition\n"},
       {"x' = 1; conserved x'", "E:1:19: x' may not stand here: it is no component of the state\n"},
-      {"x' = 1; conserved x = 2", "E:1:21: expected an operator or the end of what is conserved\n"},
+      {"x' = 1; conserved x = 2", "E:1:9: conserved is not defined"},
+      {"x' = 1; conserved (x", "E:1:21: expected an operator or ), and here the text ends\n"},
+      {"x' = 1; t \u2264 1", "E:1:11: this is typed <=\n"},
       {"", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
   };
   for (const Case& c : cases)
@@ -125,6 +127,11 @@ TEST(Mistake, OfASetting) {
   EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", -2}}),
             "--set a=-2: the equations have a meaning for a > 0 alone");
   EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", 2}}), "accepted");
+  // Conditions come before what they protect.
+  EXPECT_EQ(refusal("x' = 1/a; b = 1/a; a = 1; a > 0; x(0) = 1/a", {{"a", 0}}),
+            "--set a=0: the equations have a meaning for a > 0 alone");
+  const std::string derived = refusal("x' = b; b = 2 a; a = 1; b > 0", {{"a", -1}});
+  EXPECT_TRUE(derived.starts_with("E:1:25: this does not hold: b is -2 with what --set gives\n")) << derived;
   EXPECT_EQ(refusal("x' = 1/a; a = 1", {{"a", 0}}).substr(0, 26), "E:1:8: a division by zero\n");
 }
 

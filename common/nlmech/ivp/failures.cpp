@@ -72,7 +72,7 @@ Status invariant_lost(std::string_view method, int which, double t, double value
   return failed_with(
       Outcome::spurious_root,
       "{}: quantity {} that this problem conserves is {:.10g} at t = {:.17g} and was {:.10g} "
-      "at the begin, and the tolerances do not explain it; take smaller tolerances, if it is conserved",
+      "at the start, and the tolerances do not explain it; take smaller tolerances, if it is conserved",
       method, which, value, t, before);
 }
 

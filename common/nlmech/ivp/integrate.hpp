@@ -63,20 +63,22 @@ template <SystemLike S, class Method>
   return any;
 }
 
-/// Runs a method with tolerances, and checks it against what the problem says of its solutions.
-template <SystemLike S>
-[[nodiscard]] SolutionOf<S> run_within(const InitialValueProblemOf<S>& problem, const AnyMethod<S>& method) {
+/// Runs a method with tolerances, and checks it against what the problem says of its solutions. A step in
+/// which the observer ends the run is not looked at: it may lead beyond what counts of it.
+/// @param run the method's, of a problem like @p problem with another observer
+template <SystemLike S, class Run>
+[[nodiscard]] SolutionOf<S> run_within(const InitialValueProblemOf<S>& problem, const AnyMethod<S>& method,
+                                       Run&& run) {
   StatedLimits<S> stated(problem.system, method.name, problem.t0, problem.x0, problem.t1,
                          method.relative_tolerance, method.absolute_tolerance);
   ObserverOf<S> guard;
   if (stated.has_bounds()) {
     guard = [&](const StepOf<S>& step) {
-      return stated.respects(step) && (!problem.observer || problem.observer(step));
+      return (!problem.observer || problem.observer(step)) && stated.respects(step);
     };
   }
   const ObserverOf<S>* const seen = guard ? &guard : &problem.observer;
-  SolutionOf<S> solution =
-      method.run({problem.system, problem.x0, problem.t0, problem.t1, *seen, problem.limits}, method.method);
+  SolutionOf<S> solution = run({problem.system, problem.x0, problem.t0, problem.t1, *seen, problem.limits});
   if (solution.status.ok()) stated.respects_end(solution.statistics.steps, solution.t, solution.x);
   if (!stated.status().ok()) solution.status = stated.status();
   return solution;
@@ -94,14 +96,21 @@ template <SystemLike S>
                                          const Observer& seen, const Limits& most) {
         return integrate_by(method, part, x, from, to, seen, most);
       };
-      return integrate_switching(system, x0, t0, t1, smooth, observer, limits);
+      const auto switching = [&smooth](const InitialValueProblem& all) {
+        return integrate_switching(all.system, all.x0, all.t0, all.t1, smooth, all.observer, all.limits);
+      };
+      const InitialValueProblem problem{system, x0, t0, t1, observer, limits};
+      return method.by_tolerances ? run_within(problem, method, switching) : switching(problem);
     }
   }
   const Stopwatch watch;
   SolutionOf<S> solution{t0, x0, check_initial_state(x0.data(), system.size(), t0), {}};
   if (solution.status.ok() && t0 != t1) {
     const InitialValueProblemOf<S> problem{system, x0, t0, t1, observer, limits};
-    solution = method.by_tolerances ? run_within(problem, method) : method.run(problem, method.method);
+    const auto smooth = [&method](const InitialValueProblemOf<S>& all) {
+      return method.run(all, method.method);
+    };
+    solution = method.by_tolerances ? run_within(problem, method, smooth) : smooth(problem);
   }
   solution.statistics.seconds = watch.seconds();
   return solution;

@@ -39,7 +39,7 @@ class StatedLimits {
                     (x0.array() <= upper_.array()).all();
     }
     if constexpr (requires { system.invariants(t0, x0, first_); })
-      has_invariants_ = system.invariants(t0, x0, first_) && first_.allFinite();
+      has_invariants_ = system.invariants(t0, x0, first_);
     if (has_invariants_) {
       now_ = varied_ = first_;
       allowed_ = Eigen::VectorXd::Zero(first_.size());
@@ -76,6 +76,7 @@ class StatedLimits {
     if (!system_.invariants(t, x, now_)) return true;
     const double count = factor * (1 + static_cast<double>(steps));
     for (Eigen::Index k = 0; k < now_.size(); ++k) {
+      if (!std::isfinite(first_[k])) continue;
       const double drift = std::abs(now_[k] - first_[k]);
       if (drift <= count * allowed_[k]) continue;
       allow(t, x);

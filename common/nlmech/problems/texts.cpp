@@ -21,7 +21,10 @@ program::Equations equations_of(std::string_view name, const program::Settings& 
     for (const ProblemText& known : all) names.push_back(known.name);
     throw invalid_argument("there is no problem '{}'; there is {}", name, fmt::join(names, ", "));
   }
-  return program::Equations({fmt::format("{}.ode", name), std::string(found->text)}, settings);
+  program::Equations equations({fmt::format("{}.ode", name), std::string(found->text)}, settings);
+  if (!equations.initial_time() || !equations.final_time())
+    throw invalid_argument("{}.ode: says neither where it begins nor where it ends: x(0) = 1, t <= 10", name);
+  return equations;
 }
 
 }  // namespace

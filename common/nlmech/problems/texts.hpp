@@ -24,7 +24,8 @@ class TextProblem : public program::Problem {
  public:
   /// @param name of one of problem_texts()
   /// @param settings of its definitions
-  /// @throws std::invalid_argument listing all names, if there is none of that name
+  /// @throws std::invalid_argument listing all names, if there is none of that name; for a text without
+  /// initial values or end
   /// @throws InputError for a setting that the text does not name, or that breaks a condition
   explicit TextProblem(std::string_view name, const program::Settings& settings = {});
 

@@ -76,6 +76,7 @@ class EquationReader {
         throw InputError(fmt::format("--set {}: a finite number, and this is {}", echoed(name), value));
       names_.defined[name] = {made_.graph_.number(value), {}};
     }
+    hold_definitions(settings);
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
       if (defines(left)) add_parameter(left.name, meaning_.definition(left.name, left.place));
@@ -131,19 +132,14 @@ class EquationReader {
     for (const std::size_t root : tree_.conserved) made_.conserved_.push_back(meaning_.expression(root));
   }
 
-  void take_conditions(const Settings& settings) {
+  void take_conditions() {
     for (const Condition& c : tree_.conditions) {
       const Syntax& left = tree_.nodes[c.left];
-      if (left.kind != SyntaxKind::name)
-        throw source_.mistake(left.place, "a condition begins with the time, a component or a definition");
-      const double bound = meaning_.number(c.right, "a bound");
       const int component = names_.component(left);
-      if (left.name == "t" && left.primes == 0) {
-        take_end(c, bound);
+      if (is_time(left)) {
+        take_end(c, meaning_.number(c.right, "a bound"));
       } else if (component >= 0) {
-        take_bound(c, static_cast<std::size_t>(component), bound);
-      } else {
-        hold(c, left.name, meaning_.number(c.left, "what a condition is about"), bound, settings);
+        take_bound(c, static_cast<std::size_t>(component), meaning_.number(c.right, "a bound"));
       }
     }
   }
@@ -209,6 +205,18 @@ class EquationReader {
     if (is_number(form)) made_.parameters_.emplace_back(name, made_.graph_[form.rest].c);
   }
 
+  static bool is_time(const Syntax& node) { return node.name == "t" && node.primes == 0; }
+  // Conditions of definitions, before anything is made of these.
+  void hold_definitions(const Settings& settings) {
+    for (const Condition& c : tree_.conditions) {
+      const Syntax& left = tree_.nodes[c.left];
+      if (left.kind != SyntaxKind::name)
+        throw source_.mistake(left.place, "a condition begins with the time, a component or a definition");
+      if (is_time(left) || names_.component(left) >= 0) continue;
+      const double value = meaning_.number(c.left, "what a condition is about");
+      hold(c, left.name, value, meaning_.number(c.right, "a bound"), settings);
+    }
+  }
   static bool is_upper(const Condition& c) {
     return c.relation == TokenKind::at_most || c.relation == TokenKind::below;
   }
@@ -226,7 +234,7 @@ class EquationReader {
     double& place = (is_upper(c) ? made_.upper_ : made_.lower_)[component];
     if (std::isfinite(place)) throw source_.mistake(c.place, "given a second time");
     place = bound;
-    if (!(made_.lower_[component] < made_.upper_[component]))
+    if (!(made_.lower_[component] <= made_.upper_[component]))
       throw source_.mistake(c.place, "no value is within both bounds");
   }
   void hold(const Condition& c, const std::string& name, double value, double bound,
@@ -239,7 +247,8 @@ class EquationReader {
     if (settings.contains(name))
       throw InputError(fmt::format("--set {}={:.6g}: the equations have a meaning for {} alone", echoed(name),
                                    value, echoed(source_.at(c.place))));
-    throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}", echoed(name), value));
+    throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}{}", echoed(name), value,
+                                               settings.empty() ? "" : " with what --set gives"));
   }
 
   Equations& made_;
@@ -257,7 +266,7 @@ Equations::Equations(SourceText source, const Settings& settings)
   reader.name_components();
   reader.define(settings);
   reader.take_initial_values();
-  reader.take_conditions(settings);
+  reader.take_conditions();
   reader.solve();
   reader.take_conserved();
   reader.summarise();
@@ -276,7 +285,8 @@ NodeId Equations::expression(const std::string& name, const std::string& text) {
     return Meaning(graph_, names_, source, tree).expression(root);
   }
   tree = parse(source);
-  if (tree.statements.size() != 1 || !tree.initial_values.empty())
+  if (tree.statements.size() != 1 || !tree.initial_values.empty() || !tree.conditions.empty() ||
+      !tree.conserved.empty())
     throw source.mistake({0, text.size()}, "one expression, or one equation");
   Meaning meaning(graph_, names_, source, tree);
   const NodeId left = meaning.expression(tree.statements.front().left);

@@ -73,11 +73,14 @@ class Parser {
     tree_.conditions.push_back({left, relation, right, {first, tree_.nodes[right].place.end}});
   }
 
-  // The word, and an expression behind it.
+  // The word, and behind it an expression without a sign that would make an equation or a condition of it.
   [[nodiscard]] bool begins_conserved() const {
     if (!sees(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
-    const TokenKind next = peek(1).kind;
-    return next == TokenKind::name || next == TokenKind::number || next == TokenKind::open;
+    for (std::size_t ahead = 1;; ++ahead) {
+      const TokenKind kind = peek(ahead).kind;
+      if (kind == TokenKind::end_of_text || kind == TokenKind::end_of_statement) return ahead > 1;
+      if (kind == TokenKind::equals || is_relation(kind)) return false;
+    }
   }
   void conserved() {
     ++at_;

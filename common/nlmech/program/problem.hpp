@@ -36,10 +36,12 @@ class Problem {
 
   /// How many functions decide by their signs what the equations are; none within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
-  /// The smooth equations of a mode.
+  /// The smooth equations of a mode. What the text says of all solutions does not hold of theirs: steps of
+  /// them lead beyond the switch that ends them.
   [[nodiscard]] Problem in_mode(const Mode& mode) const {
     Problem smooth = *this;
     smooth.program_ = switches_->in_mode(mode);
+    smooth.stated_ = std::make_shared<const Stated>();
     smooth.smooth_ = true;
     return smooth;
   }
@@ -96,6 +98,7 @@ class Problem {
 
   /// What the text says of all solutions.
   struct Stated {
+    Stated() = default;
     explicit Stated(const Equations& equations)
         : conserved(equations.graph(), equations.conserved()),
           lower(equations.lower_bounds()),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "nlmech/program/expansion_errors.hpp"
+#include "nlmech/program/tape_values.hpp"
 
 namespace nlmech {
 
@@ -367,6 +368,22 @@ bool Tape::depends_on_time() const {
                              }) ||
          std::ranges::any_of(terms_, [&](const tape::Term& t) { return timed(t.series); }) ||
          std::ranges::any_of(outputs_, [&](const tape::Output& o) { return timed(o.series); });
+}
+
+bool Tape::depends(int output, int component) const {
+  std::vector<bool> touched(index(series_));
+  for (int i = component; i < size(); ++i) touched[index(i + 1)] = true;
+  for (const Instruction& i : instructions_) {
+    bool any = touched[index(i.a)] || touched[index(i.b)] || touched[index(i.extra)];
+    if (i.operation == Operation::linear) {
+      any = false;
+      for (int m = i.first; m < i.first + i.count; ++m) any = any || touched[index(terms_[index(m)].series)];
+    }
+    touched[index(i.r)] = any;
+    if (tape::has_companion(i.operation)) touched[index(i.r + 1)] = any;
+  }
+  return std::any_of(outputs_.begin() + output, outputs_.end(),
+                     [&](const tape::Output& o) { return o.series >= 0 && touched[index(o.series)]; });
 }
 
 tape::Program Tape::program() const {

@@ -30,6 +30,8 @@ class Tape {
   [[nodiscard]] int products() const;
   /// Does a component depend on the time, or on one that moves at a constant rate and so stands for it?
   [[nodiscard]] bool depends_on_time() const;
+  /// Does an output from number @p output on depend on a component from number @p component on?
+  [[nodiscard]] bool depends(int output, int component) const;
   /// The tape as the kernels read it; valid as long as the tape lives and stays where it is.
   [[nodiscard]] tape::Program program() const;
 

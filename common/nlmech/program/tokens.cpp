@@ -19,7 +19,9 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// Signs as they are printed, with what is typed for them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> printed = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed = {{
+    {"\u2264", "this is typed <="},
+    {"\u2265", "this is typed >="},
     {"\u2212", "a minus sign is typed -"},
     {"\u2013", "a minus sign is typed -"},
     {"\u00b7", "a product is typed *, or with a blank"},

@@ -65,6 +65,44 @@ TEST(Integrate, HoldsARunToWhatTheTextSays) {
   const Finished left = run("integrate --equation x'_=_-1;_x(0)_=_1;_t_<=_2;_x_>=_0");
   EXPECT_EQ(left.exit_code, 1);
   EXPECT_NE(left.errors.find("stay above 0"), std::string::npos) << left.errors;
+  const Finished without =
+      run("integrate --equation x'_=_-x;_x(0)_=_1;_t_<=_1;_conserved_x;_conserved_1/(1_-_x)");
+  EXPECT_EQ(without.exit_code, 1) << "a quantity that is infinite at the start hides the others";
+}
+
+// The ball is at the ground when its step would lead below it; the spring takes over before the mass is
+// there.
+TEST(Integrate, StepsThatAreCutBreakNoBound) {
+  const Finished lands =
+      run("integrate --equation h''_=_-9.81;_h(0)_=_1;_h'(0)_=_0;_h_>=_0;_t_<=_2 "
+          "--event h_=_0_falling_end");
+  EXPECT_EQ(lands.exit_code, 0) << lands.errors;
+  const Finished bounces =
+      run("integrate --equation x''_=_-1_+_100_max(0,0.2-x);_x(0)_=_1;_x'(0)_=_0;_t_<=_5;_x_>=_0");
+  EXPECT_EQ(bounces.exit_code, 0) << bounces.errors;
+}
+
+TEST(Integrate, HoldsARunThatSwitchesToTheWholeText) {
+  const Finished lost =
+      run("integrate --equation x''_=_-sign(x)_-_1e-3_x';_x(0)_=_1;_x'(0)_=_0;_t_<=_20;"
+          "_conserved_x'^2/2_+_abs(x)");
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_NE(lost.errors.find("and was 1 at the start"), std::string::npos) << lost.errors;
+  const Finished kept =
+      run("integrate --equation x''_=_-sign(x);_x(0)_=_1;_x'(0)_=_0;_t_<=_20;_conserved_x'^2/2_+_abs(x)");
+  EXPECT_EQ(kept.exit_code, 0) << kept.errors;
+}
+
+TEST(Integrate, AnEndBeforeTheStartIsNotRunTo) {
+  const Finished f = run("integrate --equation x'_=_-x;_x(0)_=_1;_t_<=_10 --from 12");
+  EXPECT_EQ(f.exit_code, 2);
+  EXPECT_NE(f.errors.find("ends at t = 10, before the start at 12"), std::string::npos) << f.errors;
+}
+
+TEST(Integrate, ListsProblemsThatAreTextsByName) {
+  const Finished f = run("integrate --help");
+  for (const char* name : {"kepler: ", "arenstorf: ", "spring-pendulum: "})
+    EXPECT_NE(f.output.find(std::string("\n  ") + name), std::string::npos) << name;
 }
 
 // Every method reaches the end exactly; each with a step at which its order leaves some digits: the error of

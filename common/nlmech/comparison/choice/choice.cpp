@@ -17,7 +17,7 @@ constexpr Rule rules[] = {{"stiff",
                            [](const Features& f, double) { return f.stiffness > stiff_from; },
                            {"adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}},
                           {"accelerations without velocities",
-                           "a Nystroem method of order 12 needs the fewest right-hand sides",
+                           "a Nystroem method of order 12 costs the least for its order",
                            [](const Features& f, double) { return f.velocity_free && !f.switches; },
                            {"rkn1210", "dop853", "series", "adaptive-collocation"}},
                           {"few operations or many digits",
@@ -126,7 +126,8 @@ Chosen choose(const ChoiceRequest& q, double digits, Chosen c) {
   if (!c.status.ok()) return c;
   constexpr double safety = 1. / 3;  // an error of one tolerance at any time, and those of the other steps
   const double tolerance = safety * std::pow(10, -std::min(digits, c.possible)) / c.condition;
-  c.missing = std::max(0.0, std::log10(tightest / tolerance));
+  // More digits than the problem allows are no fault of a tolerance.
+  c.missing = digits > c.possible ? 0 : std::max(0.0, std::log10(tightest / tolerance));
   Status status;
   for (const std::string& method : candidates(q, c.features, digits)) {
     const Ranked r = short_run(q, method, std::clamp(tolerance, tightest, loosest), 3, status);

@@ -35,7 +35,8 @@ struct ChoiceRequest {
 /// a problem that cannot be recorded by df/dt at (t, x), and true where it has none.
 [[nodiscard]] bool depends_on_time(const ivp::System& system, double t, const ivp::State& x);
 
-/// The features of a problem. They are counts and ratios, never times: found twice, they are the same.
+/// The features of a problem. They are counts and ratios: found twice, they are the same, unless half a
+/// second cuts the probe short.
 struct Features {
   bool velocity_free = false;  ///< see has_velocity_free_accelerations()
   bool switches = false;       ///< abs, sign, min or max of the state decide which equations hold

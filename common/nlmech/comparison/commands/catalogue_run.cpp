@@ -54,7 +54,7 @@ class Runner {
     const bool has_ends = is_end && catalogue_.has(end_column);
     if (runs.until && has_ends)
       throw input_error("--until {}: {} has a column until", *runs.until, catalogue_.name());
-    if (!runs.until && !has_ends)
+    if (!runs.until && !has_ends && !base_->final_time())
       throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
   }
 
@@ -109,8 +109,10 @@ class Runner {
   }
   /// Where a row ends.
   [[nodiscard]] double end(const std::vector<double>& row) const {
-    const bool own = row.size() > columns_.size() && !std::isnan(row.back());
-    return own ? row.back() : request_.t1;
+    return has_end(row) ? row.back() : request_.t1;
+  }
+  [[nodiscard]] bool has_end(const std::vector<double>& row) const {
+    return row.size() > columns_.size() && !std::isnan(row.back());
   }
   [[nodiscard]] double lines(const std::vector<double>& row) const {
     return request_.every ? std::abs(end(row) - request_.t0) / *request_.every + 2 : 2;
@@ -130,7 +132,7 @@ class Runner {
     if (problem != base_)
       request = runs_.request(
           *problem, missing_.empty() ? runs_.initial_state(*problem) : std::vector<double>(states_.size()));
-    request.t1 = end(row);
+    if (has_end(row)) request.t1 = row.back();
     check_rows(request);
     for (std::size_t k = 0; k < states_.size(); ++k) {
       if (!std::isnan(row[k])) request.x0[k] = row[k];

@@ -84,6 +84,10 @@ Request understand(const Words& words, const OwnProblem& problem, std::vector<do
     throw InputError(words.problem.empty()
                          ? "--until: give the time at which it ends, or t <= ... in the text"
                          : "--until: give the time at which it ends");
+  if (!words.until && end && *end < r.t0)
+    throw input_error(
+        "--until: the text ends at t = {}, before the start at {}; give --until to run backwards", *end,
+        r.t0);
   r.t1 = end.value_or(r.t0);
   check_rows(r);
   for (const std::string& text : words.events) r.events.push_back(event_of("--event", text, problem));

@@ -21,7 +21,9 @@ class TypedProblem final : public ProblemOfSize {
   TypedProblem(program::Equations equations, program::Settings settings, std::string_view name)
       : equations_(std::move(equations)), settings_(std::move(settings)), problem_(equations_), name_(name) {}
 
-  [[nodiscard]] std::string_view name() const override { return name_.empty() ? "the equation" : name_; }
+  [[nodiscard]] std::string_view name() const override {
+    return name_.empty() ? std::string_view("the equation") : std::string_view(name_);
+  }
   [[nodiscard]] std::vector<std::pair<std::string, double>> parameters() const override {
     return equations_.parameters();
   }

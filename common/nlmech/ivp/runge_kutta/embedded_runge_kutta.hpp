@@ -182,7 +182,8 @@ template <SystemLike S, EmbeddedMethod M>
 class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>, public DenseOutputOf<S> {
  public:
   using State = typename S::State;  ///< all components
-  /// @param problem, @param method outlive the integration
+  /// @param problem outlives the integration
+  /// @param method outlives it too
   EmbeddedRungeKutta(const InitialValueProblemOf<S>& problem, const M& method)
       : Base(problem, M::name, Pair::step_rule(method, problem.t0, problem.t1), refine_of(method)),
         method_(method),
