@@ -55,7 +55,7 @@ std::vector<std::vector<Real>> lists(const std::vector<State>& states) {
 template <int n, class Problem>
 void add_links(const problems::TaylorStep<Real, n>& step, const Problem& problem, std::vector<Link>& links) {
   static const references::RadauRule<double> rule(8);
-  const ivp::Direct<Problem> direct(problem);
+  const ivp::Direct<Problem, Eigen::Dynamic> direct(problem);
   const auto start = static_cast<double>(step.start), length = static_cast<double>(step.length);
   const auto jacobian = [&](double from_start) {
     const ivp::State x = step.at(Real(from_start)).template cast<double>();

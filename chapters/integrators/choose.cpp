@@ -28,7 +28,8 @@ double over_fastest(const scene::CsvRecord& headings, const scene::CsvRecord& ro
   const bool known =
       column != headings.cells.end() &&
       scene::parse_number(row.cells.at(static_cast<std::size_t>(column - headings.cells.begin())), factor);
-  return known ? factor : infinity;
+  if (!known) return infinity;
+  return factor;
 }
 
 /// The first choice for a problem and digits.

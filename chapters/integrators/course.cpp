@@ -12,7 +12,6 @@ namespace nlmech::chapters::integrators {
 namespace {
 
 using ivp::State;
-constexpr int any = Eigen::Dynamic;
 
 }  // namespace
 

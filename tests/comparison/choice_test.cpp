@@ -124,7 +124,7 @@ TEST(Choice, IsRepeatableAndFitsTheProblem) {
       EXPECT_EQ(c.ranked[i].tolerance, again.ranked[i].tolerance);
       EXPECT_EQ(c.ranked[i].right_hand_sides, again.ranked[i].right_hand_sides);
     }
-    const std::string method = c.ranked.empty() ? "none" : c.ranked.front().method;
+    std::string method = c.ranked.empty() ? "none" : c.ranked.front().method;
     EXPECT_EQ(method, method_for(q, 1e-9));
     return method;
   };

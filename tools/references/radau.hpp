@@ -134,7 +134,7 @@ std::vector<Vector<Real, Problem::dimension>> radau_states(const Problem& proble
   const RadauRule<Real> rule(stages);
   const auto s = static_cast<std::size_t>(stages);
   const Eigen::Index n = x0.size();
-  const ivp::Direct<Problem> direct(problem);
+  const ivp::Direct<Problem, Eigen::Dynamic> direct(problem);
   const Eigen::MatrixXd a = rule.a.template cast<double>();
   std::vector<State> found, stage(s, x0), slope(s, x0);
   State x = x0;
