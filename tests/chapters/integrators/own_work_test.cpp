@@ -48,6 +48,7 @@ TEST(Integrate, TheTextMaySayTheEnd) {
   double anomaly = 16;
   for (int i = 0; i < 50; ++i)
     anomaly -= (anomaly - 0.7 * std::sin(anomaly) - 16) / (1 - 0.7 * std::cos(anomaly));
+  // The tolerance times the condition of errors of one tolerance, 914 (tables/reference).
   EXPECT_NEAR(kepler.column[1].back(), std::cos(anomaly) - 0.7, 1e-6);
   const auto sooner = trajectory("--problem kepler --until 1", {"t", "x", "y", "x'", "y'"});
   EXPECT_EQ(sooner.column[0].back(), 1);
