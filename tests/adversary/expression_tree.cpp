@@ -39,6 +39,14 @@ Series disturbed(const Series& x, std::size_t node, int run) {
   return Series(std::move(all));
 }
 
+// A library's power is rounded once.
+Real power(const Real& a, const Real& b, std::size_t /*node*/, int /*run*/) { return exp(b * log(a)); }
+// A series is made of logarithm, product and exponential, each coefficient of which is rounded.
+Series power(const Series& a, const Series& b, std::size_t node, int run) {
+  constexpr std::size_t unused = 1000;  // trees have fewer nodes
+  return exp(disturbed(b * disturbed(log(a), node + unused, run), node + 2 * unused, run));
+}
+
 // Of the true value and disturbed ones. @param scale of parts that may cancel whatever the disturbances:
 // y^4/y^4 has the derivative 0 with each of them, and not with roundings.
 std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& scale = 0) {
@@ -130,7 +138,8 @@ std::string Tree::text(const std::string& left, const std::string& prefix) const
 }
 
 template <class T>
-T Tree::apply(const Node& n, const std::vector<T>& known, bool& edge) const {
+T Tree::apply(std::size_t node, const std::vector<T>& known, int run, bool& edge) const {
+  const Node& n = nodes_[node];
   const T& a = known[static_cast<std::size_t>(n.a)];
   const T& b = n.b < 0 ? a : known[static_cast<std::size_t>(n.b)];
   const Real x = lead(a), y = lead(b), near = 1e-6;
@@ -166,7 +175,7 @@ T Tree::apply(const Node& n, const std::vector<T>& known, bool& edge) const {
   if (n.what == "min") return x < y ? a : b;
   if (n.what == "max") return x < y ? b : a;
   if (n.what == "atan2") return atan2(a, b);
-  if (n.what == "^") return exp(b * log(a));
+  if (n.what == "^") return power(a, b, node, run);
   if (n.number != std::floor(n.number)) return exp(Real(n.number) * log(a));
   T power = T(Real(1));
   for (int k = 0; k < std::abs(n.number); ++k) power = power * a;
@@ -186,7 +195,7 @@ T Tree::evaluate(const std::array<T, 3>& at, int run, bool& edge) const {
                                        : T(Real(n.number)));
       continue;
     }
-    known.push_back(disturbed(apply(n, known, edge), i, run));
+    known.push_back(disturbed(apply(i, known, run, edge), i, run));
     const Real size = abs(lead(known.back()));
     edge = edge || !isfinite(size) || size > 1e60 || (size != 0 && size < 1e-60);
   }

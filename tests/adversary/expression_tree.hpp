@@ -52,7 +52,7 @@ class Tree {
   [[nodiscard]] std::string written(int node, int rank, const std::string& prefix) const;
   [[nodiscard]] std::string written_here(const Node& node, int& rank, const std::string& prefix) const;
   template <class T>
-  T apply(const Node& n, const std::vector<T>& known, bool& edge) const;
+  T apply(std::size_t node, const std::vector<T>& known, int run, bool& edge) const;
 
   std::vector<Node> nodes_;  // operands before what they are operands of; the last is the whole
 };

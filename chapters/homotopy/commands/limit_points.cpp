@@ -69,8 +69,8 @@ void limit_points(const TypedToggle& typed) {
   for (const frames::ToggleEvent& e : path.events)
     text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
                         e.is_symmetric ? "symmetric" : "antisymmetric");
-  scene::print_result(text);
   if (typed.model == "element") tell_of_mesh(typed, path);
+  scene::print_last_result(text);
   if (path.drop < 2.2 * typed.height)
     std::cerr << fmt::format(
         "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "

@@ -50,6 +50,15 @@ TEST(ThisProcess, FinishesTheActUnderWay) {
   EXPECT_EXIT(end(), ::testing::ExitedWithCode(3), "whole over");
 }
 
+TEST(ThisProcess, IsNotEndedBehindItsLastResult) {
+  const auto end = [] {
+    print_last_result("");
+    end_process(3, "over");
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(0), "^$");
+}
+
 TEST(ThisProcess, SaysWhatItIsDoing) {
   EXPECT_EQ(doing_now(), "computing");
   {

@@ -221,7 +221,7 @@ void choose(const Words& words, const OwnProblems& problems, const std::string& 
   const Chosen found = problem->chosen(r, words.digits);
   const std::string rows = choice_rows(found), remark = choice_remark(found);
   if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
-  scene::print_result(rows);
+  scene::print_last_result(rows);
   scene::tell(shell_line(run_of(words, r.t1, found.ranked.front(), program)));
 }
 

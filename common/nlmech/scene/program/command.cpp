@@ -156,7 +156,7 @@ int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const
                                  // kernels
   limit.emplace(watched);
   const Answer answer = chosen->command->work();
-  if (const auto* const result = std::get_if<std::string>(&answer)) print_result(*result);
+  if (const auto* const result = std::get_if<std::string>(&answer)) print_last_result(*result);
   return std::holds_alternative<int>(answer) ? std::get<int>(answer) : 0;
 }
 

@@ -113,7 +113,7 @@ int check(const Chapter& chapter, const Work& options) {
   }
   text += fmt::format("{} quantities of {} scenes: {} pass, {} fail\n", result.quantities.size(),
                       chapter.scenes().size(), passed, result.quantities.size() - passed);
-  print_result(text);
+  print_last_result(text);
   return result.passes() ? 0 : ExitCode::failed;
 }
 

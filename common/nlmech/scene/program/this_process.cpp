@@ -19,6 +19,7 @@ struct State {
   std::string doing = "computing";
   bool silent = false;
   bool progress_shown = false;
+  bool done = false;  // the last result is printed
 };
 
 /// One a process, as standard output is.
@@ -37,6 +38,14 @@ void write_error(std::string_view text) {
 
 void wipe_within_act() {
   if (std::exchange(state().progress_shown, false)) write_error(wipe);
+}
+
+void print_within_act(std::string_view text) {
+  wipe_within_act();
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw Failure("standard output: cannot be written: " + std::generic_category().message(errno));
+  }
 }
 
 std::string line_of(std::string_view message) {
@@ -73,11 +82,13 @@ std::string doing_now() {
 
 void print_result(std::string_view text) {
   const WholeAct act;
-  wipe_within_act();
-  errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw Failure("standard output: cannot be written: " + std::generic_category().message(errno));
-  }
+  print_within_act(text);
+}
+
+void print_last_result(std::string_view text) {
+  const WholeAct act;
+  print_within_act(text);
+  state().done = true;
 }
 
 void tell(std::string_view message) {
@@ -102,6 +113,7 @@ void wipe_progress() {
 void end_process(int exit_code, std::string_view message) {
   const std::string line = line_of(message);
   const WholeAct act;
+  if (state().done) return;
   wipe_within_act();
   for (const auto& clear : state().traces) clear();
   write_error(line);

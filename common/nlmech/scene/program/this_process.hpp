@@ -65,6 +65,9 @@ class Doing {
 /// closed pipe)
 void print_result(std::string_view text);
 
+/// print_result() of all that is left to print: no limit of time ends the process from then on.
+void print_last_result(std::string_view text);
+
 /// Writes a message to standard error: printable_message(), and a line end if it has none. A line of progress
 /// is wiped away first.
 void tell(std::string_view message);
@@ -77,7 +80,8 @@ void show_progress(std::string_view line);
 void wipe_progress();
 
 /// Waits for the act under way, clears all traces away, says @p message and ends the process: at once, with
-/// no destructor run, since other threads are still at work.
-[[noreturn]] void end_process(int exit_code, std::string_view message);
+/// no destructor run, since other threads are still at work. Returns only if that act was
+/// print_last_result().
+void end_process(int exit_code, std::string_view message);
 
 }  // namespace nlmech::scene
