@@ -19,9 +19,6 @@ struct Pendulum {
     dxdt[0] = x[1];
     dxdt[1] = a[0];
   }
-  // Solved exactly: x'' + 0.1 x' + x, and the load on component 1.
-  void linear_part(Eigen::Matrix2d& a) const { a << 0, 1, -1, -0.1; }
-  std::vector<nlmech::Harmonic> load() const { return {{1, 2.0, 0.5, 0.0}}; }
 };
 
 int main() {

@@ -30,7 +30,7 @@ Vector<double, 3> start(int lane) {
 
 template <class Problem>
 void expect_same(const Problem& problem, const std::vector<int>& orders) {
-  const Tape tape = program::record(problem, 0.3, 3, false);
+  const Tape tape = program::record(problem, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {
     TapeLanes lanes(set);
     TapeExpansion one(alone(set));
@@ -75,7 +75,7 @@ struct Constants {
 
 // Each lane has constants of its own; what has other operations is refused.
 TEST(TapeLanes, HaveTheirOwnConstants) {
-  const auto of = [](double p) { return program::record(Constants{p}, 0, 3, false); };
+  const auto of = [](double p) { return program::record(Constants{p}, 0, 3, false).tape(); };
   for (const InstructionSet set : sets()) {
     TapeLanes lanes(set);
     TapeExpansion one(alone(set));
@@ -95,13 +95,13 @@ TEST(TapeLanes, HaveTheirOwnConstants) {
       }
     }
     EXPECT_FALSE(lanes.fits(of(1 / 0.3)));  // a power of 1, and another number of operations
-    EXPECT_FALSE(lanes.fits(program::record(Few{}, 0, 3, false)));
+    EXPECT_FALSE(lanes.fits(program::record(Few{}, 0, 3, false).tape()));
   }
 }
 
 // What is infinite or NaN in one lane stays there.
 TEST(TapeLanes, KeepToThemselves) {
-  const Tape tape = program::record(Few{}, 0.3, 3, false);
+  const Tape tape = program::record(Few{}, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {
     TapeLanes lanes(set);
     lanes.load(tape, 12);
@@ -123,7 +123,7 @@ TEST(TapeLanes, KeepToThemselves) {
 // Sums of the series against Horner's rule; the order of the sum is that of a single series, whose bits
 // integrations are held to. Each of the terms of some 1 may round once or twice.
 TEST(TapeLanes, AddUp) {
-  const Tape tape = program::record(Few{}, 0.3, 3, false);
+  const Tape tape = program::record(Few{}, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {
     for (const int order : {2, 3, 4, 17}) {
       TapeLanes lanes(set);

@@ -72,7 +72,7 @@ TEST(Tape, HasTheCoefficientsOfTheSolution) {
     for (const InstructionSet set : sets()) {
       SCOPED_TRACE(std::string(to_string(set)) + ", order " + std::to_string(order));
       TapeExpansion expansion(set);
-      expansion.load(program::record(problem, 0.3, 3, false), order);
+      expansion.load(program::record(problem, 0.3, 3, false).tape(), order);
       for (const double scale : {1.0, 0.125}) {
         expansion.expand(0.3, point.data(), scale);
         expect_coefficients(
@@ -89,7 +89,7 @@ TEST(Tape, HasFunctionsMadeOfTheirSlopes) {
     for (const InstructionSet set : sets()) {
       SCOPED_TRACE(std::string(to_string(set)) + ", order " + std::to_string(order));
       TapeExpansion expansion(set);
-      expansion.load(program::record(problem, 0.3, 3, false), order);
+      expansion.load(program::record(problem, 0.3, 3, false).tape(), order);
       for (const double scale : {1.0, 0.125}) {
         expansion.expand(0.3, point.data(), scale);
         expect_coefficients(
@@ -124,7 +124,7 @@ TEST(Tape, HoldsElsewhere) {
   const Tangle problem;
   const Vector<double, 3> other(0.9, 0.8, 1.3);
   TapeExpansion expansion;
-  expansion.load(program::record(problem, 0.3, 3, false), 12);
+  expansion.load(program::record(problem, 0.3, 3, false).tape(), 12);
   expansion.expand(-1.5, other.data());
   expect_coefficients(
       exact(problem, -1.5, other, 12), [&](int i) { return expansion.coefficients(i); }, 1);
@@ -143,7 +143,7 @@ struct Repetitive {
 
 // The square, the slope of x1 with sine and cosine, two products with them, and two sums.
 TEST(Tape, RecordsCommonExpressionsOnceAndFoldsConstants) {
-  const Tape tape = program::record(Repetitive{}, 0, 2, false);
+  const Tape tape = program::record(Repetitive{}, 0, 2, false).tape();
   EXPECT_EQ(tape.instructions(), 7);
   EXPECT_EQ(tape.products(), 4);
 }
@@ -159,7 +159,7 @@ struct Constant {
 
 TEST(Tape, OfConstantsIsEmpty) {
   TapeExpansion expansion;
-  expansion.load(program::record(Constant{}, 0, 2, false), 5);
+  expansion.load(program::record(Constant{}, 0, 2, false).tape(), 5);
   expansion.expand(0, Vector<double, 2>(1, 2).data(), 2);
   EXPECT_EQ(expansion.tape().instructions(), 0);
   const double first[] = {1, 6, 0, 0, 0, 0}, second[] = {2, 0, 0, 0, 0, 0};
@@ -183,7 +183,7 @@ struct Cancelling {
 TEST(Tape, KeepsTheOrderOfSums) {
   TapeExpansion expansion;
   const Vector<double, 3> x(1e-3, 1e17, 1e17);
-  expansion.load(program::record(Cancelling{}, 0, 3, false), 2);
+  expansion.load(program::record(Cancelling{}, 0, 3, false).tape(), 2);
   expansion.expand(0, x.data());
   EXPECT_EQ(expansion.coefficients(0)[1], 1e-3);
   EXPECT_EQ(expansion.coefficients(1)[1], 2e-3);
@@ -200,7 +200,7 @@ struct Branches {
 
 std::string complaint(const Branches& problem, bool announced) {
   try {
-    static_cast<void>(program::record(problem, 0.25, 1, announced));
+    static_cast<void>(program::record(problem, 0.25, 1, announced).tape());
     ivp::UnrolledTaylor<Branches, 5> taylor(problem, 5, announced);
     taylor.begin_segment(0.25, Vector<double, 1>(1.0));
   } catch (const std::invalid_argument& error) {
@@ -220,7 +220,7 @@ TEST(Tape, RefusesBranchesThatAreNotAnnounced) {
 TEST(Tape, TakesTheAnnouncedBranch) {
   for (const double t : {0.25, 0.75}) {
     TapeExpansion expansion;
-    expansion.load(program::record(Branches{}, t, 1, true), 4);
+    expansion.load(program::record(Branches{}, t, 1, true).tape(), 4);
     const double x = 3;
     expansion.expand(t, &x);
     EXPECT_EQ(expansion.coefficients(0)[1], t < 0.5 ? 3 : -3);
@@ -230,8 +230,8 @@ TEST(Tape, TakesTheAnnouncedBranch) {
 TEST(Tape, ComesOutTheSameEveryTime) {
   for (const InstructionSet set : sets()) {
     TapeExpansion one(set), two(set);
-    one.load(program::record(Tangle{}, 0.3, 3, false), 25);
-    two.load(program::record(Tangle{}, 0.3, 3, false), 25);
+    one.load(program::record(Tangle{}, 0.3, 3, false).tape(), 25);
+    two.load(program::record(Tangle{}, 0.3, 3, false).tape(), 25);
     one.expand(0.3, point.data());
     two.expand(0.1, point.data());
     two.expand(0.3, point.data());

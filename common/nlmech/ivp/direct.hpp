@@ -17,7 +17,7 @@
 #include "nlmech/ivp/series/taylor.hpp"
 #include "nlmech/ivp/state.hpp"
 #include "nlmech/program/dual.hpp"
-#include "nlmech/program/harmonic.hpp"
+#include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/recorded.hpp"
 
 namespace nlmech::ivp {
@@ -70,13 +70,6 @@ concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
   { problem.in_mode(mode) } -> std::same_as<Problem>;
 };
 
-/// True if the problem says which part of it is linear with constant coefficients.
-template <class Problem>
-concept GivesLinearPart = requires(const Problem& problem,
-                                   Matrix<double, Problem::dimension, Problem::dimension>& a) {
-  problem.linear_part(a);
-};
-
 /// True if the problem knows quantities that stay constant along its solutions.
 template <class Problem>
 concept GivesInvariants = requires(const Problem& problem, double t,
@@ -102,12 +95,6 @@ concept GivesBounds = requires(const Problem& problem, State& bound) {
   { problem.bounds(bound, bound) } -> std::same_as<bool>;
 };
 
-/// True if the problem says which of its terms are harmonic loads.
-template <class Problem>
-concept GivesLoad = requires(const Problem& problem) {
-  { problem.load() } -> std::convertible_to<std::vector<Harmonic>>;
-};
-
 /// Up to this dimension a problem's Taylor coefficients are unrolled; beyond, by a tape.
 inline constexpr int most_unrolled = 8;
 
@@ -128,8 +115,6 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///    travel. Methods step onto them. At such a time f is the limit from the right;
 ///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: functions of time and state whose
 ///    signs decide what the equations are, and the smooth equations for each choice (switching.hpp);
-///  - `linear_part(a)` in double: the constant matrix of its linear terms;
-///  - `std::vector<Harmonic> load() const`: those terms of f that are harmonics of the time alone;
 ///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
 ///  - `lower_bounds()`, `upper_bounds()`: what a component cannot leave at later times.
 /// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic
@@ -322,25 +307,18 @@ class Direct {
     if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, OwnState(x), values, rates);
   }
 
-  /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
-  [[nodiscard]] bool linear_part(Jacobian& a) const {
-    if constexpr (detail::GivesLinearPart<Problem>) {
-      OwnJacobian own(size(), size());
-      problem_.linear_part(own);
-      a = own;
-      return true;
-    } else {
-      return false;
+  /// What of f is linear with constant coefficients, and its harmonic loads; nothing of a problem that is
+  /// written for double alone, or branches.
+  [[nodiscard]] program::LinearTerms linear_terms() const {
+    if constexpr (detail::TakesDual<Problem, program::Recorded> && !detail::GivesDiscontinuities<Problem>) {
+      try {
+        const program::Recording recording = program::record(problem_, 0, size(), false);
+        return program::linear_terms(recording.graph, recording.slopes);
+      } catch (const std::invalid_argument&) {
+        // It branches.
+      }
     }
-  }
-
-  /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
-  [[nodiscard]] std::vector<Harmonic> load() const {
-    if constexpr (detail::GivesLoad<Problem>) {
-      return problem_.load();
-    } else {
-      return {};
-    }
+    return {Eigen::MatrixXd::Zero(size(), size()), {}};
   }
 
   /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
@@ -382,7 +360,7 @@ class Direct {
   /// on the time and the problem does not announce discontinuities
   [[nodiscard]] Tape record(double t) const {
     if constexpr (detail::TakesDual<Problem, program::Recorded>) {
-      return program::record(problem_, t, size(), detail::GivesDiscontinuities<Problem>);
+      return program::record(problem_, t, size(), detail::GivesDiscontinuities<Problem>).tape();
     } else {
       throw std::invalid_argument(
           "series: this problem is written for double alone; make its call operator a template on the "

@@ -49,8 +49,7 @@ struct Face {
   virtual int switches() const = 0;
   virtual std::shared_ptr<const Face> in_mode(const Mode&) const = 0;
   virtual void surfaces(double, const State&, std::span<double>, std::span<double>) const = 0;
-  virtual bool linear_part(Jacobian&) const = 0;
-  virtual std::vector<Harmonic> load() const = 0;
+  virtual program::LinearTerms linear_terms() const = 0;
   virtual bool invariants(double, const State&, Eigen::VectorXd&) const = 0;
   virtual bool bounds(State&, State&) const = 0;
   virtual Tape record(double) const = 0;
@@ -86,8 +85,7 @@ struct Compiled final : Face {
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const override {
     direct.surfaces(t, x, values, rates);
   }
-  bool linear_part(Jacobian& a) const override { return direct.linear_part(a); }
-  std::vector<Harmonic> load() const override { return direct.load(); }
+  program::LinearTerms linear_terms() const override { return direct.linear_terms(); }
   bool invariants(double t, const State& x, Eigen::VectorXd& values) const override {
     return direct.invariants(t, x, values);
   }
@@ -167,10 +165,9 @@ class System {
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
     face_->surfaces(t, x, values, rates);
   }
-  /// The constant matrix A of the problem's linear terms. False, and nothing is written, if it names none.
-  [[nodiscard]] bool linear_part(Jacobian& a) const { return face_->linear_part(a); }
-  /// The harmonics among the terms of f that do not depend on the state; none if the problem names none.
-  [[nodiscard]] std::vector<Harmonic> load() const { return face_->load(); }
+  /// What of f is linear with constant coefficients, and its harmonic loads: read off the equations; nothing
+  /// of a problem that is written for double alone, or branches.
+  [[nodiscard]] program::LinearTerms linear_terms() const { return face_->linear_terms(); }
   /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
   /// the problem names none.
   [[nodiscard]] bool invariants(double t, const State& x, Eigen::VectorXd& values) const {

@@ -9,7 +9,6 @@
 
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/program/harmonic.hpp"
 
 namespace nlmech::problems {
 
@@ -54,11 +53,6 @@ struct DrivenDuffing {
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
     first_order_form(*this, t, x, dxdt);
   }
-
-  /// Spring and damper without the cubic term.
-  void linear_part(Matrix<double, 2, 2>& a) const { a << 0, 1, -stiffness, -damping; }
-  /// The force.
-  [[nodiscard]] std::vector<Harmonic> load() const { return {{1, frequency, force, 0}}; }
 
   /// v^2/2 + k x^2/2 + m x^4/4, constant where there is neither damping nor force.
   [[nodiscard]] double energy(const Vector<double, 2>& x) const {

@@ -52,9 +52,6 @@ struct Duffing {
     first_order_form(*this, t, x, dxdt);
   }
 
-  /// The linear spring.
-  void linear_part(Matrix<double, 2, 2>& a) const { a << 0, 1, -natural_frequency * natural_frequency, 0; }
-
   /// The energy v^2/2 + w^2 x^2/2 + eta x^4/4.
   template <class T>
   [[nodiscard]] Vector<T, 1> invariants(const T& /*t*/, const Vector<T, 2>& x) const {

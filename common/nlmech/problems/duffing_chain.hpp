@@ -81,18 +81,6 @@ struct DuffingChain {
     }
   }
 
-  /// The linear springs.
-  void linear_part(Matrix<double, Eigen::Dynamic, Eigen::Dynamic>& a) const {
-    const int n = count();
-    a.setZero();
-    for (int i = 0; i < n; ++i) {
-      a(i, n + i) = 1;
-      a(n + i, i) = -natural_frequency * natural_frequency - 2 * coupling;
-      if (i > 0) a(n + i, i - 1) = coupling;
-      if (i + 1 < n) a(n + i, i + 1) = coupling;
-    }
-  }
-
   /// The energy.
   template <class T>
   [[nodiscard]] Vector<T, 1> invariants(const T& /*t*/, const Vector<T, Eigen::Dynamic>& x) const {

@@ -9,7 +9,6 @@
 
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/program/harmonic.hpp"
 
 namespace nlmech::problems {
 
@@ -53,13 +52,6 @@ struct LinearOscillator {
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
     first_order_form(*this, t, x, dxdt);
   }
-
-  /// All but the force.
-  void linear_part(Matrix<double, 2, 2>& a) const {
-    a << 0, 1, -natural_frequency * natural_frequency, -2 * damping_ratio * natural_frequency;
-  }
-  /// The force.
-  [[nodiscard]] std::vector<Harmonic> load() const { return {{1, frequency, force, 0}}; }
 };
 
 }  // namespace nlmech::problems

@@ -13,8 +13,6 @@
 /// - `discontinuities(t0, t1)`: times strictly between t0 and t1, in the direction of travel, at which the
 ///   right-hand side or one of its derivatives jumps. A right-hand side that branches on value_of(t) must
 ///   have it.
-/// - `linear_part(a)`: writes the constant matrix A of a semi-linear problem dx/dt = A x + ...
-/// - `load()`: the harmonics (series/harmonic.hpp) that stand in dx/dt beside what depends on the state.
 /// - `invariants(t, x)`: a vector of quantities that stay constant along every solution.
 /// - `lower_bounds()`, `upper_bounds()`: a number for each component, infinite where there is none. A
 ///   solution that begins within them stays within them at all later times (not at earlier ones). A run by a

@@ -9,7 +9,6 @@
 
 #include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/program/harmonic.hpp"
 
 namespace nlmech::problems {
 
@@ -65,14 +64,6 @@ struct TwoDof {
   void operator()(const T& t, const Vector<T, 4>& x, Vector<T, 4>& dxdt) const {
     first_order_form(*this, t, x, dxdt);
   }
-
-  /// All springs and dampers without the cubic terms.
-  void linear_part(Matrix<double, 4, 4>& a) const {
-    const double k = stiffness + coupling;
-    a << 0, 0, 1, 0, 0, 0, 0, 1, -k, coupling, -damping, 0, coupling, -k, 0, -damping;
-  }
-  /// The force on the first mass.
-  [[nodiscard]] std::vector<Harmonic> load() const { return {{2, frequency, force, 0}}; }
 };
 
 }  // namespace nlmech::problems

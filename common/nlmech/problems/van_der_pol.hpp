@@ -43,9 +43,6 @@ struct VanDerPol {
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
     first_order_form(*this, t, x, dxdt);
   }
-
-  /// What the equation shows as linear: damping -mu, stiffness 1. It grows where the solution does not.
-  void linear_part(Matrix<double, 2, 2>& a) const { a << 0, 1, -1, mu; }
 };
 
 }  // namespace nlmech::problems

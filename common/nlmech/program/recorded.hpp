@@ -4,6 +4,8 @@
 
 #include <concepts>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "nlmech/program/graph.hpp"
 #include "nlmech/program/number_traits.hpp"
@@ -122,20 +124,29 @@ class Recorded {
   double constant_ = 0;
 };
 
+/// A right-hand side that was recorded.
+struct Recording {
+  Graph graph;                 ///< of all its operations
+  std::vector<NodeId> slopes;  ///< one a component of the state
+
+  /// Its Taylor coefficients.
+  [[nodiscard]] Tape tape() const { return {graph, slopes}; }
+};
+
 /// Records the right-hand side @p problem as it is at time @p t, for @p size components. It is called once.
-/// Without branches the tape holds at every time and state; with announced ones, up to the next
+/// Without branches the graph holds at every time and state; with announced ones, up to the next
 /// discontinuity.
 /// @param announced has the problem a member discontinuities(t0, t1), so that it may branch on the time?
 /// @throws std::invalid_argument if it branches on the state, or on the time without announcement
 template <class Problem, int n = Problem::dimension>
-[[nodiscard]] Tape record(const Problem& problem, double t, int size, bool announced) {
+[[nodiscard]] Recording record(const Problem& problem, double t, int size, bool announced) {
   Recorder recorder(size, t, announced);
   Vector<Recorded, n> state(size), slope(size);
   for (int i = 0; i < size; ++i) state[i] = Recorded(recorder, Graph::state(i));
   problem(Recorded(recorder, Graph::time()), state, slope);
-  std::vector<NodeId> outputs;
-  for (int i = 0; i < size; ++i) outputs.push_back(slope[i].node(recorder.graph()));
-  return {recorder.graph(), outputs};
+  std::vector<NodeId> slopes;
+  for (int i = 0; i < size; ++i) slopes.push_back(slope[i].node(recorder.graph()));
+  return {std::move(recorder.graph()), std::move(slopes)};
 }
 
 }  // namespace nlmech::program

@@ -51,23 +51,12 @@ Status mtl_wrong_branch(double t, double block, double estimate, double allowed)
                      block, t, estimate, allowed);
 }
 
-void check_split(const Eigen::Ref<const Eigen::MatrixXd>& a, std::span<const Harmonic> load,
-                 bool second_order) {
-  if (!a.allFinite()) throw std::invalid_argument("mtl: the problem's linear part is not finite");
-  const Eigen::Index half = a.rows() / 2;
-  if (second_order && (a.topLeftCorner(half, half).cwiseAbs().sum() != 0 ||
-                       a.topRightCorner(half, half) != Eigen::MatrixXd::Identity(half, half)))
-    throw std::invalid_argument(
-        "mtl: the upper half of the linear part of a problem with accelerations must be [0 1]");
-  for (const Harmonic& h : load) {
-    const Eigen::Index least = second_order ? half : 0;
-    if (h.component < least || h.component >= a.rows())
-      throw invalid_argument("mtl: a load on component {} of a problem with {}; it must be from {} to {}",
-                             h.component, a.rows(), least, a.rows() - 1);
-    if (!std::isfinite(h.frequency) || !std::isfinite(h.cosine) || !std::isfinite(h.sine))
-      throw invalid_argument("mtl: a harmonic load of frequency {} and amplitudes {} and {}", h.frequency,
-                             h.cosine, h.sine);
-  }
+// A, and the harmonics.
+program::LinearTerms linear_terms(const System& system, MtlLinear linear) {
+  program::LinearTerms terms = system.linear_terms();
+  if (linear != MtlLinear::given) terms.a.setZero();
+  if (system.second_order()) terms.a.topRightCorner(system.size() / 2, system.size() / 2).setIdentity();
+  return terms;
 }
 
 /// One block of p steps.
@@ -77,14 +66,15 @@ class MtlStepper : public Stepper {
 
   /// @param system outlives the stepper
   /// @param method checked options
-  /// @throws std::invalid_argument for a linear part or load of the problem that cannot be
   MtlStepper(const System& system, const Mtl& method)
+      : MtlStepper(system, method, linear_terms(system, method.linear)) {}
+  MtlStepper(const System& system, const Mtl& method, const program::LinearTerms& terms)
       : Stepper(system.size()),
         system_(system),
         method_(method),
         p_(method.points),
-        a_(linear_part(system, method.linear)),
-        weights_(system.size(), columns(system), method.basis, method.points, system.load()),
+        a_(terms.a),
+        weights_(system.size(), columns(system), method.basis, method.points, terms.load),
         unknowns_(p_ * system.size()),
         work_(p_ * system.size()),
         free_(system.size(), p_ + 1),
@@ -142,13 +132,6 @@ class MtlStepper : public Stepper {
   }
 
  private:
-  static Jacobian linear_part(const System& system, MtlLinear linear) {
-    Jacobian a = Jacobian::Zero(system.size(), system.size());
-    if (system.second_order()) a.topRightCorner(system.size() / 2, system.size() / 2).setIdentity();
-    if (linear == MtlLinear::given) static_cast<void>(system.linear_part(a));  // zero if there is none
-    check_split(a, system.load(), system.second_order());
-    return a;
-  }
   static int columns(const System& system) {
     return system.second_order() ? system.size() / 2 : system.size();
   }

@@ -17,9 +17,9 @@ namespace nlmech::ivp {
 
 /// What Mtl solves exactly; the rest of the right-hand side is interpolated. All lead to the same order.
 enum class MtlLinear {
-  given,    ///< the problem's `linear_part`; zero if it names none
+  given,    ///< the constant linear terms of the equations (System::linear_terms())
   zero,     ///< nothing (x'' = 0 for a problem with accelerations): collocation at equidistant points
-  jacobian  ///< df/dx at the begin of each block of p steps: for stiff problems, whose own linear part may
+  jacobian  ///< df/dx at the begin of each block of p steps: for stiff problems, whose own linear terms may
             ///< grow where solutions do not. Costs an exponential a block, and the time symmetry
 };
 
@@ -36,7 +36,7 @@ inline constexpr algebraic::Newton mtl_newton = {.tolerance = 1e-12, .noise = 1e
 ///     y' = A y + sum over k = 0..p of g(t_k, x_k) phi_k(t) + load                          (Eqs 3, 4)
 ///
 /// and the states at t_1..t_p are those for which y(t_l) = x_l (Eq. 5): p n equations, solved by Newton's
-/// iteration with the exact Jacobian. Harmonics that the problem names in `load` are solved exactly; linear
+/// iteration with the exact Jacobian. Harmonic loads of the equations are solved exactly; linear
 /// problems are exact to rounding for every h. For problems with accelerations A = [0 1; -K -C] and g acts on
 /// the velocities. Order: mtl_order().
 ///

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "nlmech/program/harmonic.hpp"
+#include "nlmech/program/linear_terms.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::ivp {
