@@ -66,6 +66,34 @@ TEST_P(EveryPeerFails, WhereTheRightHandSideBeginsWithoutANumber) {
   EXPECT_EQ(solution.x[0], 1);
 }
 
+// x' = 1, with a gap of 2e-9 around 0.3 without a number, which steps pass over.
+struct NoNumberAtOnePlace {
+  static constexpr int dimension = 1;
+  template <class T>
+  void operator()(const T& t, const Vector<T, 1>& /*x*/, Vector<T, 1>& dxdt) const {
+    dxdt[0] = T(std::abs(value_of(t) - 0.3) < 1e-9 ? nan : 1.0);
+  }
+};
+
+// Dense output by shorter steps does not get there: the run fails, and hands out no state in place of it.
+TEST_P(EveryPeerFails, WhereDenseOutputHasNoState) {
+  double found = nan;
+  const auto look = [&](const ivp::Step& step) {
+    if (step.t0 < 0.3 && 0.3 < step.t1) found = step.at(0.3)[0];
+    return true;
+  };
+  const auto solution = run(ivp::System(NoNumberAtOnePlace{}), ivp::State{0.0}, 0, 1, 1e-9, look);
+  if (solution.status.ok()) {
+    EXPECT_NEAR(found, 0.3, 1e-8);
+  } else {
+    expect_failure(solution, Outcome::not_converged);
+    EXPECT_GT(solution.t, 0.3);
+  }
+  const bool by_steps = GetParam().starts_with("gsl") || GetParam() == "odeint-fehlberg78" ||
+                        GetParam() == "odeint-bulirsch-stoer";
+  EXPECT_EQ(solution.status.ok(), !by_steps) << solution.status.text();
+}
+
 // A right-hand side that is finite, and its Jacobian that is not.
 struct NoJacobian {
   static constexpr int dimension = 1;

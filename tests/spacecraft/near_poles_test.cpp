@@ -78,6 +78,27 @@ TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(r.theta.value(times[i]), theta[i].value, 1e-11);
 }
 
+// Without a hub and with strong rate feedback theta' leaves 0 in a boundary layer of 1e-15 s, 1/|p| of a pole
+// at -5e15 1/s, and follows theta_f k1/k3 from there on. Theta and y converge all the same; theta' at t = 0,
+// of which no pairs that are looked for make more than the other half, says so.
+TEST(NearPoles, ABoundaryLayerIsRefused) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 0;
+  p.mass_per_length = 0.0027187500000000002;
+  p.youngs_modulus = 1584000000;
+  p.length = 40;
+  p.hub_radius = 0.10500192038491871;
+  p.second_moment = 2.3393754031498719e-07;
+  p.tip_mass = 0.69102922019098867;
+  p.tip_inertia = 0.0053309941673492329;
+  const ClosedLoop loop(p, {2.1928089690592794, -0.438268658879716, 92978.324489340695});
+  const std::array<double, 1> places = {32};
+  for (const int most : {100, 800, 1600}) {
+    const TimeResponse r = step_response(loop, 1, places, {.most = most});
+    EXPECT_EQ(r.status.outcome(), Outcome::not_converged) << most << r.status.text();
+  }
+}
+
 // The same for gains that push it ever farther out, where the search went on for minutes or gave up, and
 // without a hub, where it lies near -(k3/c)^2.
 TEST(NearPoles, FastPolesHaveNoLimit) {

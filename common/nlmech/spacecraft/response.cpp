@@ -90,6 +90,22 @@ bool enough(const ResidueBounds& bounds, const ResidueTerms& terms, double toler
   return all;
 }
 
+/// Do the rates start within a hundredth of 0, as from rest? At t = 0 a sum is off by just what is left out,
+/// which the bounds of theta and y do not tell: fast modes that hardly move theta may hold much of theta'.
+bool starts_at_rest(const ResidueTerms& terms, std::size_t places) {
+  const auto small = [&](std::size_t signal) {
+    double start = 0, largest = 0;
+    for (const ResidueTerms::Group& g : terms.groups) {
+      start += 2 * g.rate[signal].real();
+      largest = std::max(largest, std::abs(g.rate[signal]));
+    }
+    return std::abs(start) <= 1e-2 * largest;
+  };
+  bool all = small(0);
+  for (std::size_t i = 0; i < places; ++i) all = all && small(2 + i);
+  return all;
+}
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Of sums that end with the most terms that are allowed: fewer digits than asked for, but some.
@@ -111,7 +127,7 @@ ResidueTerms enough_terms(const ResidueOptions& options, std::size_t places, Tim
     ResidueTerms terms = make(pairs, response.status);
     response.bounds = bounds_of(terms, places);
     if (options.pairs > 0 || !response.status.ok() ||
-        enough(response.bounds, terms, options.tolerance, infinite))
+        (enough(response.bounds, terms, options.tolerance, infinite) && starts_at_rest(terms, places)))
       return terms;
     if (pairs >= options.most) {
       response.status = few_digits(terms, response, options.tolerance);

@@ -51,7 +51,7 @@ struct TimeResponse {
 ///
 /// theta, theta' and each y and y' have to begin with 0 within their bounds: else a pole is missing or
 /// counted twice, and the status is `not_converged`. So it is if pairs are chosen by the tolerance and the
-/// most that are allowed leave out more than 1e-6 of theta or a y, or a hundredth of theta' or a y'.
+/// most that are allowed leave out more than 1e-6 of theta or a y, or a hundredth of theta' or a y' at t = 0.
 ///
 /// Rounding is that of the largest terms: an angle that is still far below theta_f is right to eps theta_f.
 ///

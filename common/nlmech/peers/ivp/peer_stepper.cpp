@@ -53,12 +53,21 @@ Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, dou
         !run.observer || run.observer->step(done.steps, run.t, attempt.t, run.x, next.data(), stepper);
     std::copy(next.begin(), next.end(), run.x);
     run.t = attempt.t;
+    if (!stepper.dense_output().ok()) return stepper.dense_output();
     if (!go_on) return ivp::interrupted(method, run.t);
   }
   return {};
 }
 
 }  // namespace
+
+void PeerStepper::miss(std::string_view method, double t, double t0, double t1) {
+  dense_output_ =
+      failed_with(Outcome::not_converged,
+                  "{}: the state at t = {:.17g}, within the step from {:.17g} to {:.17g}, was not "
+                  "computed to the tolerance; loosen it, or set a largest step",
+                  method, t, t0, t1);
+}
 
 void require_tolerances(std::string_view method, const Tolerances& tolerances) {
   if (!(tolerances.relative >= 0) || !std::isfinite(tolerances.relative))

@@ -37,10 +37,19 @@ class PeerStepper {
   /// Tries a step from where the latest accepted one ended. Libraries that repeat rejected steps themselves
   /// add them to statistics.rejected.
   [[nodiscard]] virtual Attempt attempt(double* x, Statistics& statistics) = 0;
-  /// State at @p t within the latest accepted step.
+  /// State at @p t within the latest accepted step; what cannot be computed is a failure of dense_output().
   virtual void at(double t, double* x) = 0;
+  /// Did at() compute every state that it was asked for?
+  [[nodiscard]] const Status& dense_output() const { return dense_output_; }
   /// Adds the library's counters of the work since begin().
   virtual void add_counters(Statistics& statistics) const = 0;
+
+ protected:
+  /// Notes that at() did not compute the state at @p t within the step from @p t0 to @p t1.
+  void miss(std::string_view method, double t, double t0, double t1);
+
+ private:
+  Status dense_output_;
 };
 
 /// What an observer of a peer sees.

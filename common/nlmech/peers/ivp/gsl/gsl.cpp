@@ -68,6 +68,15 @@ const gsl_odeiv2_step_type* step_type(Gsl::Formula formula) {
   return gsl_odeiv2_step_rk8pd;
 }
 
+/// The formula of dense output: the same, but one-step for multistep formulas, whose interpolant GSL hides.
+const gsl_odeiv2_step_type* type_between(Gsl::Formula formula) {
+  switch (formula) {
+    case Gsl::Formula::msadams: return gsl_odeiv2_step_rk8pd;
+    case Gsl::Formula::msbdf: return gsl_odeiv2_step_bsimp;
+    default: return step_type(formula);
+  }
+}
+
 struct Callbacks {
   explicit Callbacks(Equations& e) : equations(e), jacobian_by_columns(square(e.size())) {}
   static std::size_t square(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n); }
@@ -100,7 +109,6 @@ class GslStepper final : public PeerStepper {
  public:
   GslStepper(Equations& equations, const Gsl& method, double largest_step)
       : name_(method.name()),
-        by_shorter_step_(method.formula != Gsl::Formula::msbdf),
         tolerances_{method.relative_tolerance, method.absolute_tolerance},
         largest_step_(largest_step),
         callbacks_(equations),
@@ -108,14 +116,12 @@ class GslStepper final : public PeerStepper {
                 &callbacks_},
         driver_(gsl_odeiv2_driver_alloc_y_new(&system_, step_type(method.formula), 1e-6, tolerances_.absolute,
                                               tolerances_.relative)),
-        shorter_(gsl_odeiv2_step_alloc(
-            step_type(method.formula == Gsl::Formula::msadams ? Gsl::Formula::rk8pd : method.formula),
-            system_.dimension)),
+        between_(gsl_odeiv2_driver_alloc_y_new(&system_, type_between(method.formula), 1e-6,
+                                               tolerances_.absolute, tolerances_.relative)),
         x0_(system_.dimension),
         x1_(system_.dimension),
-        f0_(system_.dimension),
-        f1_(system_.dimension) {
-    if (!driver_ || !shorter_) throw std::bad_alloc();
+        f_(system_.dimension) {
+    if (!driver_ || !between_) throw std::bad_alloc();
   }
 
   Status begin(double t, const double* x, double end) override {
@@ -125,9 +131,9 @@ class GslStepper final : public PeerStepper {
     t1_ = t;
     end_ = end;
     rejected_ = 0;
-    callbacks_.equations.rhs(t, x, f1_.data());
-    if (!callbacks_.equations.check(f1_.data())) return non_finite_rhs(name_, t, end - t);
-    h_ = initial_step(t, x, f1_.data(), callbacks_.equations.size(), end, tolerances_);
+    callbacks_.equations.rhs(t, x, f_.data());
+    if (!callbacks_.equations.check(f_.data())) return non_finite_rhs(name_, t, end - t);
+    h_ = initial_step(t, x, f_.data(), callbacks_.equations.size(), end, tolerances_);
     return {};
   }
 
@@ -136,10 +142,7 @@ class GslStepper final : public PeerStepper {
     x0_ = x1_;
     double t = t1_;
     h_ = std::copysign(std::min(std::abs(h_), largest_step_), h_);  // GSL's own bound is its driver's
-    (void)ErrorsAsCodes::met_singular_matrix();                     // of dense output, or of others
-    const int code =
-        gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t, end_, &h_, x1_.data());
-    callbacks_.exceptions.rethrow();
+    const int code = advance(*driver_, t, end_, h_, x1_.data());
     const auto rejected = static_cast<std::int64_t>(driver_->e->failed_steps);
     statistics.rejected += rejected - rejected_;
     rejected_ = rejected;
@@ -156,35 +159,51 @@ class GslStepper final : public PeerStepper {
     const Uncounted uncounted(callbacks_.equations);
     if (t == t0_ || t == t1_) {
       std::copy_n((t == t0_ ? x0_ : x1_).begin(), x0_.size(), x);
-    } else if (!by_shorter_step_ || !shorter_step(t, x)) {
-      cubic(t, x);
+    } else if (!steps_to(t, x)) {
+      miss(name_, t, t0_, t1_);
     }
   }
 
   void add_counters(Statistics& /*statistics*/) const override {}  // GSL counts no factorisations
 
  private:
-  /// State at @p t by a step from the begin of the latest; false if GSL fails there.
-  bool shorter_step(double t, double* x) {
-    std::copy(x0_.begin(), x0_.end(), x);
-    gsl_odeiv2_step_reset(shorter_.get());
-    (void)ErrorsAsCodes::met_singular_matrix();
-    const int code =
-        gsl_odeiv2_step_apply(shorter_.get(), t0_, t - t0_, x, f1_.data(), nullptr, nullptr, &system_);
+  /// A step of about @p h from @p t, at most to @p end, with what GSL says of it.
+  int advance(gsl_odeiv2_driver& driver, double& t, double end, double& h, double* x) {
+    // GSL cuts a step at the end if it is longer than the way; one that is as long misses the end by
+    // rounding.
+    if (h == end - t) h *= 2;
+    (void)ErrorsAsCodes::met_singular_matrix();  // of others
+    const int code = gsl_odeiv2_evolve_apply(driver.e, driver.c, driver.s, &system_, &t, end, &h, x);
     callbacks_.exceptions.rethrow();
-    return code == GSL_SUCCESS && !ErrorsAsCodes::met_singular_matrix() &&
-           all_finite(x, callbacks_.equations.size());
+    return code;
   }
 
-  /// State at @p t by the cubic through both ends of the latest step.
-  void cubic(double t, double* x) {
-    callbacks_.equations.rhs(t0_, x0_.data(), f0_.data());
-    callbacks_.equations.rhs(t1_, x1_.data(), f1_.data());
-    const double h = t1_ - t0_, s = (t - t0_) / h, r = 1 - s;
-    for (std::size_t i = 0; i < x0_.size(); ++i) {
-      x[i] =
-          r * r * (1 + 2 * s) * x0_[i] + s * s * (3 - 2 * s) * x1_[i] + h * s * r * (r * f0_[i] - s * f1_[i]);
+  /// State at @p t by steps from the start of the latest one, usually a single one; false if GSL does not get
+  /// there. Only the error estimate says that a shorter step failed where the longer one did not, as bsimp
+  /// does near a singular matrix 1 - c h df/dx: it hands back the old state, and an estimate that is large.
+  bool steps_to(double t, double* x) {
+    constexpr int most_tries = 1000;
+    std::vector<double> from = x0_;
+    double reached = t0_, h = t - t0_;
+    gsl_odeiv2_evolve_reset(between_->e);
+    gsl_odeiv2_step_reset(between_->s);
+    for (int tries = 0; reached != t; ++tries) {
+      if (tries == most_tries) return false;
+      const double begin = reached;
+      std::copy(from.begin(), from.end(), x);
+      const int code = advance(*between_, reached, t, h, x);
+      if (ErrorsAsCodes::met_singular_matrix()) {
+        reached = begin;
+        h = between_->e->last_step / 2;
+        gsl_odeiv2_evolve_reset(between_->e);
+        gsl_odeiv2_step_reset(between_->s);
+      } else if (code != GSL_SUCCESS || !all_finite(x, callbacks_.equations.size())) {
+        return false;
+      } else {
+        std::copy_n(x, from.size(), from.begin());
+      }
     }
+    return true;
   }
 
   /// After a step with a singular matrix: back, and on with half of it.
@@ -202,19 +221,16 @@ class GslStepper final : public PeerStepper {
 
   struct Free {
     void operator()(gsl_odeiv2_driver* driver) const { gsl_odeiv2_driver_free(driver); }
-    void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
   };
 
   ErrorsAsCodes errors_as_codes_;
   std::string_view name_;
-  bool by_shorter_step_;
   Tolerances tolerances_;
   double largest_step_;
   Callbacks callbacks_;
   gsl_odeiv2_system system_;
-  std::unique_ptr<gsl_odeiv2_driver, Free> driver_;
-  std::unique_ptr<gsl_odeiv2_step, Free> shorter_;
-  std::vector<double> x0_, x1_, f0_, f1_;
+  std::unique_ptr<gsl_odeiv2_driver, Free> driver_, between_;
+  std::vector<double> x0_, x1_, f_;
   double t0_ = 0, t1_ = 0, end_ = 0, h_ = 0;
   std::int64_t rejected_ = 0;
 };

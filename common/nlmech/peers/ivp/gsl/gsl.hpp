@@ -9,10 +9,9 @@
 namespace nlmech::peers {
 
 /// gsl_odeiv2 of the GNU Scientific Library (M. Galassi et al., GNU Scientific Library Reference Manual) with
-/// its standard step control. bsimp and msbdf get the exact Jacobian and df/dt. Dense output is a shorter
-/// step of the same formula, as accurate as the steps themselves. The multistep formulas give no access to
-/// their interpolant: for msadams it is a step of rk8pd, for msbdf the cubic through both ends of the step,
-/// with an error of h^4/384 max |x''''|.
+/// its standard step control. bsimp and msbdf get the exact Jacobian and df/dt. Dense output is a step of the
+/// same formula from the start of the latest one, under the same error control. The multistep formulas give
+/// no access to their interpolant: it is a step of rk8pd for msadams, of bsimp for msbdf.
 struct Gsl {
   /// Which formula.
   enum class Formula {

@@ -196,11 +196,8 @@ class OdeintStepper final : public PeerStepper {
     State out = x0_;
     if constexpr (std::is_same_v<Kind<State>, Dopri5<State>>) {
       controlled_->stepper().calc_state(t, out, x0_, f0_, t0_, x1_, f1_, step_.time());
-    } else if constexpr (std::is_same_v<Kind<State>, Fehlberg78<State>>) {
-      typename Kind<State>::Formula formula;
-      formula.do_step(rhs_, x0_, f0_, t0_, out, t - t0_);
-    } else {
-      extrapolate_to(step_.sign() * t, out);
+    } else if (!steps_to(step_.sign() * t, out)) {
+      miss(method_, t, step_.sign() * t0_, step_.sign() * step_.time());
     }
     std::copy(out.begin(), out.end(), x);
   }
@@ -230,8 +227,8 @@ class OdeintStepper final : public PeerStepper {
   }
 
   /// From the begin of the latest step to @p end, in Odeint's time, by steps of the same formula: usually
-  /// one.
-  void extrapolate_to(double end, State& x) {
+  /// one. False if Odeint does not get there.
+  bool steps_to(double end, State& x) {
     Controlled controlled = make(tolerances_);
     OdeintStep step(method_);
     State slope = f0_, next = x0_;
@@ -243,11 +240,12 @@ class OdeintStepper final : public PeerStepper {
       const bool accepted =
           controlled.try_step(rhs_, x, slope, t, next, next_length) == boost::numeric::odeint::success;
       const Attempt attempt = step.judge(accepted, finite(next), tried, next_length);
-      if (attempt.result == Attempt::Result::failed) return;
+      if (attempt.result == Attempt::Result::failed) return false;
       if (attempt.result == Attempt::Result::rejected) continue;
       x = next;
-      rhs_(x, slope, step.time());
+      if (!step.done()) rhs_(x, slope, step.time());
     }
+    return true;
   }
 
   E& equations_;
