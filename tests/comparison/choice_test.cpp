@@ -106,7 +106,7 @@ TEST(Rules, NameMethodsThatAreFit) {
   for (const Rule& rule : choice_rules()) {
     for (const std::string_view name : rule.methods) {
       if (name.empty()) continue;
-      const ivp::MethodInfo info = any_method(name).info;
+      const ivp::MethodInfo info = any_method(name);
       EXPECT_FALSE(info.fixed_step()) << name;
       EXPECT_FALSE(info.estimate_misses_time) << name;
     }

@@ -161,7 +161,7 @@ TEST(Verify, AgreesWithAnotherMethod) {
 }
 
 TEST(Remark, NamesWhatToChange) {
-  const AnyMethod method = any_method("ode45");
+  const ivp::MethodInfo& method = any_method("ode45");
   Verification v;
   v.verdict = Verdict::wrong;
   v.t = 20;

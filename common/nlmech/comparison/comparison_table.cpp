@@ -26,8 +26,9 @@ ComparisonTable::ComparisonTable(std::string_view program, const Reference& trut
 
 void ComparisonTable::say(const Choice& choice, std::string_view sentence) const {
   // Most sentences begin with the method.
-  const bool named = sentence.find(choice.method.name + ":") != std::string_view::npos;
-  scene::tell(fmt::format("{}: {}{}", program_, named ? "" : choice.method.name + ": ", sentence));
+  const bool named = sentence.find(fmt::format("{}:", choice.method.name)) != std::string_view::npos;
+  scene::tell(
+      fmt::format("{}: {}{}", program_, named ? "" : fmt::format("{}: ", choice.method.name), sentence));
 }
 
 double ComparisonTable::error_of(const Eigen::VectorXd& x) const {
@@ -66,7 +67,7 @@ void ComparisonTable::add(const Choice& choice, const Status& status, const Stat
   text_ += fmt::format("{},{},{},{},{:.4g},{},{}\n", choice.method.name, choice.setting(),
                        to_string(status.outcome()), digits, time.median, statistics.right_hand_sides, note);
   if (curves_.empty() || curves_.back().name != choice.method.name)
-    curves_.push_back({choice.method.name, kind_of(choice.method), {}});
+    curves_.push_back({std::string(choice.method.name), kind_of(choice.method), {}});
   curves_.back().costs.push_back(
       {choice.setting(), std::string(to_string(status.outcome())), error, statistics, time});
 }

@@ -35,7 +35,7 @@ Effort effort_after(const Statistics& work, int components, double left) {
   return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
 }
 
-std::string remark(const Verification& found, const Reference& reference, const AnyMethod& method,
+std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
                    const ivp::Settings& settings, const std::vector<std::string>& names) {
   using Verdict = Verification::Verdict;
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;

@@ -32,7 +32,7 @@ inline constexpr std::string_view what_a_tolerance_holds =
 /// @throws Failure for a run that is wrong or that nothing determines: method, place, what its tolerance
 /// holds, and what to change
 [[nodiscard]] std::string remark(const Verification& found, const Reference& reference,
-                                 const AnyMethod& method, const ivp::Settings& settings,
+                                 const ivp::MethodInfo& method, const ivp::Settings& settings,
                                  const std::vector<std::string>& names);
 
 }  // namespace nlmech::comparison

@@ -54,8 +54,8 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
   constexpr double enough = 0.005;      // s
   Ranked r{method, tolerance};
   try {
-    const auto run = any_integrator(any_method(method),
-                                    {.tolerance = tolerance, .absolute_tolerance = tolerance * q.absolute});
+    const auto run =
+        any_method(method).with({.tolerance = tolerance, .absolute_tolerance = tolerance * q.absolute});
     for (int i = 0; i < repeats && (i == 0 || r.seconds < enough); ++i) {
       const ivp::Solution s = run(q.system, q.x0, q.t0, q.t1, {}, q.limits(steps));
       const Outcome outcome = s.status.outcome();

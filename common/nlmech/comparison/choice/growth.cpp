@@ -15,9 +15,8 @@ Growth growth_along(const ChoiceRequest& q, const std::string& method) {
   constexpr double tolerance = 1e-11;  // far below the perturbations of amplification()
   if (q.x0.size() > most_components) return {};
   const ivp::Limits limits = q.limits(40'000);
-  const auto run =
-      any_integrator(any_method(method),
-                     {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
+  const auto run = any_method(method).with(
+      {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
   Way way{q.x0.cast<long double>(), q.t0, {}};
   Reference along;
   along.size = q.x0.cwiseAbs();

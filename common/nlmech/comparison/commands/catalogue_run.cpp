@@ -150,7 +150,7 @@ class Runner {
     if (std::abs(end(row) - request_.t0) > std::abs(farthest_ - request_.t0)) farthest_ = end(row);
     return {};
   }
-  [[nodiscard]] AnyMethod method_of_all() const {
+  [[nodiscard]] ivp::MethodInfo method_of_all() const {
     const auto problem = first_row_.empty() ? base_ : problem_of(first_row_);
     Request request = first_row_.empty() ? request_ : request_of(first_row_, problem);
     request.t1 = farthest_;
@@ -214,7 +214,7 @@ class Runner {
   std::vector<double> first_row_;
   double farthest_;
   scene::Catalogue catalogue_;
-  AnyMethod method_;
+  ivp::MethodInfo method_;
   std::int64_t failed_ = 0, first_ = 0, open_ = 0;
   std::string sentence_, remark_;
 };

@@ -36,7 +36,7 @@ struct CatalogueRuns {
   /// What is asked of it; initial state and end are those of a row without columns.
   std::function<Request(const OwnProblem&, std::vector<double>)> request;
   /// The method of all rows. The request is that of the first row, to the farthest end of all.
-  std::function<AnyMethod(const OwnProblem&, const Request&)> method;
+  std::function<ivp::MethodInfo(const OwnProblem&, const Request&)> method;
 };
 
 /// Prints `row,t,...,status` in the order of the file, `...` the unknowns, `event` if events were asked for,

@@ -21,15 +21,15 @@ double as_typed(double value) { return std::stod(fmt::format("{:.12g}", value));
 /// take the tolerances.
 Choice choice(const std::string& name, ivp::Settings settings) {
   if (settings.step && (settings.tolerance || settings.absolute_tolerance)) {
-    if (any_method(name).info.fixed_step())
+    if (any_method(name).fixed_step())
       settings.tolerance.reset();
     else
       settings.step.reset();
   }
   Choice one{any_method(name), settings};
-  if (one.method.info.fixed_step()) one.settings.absolute_tolerance.reset();
+  if (one.method.fixed_step()) one.settings.absolute_tolerance.reset();
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
-    if (!one.method.info.has(*setting)) setting->reset(one.settings);
+    if (!one.method.has(*setting)) setting->reset(one.settings);
   }
   return one;
 }
@@ -50,7 +50,7 @@ void check(const std::vector<Choice>& all, const ivp::Settings& settings,
                       *settings.absolute_tolerance, names);
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     const std::optional<double> value = setting->value(settings);
-    if (value && !some([setting](const Choice& c) { return c.method.info.has(*setting); }))
+    if (value && !some([setting](const Choice& c) { return c.method.has(*setting); }))
       throw input_error("--{} {}: none of the methods {} has {} to choose", setting->name, *value, names,
                         setting->name);
   }
@@ -120,7 +120,7 @@ std::vector<Choice> choices(const std::vector<std::string>& methods, const ivp::
                             const std::vector<double>& tolerances) {
   std::vector<Choice> all;
   for (const std::string& name : methods) {
-    if (tolerances.empty() || any_method(name).info.fixed_step()) {
+    if (tolerances.empty() || any_method(name).fixed_step()) {
       all.push_back(choice(name, settings));
       continue;
     }

@@ -104,13 +104,13 @@ Request understand(const Words& words, const OwnProblem& problem) {
 }
 
 /// The one that was typed, or else the usual one.
-AnyMethod method_of(const Words& words, const OwnProblem& problem, const Request& r) {
-  AnyMethod method = about(
+ivp::MethodInfo method_of(const Words& words, const OwnProblem& problem, const Request& r) {
+  ivp::MethodInfo method = about(
       "--method", [&] { return any_method(words.method.empty() ? problem.usual_method(r) : words.method); });
   if (r.settings.step && r.settings.tolerance)
     throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *r.settings.step,
                       *r.settings.tolerance);
-  if (words.largest_step && method.info.fixed_step())
+  if (words.largest_step && method.fixed_step())
     throw input_error(
         "--largest-step {}: {} takes equal steps; give --step, or a method that chooses its steps",
         *words.largest_step, method.name);
@@ -161,7 +161,7 @@ int integrate(const Words& words, const OwnProblems& problems, const std::string
   const auto problem = problem_of(words, problems);
   const scene::Picture picture(words.plot);
   const Request r = understand(words, *problem);
-  const AnyMethod method = method_of(words, *problem, r);
+  const ivp::MethodInfo& method = method_of(words, *problem, r);
   const Trajectory run = problem->trajectory(r, method);
   if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
   scene::print_result(run.rows);
@@ -181,9 +181,8 @@ void compare(const Words& words, const OwnProblems& problems, const std::string&
   const Request r = understand(words, *problem);
   const auto methods = words.method.empty() ? problem->usual_methods(r) : method_list(words.method);
   const auto tolerances = words.tolerances.empty() ? std::vector<double>() : tolerance_list(words.tolerances);
-  if (words.largest_step && std::ranges::all_of(methods, [](const std::string& name) {
-        return any_method(name).info.fixed_step();
-      }))
+  if (words.largest_step &&
+      std::ranges::all_of(methods, [](const std::string& name) { return any_method(name).fixed_step(); }))
     throw input_error("--largest-step {}: none of the methods {} chooses its steps; give --step",
                       *words.largest_step, fmt::join(methods, ","));
   const Comparison found = problem->comparison(r, choices(methods, r.settings, tolerances), program);
@@ -272,7 +271,7 @@ void declare_common(scene::Options& options, Words& words, const std::string& ma
 /// What some methods have and others have not: options for those that at least one of @p methods has.
 void declare_settings(scene::Options& options, ivp::Settings& s, const std::vector<std::string>& methods) {
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
-    const auto has = [&](const std::string& name) { return any_method(name).info.has(*setting); };
+    const auto has = [&](const std::string& name) { return any_method(name).has(*setting); };
     if (std::none_of(methods.begin(), methods.end(), has)) continue;
     scene::Option& option = std::visit(
         [&](auto member) -> scene::Option& {

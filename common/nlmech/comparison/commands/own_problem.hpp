@@ -101,7 +101,7 @@ struct Comparison {
 
 /// A method of a list, with those of the settings that it has.
 struct Choice {
-  AnyMethod method;        ///< which
+  ivp::MethodInfo method;  ///< which
   ivp::Settings settings;  ///< how
 
   /// "step 0.5 nodes 7"
@@ -151,11 +151,12 @@ class OwnProblem {
   /// the event that ends the run. With events a last column, `event`, has the text of each.
   /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot
   /// be meant
-  [[nodiscard]] virtual Trajectory trajectory(const Request& request, const AnyMethod& method) const = 0;
+  [[nodiscard]] virtual Trajectory trajectory(const Request& request,
+                                              const ivp::MethodInfo& method) const = 0;
   /// The same for many runs of problems of this kind, side by side where the method can; what trajectory()
   /// throws as Failure is their status. @param threads how many; 0: one a processor
-  [[nodiscard]] virtual std::vector<Ended> trajectories(std::span<const Posed> posed, const AnyMethod& method,
-                                                        int threads) const = 0;
+  [[nodiscard]] virtual std::vector<Ended> trajectories(std::span<const Posed> posed,
+                                                        const ivp::MethodInfo& method, int threads) const = 0;
   /// Rows as ComparisonTable makes them. Methods that fail, and those that are not for the problem or the
   /// settings, keep their row and say why, also on standard error after the name of the @p program. Wall time
   /// is shared: each method gets its part of what those before it have left.

@@ -1,5 +1,7 @@
 #include "nlmech/comparison/commands/problem_of_size.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,6 +18,7 @@
 #include "nlmech/comparison/reference/reference_methods.hpp"
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/comparison/rows.hpp"
+#include "nlmech/ivp/named/named_ensemble.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -56,12 +59,11 @@ std::vector<Shown> shown_of(const std::vector<std::string>& names, bool second_o
 
 /// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
 /// allow.
-ivp::NamedIntegrator other_method(const AnyMethod& method, const ivp::Settings& settings) {
+ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
   const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
   const Tolerance tolerance = tolerance_of(settings);
-  return any_integrator(
-      any_method(method.name == "dop853" ? "series" : "dop853"),
-      {.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
+  return any_method(method.name == "dop853" ? "series" : "dop853")
+      .with({.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
 }
 
 /// The first of them that this build has.
@@ -101,7 +103,7 @@ std::string ProblemOfSize::usual_method(const Request& r) const {
   constexpr const char* usual = "series";
   ChoiceRequest q = choice_request(system(), r);
   for (const std::string& name : built_method_names()) {
-    const ivp::MethodInfo info = any_method(name).info;
+    const ivp::MethodInfo info = any_method(name);
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !info.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
     const bool within = r.every || !r.events.empty();  // not for a picture, which changes no number
@@ -155,7 +157,8 @@ class ProblemOfSize::Run {
   /// All outlive it. @param one the method, for a single trajectory
   /// @param other that suffices for its verification if it agrees; may be null
   Run(const ProblemOfSize& problem, const ivp::System& system, const Request& request,
-      const AnyMethod& method, const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
+      const ivp::MethodInfo& method, const ivp::NamedIntegrator& one,
+      const ivp::NamedIntegrator* other = nullptr)
       : problem_(problem),
         system_(system),
         request_(request),
@@ -232,15 +235,15 @@ class ProblemOfSize::Run {
   const ivp::System& system_;
   const Request& request_;
   Request way_;  // to where it has come
-  const AnyMethod& method_;
+  const ivp::MethodInfo& method_;
   const ivp::NamedIntegrator* other_;  // or null
   Rows rows_;
   Seen seen_;
   LookOut events_;
 };
 
-Trajectory ProblemOfSize::trajectory(const Request& r, const AnyMethod& method) const {
-  const auto one = about("--method", [&] { return any_integrator(method, r.settings); });
+Trajectory ProblemOfSize::trajectory(const Request& r, const ivp::MethodInfo& method) const {
+  const auto one = about("--method", [&] { return method.with(r.settings); });
   const ivp::System system = this->system();
   Run run(*this, system, r, method, one);
   const ivp::Start start = run.start();
@@ -248,11 +251,11 @@ Trajectory ProblemOfSize::trajectory(const Request& r, const AnyMethod& method) 
       "--method", [&] { return one(system, start.x0, start.t0, start.t1, start.observer, start.limits); }));
 }
 
-std::vector<Ended> ProblemOfSize::trajectories(std::span<const Posed> posed, const AnyMethod& method,
+std::vector<Ended> ProblemOfSize::trajectories(std::span<const Posed> posed, const ivp::MethodInfo& method,
                                                int threads) const {
   if (posed.empty()) return {};
   const ivp::Settings& settings = posed.front().request.settings;
-  const auto one = about("--method", [&] { return any_integrator(method, settings); });
+  const auto one = about("--method", [&] { return method.with(settings); });
   const auto each = [&](const std::function<void(std::size_t)>& work) {
     share_out(posed.size(), 16, threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) work(i);
@@ -272,7 +275,7 @@ std::vector<Ended> ProblemOfSize::trajectories(std::span<const Posed> posed, con
   });
   const Stopwatch watch;
   std::vector<ivp::Solution> ends =
-      about("--method", [&] { return integrate_all(method, settings, starts, threads); });
+      about("--method", [&] { return integrate_all_by(method, settings, starts, threads); });
   share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<Ended> all(posed.size());
   each([&](std::size_t i) {
@@ -299,10 +302,10 @@ Comparison ProblemOfSize::comparison(const Request& r, const std::vector<Choice>
                                     {work, left() / 3, r.limits.largest_step});
   ComparisonTable table(program, truth, x0.template cast<double>());
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    doing.emplace("running " + methods[i].method.name);
+    doing.emplace(fmt::format("running {}", methods[i].method.name));
     const double share = left() / static_cast<double>(methods.size() - i);
     try {
-      const auto run = any_integrator(methods[i].method, methods[i].settings);
+      const auto run = methods[i].method.with(methods[i].settings);
       const std::function<ivp::Solution()> once = [&] {
         return run(system, x0, r.t0, r.t1, {}, {r.limits.steps, share, r.limits.largest_step});
       };

@@ -26,9 +26,9 @@ class ProblemOfSize : public OwnProblem {
   /// See OwnProblem.
   [[nodiscard]] std::vector<std::string> usual_methods(const Request& request) const override;
   /// See OwnProblem.
-  [[nodiscard]] Trajectory trajectory(const Request& request, const AnyMethod& method) const override;
+  [[nodiscard]] Trajectory trajectory(const Request& request, const ivp::MethodInfo& method) const override;
   /// See OwnProblem.
-  [[nodiscard]] std::vector<Ended> trajectories(std::span<const Posed> posed, const AnyMethod& method,
+  [[nodiscard]] std::vector<Ended> trajectories(std::span<const Posed> posed, const ivp::MethodInfo& method,
                                                 int threads) const override;
   /// See OwnProblem.
   [[nodiscard]] Comparison comparison(const Request& request, const std::vector<Choice>& methods,

@@ -27,7 +27,7 @@ enum class Kind {
 };
 
 /// The kind of a method or peer, where no page has a source of its own.
-[[nodiscard]] Kind kind_of(const AnyMethod& method);
+[[nodiscard]] Kind kind_of(const ivp::MethodInfo& method);
 
 /// What one setting of one method came to.
 struct Cost {

@@ -8,7 +8,6 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/features.hpp"
-#include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
@@ -31,7 +30,7 @@ constexpr std::array judges = {
 
 bool is_here(const Judge& judge, bool second_order) {
   if (judge.second_order_only && !second_order) return false;
-  return !peers::is_peer(judge.name) || peers::peer_available(judge.name);
+  return any_method(judge.name).is_available();
 }
 
 /// Ends an explicit method that is too slow to arrive: one that, after a twentieth of its steps, has made
@@ -80,8 +79,8 @@ Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, con
 Status by_judge(const Judge& judge, const ivp::System& system, const Needed& needed, const Effort& effort,
                 const Way& way, double seconds, StatesAt& states) {
   const Stopwatch watch;
-  const AnyMethod method = any_method(judge.name);
-  if (method.info.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
+  const ivp::MethodInfo& method = any_method(judge.name);
+  if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
     return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
   const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
@@ -93,7 +92,7 @@ Status by_judge(const Judge& judge, const ivp::System& system, const Needed& nee
       Pace pace(judge, way, steps);
       const ivp::Limits limits{
           .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
-      status = states_by(any_integrator(method, settings), system, way, pace.observer(), limits, states);
+      status = states_by(method.with(settings), system, way, pace.observer(), limits, states);
     } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());
     }
