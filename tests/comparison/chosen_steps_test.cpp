@@ -14,7 +14,7 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/features.hpp"
-#include "nlmech/comparison/commands/typed_problem.hpp"
+#include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/ivp/step_control.hpp"
 #include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
@@ -191,23 +191,22 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
     const Forced f = forced(random, i % 6);
     SCOPED_TRACE(fmt::format("{} to {}", f.text, f.end));
     const auto problem = typed_problem(program::SourceText("equation", f.text), {});
-    const std::size_t size = problem->state_names().size();
-    const Request request{.x0 = std::vector<double>(size, 0.0),
-                          .t0 = 0,
-                          .t1 = f.end,
-                          .settings = {},
-                          .every = {},
-                          .limits = {.seconds = 60},
-                          .verify = true};
-    const std::string method = problem->usual_method(request);
+    const RunOptions options{.x0 = ivp::State::Zero(problem.system.size()),
+                             .t0 = 0,
+                             .t1 = f.end,
+                             .settings = {},
+                             .every = {},
+                             .limits = {.seconds = 60},
+                             .verify = true};
+    const ivp::MethodInfo& method = usual_method(problem, options);
     try {
-      const Trajectory run = problem->trajectory(request, any_method(method));
+      const Trajectory run = trajectory(problem, options, method);
       const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
       const double x = std::stod(last.substr(last.find(',') + 1));
-      EXPECT_NEAR(x, f.exact, 1e-7 * (1 + std::abs(f.exact))) << method;
-      EXPECT_EQ(run.remark, "") << method;
+      EXPECT_NEAR(x, f.exact, 1e-7 * (1 + std::abs(f.exact))) << method.name;
+      EXPECT_EQ(run.remark, "") << method.name;
     } catch (const Failure& failure) {
-      ADD_FAILURE() << method << ": " << failure.what();
+      ADD_FAILURE() << method.name << ": " << failure.what();
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/robertson.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "nlmech/comparison/judgement.hpp"
+#include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"

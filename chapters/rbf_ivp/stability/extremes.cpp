@@ -10,7 +10,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/reference/reference_end.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/scene/scene.hpp"
 

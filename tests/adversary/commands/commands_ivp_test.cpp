@@ -31,7 +31,7 @@ struct Asked {
 /// The words of a method that chooses its steps, and of what it takes.
 std::string any_chosen(Draw& draw, const Question& question) {
   const auto method = comparison::any_method(any_method(draw, question, false));
-  std::string words = " --method " + method.name;
+  std::string words = fmt::format(" --method {}", method.name);
   if (method.has(ivp::nodes_setting) && draw.chance(0.3))
     words += fmt::format(" --nodes {}", draw.whole(3, 24));
   if (method.has(ivp::shape_setting) && draw.chance(0.3))

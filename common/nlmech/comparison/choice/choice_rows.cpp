@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/comparison/rows.hpp"
+#include "nlmech/scene/table.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -51,7 +51,7 @@ std::string choice_rows(const Chosen& c) {
   for (std::size_t i = 0; i < c.ranked.size(); ++i) {
     const Ranked& r = c.ranked[i];
     text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.seconds,
-                        quoted_cell(fmt::format("{}; {}", why, run(r, c))));
+                        scene::quoted_field(fmt::format("{}; {}", why, run(r, c))));
     why = "next by the same rule";
   }
   return text;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/comparison/amplification.hpp"
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
 
 namespace nlmech::comparison {
 

@@ -9,11 +9,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/system.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
@@ -37,6 +40,22 @@ struct Effort {
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
   /// Longest step of each computation, as of the run that is judged.
   double largest_step = std::numeric_limits<double>::infinity();
+};
+
+/// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less
+/// than a twentieth of the way that they would have to.
+class Pace {
+ public:
+  /// @param most steps from t0 to t1
+  Pace(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
+  /// After a step to @p t: may it go on?
+  [[nodiscard]] bool suffices(double t) {
+    ++steps_;
+    return steps_ < most_ / 20 || 20 * std::abs(t - t0_) >= std::abs(way_) * steps_ / most_;
+  }
+
+ private:
+  double t0_, way_, most_, steps_ = 0;
 };
 
 /// A state in extended precision.
@@ -84,6 +103,26 @@ struct Reference {
 /// @param seconds wall time for all of them
 [[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Needed& needed,
                               double seconds);
+
+/// The states of a problem at @p times, by the first two that agree of @p extended, computations in extended
+/// precision, and then of methods that share nothing but the problem, cheap ones first: Taylor series in
+/// double precision, collocation, Rosenbrock, Runge-Kutta, differentiation formulas, Hermitian operators;
+/// peers as far as this build has them. Each of these is begun anew at every time, so that no dense output
+/// has a part in the states. Tolerances are a tenth of what is needed, but not below 1e-13 (differentiation
+/// formulas and Rosenbrock: 1e-12); absolute ones are a millionth of that first, for components that decay,
+/// and if the method fails so, as coarse as needed.
+/// @param x0 state at t0, finite
+/// @param times in the direction of travel from t0, each other than the one before; at least one
+/// @param needed how finely
+/// @param effort when to give up
+[[nodiscard]] Reference reference_of(std::vector<Candidate> extended, const ivp::System& system,
+                                     const ivp::State& x0, double t0, const std::vector<double>& times,
+                                     const Needed& needed, const Effort& effort);
+
+/// The states at all times by a method that is begun anew at each.
+/// @param observer of all segments; may be empty
+[[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
+                               const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states);
 
 /// The times at which a way from @p t0 to @p t1 is looked at: @p count equidistant ones, the last of them the
 /// end.

@@ -1,4 +1,4 @@
-#include "nlmech/comparison/reference/reference_methods.hpp"
+#include "nlmech/comparison/reference/reference.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,27 +33,43 @@ bool is_here(const Judge& judge, bool second_order) {
   return any_method(judge.name).is_available();
 }
 
-/// Ends an explicit method that is too slow to arrive: one that, after a twentieth of its steps, has made
-/// less than a twentieth of the way that they would have to.
-class Pace {
- public:
-  Pace(const Judge& judge, const Way& way, std::int64_t most)
-      : judge_(judge), t0_(way.t0), way_(way.times.back() - way.t0), most_(static_cast<double>(most)) {}
-  /// An observer of all segments; empty for methods whose steps may yet grow.
-  [[nodiscard]] ivp::Observer observer() {
-    if (!judge_.is_explicit) return {};
-    return [this](const ivp::Step& step) {
-      ++steps_;
-      return steps_ < most_ / 20 || 20 * std::abs(step.t1 - t0_) >= std::abs(way_) * steps_ / most_;
-    };
+/// By absolute tolerances for components that decay, then by those needed.
+Status by_judge(const Judge& judge, const ivp::System& system, const Needed& needed, const Effort& effort,
+                const Way& way, double seconds, StatesAt& states) {
+  const Stopwatch watch;
+  const ivp::MethodInfo& method = any_method(judge.name);
+  if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
+    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
+  const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
+  const double loose = std::max(needed.absolute / 10, relative * 1e-2);
+  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(judge.most_steps));
+  Status status;
+  for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
+    try {
+      const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
+      Pace pace(way.t0, way.times.back(), static_cast<double>(steps));
+      ivp::Observer observer;  // empty for methods whose steps may yet grow
+      if (judge.is_explicit) observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
+      const ivp::Limits limits{
+          .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
+      status = states_by(method.with(settings), system, way, observer, limits, states);
+    } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
+      status = Status::failure(Outcome::outside_validity, error.what());
+    }
+    if (status.ok() || status.outcome() == Outcome::time_limit) break;
   }
+  return status;
+}
 
- private:
-  const Judge& judge_;
-  double t0_, way_, most_, steps_ = 0;
-};
+Candidate candidate_of(const Judge& judge, const ivp::System& system, const Needed& needed,
+                       const Effort& effort) {
+  return {std::string(judge.name), "", false, [=](const Way& way, double seconds, StatesAt& states) {
+            return by_judge(judge, system, needed, effort, way, seconds, states);
+          }};
+}
 
-/// The states at all times, the method begun anew at each.
+}  // namespace
+
 Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
                  const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states) {
   const Stopwatch watch;
@@ -75,48 +91,14 @@ Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, con
   return {};
 }
 
-/// By absolute tolerances for components that decay, then by those needed.
-Status by_judge(const Judge& judge, const ivp::System& system, const Needed& needed, const Effort& effort,
-                const Way& way, double seconds, StatesAt& states) {
-  const Stopwatch watch;
-  const ivp::MethodInfo& method = any_method(judge.name);
-  if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
-    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
-  const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
-  const double loose = std::max(needed.absolute / 10, relative * 1e-2);
-  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(judge.most_steps));
-  Status status;
-  for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
-    try {
-      const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
-      Pace pace(judge, way, steps);
-      const ivp::Limits limits{
-          .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
-      status = states_by(method.with(settings), system, way, pace.observer(), limits, states);
-    } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
-      status = Status::failure(Outcome::outside_validity, error.what());
-    }
-    if (status.ok() || status.outcome() == Outcome::time_limit) break;
-  }
-  return status;
-}
-
-Candidate candidate_of(const Judge& judge, const ivp::System& system, const Needed& needed,
+Reference reference_of(std::vector<Candidate> extended, const ivp::System& system, const ivp::State& x0,
+                       double t0, const std::vector<double>& times, const Needed& needed,
                        const Effort& effort) {
-  return {std::string(judge.name), "", false, [=](const Way& way, double seconds, StatesAt& states) {
-            return by_judge(judge, system, needed, effort, way, seconds, states);
-          }};
-}
-
-}  // namespace
-
-std::vector<Candidate> method_candidates(const ivp::System& system, const Needed& needed,
-                                         const Effort& effort) {
-  std::vector<Candidate> all;
   for (const Judge& judge : judges) {
-    if (is_here(judge, system.second_order())) all.push_back(candidate_of(judge, system, needed, effort));
+    if (is_here(judge, system.second_order()))
+      extended.push_back(candidate_of(judge, system, needed, effort));
   }
-  return all;
+  return agree(extended, {x0.cast<long double>(), t0, times}, needed, effort.seconds);
 }
 
 }  // namespace nlmech::comparison

@@ -4,10 +4,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+
+#include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 namespace {
+
+constexpr int rounding = 16;  // roundings of a state that steps leave, about the square root of some hundred
+
+double weight(double t, double x, double f, double size, const Tolerance& tolerance) {
+  return tolerance.absolute + tolerance.relative * std::abs(x) + rounding * eps * size +
+         2 * eps * std::abs(t * f);
+}
+
+Eigen::VectorXd weights_at(const ivp::System& system, double t, const ivp::State& x,
+                           const Eigen::VectorXd& size, const Tolerance& tolerance) {
+  ivp::State f(x.size());
+  system.rhs(t, x, f);
+  Eigen::VectorXd w(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) w[i] = weight(t, x[i], f[i], size[i], tolerance);
+  return w;
+}
+
+/// d x(t1) / d x(t0) along the reference, by moving each component by @p by to both sides: errors in these
+/// matrices multiply in their products, and one-sided differences would not do.
+Status derivative(const Candidate& run, const ExtendedState& x, double t0, double t1,
+                  const Eigen::VectorXd& by, const std::function<double()>& seconds, Eigen::MatrixXd& d) {
+  d.resize(x.size(), x.size());
+  StatesAt ends[2];
+  Way way{x, t0, {t1}};
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    long double begins[2];
+    for (const int side : {0, 1}) {
+      // A double, for methods that know no more.
+      begins[side] = static_cast<double>(side == 0 ? x[j] - by[j] : x[j] + by[j]);
+      way.x0[j] = begins[side];
+      if (Status s = run.compute(way, seconds(), ends[side]); !s.ok()) return s;
+    }
+    way.x0[j] = x[j];
+    d.col(j) = ((ends[1].col(0) - ends[0].col(0)) / (begins[1] - begins[0])).cast<double>();
+  }
+  return {};
+}
+
+/// The weights of the components at several times: what one tolerance comes to, absolute + relative |x|, and
+/// what rounding leaves of x and of the time.
+/// @param size greatest |x_i| on the way
+Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
+                        const Eigen::VectorXd& size, const Tolerance& tolerance) {
+  Eigen::MatrixXd all(states.rows(), states.cols());
+  for (Eigen::Index k = 0; k < states.cols(); ++k) {
+    const ivp::State x = states.col(k).template cast<double>();
+    const Eigen::VectorXd w = weights_at(system, times[static_cast<std::size_t>(k)], x, size, tolerance);
+    for (Eigen::Index i = 0; i < w.size(); ++i) all(i, k) = w[i];
+  }
+  return all;
+}
 
 using Verdict = Verification::Verdict;
 
@@ -85,7 +141,61 @@ Verification with_condition(const Beside& all, const Reference& reference, const
   return v;
 }
 
+/// "take --tolerance 1e-12 or another method": a tolerance that should suffice, if there is one.
+std::string advice(const Verification& found, double tolerance) {
+  const double excess = std::max(1.0, found.tolerances / found.allowed);
+  const double smaller = std::pow(10, std::floor(std::log10(tolerance / excess / 3)));
+  return smaller >= 1e-13 ? fmt::format("take --tolerance {:.0e} or another method", smaller)
+                          : "take another method";
+}
+
 }  // namespace
+
+Tolerance tolerance_of(const ivp::Settings& settings) {
+  const double relative = settings.tolerance.value_or(ivp::default_tolerance);
+  return {relative, settings.absolute_tolerance.value_or(relative)};
+}
+
+Needed needed_for(const Tolerance& tolerance) { return {tolerance.relative / 10, tolerance.absolute / 10}; }
+
+Effort effort_after(const Statistics& work, int components, double left) {
+  // 1e7 numbers of right-hand sides take a second or so.
+  const double done =
+      static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
+  // The clock ends it only on a machine that is far slower than that, or busy.
+  return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
+}
+
+Status amplification(const Way& way, const Reference& reference, const Eigen::VectorXd& first_weight,
+                     const Eigen::MatrixXd& weight, double seconds, Eigen::MatrixXd& moved) {
+  const Stopwatch watch;
+  const std::function<double()> left = [&] { return seconds - watch.seconds(); };
+  // Far above the errors of the run that made the reference, and small against the solution.
+  const double share = reference.first.extended ? 1e-7 : 1e-6;
+  const Eigen::VectorXd size = reference.size.cwiseMax(way.x0.cwiseAbs().cast<double>());
+  std::vector<Eigen::MatrixXd> made;  // what errors of all earlier times have become
+  moved = weight;
+  Eigen::VectorXd w = first_weight;
+  ExtendedState x = way.x0;
+  double t = way.t0;
+  Eigen::MatrixXd d;
+  for (std::size_t k = 0; k < way.times.size(); ++k) {
+    Eigen::VectorXd by = share * x.cwiseAbs().cast<double>().cwiseMax(1e-3 * size);
+    for (Eigen::Index i = 0; i < by.size(); ++i) {
+      if (!(by[i] > 0)) by[i] = share;  // zero throughout
+    }
+    if (Status s = derivative(reference.first, x, t, way.times[k], by, left, d); !s.ok()) return s;
+    for (Eigen::MatrixXd& error : made) error = (d * error).eval();
+    made.emplace_back(d * w.asDiagonal());
+    const auto column = static_cast<Eigen::Index>(k);
+    for (const Eigen::MatrixXd& error : made)
+      moved.col(column) = moved.col(column).cwiseMax(error.cwiseAbs().rowwise().sum());
+    t = way.times[k];
+    x = reference.states.col(column);
+    w = weight.col(column);
+  }
+  return {};
+}
 
 Verification verify(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
                     const Reference& reference, const Effort& effort) {
@@ -121,29 +231,54 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
 }
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
-            const ivp::NamedIntegrator& other, ivp::Limits limits) {
-  std::vector<double> times;
-  Eigen::MatrixXd states(x0.size(), run.states.cols());
-  StatesAt found(x0.size(), run.states.cols());
-  ivp::Solution there{t0, x0, {}, {}};
+            const ivp::NamedIntegrator& other, const ivp::Limits& limits) {
+  Way way{x0.cast<long double>(), t0, {}};
+  Eigen::MatrixXd states(x0.size(), 0);
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
     if (std::isnan(run.states(0, k))) continue;
-    const auto count = static_cast<Eigen::Index>(times.size());
-    times.push_back(run.times[static_cast<std::size_t>(k)]);
-    there = other(system, ivp::State(there.x), there.t, times.back(), {}, limits);
-    if (!there.status.ok()) return false;
-    limits.steps -= there.statistics.steps + there.statistics.rejected;
-    limits.seconds -= there.statistics.seconds;
-    states.col(count) = run.states.col(k);
-    found.col(count) = there.x.template cast<long double>();
+    way.times.push_back(run.times[static_cast<std::size_t>(k)]);
+    states.conservativeResize(Eigen::NoChange, states.cols() + 1);
+    states.rightCols(1) = run.states.col(k);
   }
-  const auto count = static_cast<Eigen::Index>(times.size());
-  states.conservativeResize(Eigen::NoChange, count);
-  found.conservativeResize(Eigen::NoChange, count);
-  const Eigen::MatrixXd theirs = found.template cast<double>();
+  StatesAt found;
+  if (!states_by(other, system, way, {}, limits, found).ok()) return false;
+  const Eigen::MatrixXd theirs = found.cast<double>();
   const Eigen::VectorXd size = theirs.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
-  const Eigen::MatrixXd weight = weights(system, times, found, size, run.tolerance);
+  const Eigen::MatrixXd weight = weights(system, way.times, found, size, run.tolerance);
   return ((states - theirs).array().abs() <= most_tolerances * weight.array()).all();
+}
+
+std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
+                   const ivp::Settings& settings, const std::vector<std::string>& names) {
+  using Verdict = Verification::Verdict;
+  if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
+  const double tolerance = tolerance_of(settings).relative;
+  if (found.verdict == Verdict::ended)
+    throw Failure(
+        failed_with(Outcome::step_underflow,
+                    "{}: the solution seems to end on the way, and this run at the tolerance {:.6g} to have "
+                    "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
+                    "the run as it is)",
+                    method.name, tolerance, found.reason));
+  const std::string place =
+      fmt::format("{} at t = {:.9g}", names.at(static_cast<std::size_t>(found.component)), found.t);
+  if (found.verdict == Verdict::undetermined)
+    throw Failure(failed_with(
+        Outcome::outside_validity,
+        "{}: nothing determines {}: up to there the problem multiplies an error of the tolerance {:.6g} by "
+        "{:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
+        method.name, place, tolerance, found.growth));
+  if (found.verdict == Verdict::wrong)
+    throw Failure(failed_with(Outcome::not_converged,
+                              "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
+                              "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
+                              "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
+                              method.name, place, found.error, found.tolerances, tolerance, found.allowed,
+                              what_a_tolerance_holds, advice(found, tolerance), reference.text()));
+  if (found.tolerances <= most_tolerances) return "";
+  return fmt::format(
+      "verified: {} is off by {:.2g}, {:.3g} tolerances, since the problem multiplies errors by up to {:.3g}",
+      place, found.error, found.tolerances, found.growth);
 }
 
 }  // namespace nlmech::comparison
