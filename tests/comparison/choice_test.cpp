@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/choice_rows.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/forced_duffing.hpp"

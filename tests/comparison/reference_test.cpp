@@ -17,7 +17,7 @@ namespace {
 
 /// A computation that gives these states, or none.
 Candidate giving(const std::string& name, double value, bool arrives = true) {
-  return {name, "", false, [=](const Way& way, double, StatesAt& states) {
+  return {name, false, [=](const Way& way, double, StatesAt& states) {
             states = StatesAt::Constant(way.x0.size(), static_cast<Eigen::Index>(way.times.size()), value);
             return arrives ? Status() : Status::failure(Outcome::step_limit, name + ": too many steps");
           }};

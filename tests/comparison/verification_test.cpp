@@ -35,7 +35,7 @@ template <class Problem>
 Verification verdict(const Problem& problem, const Vector<double, Problem::dimension>& x0, double end,
                      double error, const Tolerance& tolerance, const Effort& effort = {}) {
   const std::vector<double> times = look_at(0, end, 16);
-  const Reference truth = reference_of(problem, x0, 0, times, needed_for(tolerance), effort);
+  const Reference truth = reference_of(problem, x0, 0, times, tolerance / 10, effort);
   Verified run{times, Eigen::MatrixXd(x0.size(), 16), tolerance};
   if (truth.status.ok()) run.states = truth.states.template cast<double>();
   run.states(0, 15) += error;

@@ -108,10 +108,7 @@ std::string format_number(double value, int digits) {
 }
 
 std::string csv_field(std::string_view text) {
-  return text.find_first_of(",\"\n\r") == std::string_view::npos ? std::string(text) : quoted_field(text);
-}
-
-std::string quoted_field(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + '"';

@@ -70,7 +70,5 @@ class Table {
 
 /// A text as one field of a CSV file: quoted if it must be.
 [[nodiscard]] std::string csv_field(std::string_view text);
-/// The same, quoted in any case.
-[[nodiscard]] std::string quoted_field(std::string_view text);
 
 }  // namespace nlmech::scene

@@ -70,8 +70,7 @@ Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, doubl
   return status;
 }
 
-}  // namespace
-
+/// Are the equations q'' = a(t, q)? As recorded, else by the Jacobian at @p x and beside it.
 bool has_velocity_free_accelerations(const ivp::System& system, double t, const ivp::State& x) {
   if (!system.second_order()) return false;
   const int half = system.size() / 2;
@@ -83,6 +82,8 @@ bool has_velocity_free_accelerations(const ivp::System& system, double t, const 
   }
   return true;
 }
+
+}  // namespace
 
 bool depends_on_time(const ivp::System& system, double t, const ivp::State& x) {
   if (const std::optional<Tape> tape = tape_of(system, t)) return tape->depends_on_time();

@@ -121,12 +121,10 @@ class Runner {
     }
   }
   /// Where a row ends.
-  [[nodiscard]] double end(const std::vector<double>& row) const {
-    return has_end(row) ? row.back() : options_.t1;
+  [[nodiscard]] double end(const std::vector<double>& row, double without_column) const {
+    return row.size() > columns_.size() && !std::isnan(row.back()) ? row.back() : without_column;
   }
-  [[nodiscard]] bool has_end(const std::vector<double>& row) const {
-    return row.size() > columns_.size() && !std::isnan(row.back());
-  }
+  [[nodiscard]] double end(const std::vector<double>& row) const { return end(row, options_.t1); }
   [[nodiscard]] double lines(const std::vector<double>& row) const {
     return options_.every ? std::abs(end(row) - options_.t0) / *options_.every + 2 : 2;
   }
@@ -144,7 +142,7 @@ class Runner {
                             missing_.empty() ? problem->initial_state(typed_.initial) : options_.x0)};
     }
     RunOptions& options = member.options;
-    if (has_end(row)) options.t1 = row.back();
+    options.t1 = end(row, options.t1);
     options.check_rows();
     for (std::size_t k = 0; k < states_.size(); ++k) {
       if (!std::isnan(row[k])) options.x0[static_cast<Eigen::Index>(k)] = row[k];

@@ -15,7 +15,6 @@
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/scene/table.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -57,19 +56,18 @@ Methods usual_methods(const UserProblem& problem, const RunOptions& r) {
     const auto* first = std::ranges::find_if(names, built);
     if (first != names.end()) methods.push_back(&any_method(*first));
   };
+  const auto add_all = [&add](std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names) add({name});
+  };
   if (r.settings.step) {
-    for (const char* name : {"rk4", "rk6", "radau-coll", "series"}) add({name});
-    if (problem.system.second_order()) {
-      add({"newmark"});
-      add({"laier"});
-    }
+    add_all({"rk4", "rk6", "radau-coll", "series"});
+    if (problem.system.second_order()) add_all({"newmark", "laier"});
     return methods;
   }
   add({"adaptive-collocation"});
   const Features features = probe_problem(choice_request(problem, r)).features;
   if (features.stiffness < stiff_from) {
-    add({"series"});
-    add({"ode45"});
+    add_all({"series", "ode45"});
     if (features.velocity_free) add({"rkn1210"});
     add({"odeint-fehlberg78", "gsl-rk8pd", "arkode-erk"});
     add({"odeint-bulirsch-stoer"});
@@ -174,8 +172,7 @@ class ComparisonTable {
   void add_unsuitable(const Choice& choice, const std::string& why) {
     unsuitable_ += (unsuitable_.empty() ? "" : "; ") + why;
     say(choice, why);
-    text_ += fmt::format("{},{},unsuitable,,,,{}\n", choice.method->name, choice.setting(),
-                         scene::quoted_field(why));
+    text_ += fmt::format("{},{},unsuitable,,,,{}\n", choice.method->name, choice.setting(), quoted_cell(why));
   }
   /// All of it.
   [[nodiscard]] Comparison take() {
@@ -213,8 +210,7 @@ std::string ComparisonTable::note(const Choice& choice, const ivp::State& x) con
     most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
-  return scene::quoted_field(
-      fmt::format("off by {:.3g} tolerances, since one {}", most, what_a_tolerance_holds));
+  return quoted_cell(fmt::format("off by {:.3g} tolerances, since one {}", most, what_a_tolerance_holds));
 }
 
 void ComparisonTable::add(const Choice& choice, const ivp::Solution& end, const Timing& time) {
@@ -223,7 +219,7 @@ void ComparisonTable::add(const Choice& choice, const ivp::Solution& end, const 
   std::optional<double> error;
   if (!end.status.ok()) {
     say(choice, end.status.text());
-    note = scene::quoted_field(end.status.sentence());
+    note = quoted_cell(end.status.sentence());
   } else if (reference_.status.ok()) {
     error = std::max(relative_error(end.x, reference_.states.rightCols(1), size_), reference_.uncertainty());
     digits = fmt::format("{:.3f}", digits_of(*error));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "nlmech/comparison/choice/choice_rows.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/catalogue_run.hpp"
 #include "nlmech/comparison/commands/compare.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
@@ -157,23 +157,7 @@ std::string describe_all(const Problems& problems) {
   return fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " "));
 }
 
-/// `merge`
-struct Parts {
-  std::vector<std::string> files;
-};
-
-void declare_parts(scene::Options& options, Parts& parts) {
-  options.add("parts", parts.files, "files written by integrate --shard").required();
-}
-
-int merge(const Parts& parts) {
-  scene::print_merged(parts.files);
-  return 0;
-}
-
-}  // namespace
-
-void add_integrate_command(scene::Commands& commands, const Problems& problems) {
+void add_integrate(scene::Commands& commands, const Problems& problems) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed, "--states");
     options.add("--method", typed.method,
@@ -209,13 +193,7 @@ void add_integrate_command(scene::Commands& commands, const Problems& problems) 
       });
 }
 
-void add_merge_command(scene::Commands& commands) {
-  commands.add("merge",
-               "Joins all shards of one run over --states, given in any order, to what one run writes",
-               declare_parts, merge);
-}
-
-void add_choose_command(scene::Commands& commands, const Problems& problems) {
+void add_choose(scene::Commands& commands, const Problems& problems) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_problem(options, typed);
     options.add("--digits", typed.digits, "correct digits at the end").range(1, 14);
@@ -235,7 +213,7 @@ void add_choose_command(scene::Commands& commands, const Problems& problems) {
       });
 }
 
-void add_compare_command(scene::Commands& commands, const Problems& problems) {
+void add_compare(scene::Commands& commands, const Problems& problems) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed);
     options.add(
@@ -254,6 +232,26 @@ void add_compare_command(scene::Commands& commands, const Problems& problems) {
       declare, [problems, program = commands.program()](const TypedOptions& typed) {
         return compare(typed, problems, program);
       });
+}
+
+/// `merge`
+struct Parts {
+  std::vector<std::string> files;
+};
+
+void declare_parts(scene::Options& options, Parts& parts) {
+  options.add("parts", parts.files, "files written by integrate --shard").required();
+}
+
+}  // namespace
+
+void add_ivp_commands(scene::Commands& commands, const Problems& problems) {
+  add_integrate(commands, problems);
+  add_compare(commands, problems);
+  add_choose(commands, problems);
+  commands.add("merge",
+               "Joins all shards of one run over --states, given in any order, to what one run writes",
+               declare_parts, [](const Parts& parts) { scene::print_merged(parts.files); });
 }
 
 }  // namespace nlmech::comparison

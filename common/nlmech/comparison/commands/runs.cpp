@@ -40,37 +40,52 @@ std::vector<PlotSamples::Component> components_of(const UserProblem& problem) {
   return all;
 }
 
-/// What the steps of a run show: rows at asked times and at events, states for its verification, and what a
-/// picture needs.
-class TrajectoryRecorder {
+/// Some times the work of the run itself and one second.
+/// @param left wall time that is left of the command's limit, in seconds
+Effort effort_after(const Statistics& work, int components, double left) {
+  // 1e7 numbers of right-hand sides take a second or so.
+  const double done =
+      static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
+  // The clock ends it only on a machine that is far slower than that, or busy.
+  return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
+}
+
+/// A run from its options to its rows: what its steps show at asked times and events, and its verification.
+/// Its parts refer to each other, so it stays where it is.
+class Run {
  public:
-  /// All outlive this. @param run the method, for a single trajectory without observer
-  TrajectoryRecorder(const UserProblem& problem, const RunOptions& options, const ivp::NamedIntegrator& run)
-      : options_(options),
-        run_(run),
-        system_(problem.system),
+  /// All outlive it. @param one the method, for a single trajectory
+  /// @param other that suffices for its verification if it agrees; may be null
+  Run(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method,
+      const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
+      : problem_(problem),
+        options_(options),
+        method_(method),
+        one_(one),
+        other_(other),
         t1_(options.t1),
-        finder_(events_of(options)),
-        text_(fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","),
-                          options.events.empty() ? "" : ",event")),
-        samples_{components_of(problem), SampledPath(options.t0, options.t1), {}} {
+        finder_(events_of(options)) {
+    found_.rows =
+        fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","), options.events.empty() ? "" : ",event");
+    found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
     if (options.every)
       stride_ = 1 + static_cast<std::int64_t>(std::abs(t1_ - options.t0) / *options.every / most_verified);
     add(options.t0, options.x0);
-    if (options.draw && t1_ != options.t0) samples_.path.add(options.t0, options.x0);
+    if (options.draw && t1_ != options.t0) found_.samples.path.add(options.t0, options.x0);
   }
-  /// Looks at a step; false if an event ends the run in it.
-  bool see(const ivp::Step& step);
-  /// A run that an event has ended is a success. Its last row.
-  void finish(ivp::Solution& solution);
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
-  /// The rows as CSV, numbers with 17 digits.
-  [[nodiscard]] std::string& text() { return text_; }
-  /// For a picture.
-  [[nodiscard]] PlotSamples& samples() { return samples_; }
-  /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
-  /// are few. To be called after finish().
-  [[nodiscard]] Verified verified() const;
+  /// What is to be integrated. Refers to this.
+  [[nodiscard]] ivp::Start start() {
+    ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
+                     options_.limits,  options_.deadline};
+    if (options_.every || options_.draw || !options_.events.empty())
+      start.observer = [this](const ivp::Step& step) { return see(step); };
+    return start;
+  }
+  /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
+  [[nodiscard]] Trajectory finish(ivp::Solution end);
 
  private:
   struct Kept {
@@ -84,12 +99,13 @@ class TrajectoryRecorder {
     return events;
   }
   void print(double t, const ivp::State& x, std::string_view event) {
-    auto out = std::back_inserter(text_);
+    auto out = std::back_inserter(found_.rows);
     fmt::format_to(out, "{:.17g}", t);
     for (const double value : x) fmt::format_to(out, ",{:.17g}", value);
     if (!options_.events.empty()) fmt::format_to(out, ",{}", scene::csv_field(event));
-    text_ += '\n';
+    found_.rows += '\n';
   }
+  /// A row, kept for the verification.
   void add(double t, const ivp::State& x) {
     if (!options_.section) print(t, x, "");
     keep(t, x);
@@ -99,53 +115,45 @@ class TrajectoryRecorder {
     kept_.push_back({t, x});
     ++added_;
   }
+  /// Looks at a step; false if an event ends the run in it.
+  [[nodiscard]] bool see(const ivp::Step& step);
   /// The asked times within a step and before @p end, by its dense output.
   void add_before(double end, const ivp::Step& step);
   [[nodiscard]] ivp::Hit refined(const ivp::Step& step, ivp::Hit hit) const;
+  /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
+  /// are few.
+  [[nodiscard]] Verified verified() const;
+  [[nodiscard]] double left_after(const ivp::Solution& end) const;
+  void verify_by_integration(const ivp::Solution& end);
 
+  const UserProblem& problem_;
   const RunOptions& options_;
-  const ivp::NamedIntegrator& run_;
-  const ivp::System& system_;
-  double t1_;  // to where it has come
+  const ivp::MethodInfo& method_;
+  const ivp::NamedIntegrator& one_;
+  const ivp::NamedIntegrator* other_;  // or null
+  double t1_;                          // to where it has come
   ivp::EventFinder finder_;
   std::optional<ivp::Hit> last_;
-  std::string text_;
-  PlotSamples samples_;
+  Trajectory found_;
   std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
   std::vector<Kept> kept_;  // and always the latest row, in its last place
 };
 
-bool TrajectoryRecorder::see(const ivp::Step& step) {
+bool Run::see(const ivp::Step& step) {
   const std::size_t before = finder_.hits().size();
   const bool goes_on = finder_.see(step);
   for (std::size_t i = before; i < finder_.hits().size(); ++i) {
     last_ = refined(step, finder_.hits()[i]);
     add_before(last_->t, step);
     print(last_->t, last_->x, options_.events[last_->event].text);
-    if (options_.draw) samples_.events.push_back({last_->t, {last_->x.begin(), last_->x.end()}});
+    if (options_.draw) found_.samples.events.push_back({last_->t, {last_->x.begin(), last_->x.end()}});
   }
   if (goes_on) add_before(step.t1, step);
-  if (options_.draw && !options_.section) samples_.path.see(step, goes_on ? step.t1 : last_->t);
+  if (options_.draw && !options_.section) found_.samples.path.see(step, goes_on ? step.t1 : last_->t);
   return goes_on;
 }
 
-void TrajectoryRecorder::finish(ivp::Solution& solution) {
-  if (!finder_.status().ok()) {
-    solution.status = finder_.status();
-  } else if (finder_.ended()) {
-    solution.t = last_->t;
-    solution.x = last_->x;
-    solution.status = {};
-  }
-  if (!solution.status.ok()) return;
-  t1_ = solution.t;
-  if (finder_.ended())
-    keep(t1_, solution.x);  // it has its row
-  else
-    add(t1_, solution.x);
-}
-
-void TrajectoryRecorder::add_before(double end, const ivp::Step& step) {
+void Run::add_before(double end, const ivp::Step& step) {
   if (!options_.every) return;
   const double every = *options_.every, way = t1_ - options_.t0;
   const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
@@ -160,14 +168,14 @@ void TrajectoryRecorder::add_before(double end, const ivp::Step& step) {
 
 // An event by the dense output, made as exact as the steps: the method itself goes from the begin of the step
 // to the time of the event, which Newton's iteration corrects.
-ivp::Hit TrajectoryRecorder::refined(const ivp::Step& step, ivp::Hit hit) const {
+ivp::Hit Run::refined(const ivp::Step& step, ivp::Hit hit) const {
   const StateFunction& g = options_.events[hit.event].event.value;
   const double way = step.t1 - step.t0, near = 1e-5 * way;
   const double from = std::abs(hit.t - step.t0) < std::abs(way) / 2 ? hit.t : hit.t - near;
   const double slope = (g(from + near, step.at(from + near)) - g(from, step.at(from))) / near;
   constexpr int most = 3;
   for (int k = 0; k < most && hit.t != step.t0; ++k) {
-    const ivp::Solution there = run_(system_, step.x0, step.t0, hit.t, {}, options_.limits);
+    const ivp::Solution there = one_(problem_.system, step.x0, step.t0, hit.t, {}, options_.limits);
     if (!there.status.ok()) break;
     hit.x = there.x;
     const double change = -g(hit.t, hit.x) / slope, next = hit.t + change;
@@ -178,7 +186,7 @@ ivp::Hit TrajectoryRecorder::refined(const ivp::Step& step, ivp::Hit hit) const 
   return hit;
 }
 
-Verified TrajectoryRecorder::verified() const {
+Verified Run::verified() const {
   // The first row is the initial state.
   std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
   const double way = t1_ - options_.t0, near = 1e-6 * std::abs(way);
@@ -200,6 +208,57 @@ Verified TrajectoryRecorder::verified() const {
   return run;
 }
 
+// What is left of the time for the verification of a run.
+double Run::left_after(const ivp::Solution& end) const {
+  using std::chrono::steady_clock;
+  const double own = options_.limits.seconds - end.statistics.seconds;
+  if (options_.deadline == steady_clock::time_point::max()) return own;
+  const std::chrono::duration<double> all = options_.deadline - steady_clock::now();
+  if (all.count() <= 0)
+    throw Failure(failed_with(Outcome::time_limit,
+                              "{}: the run came to its end, but the time of all was over before it could be "
+                              "verified; allow more, or --no-verify",
+                              method_.name));
+  return std::min(own, all.count());
+}
+
+void Run::verify_by_integration(const ivp::Solution& end) {
+  const Verified run = verified();
+  const scene::Doing doing("verifying the run by integration");
+  Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
+  effort.largest_step = options_.limits.largest_step;
+  const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
+                           .seconds = effort.seconds,
+                           .largest_step = effort.largest_step};
+  const ivp::System& system = problem_.system;
+  if (other_ != nullptr && agrees(system, options_.x0, options_.t0, run, *other_, limits)) return;
+  const Reference reference = reference_of(problem_.extended(effort), system, options_.x0, options_.t0,
+                                           run.times, run.tolerance / 10, effort);
+  const Verification v = verify(system, options_.x0, options_.t0, run, reference, effort);
+  found_.is_open = v.verdict == Verification::Verdict::unknown;
+  if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
+  found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names);
+}
+
+// A run that an event has ended is a success, and its last row is there.
+Trajectory Run::finish(ivp::Solution end) {
+  if (!finder_.status().ok()) {
+    end.status = finder_.status();
+  } else if (finder_.ended()) {
+    end.t = last_->t;
+    end.x = last_->x;
+    end.status = {};
+  }
+  if (!end.status.ok()) throw Failure(end.status);
+  t1_ = end.t;
+  if (finder_.ended())
+    keep(t1_, end.x);
+  else
+    add(t1_, end.x);
+  if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
+  return std::move(found_);
+}
+
 /// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
 /// allow.
 ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
@@ -217,75 +276,6 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
   for (ivp::Solution& end : ends)
     end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
 }
-
-/// A run from its options to its rows. Its parts refer to each other, so it stays where it is.
-class Run {
- public:
-  /// All outlive it. @param one the method, for a single trajectory
-  /// @param other that suffices for its verification if it agrees; may be null
-  Run(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method,
-      const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
-      : problem_(problem), options_(options), method_(method), other_(other), rows_(problem, options, one) {}
-  Run(const Run&) = delete;
-  Run& operator=(const Run&) = delete;
-
-  /// What is to be integrated. Refers to this.
-  [[nodiscard]] ivp::Start start() {
-    ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
-                     options_.limits,  options_.deadline};
-    if (options_.every || options_.draw || !options_.events.empty())
-      start.observer = [this](const ivp::Step& step) { return rows_.see(step); };
-    return start;
-  }
-  /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
-  [[nodiscard]] Trajectory finish(ivp::Solution end) {
-    rows_.finish(end);
-    if (!end.status.ok()) throw Failure(end.status);
-    Trajectory found{std::move(rows_.text()), "", false, std::move(rows_.samples())};
-    if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end, found);
-    return found;
-  }
-
- private:
-  /// What is left of the time for the verification of a run.
-  [[nodiscard]] double left_after(const ivp::Solution& end) const {
-    using std::chrono::steady_clock;
-    const double own = options_.limits.seconds - end.statistics.seconds;
-    if (options_.deadline == steady_clock::time_point::max()) return own;
-    const std::chrono::duration<double> all = options_.deadline - steady_clock::now();
-    if (all.count() <= 0)
-      throw Failure(
-          failed_with(Outcome::time_limit,
-                      "{}: the run came to its end, but the time of all was over before it could be "
-                      "verified; allow more, or --no-verify",
-                      method_.name));
-    return std::min(own, all.count());
-  }
-  void verify_by_integration(const ivp::Solution& end, Trajectory& found) const {
-    const Verified what = rows_.verified();
-    const scene::Doing doing("verifying the run by integration");
-    Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
-    effort.largest_step = options_.limits.largest_step;
-    const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
-                             .seconds = effort.seconds,
-                             .largest_step = effort.largest_step};
-    const ivp::State& x0 = options_.x0;
-    const double t0 = options_.t0;
-    if (other_ != nullptr && agrees(problem_.system, x0, t0, what, *other_, limits)) return;
-    const Reference reference = reference_of(problem_.extended(effort), problem_.system, x0, t0, what.times,
-                                             needed_for(what.tolerance), effort);
-    const Verification v = verify(problem_.system, x0, t0, what, reference, effort);
-    found.is_open = v.verdict == Verification::Verdict::unknown;
-    if (found.is_open) static_cast<void>(left_after(end));  // if for want of time
-    found.remark = remark(v, reference, method_, options_.settings, problem_.state_names);
-  }
-
-  const UserProblem& problem_;
-  const RunOptions& options_;
-  const ivp::MethodInfo& method_;
-  const ivp::NamedIntegrator* other_;  // or null
-  TrajectoryRecorder rows_;
-};
 
 }  // namespace
 

@@ -24,12 +24,15 @@ namespace nlmech::comparison {
 /// States at several times, one a column, in extended precision.
 using StatesAt = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// How finely a reference should know a component x: to absolute + relative |x|, with |x| at least a
-/// thousandth of the component's greatest value. A reference that knows less is given all the same, and says
-/// so.
-struct Needed {
+/// A relative and an absolute tolerance: those of a run, or how finely a reference should know a component x:
+/// to absolute + relative |x|, with |x| at least a thousandth of the component's greatest value. A reference
+/// that knows less is given all the same, and says so.
+struct Tolerance {
   double relative = 1e-13;  ///< positive
   double absolute = 1e-13;  ///< positive
+
+  /// A finer one.
+  [[nodiscard]] Tolerance operator/(double times) const { return {relative / times, absolute / times}; }
 };
 
 /// Bounds on the work for a reference.
@@ -72,8 +75,7 @@ struct Way {
 /// One way to compute the states of a solution.
 struct Candidate {
   std::string name;       ///< "adaptive-collocation"
-  std::string family;     ///< if one of a family fails, the others are not tried; may be empty
-  bool extended = false;  ///< works in extended precision
+  bool extended = false;  ///< works in extended precision; if one of these fails, no other is tried
   /// Fills the states at the asked times, within that wall time in seconds.
   std::function<Status(const Way&, double seconds, StatesAt&)> compute;
 };
@@ -101,8 +103,8 @@ struct Reference {
 /// Runs the candidates in turn until two agree as finely as needed; else the two are taken that agree best,
 /// if they agree to two digits at all times.
 /// @param seconds wall time for all of them
-[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Needed& needed,
-                              double seconds);
+[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way,
+                              const Tolerance& needed, double seconds);
 
 /// The states of a problem at @p times, by the first two that agree of @p extended, computations in extended
 /// precision, and then of methods that share nothing but the problem, cheap ones first: Taylor series in
@@ -117,7 +119,7 @@ struct Reference {
 /// @param effort when to give up
 [[nodiscard]] Reference reference_of(std::vector<Candidate> extended, const ivp::System& system,
                                      const ivp::State& x0, double t0, const std::vector<double>& times,
-                                     const Needed& needed, const Effort& effort);
+                                     const Tolerance& needed, const Effort& effort);
 
 /// The states at all times by a method that is begun anew at each.
 /// @param observer of all segments; may be empty

@@ -105,8 +105,8 @@ template <class Problem>
     options.order = order;
     options.largest_step = effort.largest_step;
     options.most_steps = static_cast<std::size_t>(std::ceil(most_steps));
-    all.push_back({"Taylor series of order " + std::to_string(order), "Taylor series in extended precision",
-                   true, [=](const Way& way, double seconds, StatesAt& states) {
+    all.push_back({"Taylor series of order " + std::to_string(order), true,
+                   [=](const Way& way, double seconds, StatesAt& states) {
                      return detail::taylor_either_way(problem, way, options, most_steps, seconds, states);
                    }});
   }
@@ -116,7 +116,7 @@ template <class Problem>
 /// The reference of a problem: these series, else methods by name. See reference.hpp.
 template <class Problem>
 [[nodiscard]] Reference reference_of(const Problem& problem, const Vector<double, Problem::dimension>& x0,
-                                     double t0, const std::vector<double>& times, const Needed& needed,
+                                     double t0, const std::vector<double>& times, const Tolerance& needed,
                                      const Effort& effort) {
   return reference_of(taylor_candidates(problem, static_cast<int>(x0.size()), effort), ivp::System(problem),
                       x0, t0, times, needed, effort);

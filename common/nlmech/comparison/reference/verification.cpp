@@ -16,18 +16,21 @@ namespace {
 
 constexpr int rounding = 16;  // roundings of a state that steps leave, about the square root of some hundred
 
-double weight(double t, double x, double f, double size, const Tolerance& tolerance) {
-  return tolerance.absolute + tolerance.relative * std::abs(x) + rounding * eps * size +
-         2 * eps * std::abs(t * f);
-}
-
-Eigen::VectorXd weights_at(const ivp::System& system, double t, const ivp::State& x,
-                           const Eigen::VectorXd& size, const Tolerance& tolerance) {
-  ivp::State f(x.size());
-  system.rhs(t, x, f);
-  Eigen::VectorXd w(x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) w[i] = weight(t, x[i], f[i], size[i], tolerance);
-  return w;
+/// The weights of the components at several times: what one tolerance comes to, absolute + relative |x|, and
+/// what rounding leaves of x and of the time.
+/// @param size greatest |x_i| on the way
+Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
+                        const Eigen::VectorXd& size, const Tolerance& tolerance) {
+  Eigen::MatrixXd all(states.rows(), states.cols());
+  ivp::State f(states.rows());
+  for (Eigen::Index k = 0; k < states.cols(); ++k) {
+    const double t = times[static_cast<std::size_t>(k)];
+    const ivp::State x = states.col(k).cast<double>();
+    system.rhs(t, x, f);
+    all.col(k) = tolerance.absolute + tolerance.relative * x.array().abs() + rounding * eps * size.array() +
+                 2 * eps * (t * f.array()).abs();
+  }
+  return all;
 }
 
 /// d x(t1) / d x(t0) along the reference, by moving each component by @p by to both sides: errors in these
@@ -51,48 +54,44 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
   return {};
 }
 
-/// The weights of the components at several times: what one tolerance comes to, absolute + relative |x|, and
-/// what rounding leaves of x and of the time.
-/// @param size greatest |x_i| on the way
-Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
-                        const Eigen::VectorXd& size, const Tolerance& tolerance) {
-  Eigen::MatrixXd all(states.rows(), states.cols());
-  for (Eigen::Index k = 0; k < states.cols(); ++k) {
-    const ivp::State x = states.col(k).template cast<double>();
-    const Eigen::VectorXd w = weights_at(system, times[static_cast<std::size_t>(k)], x, size, tolerance);
-    for (Eigen::Index i = 0; i < w.size(); ++i) all(i, k) = w[i];
-  }
-  return all;
-}
-
 using Verdict = Verification::Verdict;
 
 /// A run beside its reference.
 struct Beside {
+  /// @param one what one tolerance comes to
+  Beside(const Verified& r, const Reference& reference, Eigen::MatrixXd one)
+      : run(r),
+        error(Eigen::MatrixXd::Zero(r.states.rows(), r.states.cols())),
+        doubt(error),
+        weight(std::move(one)),
+        moved(weight) {
+    for (Eigen::Index k = 0; k < error.cols(); ++k) {
+      if (std::isnan(run.states(0, k))) continue;
+      error.col(k) =
+          (run.states.col(k).cast<long double>() - reference.states.col(k)).cwiseAbs().cast<double>();
+      doubt.col(k) = reference.doubt.col(k);
+    }
+  }
+
+  const Verified& run;
   Eigen::MatrixXd error;   ///< |difference|; zero where the run has no state
   Eigen::MatrixXd doubt;   ///< of the reference; zero likewise
   Eigen::MatrixXd weight;  ///< one tolerance
   Eigen::MatrixXd moved;   ///< what the problem makes of one tolerance
-  const Verified& run;     ///< what is verified
-
-  /// How far off a component may be.
-  [[nodiscard]] Eigen::MatrixXd allowed() const {
-    return (most_tolerances * weight).cwiseMax(most_amplified * moved);
-  }
 
   /// Where the error is greatest, compared with @p unit.
-  [[nodiscard]] Verification worst(const Eigen::MatrixXd& unit) const {
+  [[nodiscard]] Verification worst(Verdict verdict, const Eigen::MatrixXd& unit) const {
     Eigen::Index row = 0, column = 0;
     (void)(error.array() / unit.array()).maxCoeff(&row, &column);
-    Verification v;
-    v.t = run.times[static_cast<std::size_t>(column)];
-    v.component = static_cast<int>(row);
-    v.error = error(row, column);
-    v.doubt = doubt(row, column);
-    v.tolerances = v.error / weight(row, column);
-    v.growth = moved(row, column) / weight(row, column);
-    v.allowed = std::max(most_tolerances, most_amplified * v.growth);
-    return v;
+    const double one = weight(row, column), growth = moved(row, column) / one;
+    return {.verdict = verdict,
+            .t = run.times[static_cast<std::size_t>(column)],
+            .component = static_cast<int>(row),
+            .error = error(row, column),
+            .doubt = doubt(row, column),
+            .tolerances = error(row, column) / one,
+            .allowed = std::max(most_tolerances, most_amplified * growth),
+            .growth = growth};
   }
   /// Are the run and the reference good enough?
   [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
@@ -100,28 +99,10 @@ struct Beside {
   }
 };
 
-Beside beside(const Verified& run, const Reference& reference, Eigen::MatrixXd weight) {
-  Eigen::MatrixXd error = Eigen::MatrixXd::Zero(run.states.rows(), run.states.cols()), doubt = error;
-  for (Eigen::Index k = 0; k < error.cols(); ++k) {
-    if (std::isnan(run.states(0, k))) continue;
-    error.col(k) =
-        (run.states.col(k).cast<long double>() - reference.states.col(k)).cwiseAbs().cast<double>();
-    doubt.col(k) = reference.doubt.col(k);
-  }
-  Eigen::MatrixXd moved = weight;
-  return {std::move(error), std::move(doubt), std::move(weight), std::move(moved), run};
-}
-
-Verification unknown(std::string reason) {
-  Verification v;
-  v.reason = std::move(reason);
-  return v;
-}
-
 /// The verdict once the condition is known.
 Verification with_condition(const Beside& all, const Reference& reference, const Eigen::VectorXd& size) {
-  const Eigen::MatrixXd bound = all.allowed();
-  Verification v = all.worst(bound);
+  const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
+  Verification v = all.worst(Verdict::right, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
   const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
@@ -131,12 +112,10 @@ Verification with_condition(const Beside& all, const Reference& reference, const
     v.verdict = Verdict::undetermined;
   } else if (sure > allowed) {
     v.verdict = Verdict::wrong;
-  } else if (all.within(bound)) {
-    v.verdict = Verdict::right;
-  } else {
-    return unknown(
-        fmt::format("{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
-                    reference.text(), v.error));
+  } else if (!all.within(bound)) {
+    return {.reason = fmt::format(
+                "{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
+                reference.text(), v.error)};
   }
   return v;
 }
@@ -154,16 +133,6 @@ std::string advice(const Verification& found, double tolerance) {
 Tolerance tolerance_of(const ivp::Settings& settings) {
   const double relative = settings.tolerance.value_or(ivp::default_tolerance);
   return {relative, settings.absolute_tolerance.value_or(relative)};
-}
-
-Needed needed_for(const Tolerance& tolerance) { return {tolerance.relative / 10, tolerance.absolute / 10}; }
-
-Effort effort_after(const Statistics& work, int components, double left) {
-  // 1e7 numbers of right-hand sides take a second or so.
-  const double done =
-      static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
-  // The clock ends it only on a machine that is far slower than that, or busy.
-  return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
 }
 
 Status amplification(const Way& way, const Reference& reference, const Eigen::VectorXd& first_weight,
@@ -199,35 +168,22 @@ Status amplification(const Way& way, const Reference& reference, const Eigen::Ve
 
 Verification verify(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
                     const Reference& reference, const Effort& effort) {
-  if (reference.undetermined) {
-    Verification v;
-    v.verdict = Verdict::undetermined;
-    v.t = run.times.back();
-    v.growth = 1 / run.tolerance.relative;
-    return v;
-  }
-  if (!reference.status.ok()) {
-    Verification v = unknown(reference.text());
-    if (reference.ends) v.verdict = Verdict::ended;
-    return v;
-  }
+  if (reference.undetermined)
+    return {.verdict = Verdict::undetermined, .t = run.times.back(), .growth = 1 / run.tolerance.relative};
+  if (!reference.status.ok())
+    return {.verdict = reference.ends ? Verdict::ended : Verdict::unknown, .reason = reference.text()};
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
-  Beside all = beside(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
-  if (all.within(most_tolerances * all.weight)) {
-    Verification v = all.worst(all.weight);
-    v.verdict = Verdict::right;
-    return v;
-  }
-  const Way way{x0.template cast<long double>(), t0, run.times};
+  Beside all(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
+  if (all.within(most_tolerances * all.weight)) return all.worst(Verdict::right, all.weight);
+  const Way way{x0.cast<long double>(), t0, run.times};
   const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (status.ok()) return with_condition(all, reference, size);
   // Without the condition: no digit right is wrong, whatever the problem makes of errors.
-  Verification v = all.worst(size.replicate(1, all.error.cols()).cwiseMax(all.weight));
+  const Verification v = all.worst(Verdict::wrong, size.replicate(1, all.error.cols()).cwiseMax(all.weight));
   const bool no_digit = v.error - v.doubt >= 0.1 * size[v.component] && v.tolerances > most_tolerances;
-  if (!no_digit) return unknown("the problem's condition could not be computed: " + status.sentence());
-  v.verdict = Verdict::wrong;
-  return v;
+  if (no_digit) return v;
+  return {.reason = "the problem's condition could not be computed: " + status.sentence()};
 }
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,

@@ -15,22 +15,8 @@
 
 namespace nlmech::comparison {
 
-/// The relative and absolute tolerance of a run.
-struct Tolerance {
-  double relative;  ///< positive
-  double absolute;  ///< positive
-};
-
 /// The tolerances of a run by its settings.
 [[nodiscard]] Tolerance tolerance_of(const ivp::Settings& settings);
-
-/// A reference that knows a tenth of these tolerances.
-[[nodiscard]] Needed needed_for(const Tolerance& tolerance);
-
-/// Some times the work of the run itself and one second.
-/// @param components of the state
-/// @param left wall time that is left of the command's limit, in seconds
-[[nodiscard]] Effort effort_after(const Statistics& work, int components, double left);
 
 /// A component is right if it is off by no more than so many tolerances: steps are many, and their errors add
 /// up. Well made methods stay below twenty over some ten periods of an oscillator, multistep methods below a
@@ -58,7 +44,7 @@ struct Verification {
   double tolerances = 0;               ///< the same in tolerances
   double allowed = most_tolerances;    ///< how many of them are let pass there
   double growth = 1;                   ///< how much one tolerance grows up to there
-  std::string reason;                  ///< of unknown and ended, in words
+  std::string reason = {};             ///< of unknown and ended, in words
 };
 
 /// What is verified.
