@@ -45,9 +45,9 @@ struct Judged {
 };
 
 double delivered(const SetProblem& p, const comparison::Ranked& first) {
-  const auto run = comparison::any_integrator(
-      comparison::any_method(first.method),
-      {.tolerance = first.tolerance, .absolute_tolerance = first.tolerance * p.absolute});
+  const auto run =
+      comparison::any_method(first.method)
+          .with({.tolerance = first.tolerance, .absolute_tolerance = first.tolerance * p.absolute});
   const ivp::Solution end = run(p.system, p.x0, p.t0, p.t1, {}, {});
   return end.status.ok() ? std::clamp(-std::log10(p.error(end.x, p.times.size() - 1)), 0.0, 16.0) : 0;
 }

@@ -3,12 +3,6 @@
 
 namespace nlmech::chapters::integrators {
 
-void commands(scene::Commands& all) {
-  const auto problems = comparison::library_problems();
-  comparison::add_integrate_command(all, problems);
-  comparison::add_compare_command(all, problems);
-  comparison::add_choose_command(all, problems);
-  comparison::add_merge_command(all);
-}
+void commands(scene::Commands& all) { comparison::add_ivp_commands(all, comparison::library_problems()); }
 
 }  // namespace nlmech::chapters::integrators

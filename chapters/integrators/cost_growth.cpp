@@ -40,7 +40,7 @@ double energy(const ivp::System& system, const ivp::State& x) {
 
 bool add(const std::string& method, const ivp::System& system, const ivp::State& x0, double end, double size,
          std::vector<Point>& points) {
-  const auto run = comparison::any_integrator(comparison::any_method(method), {.tolerance = tolerance});
+  const auto run = comparison::any_method(method).with({.tolerance = tolerance});
   const Stopwatch watch;
   const auto solution = run(system, x0, 0, end, {}, {.seconds = 1});
   const double first = watch.seconds();

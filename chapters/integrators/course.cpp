@@ -41,7 +41,7 @@ Course course(const program::Equations& equations, const std::vector<double>& ti
   Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
   State size = begin.cwiseAbs();
   const auto go = [&](const std::string& name, bool keep) {
-    const auto run = comparison::any_integrator(comparison::any_method(name), settings);
+    const auto run = comparison::any_method(name).with(settings);
     State x = begin;
     double t = equations.initial_time().value_or(0);
     for (const double next : times) {

@@ -65,13 +65,13 @@ ivp::Solution first_tenth(const SetProblem& p, const ivp::Settings& settings, co
   return run(p.system, p.x0, p.t0, p.t0 + (p.t1 - p.t0) / 10, {}, limits);
 }
 
-Trial trial(const SetProblem& p, const comparison::AnyMethod& method, const ivp::Settings& settings,
+Trial trial(const SetProblem& p, const ivp::MethodInfo& method, const ivp::Settings& settings,
             const Effort& effort) {
   Trial t{settings.tolerance.value_or(0), "refused"};
   t.step = settings.step.value_or(0);
-  ivp::Limits limits{.steps = most_steps(method.info, p.system.size(), p.length, effort)};
+  ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
   try {
-    const auto run = comparison::any_integrator(method, settings);
+    const auto run = method.with(settings);
     const auto once = [&] { return run(p.system, p.x0, p.t0, p.t1, {}, limits); };
     std::clock_t begin = std::clock();
     ivp::Solution s = first_tenth(p, settings, run, limits);
@@ -123,9 +123,9 @@ std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInf
 }
 
 MethodTrials trials_of(const SetProblem& problem, const std::string& name, const Effort& effort) {
-  const comparison::AnyMethod method = comparison::any_method(name);
-  MethodTrials all{name, method.peer, !method.info.fixed_step(), {}};
-  for (const ivp::Settings& settings : settings_of(problem, method.info, effort)) {
+  const ivp::MethodInfo& method = comparison::any_method(name);
+  MethodTrials all{name, method.is_peer(), !method.fixed_step(), {}};
+  for (const ivp::Settings& settings : settings_of(problem, method, effort)) {
     all.trials.push_back(trial(problem, method, settings, effort));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";

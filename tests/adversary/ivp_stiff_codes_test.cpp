@@ -21,7 +21,10 @@ using adversary::hunt;
 
 constexpr double digits_and_a_half = 30;
 
-bool has_codes() { return peers::peer_available("cvode-bdf") && peers::peer_available("odeint-rosenbrock4"); }
+bool has_codes() {
+  return peers::peer_info("cvode-bdf").is_available() &&
+         peers::peer_info("odeint-rosenbrock4").is_available();
+}
 
 /// A run and what is asked of it.
 struct Question {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/choice_rows.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/forced_duffing.hpp"
@@ -106,7 +105,7 @@ TEST(Rules, NameMethodsThatAreFit) {
   for (const Rule& rule : choice_rules()) {
     for (const std::string_view name : rule.methods) {
       if (name.empty()) continue;
-      const ivp::MethodInfo info = any_method(name).info;
+      const ivp::MethodInfo info = any_method(name);
       EXPECT_FALSE(info.fixed_step()) << name;
       EXPECT_FALSE(info.estimate_misses_time) << name;
     }

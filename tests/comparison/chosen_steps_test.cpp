@@ -14,7 +14,7 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/choice/features.hpp"
-#include "nlmech/comparison/commands/typed_problem.hpp"
+#include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/ivp/step_control.hpp"
 #include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
@@ -36,15 +36,15 @@ class EveryMethod : public ::testing::TestWithParam<std::string> {
   [[nodiscard]] static ivp::Solution run(const std::string& equation, const State& x0, double t0, double t1,
                                          double tolerance, const ivp::Limits& limits,
                                          const ivp::Observer& observer = {}) {
-    return any_integrator(any_method(GetParam()), {.tolerance = tolerance})(typed(equation), x0, t0, t1,
-                                                                            observer, limits);
+    return any_method(GetParam())
+        .with({.tolerance = tolerance})(typed(equation), x0, t0, t1, observer, limits);
   }
 };
 
 std::vector<std::string> with_chosen_steps() {
   std::vector<std::string> names;
   for (const std::string& name : built_method_names()) {
-    if (!any_method(name).info.fixed_step()) names.push_back(name);
+    if (!any_method(name).fixed_step()) names.push_back(name);
   }
   return names;
 }
@@ -98,7 +98,7 @@ TEST_P(EveryMethod, ABoundBeyondItsStepsChangesNothing) {
 
 // Beside a component that rests. An estimate of 0 leaves an error that does not depend on the tolerance.
 TEST_P(EveryMethod, EstimatesTheErrorOfAQuadrature) {
-  const ivp::MethodInfo info = any_method(GetParam()).info;
+  const ivp::MethodInfo info = any_method(GetParam());
   if (info.second_order_only) GTEST_SKIP() << "for accelerations";
   const auto error = [&](double tolerance) {
     const auto solution = run("x' = cos(10 t); y' = 0", {0, 1}, 0, 1, tolerance, {});
@@ -112,7 +112,7 @@ TEST_P(EveryMethod, EstimatesTheErrorOfAQuadrature) {
 }
 
 TEST_P(EveryMethod, EstimatesTheErrorOfAForce) {
-  const ivp::MethodInfo info = any_method(GetParam()).info;
+  const ivp::MethodInfo info = any_method(GetParam());
   if (info.estimate_misses_time) GTEST_SKIP() << "is not chosen for it";
   for (const double tolerance : {1e-7, 1e-9}) {
     const auto solution = run("x'' = cos(10 t)", {0, 0}, 0, 5, tolerance, {});
@@ -191,23 +191,22 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
     const Forced f = forced(random, i % 6);
     SCOPED_TRACE(fmt::format("{} to {}", f.text, f.end));
     const auto problem = typed_problem(program::SourceText("equation", f.text), {});
-    const std::size_t size = problem->state_names().size();
-    const Request request{.x0 = std::vector<double>(size, 0.0),
-                          .t0 = 0,
-                          .t1 = f.end,
-                          .settings = {},
-                          .every = {},
-                          .limits = {.seconds = 60},
-                          .verify = true};
-    const std::string method = problem->usual_method(request);
+    const RunOptions options{.x0 = ivp::State::Zero(problem.system.size()),
+                             .t0 = 0,
+                             .t1 = f.end,
+                             .settings = {},
+                             .every = {},
+                             .limits = {.seconds = 60},
+                             .verify = true};
+    const ivp::MethodInfo& method = usual_method(problem, options);
     try {
-      const Trajectory run = problem->trajectory(request, any_method(method));
+      const Trajectory run = trajectory(problem, options, method);
       const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
       const double x = std::stod(last.substr(last.find(',') + 1));
-      EXPECT_NEAR(x, f.exact, 1e-7 * (1 + std::abs(f.exact))) << method;
-      EXPECT_EQ(run.remark, "") << method;
+      EXPECT_NEAR(x, f.exact, 1e-7 * (1 + std::abs(f.exact))) << method.name;
+      EXPECT_EQ(run.remark, "") << method.name;
     } catch (const Failure& failure) {
-      ADD_FAILURE() << method << ": " << failure.what();
+      ADD_FAILURE() << method.name << ": " << failure.what();
     }
   }
 }

@@ -56,8 +56,8 @@ TEST(Contenders, AreAllPeersExplicitOnesFirst) {
   for (const Contender& peer : all) {
     EXPECT_GE(peer.kind == Kind::implicit, implicit) << peer.name;
     implicit = peer.kind == Kind::implicit;
-    EXPECT_EQ(implicit, peers::peer_is_implicit(peer.name)) << peer.name;
-    EXPECT_EQ(peer.settings.empty(), !peers::peer_available(peer.name)) << peer.name;
+    EXPECT_EQ(implicit, peers::peer_info(peer.name).family == ivp::Family::implicit) << peer.name;
+    EXPECT_EQ(peer.settings.empty(), !peers::peer_info(peer.name).is_available()) << peer.name;
   }
 }
 

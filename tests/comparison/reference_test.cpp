@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/robertson.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 /// A computation that gives these states, or none.
 Candidate giving(const std::string& name, double value, bool arrives = true) {
-  return {name, "", false, [=](const Way& way, double, StatesAt& states) {
+  return {name, false, [=](const Way& way, double, StatesAt& states) {
             states = StatesAt::Constant(way.x0.size(), static_cast<Eigen::Index>(way.times.size()), value);
             return arrives ? Status() : Status::failure(Outcome::step_limit, name + ": too many steps");
           }};

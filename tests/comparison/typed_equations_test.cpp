@@ -138,14 +138,13 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
     const double scale = 1 + truth.end.cwiseAbs().maxCoeff();
     EXPECT_LT(truth.condition, 3000) << c.name;
     for (const std::string& name : built_method_names()) {
-      const AnyMethod method = any_method(name);
-      if (!method.peer && method.info.steps == ivp::Steps::given) continue;
-      if (method.info.second_order_only && !equations.second_order()) continue;
+      const ivp::MethodInfo& method = any_method(name);
+      if (!method.is_peer() && method.steps == ivp::Steps::given) continue;
+      if (method.second_order_only && !equations.second_order()) continue;
       const double tolerance = tolerance_of(name);
       std::optional<ivp::Solution> end;
       try {
-        end = any_integrator(method, {.tolerance = tolerance})(system, c.x0, 0, c.end, {},
-                                                               {.steps = 3'000'000});
+        end = method.with({.tolerance = tolerance})(system, c.x0, 0, c.end, {}, {.steps = 3'000'000});
       } catch (const std::invalid_argument& error) {
         // It is for accelerations that do not depend on velocities.
         EXPECT_EQ(name, "rkn1210") << error.what();
@@ -175,11 +174,11 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
   const State truth = exact.template cast<double>();
   std::set<std::string> arrived;
   for (const std::string& name : built_method_names()) {
-    const AnyMethod method = any_method(name);
-    if (!method.peer && method.info.steps == ivp::Steps::given) continue;
-    if (method.info.second_order_only) continue;
+    const ivp::MethodInfo& method = any_method(name);
+    if (!method.is_peer() && method.steps == ivp::Steps::given) continue;
+    if (method.second_order_only) continue;
     const auto end =
-        any_integrator(method, {.tolerance = 1e-11})(system, state({1, 0, 0}), 0, 40, {}, {.steps = 20'000});
+        method.with({.tolerance = 1e-11})(system, state({1, 0, 0}), 0, 40, {}, {.steps = 20'000});
     if (!end.status.ok()) {
       EXPECT_FALSE(end.status.text().empty());
       continue;

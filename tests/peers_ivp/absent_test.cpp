@@ -15,12 +15,12 @@ TEST(AbsentPeers, AreKnownByName) {
   EXPECT_EQ(all_peer_names().size(), 13U);
   EXPECT_TRUE(peer_names().empty());
   for (const std::string& name : all_peer_names()) {
-    EXPECT_FALSE(peer_available(name));
+    EXPECT_FALSE(peer_info(name).is_available());
     try {
       (void)peer_integrator(name, 1e-9);
       FAIL() << name;
     } catch (const std::logic_error& error) {
-      EXPECT_EQ(error.what(), absent_peer_sentence(name));
+      EXPECT_EQ(error.what(), peer_info(name).absent_sentence());
     }
   }
 }

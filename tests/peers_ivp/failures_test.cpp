@@ -105,7 +105,7 @@ struct NoJacobian {
 
 TEST_P(EveryPeerFails, WithoutAJacobianIfImplicit) {
   const auto solution = run(ivp::System(NoJacobian{}), ivp::State{1.0}, 0, 1);
-  if (peer_is_implicit(GetParam())) {
+  if (peer_info(GetParam()).family == ivp::Family::implicit) {
     EXPECT_FALSE(solution.status.ok());
     EXPECT_TRUE(solution.x.allFinite());
   } else {
@@ -174,7 +174,7 @@ struct Throws {
 TEST_P(EveryPeerFails, WithTheProblemsOwnException) {
   EXPECT_THROW((void)run(ivp::System(Throws{}), ivp::State{1.0}, 0, 1), Thrown);
   EXPECT_THROW((void)run(ivp::System(Throws{}), ivp::State{1.0}, 0.75, 1), Thrown);
-  if (peer_is_implicit(GetParam())) {
+  if (peer_info(GetParam()).family == ivp::Family::implicit) {
     EXPECT_THROW((void)run(ivp::System(Throws{true}), ivp::State{1.0}, 0, 1), Thrown);
   }
   EXPECT_TRUE(run(ivp::System(Throws{}), ivp::State{1.0}, 0, 0.5).status.ok());

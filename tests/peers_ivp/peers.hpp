@@ -21,7 +21,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 class EveryPeer : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (!peer_available(GetParam())) GTEST_SKIP() << absent_peer_sentence(GetParam());
+    if (!peer_info(GetParam()).is_available()) GTEST_SKIP() << peer_info(GetParam()).absent_sentence();
   }
   /// Runs the peer of this test.
   static ivp::Solution run(const ivp::System& system, const ivp::State& x0, double t0, double t1,

@@ -16,9 +16,9 @@ TEST(Registry, HasThirteenPeers) {
                                           "odeint-dopri5",     "odeint-fehlberg78", "odeint-bulirsch-stoer",
                                           "odeint-rosenbrock4"};
   EXPECT_EQ(all_peer_names(), names);
-  for (const std::string& name : names) EXPECT_TRUE(is_peer(name)) << name;
-  for (const std::string& name : peer_names()) EXPECT_TRUE(peer_available(name)) << name;
-  EXPECT_FALSE(is_peer("rk4"));
+  for (const std::string& name : names) EXPECT_TRUE(peer_info(name).is_peer()) << name;
+  for (const std::string& name : peer_names()) EXPECT_TRUE(peer_info(name).is_available()) << name;
+  EXPECT_THROW((void)peer_info("rk4"), std::invalid_argument);
 }
 
 TEST(Registry, SaysWhichPeersThereAre) {
@@ -33,7 +33,7 @@ TEST(Registry, SaysWhichPeersThereAre) {
 }
 
 TEST(Registry, SaysWhatIsAbsent) {
-  EXPECT_EQ(absent_peer_sentence("gsl-msbdf"),
+  EXPECT_EQ(peer_info("gsl-msbdf").absent_sentence(),
             "gsl-msbdf is not in this build: configure with GSL (NLMECH_PEERS)");
 }
 

@@ -12,9 +12,8 @@
 #include "chapters/rbf_inverse/commands/commands.hpp"
 #include "chapters/rbf_inverse/commands/typed_boundary.hpp"
 #include "nlmech/bvp/solve.hpp"
-#include "nlmech/comparison/commands/own_problem.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
-#include "nlmech/comparison/commands/typed_problem.hpp"
+#include "nlmech/comparison/commands/user_problem.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
@@ -152,16 +151,17 @@ std::vector<double> times_of(const Words& words, const bvp::Solution& solution) 
   return times;
 }
 
-comparison::Seen seen_of(const TypedBoundary& problem, const Words& words, const bvp::Solution& solution) {
-  comparison::Seen seen;
-  for (const std::string& name : problem.names()) seen.components.push_back({name, !name.ends_with('\'')});
-  seen.path = comparison::Samples(words.from, words.until);
-  constexpr int samples = 1000;
-  for (int i = 0; i <= samples; ++i) {
-    const double t = words.from + (words.until - words.from) * i / samples;
-    seen.path.add(t, solution.at(t));
+comparison::PlotSamples samples_of(const TypedBoundary& problem, const Words& words,
+                                   const bvp::Solution& solution) {
+  comparison::PlotSamples samples;
+  for (const std::string& name : problem.names()) samples.components.push_back({name, !name.ends_with('\'')});
+  samples.path = comparison::SampledPath(words.from, words.until);
+  constexpr int count = 1000;
+  for (int i = 0; i <= count; ++i) {
+    const double t = words.from + (words.until - words.from) * i / count;
+    samples.path.add(t, solution.at(t));
   }
-  return seen;
+  return samples;
 }
 
 void boundary_values(const Words& words) {
@@ -189,7 +189,7 @@ void boundary_values(const Words& words) {
   if (picture.wanted())
     picture.draw([&] {
       return run_figure(
-          seen_of(problem, words, solution),
+          samples_of(problem, words, solution),
           echoed(words.file.empty() ? words.equation : std::filesystem::path(words.file).filename().string(),
                  60));
     });

@@ -10,16 +10,16 @@
 #include <optional>
 #include <utility>
 
-#include "nlmech/comparison/commands/choices.hpp"
 #include "nlmech/program/dual.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-using comparison::trimmed;
 using program::Program;
+using scene::trimmed;
 
 /// What stands between commas or semicolons that are in no bracket.
 std::vector<std::string> pieces_of(const char* option, const std::string& text) {

@@ -15,9 +15,9 @@
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/speed.hpp"
+#include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/problems/duffing.hpp"
 
 namespace {
@@ -93,8 +93,8 @@ std::vector<Work> rivals(const Case& c, const chapters::rbf_ivp::StepScales& sca
   std::vector<Contender> libraries;
   for (const Contender& contender : chapters::rbf_ivp::contenders(scales, false)) {
     const bool mine = std::find(ours.begin(), ours.end(), contender.label()) != ours.end();
-    if (peers::is_peer(contender.name) && !peers::peer_is_implicit(contender.name))
-      libraries.push_back(contender);
+    const ivp::MethodInfo& method = comparison::any_method(contender.name);
+    if (method.is_peer() && method.family != ivp::Family::implicit) libraries.push_back(contender);
     if (!mine) continue;
     if (const auto work = fastest(c, contender)) all.push_back(*work);
   }

@@ -99,8 +99,8 @@ BestLibrary best_library(const Case& c, const std::vector<chapters::rbf_ivp::Nat
 std::optional<Work> fastest_of_ours(const Case& c, double wanted, const std::string& name) {
   std::optional<Work> best;
   for (int digits = 4; digits <= 13; ++digits) {
-    const auto run = comparison::any_integrator(comparison::any_method("adaptive-collocation"),
-                                                {.tolerance = std::pow(10, -digits)});
+    const auto run =
+        comparison::any_method("adaptive-collocation").with({.tolerance = std::pow(10, -digits)});
     const auto accuracy = comparison::accuracy_of(c, run, {.steps = 2'000'000});
     if (!accuracy.error || !(*accuracy.error <= wanted)) continue;
     const auto once = [&c, run] {

@@ -10,8 +10,7 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/reference/reference_end.hpp"
-#include "nlmech/peers/ivp/registry.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/scene/scene.hpp"
 
@@ -65,15 +64,15 @@ struct End {
   std::optional<double> digits;
 };
 
-End attempt(const comparison::AnyMethod& method, const Trial& trial, const ivp::Settings& extra = {}) {
+End attempt(const ivp::MethodInfo& method, const Trial& trial, const ivp::Settings& extra = {}) {
   ivp::Settings settings = extra;
-  if (method.info.fixed_step()) {
+  if (method.fixed_step()) {
     settings.step = trial.step;
   } else {
     settings.tolerance = 1e-6;
   }
-  const auto s = comparison::any_integrator(method, settings)(trial.system, trial.x0, trial.t0, trial.t1, {},
-                                                              ivp::Limits{.steps = most_steps});
+  const auto s =
+      method.with(settings)(trial.system, trial.x0, trial.t0, trial.t1, {}, ivp::Limits{.steps = most_steps});
   if (!s.status.ok()) return {s.status.outcome(), std::nullopt};
   return {Outcome::success, trial.digits ? std::optional(trial.digits(s.x)) : std::nullopt};
 }
@@ -98,7 +97,7 @@ struct Ends {
   End blow_up, nan, infinity, underflow, nothing, backwards;
 };
 
-Ends ends_of(const comparison::AnyMethod& method) {
+Ends ends_of(const ivp::MethodInfo& method) {
   const ivp::State rest{1, 0};
   const double P = duffing_period();
   const auto poisoned = [&](double poison) {
@@ -111,12 +110,12 @@ Ends ends_of(const comparison::AnyMethod& method) {
                        0.5,
                        digits_against({std::cos(64.0), -std::sin(64.0)})};
   const ivp::System& duffing = free_duffing_case().system;
-  const bool second_order = method.info.second_order_only;
+  const bool second_order = method.second_order_only;
   const End blow_up =
       second_order ? attempt(method, Trial{ivp::System(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
                    : attempt(method, Trial{ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 1, 1e-3, {}});
-  return {method.name,
-          method.info.fixed_step(),
+  return {std::string(method.name),
+          method.fixed_step(),
           blow_up,
           attempt(method, poisoned(std::numeric_limits<double>::quiet_NaN())),
           attempt(method, poisoned(std::numeric_limits<double>::infinity())),
@@ -130,8 +129,8 @@ std::vector<Ends> all_ends() {
   for (const std::string& name : contestants()) {
     // It refuses problems that branch unannounced, as these do; its own chapter has its extreme cases.
     if (name == "series") continue;
-    const comparison::AnyMethod method = comparison::any_method(name);
-    if (!method.peer || peers::peer_available(name)) all.push_back(ends_of(method));
+    const ivp::MethodInfo& method = comparison::any_method(name);
+    if (method.is_available()) all.push_back(ends_of(method));
   }
   return all;
 }

@@ -9,7 +9,6 @@
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::stability {
@@ -31,13 +30,14 @@ struct Ending {
   std::int64_t steps = 0;
 };
 
-Ending run(const comparison::AnyMethod& method, const Stiff& problem, const ivp::Settings& settings,
+Ending run(const ivp::MethodInfo& method, const Stiff& problem, const ivp::Settings& settings,
            std::int64_t most) {
   const ivp::Limits limits{.steps = most};
-  const auto integrate = comparison::any_integrator(method, settings);
+  const auto integrate = method.with(settings);
   const ivp::Solution s = integrate(problem.system, problem.x0, 0, problem.end, {}, limits);
-  Ending ending{method.name, problem.name,      method.info.fixed_step(), s.status.outcome(), false, 0, 0,
-                0,           s.statistics.steps};
+  Ending ending{
+      std::string(method.name), problem.name, method.fixed_step(), s.status.outcome(), false, 0, 0, 0,
+      s.statistics.steps};
   if (!s.status.ok()) return ending;
   ending.digits = problem.digits(s.x);
   ending.usable = ending.digits >= usable_digits;
@@ -47,20 +47,20 @@ Ending run(const comparison::AnyMethod& method, const Stiff& problem, const ivp:
 }
 
 /// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, collocations dear.
-int most_halvings(const comparison::AnyMethod& method, bool quick) {
+int most_halvings(const ivp::MethodInfo& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
-  const int halvings = method.info.has(ivp::nodes_setting) ? 17 : is_explicit ? 23 : 19;
+  const int halvings = method.has(ivp::nodes_setting) ? 17 : is_explicit ? 23 : 19;
   return quick ? halvings - 6 : halvings;
 }
 
 /// Halves the step from the whole interval on until two in a row are of use, then lengthens the first of them
 /// by quarters of an octave.
-Ending with_largest_step(const comparison::AnyMethod& method, const Stiff& problem, int halvings) {
+Ending with_largest_step(const ivp::MethodInfo& method, const Stiff& problem, int halvings) {
   const auto with_steps = [&](std::int64_t count) {
     const double step = problem.end / static_cast<double>(count);
     ivp::Settings settings{.step = step};
-    if (method.info.has(ivp::shape_setting)) settings.shape = gaussian_shape / step;
+    if (method.has(ivp::shape_setting)) settings.shape = gaussian_shape / step;
     return run(method, problem, settings, count + 1);
   };
   Ending coarse = with_steps(1);
@@ -79,13 +79,13 @@ Ending with_largest_step(const comparison::AnyMethod& method, const Stiff& probl
   return coarse;
 }
 
-Ending ending_of(const comparison::AnyMethod& method, const Stiff& problem, bool quick) {
-  Ending refused{.method = method.name,
+Ending ending_of(const ivp::MethodInfo& method, const Stiff& problem, bool quick) {
+  Ending refused{.method = std::string(method.name),
                  .problem = problem.name,
-                 .fixed_step = method.info.fixed_step(),
+                 .fixed_step = method.fixed_step(),
                  .outcome = Outcome::outside_validity};
-  if (method.info.second_order_only && !problem.system.second_order()) return refused;
-  if (method.info.fixed_step()) return with_largest_step(method, problem, most_halvings(method, quick));
+  if (method.second_order_only && !problem.system.second_order()) return refused;
+  if (method.fixed_step()) return with_largest_step(method, problem, most_halvings(method, quick));
   // RKN12(10) refuses accelerations that depend on velocities, before it begins.
   try {
     return run(method, problem, {.tolerance = tolerance, .absolute_tolerance = tolerance * problem.absolute},
@@ -100,8 +100,8 @@ std::vector<Ending> all_endings(bool quick) {
   const std::vector<Stiff> problems = stiff_problems(quick);
   std::vector<Ending> endings;
   for (const std::string& name : contestants()) {
-    const comparison::AnyMethod method = comparison::any_method(name);
-    if (method.peer && !peers::peer_available(name)) continue;
+    const ivp::MethodInfo& method = comparison::any_method(name);
+    if (!method.is_available()) continue;
     for (const Stiff& problem : problems) endings.push_back(ending_of(method, problem, quick));
   }
   return endings;

@@ -7,6 +7,7 @@
 
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/hires.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/robertson.hpp"
 #include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/problems/van_der_pol.hpp"
@@ -19,15 +20,18 @@ namespace {
 template <class Problem>
 Stiff by_series(std::string name, const Problem& problem, double end, double rate) {
   const auto x0 = Problem::initial_state();
-  const auto reference = comparison::reference_end(problem, x0, 0.0, end, 2'000'000);
-  if (!reference.status.ok()) throw Failure(reference.status);
-  const long double size = reference.x.cwiseAbs().maxCoeff();
+  ivp::LongState reference;
+  const Status status = problems::walk_reference<long double>(
+      problem, x0.template cast<long double>(), 0, end, {.most_steps = 2'000'000},
+      [&](const auto& /*step*/, const auto& x) { reference = x; });
+  if (!status.ok()) throw Failure(status);
+  const long double size = reference.cwiseAbs().maxCoeff();
   return {std::move(name),
           ivp::System(problem),
           x0,
           end,
           rate,
-          reference.x,
+          reference,
           ivp::LongState::Constant(x0.size(), size)};
 }
 

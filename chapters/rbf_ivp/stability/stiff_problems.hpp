@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/reference/reference_end.hpp"
+#include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::chapters::rbf_ivp {

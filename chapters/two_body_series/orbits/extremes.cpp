@@ -58,9 +58,9 @@ std::vector<Method> methods() {
        continuation_integrator(orbit::AnalyticContinuation{.tolerance = 1e-17}, 1)},
       {"series, order 100", continuation_integrator(orbit::AnalyticContinuation{.order = 100}, 1)}};
   for (const char* name : {"rkn1210", "ode45", "odeint-fehlberg78", "cvode-adams"}) {
-    if (peers::is_peer(name) && !peers::peer_available(name)) continue;
-    all.push_back({fmt::format("{}, tolerance 1e-12", name),
-                   comparison::any_integrator(comparison::any_method(name), {.tolerance = 1e-12})});
+    if (!comparison::any_method(name).is_available()) continue;
+    all.push_back(
+        {fmt::format("{}, tolerance 1e-12", name), comparison::any_method(name).with({.tolerance = 1e-12})});
   }
   return all;
 }
@@ -128,11 +128,14 @@ struct Outcome {
 Outcome measure(bool quick) {
   Outcome m;
   const std::vector<Method> all = methods();
+  const std::vector<std::string> peer_names = peers::all_peer_names();
   for (const Case& c : cases()) {
     for (const Method& method : all) {
       // Peers do not get through a thousand orbits in ten times as many either.
       const std::int64_t fewer =
-          peers::is_peer(method.name.substr(0, method.name.find(','))) ? 5'000 : 200'000;
+          std::ranges::find(peer_names, method.name.substr(0, method.name.find(','))) != peer_names.end()
+              ? 5'000
+              : 200'000;
       m.answers.push_back(answer(c, method, quick ? fewer : 2'000'000));
     }
   }

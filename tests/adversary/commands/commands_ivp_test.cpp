@@ -31,12 +31,12 @@ struct Asked {
 /// The words of a method that chooses its steps, and of what it takes.
 std::string any_chosen(Draw& draw, const Question& question) {
   const auto method = comparison::any_method(any_method(draw, question, false));
-  std::string words = " --method " + method.name;
-  if (method.info.has(ivp::nodes_setting) && draw.chance(0.3))
+  std::string words = fmt::format(" --method {}", method.name);
+  if (method.has(ivp::nodes_setting) && draw.chance(0.3))
     words += fmt::format(" --nodes {}", draw.whole(3, 24));
-  if (method.info.has(ivp::shape_setting) && draw.chance(0.3))
+  if (method.has(ivp::shape_setting) && draw.chance(0.3))
     words += fmt::format(" --shape {:.17g}", draw.log_uniform(0.1, 10));
-  if (method.info.has(ivp::order_setting) && draw.chance(0.3))
+  if (method.has(ivp::order_setting) && draw.chance(0.3))
     words += fmt::format(" --order {}", draw.whole(6, 40));
   return words;
 }

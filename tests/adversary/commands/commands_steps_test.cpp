@@ -35,7 +35,7 @@ std::optional<Eigen::MatrixXd> states_of(const Ran& r, std::size_t count) {
 
 /// The words of a method that takes a step, and of what it takes besides.
 std::string any_stepped(Draw& draw, const Question& question) {
-  const auto m = comparison::any_method(any_method(draw, question, true)).info;
+  const auto m = comparison::any_method(any_method(draw, question, true));
   std::string words = fmt::format(" --method {}", m.name);
   if (m.has(ivp::nodes_setting) && draw.chance(0.3)) words += fmt::format(" --nodes {}", draw.whole(3, 16));
   // With a shape that follows the step radial functions do not converge (named_integrator()).

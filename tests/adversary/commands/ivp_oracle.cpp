@@ -35,7 +35,7 @@ Question any_question(Draw& draw) {
 std::string any_method(Draw& draw, const Question& question, bool takes_step) {
   std::vector<std::string> fit;
   for (const std::string& name : comparison::built_method_names()) {
-    const ivp::MethodInfo info = comparison::any_method(name).info;
+    const ivp::MethodInfo info = comparison::any_method(name);
     const bool takes = takes_step ? info.steps != ivp::Steps::chosen : !info.fixed_step();
     if (takes && (question.second_order || !info.second_order_only)) fit.push_back(name);
   }
@@ -44,7 +44,7 @@ std::string any_method(Draw& draw, const Question& question, bool takes_step) {
 
 std::string missing_oracles() {
   for (const char* peer : oracles) {
-    if (!peers::peer_available(peer)) return peers::absent_peer_sentence(peer);
+    if (!peers::peer_info(peer).is_available()) return peers::peer_info(peer).absent_sentence();
   }
   return missing_program("integrators");
 }

@@ -147,7 +147,7 @@ struct Question {
   /// What the problem makes of one tolerance on the way, for each component and time.
   std::function<std::optional<Eigen::MatrixXd>(const Journey&, const Known&, const Tolerances&)> moved;
   /// The end of a run by the library itself; nothing if it fails.
-  std::function<std::optional<Eigen::VectorXd>(const comparison::AnyMethod&, const ivp::Settings&, double t0,
+  std::function<std::optional<Eigen::VectorXd>(const ivp::MethodInfo&, const ivp::Settings&, double t0,
                                                double t1)>
       end;
 };
@@ -196,9 +196,9 @@ template <class Problem>
   q.moved = [system, x0 = q.x0](const Journey& way, const Known& k, const Tolerances& t) {
     return detail::moved(system, x0, way, k, t);
   };
-  q.end = [system, x0 = q.x0](const comparison::AnyMethod& method, const ivp::Settings& settings, double t0,
+  q.end = [system, x0 = q.x0](const ivp::MethodInfo& method, const ivp::Settings& settings, double t0,
                               double t1) -> std::optional<Eigen::VectorXd> {
-    const auto run = comparison::any_integrator(method, settings);
+    const auto run = method.with(settings);
     const auto end = run(system, ivp::State(x0), t0, t1, {}, {.seconds = 5});
     if (!end.status.ok()) return {};
     return Eigen::VectorXd(end.x);

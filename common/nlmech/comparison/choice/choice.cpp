@@ -1,11 +1,16 @@
 #include "nlmech/comparison/choice/choice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
+#include "nlmech/support/errors.hpp"
+#include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
@@ -54,8 +59,8 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
   constexpr double enough = 0.005;      // s
   Ranked r{method, tolerance};
   try {
-    const auto run = any_integrator(any_method(method),
-                                    {.tolerance = tolerance, .absolute_tolerance = tolerance * q.absolute});
+    const auto run =
+        any_method(method).with({.tolerance = tolerance, .absolute_tolerance = tolerance * q.absolute});
     for (int i = 0; i < repeats && (i == 0 || r.seconds < enough); ++i) {
       const ivp::Solution s = run(q.system, q.x0, q.t0, q.t1, {}, q.limits(steps));
       const Outcome outcome = s.status.outcome();
@@ -75,6 +80,54 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
   return r;
 }
 
+/// The greatest factor from six times to the last of them, by amplification() along a run by @p method; not
+/// known with more than 64 components.
+Growth growth_along(const ChoiceRequest& q, const std::string& method) {
+  constexpr Eigen::Index most_components = 64;  // each is perturbed by itself
+  constexpr int intervals = 6;
+  constexpr double most_seconds = 10;  // of all runs, where right-hand sides are expensive
+  constexpr double tolerance = 1e-11;  // far below the perturbations of amplification()
+  if (q.x0.size() > most_components) return {};
+  const ivp::Limits limits = q.limits(40'000);
+  const auto run = any_method(method).with(
+      {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
+  Way way{q.x0.cast<long double>(), q.t0, {}};
+  Reference along;
+  along.size = q.x0.cwiseAbs();
+  const auto add = [&](double t, const ivp::State& x) {
+    way.times.push_back(t);
+    along.states.conservativeResize(x.size(), along.states.cols() + 1);
+    along.states.rightCols(1) = x.cast<long double>();
+  };
+  const ivp::Observer observe = [&](const ivp::Step& step) {
+    along.size = along.size.cwiseMax(step.x1.cwiseAbs());
+    const double part = (step.t1 - q.t0) / (q.t1 - q.t0) * intervals;
+    if (part >= static_cast<double>(way.times.size() + 1) && step.t1 != q.t1) add(step.t1, step.x1);
+    return true;
+  };
+  const ivp::Solution end = run(q.system, q.x0, q.t0, q.t1, observe, limits);
+  if (way.times.empty() || end.t != way.times.back()) add(end.t, end.x);
+  if (end.t == q.t0 || !end.x.allFinite()) return {};
+  along.first.compute = [&](const Way& part, double seconds, StatesAt& states) {
+    ivp::Limits these = limits;
+    these.seconds = seconds;
+    ivp::Solution s = run(q.system, part.x0.cast<double>(), part.t0, part.times.back(), {}, these);
+    states = s.x.cast<long double>();
+    if (s.status.outcome() != Outcome::outside_validity) return s.status;
+    // Where the equations switch, a perturbed run may fail for itself; it shows no growth.
+    states = along.states.col(std::ranges::find(way.times, part.times.back()) - way.times.begin());
+    return Status();
+  };
+  const double absolute = q.absolute * std::min(1.0, along.size.maxCoeff());
+  const Eigen::MatrixXd weight = (along.states.cast<double>().array().abs() + absolute).matrix();
+  Eigen::MatrixXd moved;
+  const Eigen::VectorXd first = (q.x0.array().abs() + absolute).matrix();
+  if (!amplification(way, along, first, weight, most_seconds, moved).ok()) return {};
+  const auto size = along.size.array().max(absolute / 10);
+  return {std::max(1.0, (moved.rightCols(1).array() / size).maxCoeff()),
+          std::abs((end.t - q.t0) / (q.t1 - q.t0))};
+}
+
 /// Seconds of a right-hand side.
 double right_hand_side_seconds(const ChoiceRequest& q) {
   ivp::State f(q.x0.size());
@@ -85,6 +138,30 @@ double right_hand_side_seconds(const ChoiceRequest& q) {
   };
   const double one = calls(1);
   return one > 1e-4 ? one : std::min(calls(200), calls(200));
+}
+
+/// "9 digits where errors grow 4.8 times"
+std::string accuracy(const Chosen& c) {
+  if (!(c.growth.covered > 0)) return fmt::format("{:.3g} digits", c.digits);
+  return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
+}
+
+/// "not stiff (...); smooth, operations: 5": what the rules ask.
+std::string features_text(const Features& f) {
+  const std::string operations =
+      f.operations > 0 ? fmt::format("operations: {}", f.operations) : "not recorded as series";
+  return fmt::format("{} (the fastest motion goes {:.2g} of its units of time in an accurate step); {}, {}",
+                     f.stiffness > stiff_from ? "stiff" : "not stiff", f.stiffness,
+                     f.switches ? "switches" : "smooth", operations);
+}
+
+/// "280 right-hand sides; ran 12 % of the time"
+std::string short_run_text(const Ranked& r, const Chosen& c) {
+  const double percent = 100 * r.covered;
+  std::string text = fmt::format("about {:.2g} right-hand sides; ran ", r.right_hand_sides);
+  text += percent > 99.9 ? "to the end" : fmt::format("{:.{}g} % of the time", percent, percent < 10 ? 1 : 2);
+  if (c.missing > 0.05) text += fmt::format("; its tightest tolerance lacks {:.1g} digits", c.missing);
+  return text;
 }
 
 }  // namespace
@@ -135,6 +212,57 @@ Chosen choose(const ChoiceRequest& q, double digits, Chosen c) {
   }
   if (c.ranked.empty()) c.status = status;
   return c;
+}
+
+std::string choice_rows(const Chosen& c) {
+  if (!c.status.ok()) throw Failure(c.status);
+  if (c.ranked.empty())
+    throw Failure(failed_with(Outcome::outside_validity, "no method of this build is for the problem"));
+  const Rule& rule = choice_rule(c.features, c.digits);
+  std::string why = fmt::format("{}; {}; {}: {}; a right-hand side takes {:.2g} s", accuracy(c),
+                                features_text(c.features), rule.name, rule.reason, c.right_hand_side);
+  if (c.ranked.front().method != rule.methods.front())
+    why += fmt::format("; {} fails or is not in this build", rule.methods.front());
+  std::string text = "rank,method,tolerance,seconds,reason\n";
+  for (std::size_t i = 0; i < c.ranked.size(); ++i) {
+    const Ranked& r = c.ranked[i];
+    text += fmt::format("{},{},{:.1e},{:.3g},{}\n", i + 1, r.method, r.tolerance, r.seconds,
+                        quoted_cell(fmt::format("{}; {}", why, short_run_text(r, c))));
+    why = "next by the same rule";
+  }
+  return text;
+}
+
+std::string choice_remark(const Chosen& c) {
+  if (c.digits <= c.possible) return "";
+  return fmt::format(
+      "the problem multiplies errors by {:.2g}, so that rounding alone leaves about {:.2g} of the {:.3g} "
+      "digits",
+      c.condition, std::max(0.0, c.possible), c.digits);
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/@%";
+  std::string line;
+  for (const std::string& word : words) {
+    if (!line.empty()) line += ' ';
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+      line += word;
+    } else if (word.find_first_of("\"$`\\!") == std::string::npos) {
+      line += '"' + word + '"';
+    } else {
+      line += '\'';
+      for (const char c : word) line += c == '\'' ? "'\\''" : std::string(1, c);
+      line += '\'';
+    }
+  }
+  return line;
+}
+
+std::string quoted_cell(std::string_view text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + '"';
 }
 
 }  // namespace nlmech::comparison

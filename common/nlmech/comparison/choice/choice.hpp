@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "nlmech/comparison/choice/features.hpp"
-#include "nlmech/comparison/choice/growth.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
@@ -45,6 +44,12 @@ struct Ranked {
   double right_hand_sides = 0;  ///< of the whole interval, by the short run
 };
 
+/// What a problem makes of errors.
+struct Growth {
+  double factor = 1;   ///< from one tolerance, absolute + relative, to the error by the size of a component
+  double covered = 0;  ///< the share of the interval that it was found on, from 0 to 1; 0: it is not known
+};
+
 /// An answer to the question which method gives so many digits.
 struct Chosen {
   Status status;                    ///< a failure: the problem, or every method on it, ends before t1
@@ -70,5 +75,18 @@ struct Chosen {
 /// it gives the same order.
 /// @param examined of examine(), for the same request
 [[nodiscard]] Chosen choose(const ChoiceRequest& request, double digits, Chosen examined);
+
+/// Rows `rank,method,tolerance,seconds,reason` as CSV.
+/// @throws Failure if there is nothing to choose from, with the reason
+[[nodiscard]] std::string choice_rows(const Chosen& chosen);
+
+/// A remark beside the rows: digits that the problem does not give; empty if there are none.
+[[nodiscard]] std::string choice_remark(const Chosen& chosen);
+
+/// Words as they are typed to a shell.
+[[nodiscard]] std::string shell_line(const std::vector<std::string>& words);
+
+/// A text as a cell of CSV, in quotes.
+[[nodiscard]] std::string quoted_cell(std::string_view text);
 
 }  // namespace nlmech::comparison

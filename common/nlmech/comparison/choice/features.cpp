@@ -61,7 +61,7 @@ Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, doubl
   };
   const ivp::Limits limits{
       .steps = std::clamp<std::int64_t>(2000 / n, 60, 400), .seconds = 0.5, .largest_step = q.largest_step};
-  const auto run = any_integrator(any_method("adaptive-collocation"), settings);
+  const auto run = any_method("adaptive-collocation").with(settings);
   Status status = run(q.system, q.x0, q.t0, q.t1, sample, limits).status;
   // Where few steps are all, the first ones grow from a cautious start and say nothing of accuracy.
   const auto begin = units.begin() + (status.ok() ? 0 : static_cast<std::ptrdiff_t>(units.size() / 2));
@@ -70,8 +70,7 @@ Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, doubl
   return status;
 }
 
-}  // namespace
-
+/// Are the equations q'' = a(t, q)? As recorded, else by the Jacobian at @p x and beside it.
 bool has_velocity_free_accelerations(const ivp::System& system, double t, const ivp::State& x) {
   if (!system.second_order()) return false;
   const int half = system.size() / 2;
@@ -83,6 +82,8 @@ bool has_velocity_free_accelerations(const ivp::System& system, double t, const 
   }
   return true;
 }
+
+}  // namespace
 
 bool depends_on_time(const ivp::System& system, double t, const ivp::State& x) {
   if (const std::optional<Tape> tape = tape_of(system, t)) return tape->depends_on_time();

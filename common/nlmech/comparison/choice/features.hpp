@@ -27,10 +27,6 @@ struct ChoiceRequest {
   [[nodiscard]] ivp::Limits limits(std::int64_t steps) const;
 };
 
-/// Are the equations q'' = a(t, q), so that no acceleration depends on a velocity? By the Jacobian at @p x
-/// and beside it.
-[[nodiscard]] bool has_velocity_free_accelerations(const ivp::System& system, double t, const ivp::State& x);
-
 /// Does f depend on the time, or on a component that moves at a constant rate? By the recorded equations; of
 /// a problem that cannot be recorded by df/dt at (t, x), and true where it has none.
 [[nodiscard]] bool depends_on_time(const ivp::System& system, double t, const ivp::State& x);
@@ -38,7 +34,7 @@ struct ChoiceRequest {
 /// The features of a problem. They are counts and ratios: found twice, they are the same, unless half a
 /// second cuts the probe short.
 struct Features {
-  bool velocity_free = false;  ///< see has_velocity_free_accelerations()
+  bool velocity_free = false;  ///< the equations are q'' = a(t, q)
   bool switches = false;       ///< abs, sign, min or max of the state decide which equations hold
   int operations = 0;    ///< of one right-hand side, as recorded for Taylor series; 0: it cannot be recorded
   double stiffness = 0;  ///< mean of |h| rho over coarse steps h of an implicit method, rho the greatest

@@ -7,8 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
+#include "nlmech/comparison/commands/compare.hpp"
+#include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -22,39 +25,53 @@ constexpr double lines_at_a_time = 1e5, most_rows = 1024;
 /// The column of ends.
 constexpr const char* end_column = "until";
 
-std::chrono::steady_clock::time_point deadline_after(double seconds) {
+std::chrono::steady_clock::time_point deadline_after(const std::optional<double>& seconds) {
   using std::chrono::steady_clock;
-  if (!(seconds < 1e9)) return steady_clock::time_point::max();
+  if (!(seconds.value_or(1e9) < 1e9)) return steady_clock::time_point::max();
   return steady_clock::now() +
-         std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
+         std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(*seconds));
+}
+
+/// Names without those that are there already.
+std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& more) {
+  for (const std::string& name : more) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> states_and_parameters(const UserProblem& problem) {
+  std::vector<std::string> parameters;
+  for (const auto& [name, value] : problem.parameters) parameters.push_back(name);
+  return joined(problem.state_names, parameters);
 }
 
 class Runner {
  public:
-  explicit Runner(const CatalogueRuns& runs)
-      : runs_(runs),
-        base_(runs.problem({})),
-        states_(base_->state_names()),
-        request_(runs.request(*base_, initial_state(*base_))),
-        parameters_(names_of(base_->parameters())),
-        columns_(joined(states_, parameters_)),
-        farthest_(request_.t1),
+  Runner(const TypedOptions& typed, const Problems& problems, std::string program)
+      : typed_(typed),
+        program_(std::move(program)),
+        threads_(typed.threads.value_or(0)),
+        make_(problem_of(typed, problems)),
+        base_(std::make_shared<const UserProblem>(make_({}))),
+        states_(base_->state_names),
+        options_(run_options(typed, *base_, initial_state(*base_))),
+        columns_(states_and_parameters(*base_)),
+        farthest_(options_.t1),
         catalogue_(
-            runs.file, {}, joined(columns_, {end_column}), [this](const auto& row) { return complaint(row); },
-            scene::NameCase::exact),
+            typed.states, {}, joined(columns_, {end_column}),
+            [this](const auto& row) { return complaint(row); }, scene::NameCase::exact),
         method_(method_of_all()) {
-    if (std::none_of(columns_.begin(), columns_.end(),
-                     [this](const auto& name) { return catalogue_.has(name); }))
+    const auto has = [this](const auto& name) { return catalogue_.has(name); };
+    if (std::ranges::none_of(columns_, has))
       throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
                         catalogue_.name(), fmt::join(columns_, ", "));
-    if (!missing_.empty() && !std::all_of(states_.begin(), states_.end(),
-                                          [this](const auto& name) { return catalogue_.has(name); }))
-      throw InputError(missing_);
+    if (!missing_.empty() && !std::ranges::all_of(states_, has)) throw InputError(missing_);
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
     const bool has_ends = is_end && catalogue_.has(end_column);
-    if (runs.until && has_ends)
-      throw input_error("--until {}: {} has a column until", *runs.until, catalogue_.name());
-    if (!runs.until && !has_ends && !base_->final_time())
+    if (typed.until && has_ends)
+      throw input_error("--until {}: {} has a column until", *typed.until, catalogue_.name());
+    if (!typed.until && !has_ends && !base_->t1)
       throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
   }
 
@@ -63,122 +80,110 @@ class Runner {
     catalogue_.weigh_by(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     scene::print_catalogue(
-        catalogue_, {.shard = runs_.shard,
-                     .options = fmt::format("{} {} {}", runs_.typed, method_.name,
-                                            Choice{method_, request_.settings}.setting()),
+        catalogue_, {.shard = typed_.shard,
+                     .options = what_rows_depend_on(),
                      .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
-                                           request_.events.empty() ? "" : ",event",
+                                           options_.events.empty() ? "" : ",event",
                                            catalogue_.columns().rest_names({"row", "t", "event", "status"})),
-                     .portion = scene::portion_for(lines_at_a_time, runs_.threads),
+                     .portion = scene::portion_for(lines_at_a_time, threads_),
                      .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
                      .failed = [this] { return failed_; }});
     if (open_ > 1)
       scene::tell(
-          fmt::format("{}: {} of the runs are not verified; the first is {}", runs_.program, open_, remark_));
+          fmt::format("{}: {} of the runs are not verified; the first is {}", program_, open_, remark_));
     else if (!remark_.empty())
-      scene::tell(fmt::format("{}: {}", runs_.program, remark_));
+      scene::tell(fmt::format("{}: {}", program_, remark_));
     if (failed_ == 0) return 0;
-    scene::tell(fmt::format("{}: {} of the runs failed; the first is row {}: {}", runs_.program, failed_,
-                            first_, sentence_));
+    scene::tell(fmt::format("{}: {} of the runs failed; the first is row {}: {}", program_, failed_, first_,
+                            sentence_));
     return 1;
   }
 
  private:
+  /// For merge, which joins parts of one run alone.
+  [[nodiscard]] std::string what_rows_depend_on() const {
+    const double from = typed_.from.value_or(base_->t0);
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", typed_.problem,
+                       typed_.problem.empty() ? base_->text->source().text() : "", fmt::join(typed_.set, " "),
+                       typed_.initial, from, typed_.until.value_or(from), typed_.no_verify,
+                       typed_.every.value_or(0), fmt::join(typed_.events, " "), typed_.section,
+                       typed_.largest_step.value_or(0), method_.name,
+                       Choice{&method_, options_.settings}.setting());
+  }
   /// That of a row without columns; if one is missing and nothing was said of it, zeros and why.
-  [[nodiscard]] std::vector<double> initial_state(const OwnProblem& problem) {
+  [[nodiscard]] ivp::State initial_state(const UserProblem& problem) {
     try {
-      return runs_.initial_state(problem);
+      return problem.initial_state(typed_.initial);
     } catch (const InputError& error) {
-      if (runs_.is_initial_given) throw;
+      if (!typed_.initial.empty()) throw;
       missing_ = error.what();
-      return std::vector<double>(states_.size());
+      return ivp::State::Zero(static_cast<Eigen::Index>(states_.size()));
     }
-  }
-  static std::vector<std::string> names_of(const CatalogueRuns::Values& values) {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : values) names.push_back(name);
-    return names;
-  }
-  /// Names without those that are there already.
-  static std::vector<std::string> joined(std::vector<std::string> names,
-                                         const std::vector<std::string>& more) {
-    for (const std::string& name : more) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    return names;
   }
   /// Where a row ends.
-  [[nodiscard]] double end(const std::vector<double>& row) const {
-    return has_end(row) ? row.back() : request_.t1;
+  [[nodiscard]] double end(const std::vector<double>& row, double without_column) const {
+    return row.size() > columns_.size() && !std::isnan(row.back()) ? row.back() : without_column;
   }
-  [[nodiscard]] bool has_end(const std::vector<double>& row) const {
-    return row.size() > columns_.size() && !std::isnan(row.back());
-  }
+  [[nodiscard]] double end(const std::vector<double>& row) const { return end(row, options_.t1); }
   [[nodiscard]] double lines(const std::vector<double>& row) const {
-    return request_.every ? std::abs(end(row) - request_.t0) / *request_.every + 2 : 2;
+    return options_.every ? std::abs(end(row) - options_.t0) / *options_.every + 2 : 2;
   }
-  /// With the parameters of a row, NaN standing where there is no column.
-  [[nodiscard]] std::shared_ptr<const OwnProblem> problem_of(const std::vector<double>& row) const {
-    CatalogueRuns::Values values;
+  /// What is asked of a row, NaN standing where there is no column.
+  [[nodiscard]] EnsembleMember member_of(const std::vector<double>& row) const {
+    program::Settings values;
     for (std::size_t i = states_.size(); i < columns_.size(); ++i) {
-      if (!std::isnan(row[i])) values.emplace_back(columns_[i], row[i]);
+      if (!std::isnan(row[i])) values.emplace(columns_[i], row[i]);
     }
-    return values.empty() ? base_ : runs_.problem(values);
-  }
-  /// What is asked of a row.
-  [[nodiscard]] Request request_of(const std::vector<double>& row,
-                                   const std::shared_ptr<const OwnProblem>& problem) const {
-    Request request = request_;
-    if (problem != base_)
-      request = runs_.request(
-          *problem, missing_.empty() ? runs_.initial_state(*problem) : std::vector<double>(states_.size()));
-    if (has_end(row)) request.t1 = row.back();
-    check_rows(request);
+    EnsembleMember member{base_, options_};
+    if (!values.empty()) {
+      const auto problem = std::make_shared<const UserProblem>(make_(values));
+      member = {problem,
+                run_options(typed_, *problem,
+                            missing_.empty() ? problem->initial_state(typed_.initial) : options_.x0)};
+    }
+    RunOptions& options = member.options;
+    options.t1 = end(row, options.t1);
+    options.check_rows();
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      if (!std::isnan(row[k])) request.x0[k] = row[k];
+      if (!std::isnan(row[k])) options.x0[static_cast<Eigen::Index>(k)] = row[k];
     }
-    return request;
+    options.deadline = deadline_;
+    return member;
   }
   /// Called while the catalogue is made, too: only what is before it in this class is there.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) {
     try {
-      static_cast<void>(request_of(row, problem_of(row)));
+      static_cast<void>(member_of(row));
     } catch (const std::exception& error) {
       return error.what();
     }
     if (first_row_.empty()) first_row_ = row;
-    if (std::abs(end(row) - request_.t0) > std::abs(farthest_ - request_.t0)) farthest_ = end(row);
+    if (std::abs(end(row) - options_.t0) > std::abs(farthest_ - options_.t0)) farthest_ = end(row);
     return {};
   }
-  [[nodiscard]] AnyMethod method_of_all() const {
-    const auto problem = first_row_.empty() ? base_ : problem_of(first_row_);
-    Request request = first_row_.empty() ? request_ : request_of(first_row_, problem);
-    request.t1 = farthest_;
-    return runs_.method(*problem, request);
+  [[nodiscard]] const ivp::MethodInfo& method_of_all() const {
+    EnsembleMember first = first_row_.empty() ? EnsembleMember{base_, options_} : member_of(first_row_);
+    first.options.t1 = farthest_;
+    return method_of(typed_, *first.problem, first.options);
   }
 
   [[nodiscard]] std::string lines_of(const scene::CatalogueRows& rows) {
     const std::size_t count = rows.numbers.size();
-    std::vector<std::shared_ptr<const OwnProblem>> problems(count);
-    std::vector<Posed> posed(count);
-    share_out(count, 1, runs_.threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        problems[i] = problem_of(rows.numbers[i]);
-        posed[i] = {problems[i].get(), request_of(rows.numbers[i], problems[i])};
-        posed[i].request.deadline = deadline_;
-      }
+    std::vector<EnsembleMember> members(count);
+    share_out(count, 1, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) members[i] = member_of(rows.numbers[i]);
     });
-    const std::vector<Ended> ends = base_->trajectories(posed, method_, runs_.threads);
+    const std::vector<EnsembleResult> ends = trajectories(members, method_, threads_);
     const auto row = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     for (std::size_t i = 0; i < count; ++i) note(row(i), ends[i]);
-    return scene::lines_in_threads(count, runs_.threads, [&](std::size_t i, std::string& lines) {
+    return scene::lines_in_threads(count, threads_, [&](std::size_t i, std::string& lines) {
       add_lines(row(i), rows.rest[i], ends[i], lines);
     });
   }
 
   /// Remembers the first remark, which is that of a run that is not verified if there is one, and the first
   /// failure.
-  void note(std::int64_t row, const Ended& end) {
+  void note(std::int64_t row, const EnsembleResult& end) {
     const Trajectory& run = end.trajectory;
     if ((run.is_open && open_++ == 0) || (remark_.empty() && !run.remark.empty()))
       remark_ = fmt::format("row {}: {}", row, run.remark);
@@ -187,9 +192,10 @@ class Runner {
     sentence_ = end.status.text();
   }
 
-  void add_lines(std::int64_t row, const std::string& rest, const Ended& end, std::string& lines) const {
+  void add_lines(std::int64_t row, const std::string& rest, const EnsembleResult& end,
+                 std::string& lines) const {
     if (!end.status.ok()) {
-      const std::size_t empty = states_.size() + 1 + (request_.events.empty() ? 0 : 1);
+      const std::size_t empty = states_.size() + 1 + (options_.events.empty() ? 0 : 1);
       lines +=
           fmt::format("{}{}{},{}\n", row, std::string(empty, ','), rest, to_string(end.status.outcome()));
       return;
@@ -204,23 +210,29 @@ class Runner {
     }
   }
 
-  const CatalogueRuns& runs_;
-  std::chrono::steady_clock::time_point deadline_ = deadline_after(runs_.seconds);
-  std::shared_ptr<const OwnProblem> base_;
+  const TypedOptions& typed_;
+  std::string program_;
+  int threads_;
+  std::chrono::steady_clock::time_point deadline_ = deadline_after(typed_.limit);
+  MakeProblem make_;
+  std::shared_ptr<const UserProblem> base_;
   std::string missing_;  // why there is no initial state
   std::vector<std::string> states_;
-  Request request_;
-  std::vector<std::string> parameters_, columns_;
+  RunOptions options_;
+  std::vector<std::string> columns_;
   std::vector<double> first_row_;
   double farthest_;
   scene::Catalogue catalogue_;
-  AnyMethod method_;
+  const ivp::MethodInfo& method_;
   std::int64_t failed_ = 0, first_ = 0, open_ = 0;
   std::string sentence_, remark_;
 };
 
 }  // namespace
 
-int print_runs(const CatalogueRuns& runs) { return Runner(runs).print(); }
+int print_runs(const TypedOptions& typed, const Problems& problems, const std::string& program) {
+  if (!typed.plot.empty()) throw input_error("--plot {}: --states draws none", typed.plot);
+  return Runner(typed, problems, program).print();
+}
 
 }  // namespace nlmech::comparison

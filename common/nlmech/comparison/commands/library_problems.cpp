@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "nlmech/comparison/commands/own_problem_of.hpp"
-#include "nlmech/comparison/commands/typed_problem.hpp"
 #include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/bodies.hpp"
 #include "nlmech/problems/driven_duffing.hpp"
@@ -25,19 +23,19 @@
 
 namespace nlmech::comparison {
 
-OwnProblems library_problems() {
-  OwnProblems all = {&own_problem<problems::Duffing>,        &own_problem<problems::ImpactDuffing>,
-                     &own_problem<problems::ForcedDuffing>,  &own_problem<problems::DrivenDuffing>,
-                     &own_problem<problems::LaierDuffing>,   &own_problem<problems::VanDerPol>,
-                     &own_problem<problems::LaierVanDerPol>, &own_problem<problems::LinearOscillator>,
-                     &own_problem<problems::TwoDof>,         &own_problem<problems::ThreeMassChain>,
-                     &own_problem<problems::Lorenz>,         &own_problem<problems::StrongOscillator>,
-                     &own_problem<problems::Projectile>,     &own_problem<problems::FourBodies>,
-                     &own_problem<problems::BlowUp>,         &own_problem<problems::Robertson>,
-                     &own_problem<problems::Hires>,          &own_problem<problems::DuffingChain>};
+Problems library_problems() {
+  Problems all = {&user_problem<problems::Duffing>,        &user_problem<problems::ImpactDuffing>,
+                  &user_problem<problems::ForcedDuffing>,  &user_problem<problems::DrivenDuffing>,
+                  &user_problem<problems::LaierDuffing>,   &user_problem<problems::VanDerPol>,
+                  &user_problem<problems::LaierVanDerPol>, &user_problem<problems::LinearOscillator>,
+                  &user_problem<problems::TwoDof>,         &user_problem<problems::ThreeMassChain>,
+                  &user_problem<problems::Lorenz>,         &user_problem<problems::StrongOscillator>,
+                  &user_problem<problems::Projectile>,     &user_problem<problems::FourBodies>,
+                  &user_problem<problems::BlowUp>,         &user_problem<problems::Robertson>,
+                  &user_problem<problems::Hires>,          &user_problem<problems::DuffingChain>};
   for (const problems::ProblemText& known : problems::problem_texts())
-    all.emplace_back([&known] {
-      return typed_problem({std::string(known.name) + ".ode", std::string(known.text)}, {}, known.name);
+    all.emplace_back([&known](const program::Settings& settings) {
+      return typed_problem({std::string(known.name) + ".ode", std::string(known.text)}, settings, known.name);
     });
   return all;
 }

@@ -2,11 +2,11 @@
 /// The problems of the library by name.
 #pragma once
 
-#include "nlmech/comparison/commands/own_problem.hpp"
+#include "nlmech/comparison/commands/user_problem.hpp"
 
 namespace nlmech::comparison {
 
 /// All of them.
-[[nodiscard]] OwnProblems library_problems();
+[[nodiscard]] Problems library_problems();
 
 }  // namespace nlmech::comparison

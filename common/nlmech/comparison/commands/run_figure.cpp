@@ -42,7 +42,7 @@ std::optional<double> log_begin(const Values& times) {
 }
 
 /// The unknowns that there is room for.
-std::vector<std::size_t> panels_of(const Seen& run) {
+std::vector<std::size_t> panels_of(const PlotSamples& run) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < run.components.size(); ++i) {
     if (run.components[i].unknown && shown.size() < most_panels) shown.push_back(i);
@@ -50,10 +50,10 @@ std::vector<std::size_t> panels_of(const Seen& run) {
   return shown;
 }
 
-void put_events(const Seen& run, std::size_t component, scene::Panel& panel) {
+void put_events(const PlotSamples& run, std::size_t component, scene::Panel& panel) {
   if (run.events.empty()) return;
   Values t, x;
-  for (const Seen::Moment& m : run.events) {
+  for (const PlotSamples::Moment& m : run.events) {
     t.push_back(m.t);
     x.push_back(m.x[component]);
   }
@@ -93,7 +93,7 @@ class Grid {
 };
 
 /// Two components, the first of each pair the abscissa.
-std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const Seen& run) {
+std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const PlotSamples& run) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto& all = run.components;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -107,7 +107,56 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const Seen& run) {
 
 }  // namespace
 
-scene::Figure run_figure(const Seen& run, const std::string& heading) {
+void SampledPath::add(double t, const Eigen::VectorXd& x) {
+  bins_.resize(static_cast<std::size_t>(x.size()));
+  const bool joins = inside_ > 0 && inside_ < stride_;
+  for (std::size_t i = 0; i < bins_.size(); ++i) {
+    const Point here{t, x[static_cast<Eigen::Index>(i)]};
+    if (joins)
+      bins_[i].back().include({here, here});
+    else
+      bins_[i].push_back({here, here});
+  }
+  inside_ = joins ? inside_ + 1 : 1;
+  if (bins_.front().size() > most_bins) halve();
+}
+
+void SampledPath::see(const ivp::Step& step, double end) {
+  const double way = end - step.t0, share = std::abs(way / (t1_ - t0_));
+  const int places = static_cast<int>(std::clamp(std::ceil(1000 * share), 8.0, 1000.0));
+  for (int k = 1; k < places; ++k) {
+    const double t = step.t0 + way * k / places;
+    add(t, step.at(t));
+  }
+  add(end, step.at(end));
+}
+
+std::pair<std::vector<double>, std::vector<double>> SampledPath::component(std::size_t i) const {
+  std::pair<std::vector<double>, std::vector<double>> all;
+  const auto put = [&](const Point& p) {
+    all.first.push_back(p.t);
+    all.second.push_back(p.x);
+  };
+  for (const Bin& bin : bins_.at(i)) {
+    const bool low_first = (bin.high.t - bin.low.t) * (t1_ - t0_) >= 0;
+    put(low_first ? bin.low : bin.high);
+    if (bin.low.t != bin.high.t) put(low_first ? bin.high : bin.low);
+  }
+  return all;
+}
+
+void SampledPath::halve() {
+  for (std::vector<Bin>& bins : bins_) {
+    for (std::size_t k = 0; 2 * k < bins.size(); ++k) {
+      bins[k] = bins[2 * k];
+      if (2 * k + 1 < bins.size()) bins[k].include(bins[2 * k + 1]);
+    }
+    bins.resize((bins.size() + 1) / 2);
+  }
+  stride_ *= 2;  // the last one, which had no partner, gets what follows
+}
+
+scene::Figure run_figure(const PlotSamples& run, const std::string& heading) {
   const std::vector<std::size_t> shown = panels_of(run);
   if (run.path.empty()) throw Failure("a run of no length has no picture");
   scene::Show show(false);
@@ -129,11 +178,11 @@ scene::Figure run_figure(const Seen& run, const std::string& heading) {
   return *show.take().figure;
 }
 
-scene::Figure section_figure(const Seen& run, const std::string& heading) {
+scene::Figure section_figure(const PlotSamples& run, const std::string& heading) {
   if (run.events.empty()) throw Failure("the run does not meet the section");
   const auto values = [&](std::size_t component) {
     Values all;
-    for (const Seen::Moment& m : run.events) all.push_back(m.x[component]);
+    for (const PlotSamples::Moment& m : run.events) all.push_back(m.x[component]);
     return all;
   };
   scene::Show show(false);
@@ -156,13 +205,12 @@ scene::Figure section_figure(const Seen& run, const std::string& heading) {
   std::size_t moving = 0;
   while (moving + 1 < run.components.size() && !varies(values(moving))) ++moving;
   Values t;
-  for (const Seen::Moment& m : run.events) t.push_back(m.t);
+  for (const PlotSamples::Moment& m : run.events) t.push_back(m.t);
   if (t.size() == 1) throw Failure("the run meets the section once, which is no picture");
   return put("{/:Italic t}", t, italic(run.components[moving].name), values(moving));
 }
 
-scene::Figure comparison_figure(const Comparison& comparison, const std::string& heading) {
-  const auto& curves = comparison.curves;
+scene::Figure comparison_figure(const std::vector<Curve>& curves, const std::string& heading) {
   if (std::ranges::none_of(curves, [](const Curve& c) { return best_of(c) != nullptr; }))
     throw Failure("no method has digits");
   scene::Show show(false);

@@ -2,17 +2,39 @@
 /// How accurate a run is near its end: an error that lucky cancellation at a single time does not flatter.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "nlmech/comparison/commands/example.hpp"
-#include "nlmech/comparison/reference/reference_end.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
+
+/// The largest error of a component: relative to the component, or, where that is close to zero - below a
+/// thousandth of its size - relative to its size. Components that are zero throughout count absolutely.
+[[nodiscard]] inline double relative_error(const ivp::State& found, const ivp::LongState& truth,
+                                           const ivp::State& size) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < found.size(); ++i) {
+    const auto value = static_cast<double>(std::abs(truth[i]));
+    double scale = value >= 1e-3 * size[i] ? value : size[i];
+    if (!(scale > 0)) scale = 1;
+    const auto error = static_cast<double>(std::abs(found[i] - truth[i])) / scale;
+    if (std::isnan(error)) return error;
+    worst = std::max(worst, error);
+  }
+  return worst;
+}
+
+/// -log10 of an error, at most what double can hold.
+[[nodiscard]] inline double digits_of(double error) {
+  return -std::log10(std::max(error, std::numeric_limits<double>::epsilon() / 2));
+}
 
 /// Ends of steps in the last tenth of the way: the first beyond each of 16 equidistant times, and the last 16
 /// of all, if that makes fewer, for methods of long steps. What 16 runs to these times would give.

@@ -9,28 +9,19 @@
 
 namespace nlmech::comparison {
 
-namespace {
-
-Kind kind_of(peers::Family family) {
-  switch (family) {
-    case peers::Family::runge_kutta: return Kind::explicit_;
-    case peers::Family::extrapolation: return Kind::extrapolation;
-    case peers::Family::adams: return Kind::adams;
-    case peers::Family::implicit: break;
+Kind kind_of(const ivp::MethodInfo& method) {
+  using enum ivp::Family;
+  switch (method.family) {
+    case polynomials: return Kind::polynomial;
+    case collocation: return Kind::own;
+    case series: return Kind::series;
+    case runge_kutta: return Kind::explicit_;
+    case extrapolation: return Kind::extrapolation;
+    case adams: return Kind::adams;
+    case implicit: return Kind::implicit;
+    case classical: break;
   }
-  return Kind::implicit;
-}
-
-}  // namespace
-
-Kind kind_of(const AnyMethod& method) {
-  const std::string& name = method.name;
-  if (method.peer) return kind_of(peers::peer_family(name));
-  if (name == "adaptive-collocation") return Kind::own;
-  if (name == "series") return Kind::series;
-  if (name == "rbf-coll" || name == "mcpi" || name == "lgl-coll" || name == "radau-coll")
-    return Kind::polynomial;
-  return method.info.steps == ivp::Steps::chosen ? Kind::explicit_ : Kind::classical;
+  return Kind::classical;
 }
 
 std::string Contender::label() const {
@@ -61,17 +52,17 @@ Contender by_tolerances(const std::string& name, Kind kind, bool quick) {
 std::vector<Contender> all_peers(bool quick) {
   std::vector<Contender> all;
   for (const bool implicit : {false, true}) {
-    for (const std::string& name : peers::all_peer_names()) {
-      if (peers::peer_is_implicit(name) != implicit) continue;
-      all.push_back(by_tolerances(name, kind_of(any_method(name)), quick));
-      if (!peers::peer_available(name)) all.back().settings.clear();
+    for (const ivp::MethodInfo& peer : peers::peer_methods()) {
+      if ((peer.family == ivp::Family::implicit) != implicit) continue;
+      all.push_back(by_tolerances(std::string(peer.name), kind_of(peer), quick));
+      if (!peer.is_available()) all.back().settings.clear();
     }
   }
   return all;
 }
 
 ivp::NamedIntegrator integrator(const Contender& contender, const Setting& setting) {
-  return any_integrator(any_method(contender.name), setting.settings);
+  return any_method(contender.name).with(setting.settings);
 }
 
 }  // namespace nlmech::comparison

@@ -1,5 +1,6 @@
 #include "nlmech/comparison/cost/cost_curves.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -10,7 +11,9 @@ namespace {
 
 /// A curve of a peer, of what its page is about, or else of ours.
 scene::Side side_of(const Curve& curve) {
-  if (peers::is_peer(curve.name)) return scene::Side::peer;
+  // A curve may be of what is no method, and its name go on: "rbf-coll, N = 35".
+  const auto peers = peers::peer_methods();
+  if (std::ranges::find(peers, curve.name, &ivp::MethodInfo::name) != peers.end()) return scene::Side::peer;
   if (curve.kind == Kind::closed_form) return scene::Side::floor;
   return curve.kind <= Kind::series ? scene::Side::subject : scene::Side::ours;
 }

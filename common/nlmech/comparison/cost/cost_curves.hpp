@@ -10,7 +10,6 @@
 
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/comparison/cost/contenders.hpp"
-#include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/choice/features.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
@@ -30,14 +35,18 @@ double magnitude(double x, double size) {
   return most > 0 ? most : 1;
 }
 
+/// How far two computations are apart.
 struct Distance {
-  double in_needs = 0;  ///< greatest difference in units of what is needed
-  double relative = 0;  ///< greatest difference relative to the size of its component
+  double in_needs = std::numeric_limits<double>::infinity();  ///< greatest difference by what is needed
+  double relative = std::numeric_limits<double>::infinity();  ///< greatest one by the size of its component
+  std::size_t first = 0, second = 0;                          ///< which two
 };
 
-Distance distance(const StatesAt& a, const StatesAt& b, const Needed& needed) {
+Distance distance(const std::vector<Arrived>& arrived, std::size_t first, std::size_t second,
+                  const Tolerance& needed) {
+  const StatesAt &a = arrived[first].states, &b = arrived[second].states;
   const Eigen::VectorXd size = size_of(a);
-  Distance most;
+  Distance most{0, 0, first, second};
   for (Eigen::Index k = 0; k < a.cols(); ++k) {
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
       const auto difference = static_cast<double>(std::abs(a(i, k) - b(i, k)));
@@ -49,16 +58,6 @@ Distance distance(const StatesAt& a, const StatesAt& b, const Needed& needed) {
   return most;
 }
 
-Reference made_of(const Arrived& a, const Arrived& b) {
-  Reference r;
-  r.first = a.by;
-  r.second = b.by;
-  r.states = a.states;
-  r.doubt = (a.states - b.states).cwiseAbs().cast<double>();
-  r.size = size_of(a.states);
-  return r;
-}
-
 /// A computation that did not arrive.
 struct Failed {
   std::string name;
@@ -66,54 +65,71 @@ struct Failed {
   Outcome outcome;
 };
 
-/// Steps shrink to nothing at a singularity, and in extended precision not for rounding.
-bool meets_an_end(const std::vector<Failed>& failed) {
-  const auto shrinks = [](const Failed& f) { return f.outcome == Outcome::step_underflow; };
-  return std::any_of(failed.begin(), failed.end(),
-                     [&](const Failed& f) { return f.extended && shrinks(f); }) &&
-         std::count_if(failed.begin(), failed.end(), shrinks) >= 2;
-}
-
 /// No two agree.
-Reference none_of(const std::vector<Arrived>& arrived, const Arrived* a, const Arrived* b, double apart,
+Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
                   const std::vector<Failed>& failed) {
   std::string why = "no two methods arrived within the work allowed";
-  if (a != nullptr)
+  if (arrived.size() >= 2 && std::isfinite(best.in_needs))
     why = fmt::format("the two methods nearest to each other, {} and {}, differ by {:.2g} of the solution",
-                      a->by.name, b->by.name, apart);
+                      arrived[best.first].by.name, arrived[best.second].by.name, best.relative);
   std::string separator = "; not there: ";
   for (const Failed& f : failed) {
     why += fmt::format("{}{} ({})", separator, f.name, to_string(f.outcome));
     separator = ", ";
   }
+  // Steps shrink to nothing at a singularity, and in extended precision not for rounding.
+  const auto shrinks = [](const Failed& f) { return f.outcome == Outcome::step_underflow; };
   Reference none;
   none.status = Status::failure(Outcome::not_converged, why);
-  none.undetermined =
-      std::count_if(arrived.begin(), arrived.end(), [](const Arrived& x) { return x.by.extended; }) >= 2;
-  none.ends = meets_an_end(failed);
+  none.undetermined = std::ranges::count_if(arrived, [](const Arrived& x) { return x.by.extended; }) >= 2;
+  none.ends = std::ranges::any_of(failed, [&](const Failed& f) { return f.extended && shrinks(f); }) &&
+              std::ranges::count_if(failed, shrinks) >= 2;
   return none;
 }
 
-/// The two that agree best so far.
-class Best {
- public:
-  void see(const std::vector<Arrived>& arrived, const Needed& needed) {
-    for (std::size_t i = 0; i + 1 < arrived.size(); ++i) {
-      const Distance d = distance(arrived[i].states, arrived.back().states, needed);
-      if (!(d.in_needs < distance_.in_needs)) continue;
-      distance_ = d;
-      first_ = i;
-      second_ = arrived.size() - 1;
-    }
-  }
-  [[nodiscard]] const Distance& apart() const { return distance_; }
-  [[nodiscard]] std::size_t first() const { return first_; }
-  [[nodiscard]] std::size_t second() const { return second_; }
-
- private:
-  Distance distance_{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  std::size_t first_ = 0, second_ = 0;
+/// One of the methods that references are made of.
+struct Judge {
+  std::string_view name;
+  double least_tolerance;   ///< below which it gains nothing
+  std::int64_t most_steps;  ///< in some fifth of a second
 };
+
+constexpr std::array judges = {Judge{"series", 1e-16, 50'000},
+                               Judge{"adaptive-collocation", 1e-13, 20'000},
+                               Judge{"odeint-rosenbrock4", 1e-12, 60'000},
+                               Judge{"odeint-fehlberg78", 1e-13, 150'000},
+                               Judge{"cvode-bdf", 1e-12, 100'000},
+                               Judge{"gsl-rk8pd", 1e-13, 150'000},
+                               Judge{"laier", 1e-12, 60'000}};
+
+/// By absolute tolerances for components that decay, then by those needed.
+Status by_judge(const Judge& judge, const ivp::System& system, const Tolerance& needed, const Effort& effort,
+                const Way& way, double seconds, StatesAt& states) {
+  const Stopwatch watch;
+  const ivp::MethodInfo& method = any_method(judge.name);
+  if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
+    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
+  const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
+  const double loose = std::max(needed.absolute / 10, relative * 1e-2);
+  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(judge.most_steps));
+  Status status;
+  for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
+    try {
+      const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
+      Pace pace(way.t0, way.times.back(), static_cast<double>(steps));
+      ivp::Observer observer;  // empty for methods whose steps may yet grow, once the stiffness has shown
+      if (method.family == ivp::Family::series || method.family == ivp::Family::runge_kutta)
+        observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
+      const ivp::Limits limits{
+          .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
+      status = states_by(method.with(settings), system, way, observer, limits, states);
+    } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
+      status = Status::failure(Outcome::outside_validity, error.what());
+    }
+    if (status.ok() || status.outcome() == Outcome::time_limit) break;
+  }
+  return status;
+}
 
 }  // namespace
 
@@ -131,36 +147,72 @@ std::string Reference::text() const {
   return fmt::format("{} and {} agree to {:.1f} digits", first.name, second.name, digits);
 }
 
-Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Needed& needed,
+Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Tolerance& needed,
                 double seconds) {
   const Stopwatch watch;
   std::vector<Arrived> arrived;
   std::vector<Failed> failed;
-  std::vector<std::string> failed_families;
-  Best best;
+  Distance best;
   for (const Candidate& c : candidates) {
-    const bool hopeless = !c.family.empty() && std::find(failed_families.begin(), failed_families.end(),
-                                                         c.family) != failed_families.end();
-    if (hopeless) continue;
+    if (c.extended && std::ranges::any_of(failed, &Failed::extended)) continue;
     if (watch.seconds() >= seconds) break;
     StatesAt states;
     const Status status = c.compute(way, seconds - watch.seconds(), states);
     if (!status.ok()) {
-      failed_families.push_back(c.family);
       failed.push_back({c.name, c.extended, status.outcome()});
       continue;
     }
     arrived.push_back({c, std::move(states)});
-    best.see(arrived, needed);
-    if (best.apart().in_needs <= 1) break;
+    for (std::size_t i = 0; i + 1 < arrived.size(); ++i) {
+      const Distance d = distance(arrived, i, arrived.size() - 1, needed);
+      if (d.in_needs < best.in_needs) best = d;
+    }
+    if (best.in_needs <= 1) break;
     // Two that work in extended precision and part: no method in double precision knows better.
-    if (c.extended && arrived.size() >= 2 && best.apart().relative > worthless) break;
+    if (c.extended && arrived.size() >= 2 && best.relative > worthless) break;
   }
-  const bool some = std::isfinite(best.apart().in_needs);
-  if (some && best.apart().relative <= worthless)
-    return made_of(arrived[best.first()], arrived[best.second()]);
-  return none_of(arrived, some ? &arrived[best.first()] : nullptr, some ? &arrived[best.second()] : nullptr,
-                 best.apart().relative, failed);
+  if (!(best.relative <= worthless)) return none_of(arrived, best, failed);
+  const Arrived &a = arrived[best.first], &b = arrived[best.second];
+  Reference r;
+  r.first = a.by;
+  r.second = b.by;
+  r.states = a.states;
+  r.doubt = (a.states - b.states).cwiseAbs().cast<double>();
+  r.size = size_of(a.states);
+  return r;
+}
+
+Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
+                 const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states) {
+  const Stopwatch watch;
+  states.resize(way.x0.size(), static_cast<Eigen::Index>(way.times.size()));
+  ivp::Limits left = limits;
+  ivp::State x = way.x0.cast<double>();
+  double t = way.t0;
+  for (std::size_t k = 0; k < way.times.size(); ++k) {
+    left.seconds = limits.seconds - watch.seconds();
+    ivp::Solution end = run(system, x, t, way.times[k], observer, left);
+    if (end.status.outcome() == Outcome::interrupted)
+      return Status::failure(Outcome::step_limit, "an explicit method takes too many steps");
+    if (!end.status.ok()) return end.status;
+    left.steps -= end.statistics.steps + end.statistics.rejected;
+    x = end.x;
+    t = way.times[k];
+    states.col(static_cast<Eigen::Index>(k)) = x.cast<long double>();
+  }
+  return {};
+}
+
+Reference reference_of(std::vector<Candidate> all, const ivp::System& system, const ivp::State& x0, double t0,
+                       const std::vector<double>& times, const Tolerance& needed, const Effort& effort) {
+  for (const Judge& judge : judges) {
+    const ivp::MethodInfo& method = any_method(judge.name);
+    if (!method.is_available() || (method.second_order_only && !system.second_order())) continue;
+    all.push_back({std::string(judge.name), false, [=](const Way& way, double seconds, StatesAt& states) {
+                     return by_judge(judge, system, needed, effort, way, seconds, states);
+                   }});
+  }
+  return agree(all, {x0.cast<long double>(), t0, times}, needed, effort.seconds);
 }
 
 std::vector<double> look_at(double t0, double t1, int count) {

@@ -9,11 +9,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/system.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
@@ -21,12 +24,15 @@ namespace nlmech::comparison {
 /// States at several times, one a column, in extended precision.
 using StatesAt = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// How finely a reference should know a component x: to absolute + relative |x|, with |x| at least a
-/// thousandth of the component's greatest value. A reference that knows less is given all the same, and says
-/// so.
-struct Needed {
+/// A relative and an absolute tolerance: those of a run, or how finely a reference should know a component x:
+/// to absolute + relative |x|, with |x| at least a thousandth of the component's greatest value. A reference
+/// that knows less is given all the same, and says so.
+struct Tolerance {
   double relative = 1e-13;  ///< positive
   double absolute = 1e-13;  ///< positive
+
+  /// A finer one.
+  [[nodiscard]] Tolerance operator/(double times) const { return {relative / times, absolute / times}; }
 };
 
 /// Bounds on the work for a reference.
@@ -37,6 +43,22 @@ struct Effort {
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
   /// Longest step of each computation, as of the run that is judged.
   double largest_step = std::numeric_limits<double>::infinity();
+};
+
+/// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less
+/// than a twentieth of the way that they would have to.
+class Pace {
+ public:
+  /// @param most steps from t0 to t1
+  Pace(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
+  /// After a step to @p t: may it go on?
+  [[nodiscard]] bool suffices(double t) {
+    ++steps_;
+    return steps_ < most_ / 20 || 20 * std::abs(t - t0_) >= std::abs(way_) * steps_ / most_;
+  }
+
+ private:
+  double t0_, way_, most_, steps_ = 0;
 };
 
 /// A state in extended precision.
@@ -53,8 +75,7 @@ struct Way {
 /// One way to compute the states of a solution.
 struct Candidate {
   std::string name;       ///< "adaptive-collocation"
-  std::string family;     ///< if one of a family fails, the others are not tried; may be empty
-  bool extended = false;  ///< works in extended precision
+  bool extended = false;  ///< works in extended precision; if one of these fails, no other is tried
   /// Fills the states at the asked times, within that wall time in seconds.
   std::function<Status(const Way&, double seconds, StatesAt&)> compute;
 };
@@ -82,8 +103,28 @@ struct Reference {
 /// Runs the candidates in turn until two agree as finely as needed; else the two are taken that agree best,
 /// if they agree to two digits at all times.
 /// @param seconds wall time for all of them
-[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Needed& needed,
-                              double seconds);
+[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way,
+                              const Tolerance& needed, double seconds);
+
+/// The states of a problem at @p times, by the first two that agree of @p extended, computations in extended
+/// precision, and then of methods that share nothing but the problem, cheap ones first: Taylor series in
+/// double precision, collocation, Rosenbrock, Runge-Kutta, differentiation formulas, Hermitian operators;
+/// peers as far as this build has them. Each of these is begun anew at every time, so that no dense output
+/// has a part in the states. Tolerances are a tenth of what is needed, but not below 1e-13 (differentiation
+/// formulas and Rosenbrock: 1e-12); absolute ones are a millionth of that first, for components that decay,
+/// and if the method fails so, as coarse as needed.
+/// @param x0 state at t0, finite
+/// @param times in the direction of travel from t0, each other than the one before; at least one
+/// @param needed how finely
+/// @param effort when to give up
+[[nodiscard]] Reference reference_of(std::vector<Candidate> extended, const ivp::System& system,
+                                     const ivp::State& x0, double t0, const std::vector<double>& times,
+                                     const Tolerance& needed, const Effort& effort);
+
+/// The states at all times by a method that is begun anew at each.
+/// @param observer of all segments; may be empty
+[[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
+                               const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states);
 
 /// The times at which a way from @p t0 to @p t1 is looked at: @p count equidistant ones, the last of them the
 /// end.

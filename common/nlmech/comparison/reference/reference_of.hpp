@@ -3,43 +3,49 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "nlmech/comparison/reference/reference.hpp"
-#include "nlmech/comparison/reference/reference_end.hpp"
-#include "nlmech/comparison/reference/reference_methods.hpp"
 #include "nlmech/ivp/system.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/program/value_of.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 
 namespace detail {
 
+/// A problem run backwards: dx/ds = -f(-s, x).
+template <class Problem>
+struct Backwards {
+  static constexpr int dimension = Problem::dimension;  ///< the problem's
+  Problem problem;                                      ///< as it is
+
+  /// dx/ds. At a discontinuity f is the limit from the right, and here the one from the left is needed: f is
+  /// asked for at the time just before, by an error of time far below that of double.
+  template <class T>
+  void operator()(const T& s, const Vector<T, dimension>& x, Vector<T, dimension>& dxds) const {
+    using std::nextafter;
+    const auto now = -value_of(s);
+    const T t = -s + (nextafter(now, -std::numeric_limits<decltype(now)>::infinity()) - now);
+    problem(t, x, dxds);
+    dxds = (-dxds).eval();
+  }
+  /// The problem's, seen backwards.
+  [[nodiscard]] std::vector<double> discontinuities(double from, double to) const {
+    std::vector<double> times;
+    if constexpr (problems::HasDiscontinuities<Problem>) times = problem.discontinuities(-from, -to);
+    for (double& t : times) t = -t;
+    return times;
+  }
+};
+
 /// Ends a walk of a reference from within: no more steps.
 struct OutOfWork {
   Outcome outcome;
-};
-
-/// Counts the steps of a walk, and ends it where the work does not suffice: a solution that has made less
-/// than half of its way after a twentieth of the steps that were to bring it ten times as far will not
-/// arrive.
-class StepsOfReference {
- public:
-  StepsOfReference(double t0, double t1, double most, double seconds)
-      : t0_(t0), way_(t1 - t0), most_(most), seconds_(seconds) {}
-  /// After a step to @p t. @throws OutOfWork
-  void count(double t) {
-    ++steps_;
-    if (steps_ >= most_ || (steps_ >= most_ / 20 && 20 * (t - t0_) < way_ * steps_ / most_))
-      throw OutOfWork{Outcome::step_limit};
-    if (watch_.seconds() > seconds_) throw OutOfWork{Outcome::time_limit};
-  }
-
- private:
-  double t0_, way_, most_, seconds_, steps_ = 0;
-  Stopwatch watch_;
 };
 
 /// The states at ascending times by one Taylor series.
@@ -54,14 +60,17 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
   for (; next < times.size() && times[next] == way.t0; ++next)
     states.col(static_cast<Eigen::Index>(next)) = way.x0;
   if (next == times.size()) return {};
-  StepsOfReference steps(way.t0, times.back(), most_steps, seconds);
+  Pace pace(way.t0, times.back(), most_steps);
+  const Stopwatch watch;
   const auto look = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
     const long double end = step.start + step.length;
     for (; next < times.size() && times[next] <= end; ++next) {
       const Exact now = times[next] == end ? x : step.at(times[next] - step.start);
       states.col(static_cast<Eigen::Index>(next)) = now;
     }
-    if (next < times.size()) steps.count(static_cast<double>(end));
+    if (next == times.size()) return;
+    if (!pace.suffices(static_cast<double>(end))) throw OutOfWork{Outcome::step_limit};
+    if (watch.seconds() > seconds) throw OutOfWork{Outcome::time_limit};
   };
   try {
     return problems::walk_reference(problem, Exact(way.x0), static_cast<long double>(way.t0),
@@ -95,26 +104,22 @@ template <class Problem>
     problems::ReferenceOptions options;
     options.order = order;
     options.largest_step = effort.largest_step;
-    all.push_back({"Taylor series of order " + std::to_string(order), "Taylor series in extended precision",
-                   true, [=](const Way& way, double seconds, StatesAt& states) {
+    options.most_steps = static_cast<std::size_t>(std::ceil(most_steps));
+    all.push_back({"Taylor series of order " + std::to_string(order), true,
+                   [=](const Way& way, double seconds, StatesAt& states) {
                      return detail::taylor_either_way(problem, way, options, most_steps, seconds, states);
                    }});
   }
   return all;
 }
 
-/// The states of a problem at @p times.
-/// @param x0 state at t0, finite
-/// @param times in the direction of travel from t0, each other than the one before; at least one
-/// @param needed how finely
-/// @param effort when to give up
+/// The reference of a problem: these series, else methods by name. See reference.hpp.
 template <class Problem>
 [[nodiscard]] Reference reference_of(const Problem& problem, const Vector<double, Problem::dimension>& x0,
-                                     double t0, const std::vector<double>& times, const Needed& needed,
+                                     double t0, const std::vector<double>& times, const Tolerance& needed,
                                      const Effort& effort) {
-  std::vector<Candidate> all = taylor_candidates(problem, static_cast<int>(x0.size()), effort);
-  for (Candidate& c : method_candidates(ivp::System(problem), needed, effort)) all.push_back(std::move(c));
-  return agree(all, {x0.template cast<long double>(), t0, times}, needed, effort.seconds);
+  return reference_of(taylor_candidates(problem, static_cast<int>(x0.size()), effort), ivp::System(problem),
+                      x0, t0, times, needed, effort);
 }
 
 }  // namespace nlmech::comparison

@@ -4,39 +4,94 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+
+#include "nlmech/support/doubles.hpp"
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 namespace {
+
+constexpr int rounding = 16;  // roundings of a state that steps leave, about the square root of some hundred
+
+/// The weights of the components at several times: what one tolerance comes to, absolute + relative |x|, and
+/// what rounding leaves of x and of the time.
+/// @param size greatest |x_i| on the way
+Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
+                        const Eigen::VectorXd& size, const Tolerance& tolerance) {
+  Eigen::MatrixXd all(states.rows(), states.cols());
+  ivp::State f(states.rows());
+  for (Eigen::Index k = 0; k < states.cols(); ++k) {
+    const double t = times[static_cast<std::size_t>(k)];
+    const ivp::State x = states.col(k).cast<double>();
+    system.rhs(t, x, f);
+    all.col(k) = tolerance.absolute + tolerance.relative * x.array().abs() + rounding * eps * size.array() +
+                 2 * eps * (t * f.array()).abs();
+  }
+  return all;
+}
+
+/// d x(t1) / d x(t0) along the reference, by moving each component by @p by to both sides: errors in these
+/// matrices multiply in their products, and one-sided differences would not do.
+Status derivative(const Candidate& run, const ExtendedState& x, double t0, double t1,
+                  const Eigen::VectorXd& by, const std::function<double()>& seconds, Eigen::MatrixXd& d) {
+  d.resize(x.size(), x.size());
+  StatesAt ends[2];
+  Way way{x, t0, {t1}};
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    long double begins[2];
+    for (const int side : {0, 1}) {
+      // A double, for methods that know no more.
+      begins[side] = static_cast<double>(side == 0 ? x[j] - by[j] : x[j] + by[j]);
+      way.x0[j] = begins[side];
+      if (Status s = run.compute(way, seconds(), ends[side]); !s.ok()) return s;
+    }
+    way.x0[j] = x[j];
+    d.col(j) = ((ends[1].col(0) - ends[0].col(0)) / (begins[1] - begins[0])).cast<double>();
+  }
+  return {};
+}
 
 using Verdict = Verification::Verdict;
 
 /// A run beside its reference.
 struct Beside {
+  /// @param one what one tolerance comes to
+  Beside(const Verified& r, const Reference& reference, Eigen::MatrixXd one)
+      : run(r),
+        error(Eigen::MatrixXd::Zero(r.states.rows(), r.states.cols())),
+        doubt(error),
+        weight(std::move(one)),
+        moved(weight) {
+    for (Eigen::Index k = 0; k < error.cols(); ++k) {
+      if (std::isnan(run.states(0, k))) continue;
+      error.col(k) =
+          (run.states.col(k).cast<long double>() - reference.states.col(k)).cwiseAbs().cast<double>();
+      doubt.col(k) = reference.doubt.col(k);
+    }
+  }
+
+  const Verified& run;
   Eigen::MatrixXd error;   ///< |difference|; zero where the run has no state
   Eigen::MatrixXd doubt;   ///< of the reference; zero likewise
   Eigen::MatrixXd weight;  ///< one tolerance
   Eigen::MatrixXd moved;   ///< what the problem makes of one tolerance
-  const Verified& run;     ///< what is verified
-
-  /// How far off a component may be.
-  [[nodiscard]] Eigen::MatrixXd allowed() const {
-    return (most_tolerances * weight).cwiseMax(most_amplified * moved);
-  }
 
   /// Where the error is greatest, compared with @p unit.
-  [[nodiscard]] Verification worst(const Eigen::MatrixXd& unit) const {
+  [[nodiscard]] Verification worst(Verdict verdict, const Eigen::MatrixXd& unit) const {
     Eigen::Index row = 0, column = 0;
     (void)(error.array() / unit.array()).maxCoeff(&row, &column);
-    Verification v;
-    v.t = run.times[static_cast<std::size_t>(column)];
-    v.component = static_cast<int>(row);
-    v.error = error(row, column);
-    v.doubt = doubt(row, column);
-    v.tolerances = v.error / weight(row, column);
-    v.growth = moved(row, column) / weight(row, column);
-    v.allowed = std::max(most_tolerances, most_amplified * v.growth);
-    return v;
+    const double one = weight(row, column), growth = moved(row, column) / one;
+    return {.verdict = verdict,
+            .t = run.times[static_cast<std::size_t>(column)],
+            .component = static_cast<int>(row),
+            .error = error(row, column),
+            .doubt = doubt(row, column),
+            .tolerances = error(row, column) / one,
+            .allowed = std::max(most_tolerances, most_amplified * growth),
+            .growth = growth};
   }
   /// Are the run and the reference good enough?
   [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
@@ -44,28 +99,10 @@ struct Beside {
   }
 };
 
-Beside beside(const Verified& run, const Reference& reference, Eigen::MatrixXd weight) {
-  Eigen::MatrixXd error = Eigen::MatrixXd::Zero(run.states.rows(), run.states.cols()), doubt = error;
-  for (Eigen::Index k = 0; k < error.cols(); ++k) {
-    if (std::isnan(run.states(0, k))) continue;
-    error.col(k) =
-        (run.states.col(k).cast<long double>() - reference.states.col(k)).cwiseAbs().cast<double>();
-    doubt.col(k) = reference.doubt.col(k);
-  }
-  Eigen::MatrixXd moved = weight;
-  return {std::move(error), std::move(doubt), std::move(weight), std::move(moved), run};
-}
-
-Verification unknown(std::string reason) {
-  Verification v;
-  v.reason = std::move(reason);
-  return v;
-}
-
 /// The verdict once the condition is known.
 Verification with_condition(const Beside& all, const Reference& reference, const Eigen::VectorXd& size) {
-  const Eigen::MatrixXd bound = all.allowed();
-  Verification v = all.worst(bound);
+  const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
+  Verification v = all.worst(Verdict::right, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
   const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
@@ -75,75 +112,129 @@ Verification with_condition(const Beside& all, const Reference& reference, const
     v.verdict = Verdict::undetermined;
   } else if (sure > allowed) {
     v.verdict = Verdict::wrong;
-  } else if (all.within(bound)) {
-    v.verdict = Verdict::right;
-  } else {
-    return unknown(
-        fmt::format("{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
-                    reference.text(), v.error));
+  } else if (!all.within(bound)) {
+    return {.reason = fmt::format(
+                "{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
+                reference.text(), v.error)};
   }
   return v;
+}
+
+/// "take --tolerance 1e-12 or another method": a tolerance that should suffice, if there is one.
+std::string advice(const Verification& found, double tolerance) {
+  const double excess = std::max(1.0, found.tolerances / found.allowed);
+  const double smaller = std::pow(10, std::floor(std::log10(tolerance / excess / 3)));
+  return smaller >= 1e-13 ? fmt::format("take --tolerance {:.0e} or another method", smaller)
+                          : "take another method";
 }
 
 }  // namespace
 
+Tolerance tolerance_of(const ivp::Settings& settings) {
+  const double relative = settings.tolerance.value_or(ivp::default_tolerance);
+  return {relative, settings.absolute_tolerance.value_or(relative)};
+}
+
+Status amplification(const Way& way, const Reference& reference, const Eigen::VectorXd& first_weight,
+                     const Eigen::MatrixXd& weight, double seconds, Eigen::MatrixXd& moved) {
+  const Stopwatch watch;
+  const std::function<double()> left = [&] { return seconds - watch.seconds(); };
+  // Far above the errors of the run that made the reference, and small against the solution.
+  const double share = reference.first.extended ? 1e-7 : 1e-6;
+  const Eigen::VectorXd size = reference.size.cwiseMax(way.x0.cwiseAbs().cast<double>());
+  std::vector<Eigen::MatrixXd> made;  // what errors of all earlier times have become
+  moved = weight;
+  Eigen::VectorXd w = first_weight;
+  ExtendedState x = way.x0;
+  double t = way.t0;
+  Eigen::MatrixXd d;
+  for (std::size_t k = 0; k < way.times.size(); ++k) {
+    Eigen::VectorXd by = share * x.cwiseAbs().cast<double>().cwiseMax(1e-3 * size);
+    for (Eigen::Index i = 0; i < by.size(); ++i) {
+      if (!(by[i] > 0)) by[i] = share;  // zero throughout
+    }
+    if (Status s = derivative(reference.first, x, t, way.times[k], by, left, d); !s.ok()) return s;
+    for (Eigen::MatrixXd& error : made) error = (d * error).eval();
+    made.emplace_back(d * w.asDiagonal());
+    const auto column = static_cast<Eigen::Index>(k);
+    for (const Eigen::MatrixXd& error : made)
+      moved.col(column) = moved.col(column).cwiseMax(error.cwiseAbs().rowwise().sum());
+    t = way.times[k];
+    x = reference.states.col(column);
+    w = weight.col(column);
+  }
+  return {};
+}
+
 Verification verify(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
                     const Reference& reference, const Effort& effort) {
-  if (reference.undetermined) {
-    Verification v;
-    v.verdict = Verdict::undetermined;
-    v.t = run.times.back();
-    v.growth = 1 / run.tolerance.relative;
-    return v;
-  }
-  if (!reference.status.ok()) {
-    Verification v = unknown(reference.text());
-    if (reference.ends) v.verdict = Verdict::ended;
-    return v;
-  }
+  if (reference.undetermined)
+    return {.verdict = Verdict::undetermined, .t = run.times.back(), .growth = 1 / run.tolerance.relative};
+  if (!reference.status.ok())
+    return {.verdict = reference.ends ? Verdict::ended : Verdict::unknown, .reason = reference.text()};
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
-  Beside all = beside(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
-  if (all.within(most_tolerances * all.weight)) {
-    Verification v = all.worst(all.weight);
-    v.verdict = Verdict::right;
-    return v;
-  }
-  const Way way{x0.template cast<long double>(), t0, run.times};
+  Beside all(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
+  if (all.within(most_tolerances * all.weight)) return all.worst(Verdict::right, all.weight);
+  const Way way{x0.cast<long double>(), t0, run.times};
   const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (status.ok()) return with_condition(all, reference, size);
   // Without the condition: no digit right is wrong, whatever the problem makes of errors.
-  Verification v = all.worst(size.replicate(1, all.error.cols()).cwiseMax(all.weight));
+  const Verification v = all.worst(Verdict::wrong, size.replicate(1, all.error.cols()).cwiseMax(all.weight));
   const bool no_digit = v.error - v.doubt >= 0.1 * size[v.component] && v.tolerances > most_tolerances;
-  if (!no_digit) return unknown("the problem's condition could not be computed: " + status.sentence());
-  v.verdict = Verdict::wrong;
-  return v;
+  if (no_digit) return v;
+  return {.reason = "the problem's condition could not be computed: " + status.sentence()};
 }
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
-            const ivp::NamedIntegrator& other, ivp::Limits limits) {
-  std::vector<double> times;
-  Eigen::MatrixXd states(x0.size(), run.states.cols());
-  StatesAt found(x0.size(), run.states.cols());
-  ivp::Solution there{t0, x0, {}, {}};
+            const ivp::NamedIntegrator& other, const ivp::Limits& limits) {
+  Way way{x0.cast<long double>(), t0, {}};
+  Eigen::MatrixXd states(x0.size(), 0);
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
     if (std::isnan(run.states(0, k))) continue;
-    const auto count = static_cast<Eigen::Index>(times.size());
-    times.push_back(run.times[static_cast<std::size_t>(k)]);
-    there = other(system, ivp::State(there.x), there.t, times.back(), {}, limits);
-    if (!there.status.ok()) return false;
-    limits.steps -= there.statistics.steps + there.statistics.rejected;
-    limits.seconds -= there.statistics.seconds;
-    states.col(count) = run.states.col(k);
-    found.col(count) = there.x.template cast<long double>();
+    way.times.push_back(run.times[static_cast<std::size_t>(k)]);
+    states.conservativeResize(Eigen::NoChange, states.cols() + 1);
+    states.rightCols(1) = run.states.col(k);
   }
-  const auto count = static_cast<Eigen::Index>(times.size());
-  states.conservativeResize(Eigen::NoChange, count);
-  found.conservativeResize(Eigen::NoChange, count);
-  const Eigen::MatrixXd theirs = found.template cast<double>();
+  StatesAt found;
+  if (!states_by(other, system, way, {}, limits, found).ok()) return false;
+  const Eigen::MatrixXd theirs = found.cast<double>();
   const Eigen::VectorXd size = theirs.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
-  const Eigen::MatrixXd weight = weights(system, times, found, size, run.tolerance);
+  const Eigen::MatrixXd weight = weights(system, way.times, found, size, run.tolerance);
   return ((states - theirs).array().abs() <= most_tolerances * weight.array()).all();
+}
+
+std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
+                   const ivp::Settings& settings, const std::vector<std::string>& names) {
+  using Verdict = Verification::Verdict;
+  if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
+  const double tolerance = tolerance_of(settings).relative;
+  if (found.verdict == Verdict::ended)
+    throw Failure(
+        failed_with(Outcome::step_underflow,
+                    "{}: the solution seems to end on the way, and this run at the tolerance {:.6g} to have "
+                    "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
+                    "the run as it is)",
+                    method.name, tolerance, found.reason));
+  const std::string place =
+      fmt::format("{} at t = {:.9g}", names.at(static_cast<std::size_t>(found.component)), found.t);
+  if (found.verdict == Verdict::undetermined)
+    throw Failure(failed_with(
+        Outcome::outside_validity,
+        "{}: nothing determines {}: up to there the problem multiplies an error of the tolerance {:.6g} by "
+        "{:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
+        method.name, place, tolerance, found.growth));
+  if (found.verdict == Verdict::wrong)
+    throw Failure(failed_with(Outcome::not_converged,
+                              "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
+                              "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
+                              "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
+                              method.name, place, found.error, found.tolerances, tolerance, found.allowed,
+                              what_a_tolerance_holds, advice(found, tolerance), reference.text()));
+  if (found.tolerances <= most_tolerances) return "";
+  return fmt::format(
+      "verified: {} is off by {:.2g}, {:.3g} tolerances, since the problem multiplies errors by up to {:.3g}",
+      place, found.error, found.tolerances, found.growth);
 }
 
 }  // namespace nlmech::comparison

@@ -5,13 +5,18 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "nlmech/comparison/amplification.hpp"
 #include "nlmech/comparison/reference/reference.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/system.hpp"
+#include "nlmech/support/statistics.hpp"
 
 namespace nlmech::comparison {
+
+/// The tolerances of a run by its settings.
+[[nodiscard]] Tolerance tolerance_of(const ivp::Settings& settings);
 
 /// A component is right if it is off by no more than so many tolerances: steps are many, and their errors add
 /// up. Well made methods stay below twenty over some ten periods of an oscillator, multistep methods below a
@@ -39,7 +44,7 @@ struct Verification {
   double tolerances = 0;               ///< the same in tolerances
   double allowed = most_tolerances;    ///< how many of them are let pass there
   double growth = 1;                   ///< how much one tolerance grows up to there
-  std::string reason;                  ///< of unknown and ended, in words
+  std::string reason = {};             ///< of unknown and ended, in words
 };
 
 /// What is verified.
@@ -51,6 +56,20 @@ struct Verified {
 
 /// The number of times at which rows of a run are verified, at most; the end besides.
 inline constexpr int most_verified = 48;
+
+/// How far an error of one weight in every component, made at any of the earlier times, moves a component at
+/// a time: at worst, by signs. From each time to the next all components are moved in turn by a small share
+/// of their size and integrated by what made the reference; the products of these matrices tell what becomes
+/// of errors later.
+/// @param way of the reference
+/// @param first_weight weight of the components at way.t0
+/// @param weight at way.times
+/// @param moved gets the result, of the size of @p weight
+/// @param seconds wall time
+/// @returns success, or why it is not known
+[[nodiscard]] Status amplification(const Way& way, const Reference& reference,
+                                   const Eigen::VectorXd& first_weight, const Eigen::MatrixXd& weight,
+                                   double seconds, Eigen::MatrixXd& moved);
 
 /// Compares a run with a reference. The problem's condition is computed only if the run is off by more than
 /// most_tolerances.
@@ -65,6 +84,18 @@ inline constexpr int most_verified = 48;
 /// @param other at a tolerance below that of the run
 /// @param limits of the other
 [[nodiscard]] bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
-                          const ivp::NamedIntegrator& other, ivp::Limits limits);
+                          const ivp::NamedIntegrator& other, const ivp::Limits& limits);
+
+/// As part of a sentence.
+inline constexpr std::string_view what_a_tolerance_holds =
+    "holds the error of each step, and not what these add up to";
+
+/// What is worth saying of a run that is right or that could not be verified; empty if nothing.
+/// @param names of the components
+/// @throws Failure for a run that is wrong or that nothing determines: method, place, what its tolerance
+/// holds, and what to change
+[[nodiscard]] std::string remark(const Verification& found, const Reference& reference,
+                                 const ivp::MethodInfo& method, const ivp::Settings& settings,
+                                 const std::vector<std::string>& names);
 
 }  // namespace nlmech::comparison

@@ -22,7 +22,7 @@ template <class Method>
 [[nodiscard]] Method with_tolerances_of(const Settings& settings, Method method) {
   method.relative_tolerance = settings.tolerance.value_or(default_tolerance);
   method.absolute_tolerance = settings.absolute_tolerance.value_or(method.relative_tolerance);
-  check_options(method);
+  if constexpr (requires { check_options(method); }) check_options(method);  // peers check their own
   return method;
 }
 /// The same, ready to run.

@@ -31,19 +31,9 @@ namespace {
 using named::by_tolerance;
 using named::with_options;
 
-using Make = NamedIntegrator (*)(const Settings&);
-
-/// A method: what there is to know of it, and how it is made.
-struct Row {
-  MethodInfo info;
-  Make make;
-};
-
-constexpr Row row(const MethodInfo& info, Make make) { return {info, make}; }
-
-constexpr Row row_for_accelerations(MethodInfo info, Make make) {
-  info.second_order_only = true;
-  return {info, make};
+constexpr MethodInfo for_accelerations(MethodInfo method) {
+  method.second_order_only = true;
+  return method;
 }
 
 /// A method that has a step, and no other setting.
@@ -62,7 +52,9 @@ constexpr auto with_operators = [](const Settings& settings) {
   return with_options(Hermitian{.operators = pair, .step = *settings.step});
 };
 
-constexpr auto series = [](const Settings& settings) { return with_options(named::series_of(settings)); };
+constexpr auto taylor_series = [](const Settings& settings) {
+  return with_options(named::series_of(settings));
+};
 
 constexpr auto transversal = [](const Settings& settings) {
   return with_options(Mtl{.step = *settings.step, .points = settings.points.value_or(Mtl{}.points)});
@@ -74,7 +66,7 @@ constexpr auto picard = [](const Settings& settings) {
 };
 
 template <collocation::NodeFamily points>
-constexpr auto polynomials = [](const Settings& settings) {
+constexpr auto by_polynomials = [](const Settings& settings) {
   const int nodes = settings.nodes.value_or(PolynomialCollocation{}.nodes);
   return with_options(PolynomialCollocation{.step = *settings.step, .nodes = nodes, .points = points});
 };
@@ -91,79 +83,74 @@ constexpr auto adaptive_collocation = [](const Settings& settings) {
 };
 
 using enum Steps;
+using enum Family;
 using collocation::NodeFamily;
 constexpr std::array<const SettingInfo*, 2> nodes_only = {&nodes_setting},
                                             nodes_and_shape = {&nodes_setting, &shape_setting};
 static_assert(nodes_setting.most == collocation::max_nodes);
 
-constexpr std::array rows = {
-    row({Euler::name, "forward Euler", given}, with_step<Euler>),
-    row({BackwardEuler::name, "backward Euler", given}, with_step<BackwardEuler>),
-    row_for_accelerations({CentralDifference::name, "central differences", given},
-                          with_step<CentralDifference>),
-    row({Rk4::name, "the classical Runge-Kutta method", given}, with_step<Rk4>),
-    row({Rk6::name, "Butcher's Runge-Kutta method of 7 stages", given}, with_step<Rk6>),
-    row({Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", chosen},
-        with_tolerances<Ode45>),
-    row({Dop853::name, "Dormand and Prince's method of order 8, controlled by estimates of orders 5 and 3",
-         chosen},
-        with_tolerances<Dop853>),
-    row_for_accelerations(
-        {Rkn1210::name, "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities", chosen},
-        with_tolerances<Rkn1210>),
-    row({Series::name,
-         "Taylor series, order and steps by the radius of convergence",
-         either,
-         {&order_setting}},
-        series),
-    row_for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", given},
-                          with_step<Newmark>),
-    row_for_accelerations({Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", given},
-                          with_step<Hht>),
-    row_for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", given},
-                          with_step<GeneralizedAlpha>),
-    row_for_accelerations({laier.name, "Laier's Hermitian operators, with jerks", either},
-                          with_operators<laier>),
-    row_for_accelerations({argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", either},
-                          with_operators<argyris>),
-    row_for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", either},
-                          with_operators<hoff>),
-    row_for_accelerations(
-        {bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark", either},
-        with_operators<bazzi>),
-    row({Mtl::name,
-         "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
-         given,
-         {&points_setting}},
-        transversal),
-    row({Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", given, nodes_only}, picard),
-    row({RbfCollocation::name, "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes", given,
-         nodes_and_shape},
-        gaussians),
-    row({PolynomialCollocation::lobatto_name,
-         "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1", given, nodes_only},
-        polynomials<NodeFamily::legendre_gauss_lobatto>),
-    row({PolynomialCollocation::radau_name,
-         "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3", given, nodes_only},
-        polynomials<NodeFamily::left_end_and_radau>),
-    row({AdaptiveCollocation::name,
-         "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver", chosen,
-         nodes_and_shape},
-        adaptive_collocation)};
-
-constexpr auto methods = [] {
-  std::array<MethodInfo, rows.size()> all;
-  for (std::size_t i = 0; i < rows.size(); ++i) all[i] = rows[i].info;
-  return all;
-}();
+constexpr std::array methods = {
+    MethodInfo{Euler::name, "forward Euler", classical, given, with_step<Euler>},
+    MethodInfo{BackwardEuler::name, "backward Euler", classical, given, with_step<BackwardEuler>},
+    for_accelerations(
+        {CentralDifference::name, "central differences", classical, given, with_step<CentralDifference>}),
+    MethodInfo{Rk4::name, "the classical Runge-Kutta method", classical, given, with_step<Rk4>},
+    MethodInfo{Rk6::name, "Butcher's Runge-Kutta method of 7 stages", classical, given, with_step<Rk6>},
+    MethodInfo{Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", runge_kutta, chosen,
+               with_tolerances<Ode45>},
+    MethodInfo{Dop853::name,
+               "Dormand and Prince's method of order 8, controlled by estimates of orders 5 and 3",
+               runge_kutta, chosen, with_tolerances<Dop853>},
+    for_accelerations({Rkn1210::name,
+                       "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities",
+                       runge_kutta, chosen, with_tolerances<Rkn1210>}),
+    MethodInfo{Series::name,
+               "Taylor series, order and steps by the radius of convergence",
+               Family::series,
+               either,
+               taylor_series,
+               {&order_setting}},
+    for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", classical, given,
+                       with_step<Newmark>}),
+    for_accelerations(
+        {Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", classical, given, with_step<Hht>}),
+    for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", classical, given,
+                       with_step<GeneralizedAlpha>}),
+    for_accelerations(
+        {laier.name, "Laier's Hermitian operators, with jerks", classical, either, with_operators<laier>}),
+    for_accelerations({argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", classical,
+                       either, with_operators<argyris>}),
+    for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", classical, either,
+                       with_operators<hoff>}),
+    for_accelerations({bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark",
+                       classical, either, with_operators<bazzi>}),
+    MethodInfo{Mtl::name,
+               "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
+               classical,
+               given,
+               transversal,
+               {&points_setting}},
+    MethodInfo{Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", polynomials, given, picard,
+               nodes_only},
+    MethodInfo{RbfCollocation::name, "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes",
+               polynomials, given, gaussians, nodes_and_shape},
+    MethodInfo{PolynomialCollocation::lobatto_name,
+               "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1", polynomials,
+               given, by_polynomials<NodeFamily::legendre_gauss_lobatto>, nodes_only},
+    MethodInfo{PolynomialCollocation::radau_name,
+               "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3", polynomials,
+               given, by_polynomials<NodeFamily::left_end_and_radau>, nodes_only},
+    MethodInfo{AdaptiveCollocation::name,
+               "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
+               Family::collocation, chosen, adaptive_collocation, nodes_and_shape}};
 
 void check_positive(std::string_view name, std::string_view what, const std::optional<double>& value) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
     throw invalid_argument("{}: the {} must be positive and finite, not {}", name, what, *value);
 }
 
-}  // namespace
-
+/// @throws std::invalid_argument for settings that the method does not have, or that are out of range, naming
+/// them
 void check_settings(const MethodInfo& method, const Settings& settings) {
   const auto refuse = [&](std::string_view why) { throw invalid_argument("{}: {}", method.name, why); };
   check_positive(method.name, "step", settings.step);
@@ -188,6 +175,18 @@ void check_settings(const MethodInfo& method, const Settings& settings) {
     refuse("it takes equal steps: give a step, or a method that chooses its steps, as series or dop853");
 }
 
+}  // namespace
+
+std::string MethodInfo::absent_sentence() const {
+  return fmt::format("{} is not in this build: configure with {} (NLMECH_PEERS)", name, meaning);
+}
+
+NamedIntegrator MethodInfo::with(const Settings& chosen) const {
+  if (!is_available()) throw std::invalid_argument(absent_sentence());
+  check_settings(*this, chosen);
+  return make(chosen);
+}
+
 std::span<const MethodInfo> named_methods() { return methods; }
 
 const MethodInfo& method_info(std::string_view name) {
@@ -200,9 +199,7 @@ const MethodInfo& method_info(std::string_view name) {
 }
 
 NamedIntegrator named_integrator(std::string_view name, const Settings& settings) {
-  const MethodInfo& info = method_info(name);
-  check_settings(info, settings);
-  return rows[static_cast<std::size_t>(&info - methods.data())].make(settings);
+  return method_info(name).with(settings);
 }
 
 }  // namespace nlmech::ivp

@@ -1,11 +1,12 @@
 /// @file
-/// The methods by the names that command lines and tables use.
+/// The registry: methods by the names that command lines and tables use.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -82,39 +83,60 @@ enum class Steps {
   either   ///< the method's, or equal ones from the user
 };
 
-/// What there is to know of a method.
+/// What kind of formula a method has.
+enum class Family {
+  classical,      ///< formulas of a step that the user gives
+  polynomials,    ///< collocation and Picard iteration over such a step
+  collocation,    ///< with step control
+  series,         ///< Taylor series
+  runge_kutta,    ///< explicit, one step, with step control; Nystroem's too
+  extrapolation,  ///< explicit, with control of step and order
+  adams,          ///< several steps, not for stiff problems
+  implicit  ///< with step control; equations are solved in each step, so that stiff problems do not slow
+            ///< it down
+};
+
+/// One row of the registry of methods, ours and peers: what there is to know of a method, and how it is made.
 struct MethodInfo {
   std::string_view name;                            ///< "rk4"
-  std::string_view meaning;                         ///< in a few words
+  std::string_view meaning;                         ///< in a few words; of a peer its library
+  Family family = Family::classical;                ///< kind of formula
   Steps steps = Steps::given;                       ///< where they come from
+  NamedIntegrator (*make)(const Settings&) = {};    ///< of checked settings; see with()
   std::array<const SettingInfo*, 2> settings = {};  ///< that it has; the rest is null
   bool second_order_only = false;                   ///< for problems with accelerations alone
   bool estimate_misses_time = false;                ///< its error estimate compares f at equal times alone:
                                                     ///< 0 where f depends on t alone, too small where on both
+  bool (*is_built)() noexcept = {};                 ///< of a peer: does this build have it? Ours have none
 
+  /// Is it another author's?
+  [[nodiscard]] bool is_peer() const { return is_built != nullptr; }
+  /// Does this build have it?
+  [[nodiscard]] bool is_available() const { return !is_peer() || is_built(); }
+  /// "cvode-bdf is not in this build: configure with CVODE (NLMECH_PEERS)"
+  [[nodiscard]] std::string absent_sentence() const;
   /// Does it take a step, and choose none by itself?
   [[nodiscard]] bool fixed_step() const { return steps == Steps::given; }
   /// Does the setting count?
   [[nodiscard]] bool has(const SettingInfo& setting) const {
     return settings[0] == &setting || settings[1] == &setting;
   }
+  /// Ready to run. Tolerances of inner iterations stay as they are.
+  /// @throws std::invalid_argument for settings that the method does not have, that it lacks or that are out
+  /// of range, naming them; for a peer that this build lacks
+  [[nodiscard]] NamedIntegrator with(const Settings& chosen) const;
 };
 
-/// @throws std::invalid_argument for settings that the method does not have, or that are out of range, naming
-/// them
-void check_settings(const MethodInfo& method, const Settings& settings);
-
-/// All methods, simple ones first.
+/// All methods of ours, simple ones first.
 [[nodiscard]] std::span<const MethodInfo> named_methods();
 
 /// The method of that name. @throws std::invalid_argument listing the known names
 [[nodiscard]] const MethodInfo& method_info(std::string_view name);
 
-/// The method @p name. Tolerances of inner iterations stay as they are. For mcpi the N nodes are those of the
+/// The method @p name: method_info(name).with(settings). For mcpi the N nodes are those of the
 /// polynomial of degree N - 1. rbf-coll whose shape follows the step (no Settings::shape) does not converge
 /// for a vanishing step: it goes through the right states in a time that is wrong by a fixed share.
-/// @throws std::invalid_argument listing the known names, if there is none of that name; for settings that
-/// the method does not have, that it lacks or that are out of range, naming them
+/// @throws std::invalid_argument listing the known names, if there is none of that name; and as with()
 [[nodiscard]] NamedIntegrator named_integrator(std::string_view name, const Settings& settings);
 
 }  // namespace nlmech::ivp

@@ -30,6 +30,12 @@ int typed_whole(std::string_view option, const std::string& text, int least, int
   return static_cast<int>(value);
 }
 
+std::string trimmed(std::string text) {
+  text.erase(0, text.find_first_not_of(" \t"));
+  text.erase(text.find_last_not_of(" \t") + 1);
+  return text;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> all;
   for (std::size_t begin = 0; begin <= text.size();) {

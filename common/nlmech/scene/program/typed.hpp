@@ -17,6 +17,9 @@ namespace nlmech::scene {
 /// A whole number from @p least to @p most. @throws InputError naming the option, the text and the range
 [[nodiscard]] int typed_whole(std::string_view option, const std::string& text, int least, int most);
 
+/// Without the blanks at its ends.
+[[nodiscard]] std::string trimmed(std::string text);
+
 /// Pieces between separators; an empty text has one, which is empty.
 [[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/comparison/commands/seen.hpp"
+#include "nlmech/comparison/commands/run_figure.hpp"
 
 namespace nlmech::comparison {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 using State = Eigen::Vector2d;
 
 // A short run is kept whole.
-TEST(Samples, KeepAShortRun) {
-  Samples samples(0, 10);
+TEST(SampledPath, KeepAShortRun) {
+  SampledPath samples(0, 10);
   for (int k = 0; k <= 100; ++k) samples.add(0.1 * k, State{k, -k});
   const auto [t, x] = samples.component(1);
   ASSERT_EQ(t.size(), 101U);
@@ -22,11 +22,11 @@ TEST(Samples, KeepAShortRun) {
 
 // Of a million states the picture has a few thousand, in the order of time, and a peak of a single one of
 // them, wherever it is.
-TEST(Samples, KeepEveryPeakOfALongRun) {
+TEST(SampledPath, KeepEveryPeakOfALongRun) {
   constexpr int count = 1'000'000;
   for (const int peak : {0, 1, 4000, 4001, 123'456, 999'998, 999'999}) {
     for (const double direction : {1.0, -1.0}) {
-      Samples samples(0, direction * count);
+      SampledPath samples(0, direction * count);
       for (int k = 0; k < count; ++k)
         samples.add(direction * k, State{std::sin(k), k == peak ? 5.0 : k == count / 3 ? -4.0 : 0.0});
       const auto [t, x] = samples.component(1);

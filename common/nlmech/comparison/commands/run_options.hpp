@@ -1,0 +1,79 @@
+/// @file
+/// What a user asks of runs: as typed, and as runs take it.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/commands/user_problem.hpp"
+#include "nlmech/ivp/events.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::comparison {
+
+/// What was typed after `integrate`, `compare` or `choose`.
+struct TypedOptions {
+  std::string problem, equation, file, initial, method, tolerances, plot;
+  std::optional<double> until, from, every;
+  ivp::Settings settings;
+  std::optional<double> limit, largest_step;
+  std::vector<std::string> set, events;
+  std::string section, states, shard;
+  std::optional<int> threads;
+  bool no_verify = false;
+  int digits = 9;
+};
+
+/// What a run is to look out for.
+struct WantedEvent {
+  std::string text;  ///< as typed
+  ivp::Event event;  ///< the same
+};
+
+/// A run of a problem. Made and checked once, of what was typed: what is behind it takes it as right.
+struct RunOptions {
+  ivp::State x0;                         ///< initial state
+  double t0 = 0;                         ///< start
+  double t1 = 0;                         ///< end
+  ivp::Settings settings;                ///< of the method
+  std::optional<double> every;           ///< distance of the rows in time; nothing: first and last alone
+  ivp::Limits limits;                    ///< when to give up, all in all
+  std::vector<WantedEvent> events = {};  ///< a row each time one takes place
+  bool section = false;                  ///< rows of events alone
+  bool verify = false;                   ///< compare the run with a reference: for runs by a tolerance
+  bool draw = false;                     ///< keep what a picture shows
+  /// Of many runs: when all of them are to be over, their verifications too.
+  std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+
+  /// @throws InputError naming `--every` for more rows than anybody reads: ten million
+  void check_rows() const;
+};
+
+/// Complaints about a method, under the name of the option that named it.
+template <class Work>
+decltype(auto) about(const char* option, Work work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw InputError(std::string(option) + ": " + error.what());
+  }
+}
+
+/// The problem by name, or the equations that were typed or stand in a file, which is read once; with the
+/// parameters of `--set` for those that are not given.
+/// @throws InputError naming the option
+[[nodiscard]] MakeProblem problem_of(const TypedOptions& typed, const Problems& problems);
+
+/// @param x0 initial state @throws InputError naming the option that cannot be meant
+[[nodiscard]] RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, ivp::State x0);
+
+/// The method of one run, or of many with the same settings: the one that was typed, or else the usual one.
+/// @throws InputError naming the option that cannot be meant
+[[nodiscard]] const ivp::MethodInfo& method_of(const TypedOptions& typed, const UserProblem& problem,
+                                               const RunOptions& options);
+
+}  // namespace nlmech::comparison

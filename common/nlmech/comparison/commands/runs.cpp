@@ -1,0 +1,350 @@
+#include "nlmech/comparison/commands/runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "nlmech/comparison/choice/choice.hpp"
+#include "nlmech/comparison/reference/verification.hpp"
+#include "nlmech/ivp/named/named_ensemble.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/table.hpp"
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
+#include "nlmech/support/threads.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// What of a state a picture shows: unknowns and their derivatives, by their names ("x" and "x'") or, of a
+/// problem with accelerations, by their places.
+std::vector<PlotSamples::Component> components_of(const UserProblem& problem) {
+  const std::vector<std::string>& names = problem.state_names;
+  const bool second_order = problem.system.second_order();
+  std::vector<PlotSamples::Component> all;
+  const int size = static_cast<int>(names.size()), half = size / 2;
+  for (int i = 0; i < size; ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    const bool is_rate = second_order ? i >= half : name.ends_with('\'');
+    const auto rate = second_order ? i + half : std::ranges::find(names, name + "'") - names.begin();
+    auto& shown = all.emplace_back(PlotSamples::Component{name, !is_rate});
+    if (rate < size) shown.rate = static_cast<int>(rate);
+  }
+  return all;
+}
+
+/// Some times the work of the run itself and one second.
+/// @param left wall time that is left of the command's limit, in seconds
+Effort effort_after(const Statistics& work, int components, double left) {
+  // 1e7 numbers of right-hand sides take a second or so.
+  const double done =
+      static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
+  // The clock ends it only on a machine that is far slower than that, or busy.
+  return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
+}
+
+/// A run from its options to its rows: what its steps show at asked times and events, and its verification.
+/// Its parts refer to each other, so it stays where it is.
+class Run {
+ public:
+  /// All outlive it. @param one the method, for a single trajectory
+  /// @param other that suffices for its verification if it agrees; may be null
+  Run(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method,
+      const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
+      : problem_(problem),
+        options_(options),
+        method_(method),
+        one_(one),
+        other_(other),
+        t1_(options.t1),
+        finder_(events_of(options)) {
+    found_.rows =
+        fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","), options.events.empty() ? "" : ",event");
+    found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
+    if (options.every)
+      stride_ = 1 + static_cast<std::int64_t>(std::abs(t1_ - options.t0) / *options.every / most_verified);
+    add(options.t0, options.x0);
+    if (options.draw && t1_ != options.t0) found_.samples.path.add(options.t0, options.x0);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// What is to be integrated. Refers to this.
+  [[nodiscard]] ivp::Start start() {
+    ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
+                     options_.limits,  options_.deadline};
+    if (options_.every || options_.draw || !options_.events.empty())
+      start.observer = [this](const ivp::Step& step) { return see(step); };
+    return start;
+  }
+  /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
+  [[nodiscard]] Trajectory finish(ivp::Solution end);
+
+ private:
+  struct Kept {
+    double t;
+    ivp::State x;
+  };
+
+  static std::vector<ivp::Event> events_of(const RunOptions& options) {
+    std::vector<ivp::Event> events;
+    for (const WantedEvent& e : options.events) events.push_back(e.event);
+    return events;
+  }
+  void print(double t, const ivp::State& x, std::string_view event) {
+    auto out = std::back_inserter(found_.rows);
+    fmt::format_to(out, "{:.17g}", t);
+    for (const double value : x) fmt::format_to(out, ",{:.17g}", value);
+    if (!options_.events.empty()) fmt::format_to(out, ",{}", scene::csv_field(event));
+    found_.rows += '\n';
+  }
+  /// A row, kept for the verification.
+  void add(double t, const ivp::State& x) {
+    if (!options_.section) print(t, x, "");
+    keep(t, x);
+  }
+  void keep(double t, const ivp::State& x) {
+    if (added_ > 1 && (added_ - 1) % stride_ != 0) kept_.pop_back();
+    kept_.push_back({t, x});
+    ++added_;
+  }
+  /// Looks at a step; false if an event ends the run in it.
+  [[nodiscard]] bool see(const ivp::Step& step);
+  /// The asked times within a step and before @p end, by its dense output.
+  void add_before(double end, const ivp::Step& step);
+  [[nodiscard]] ivp::Hit refined(const ivp::Step& step, ivp::Hit hit) const;
+  /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
+  /// are few.
+  [[nodiscard]] Verified verified() const;
+  [[nodiscard]] double left_after(const ivp::Solution& end) const;
+  void verify_by_integration(const ivp::Solution& end);
+
+  const UserProblem& problem_;
+  const RunOptions& options_;
+  const ivp::MethodInfo& method_;
+  const ivp::NamedIntegrator& one_;
+  const ivp::NamedIntegrator* other_;  // or null
+  double t1_;                          // to where it has come
+  ivp::EventFinder finder_;
+  std::optional<ivp::Hit> last_;
+  Trajectory found_;
+  std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
+  std::vector<Kept> kept_;  // and always the latest row, in its last place
+};
+
+bool Run::see(const ivp::Step& step) {
+  const std::size_t before = finder_.hits().size();
+  const bool goes_on = finder_.see(step);
+  for (std::size_t i = before; i < finder_.hits().size(); ++i) {
+    last_ = refined(step, finder_.hits()[i]);
+    add_before(last_->t, step);
+    print(last_->t, last_->x, options_.events[last_->event].text);
+    if (options_.draw) found_.samples.events.push_back({last_->t, {last_->x.begin(), last_->x.end()}});
+  }
+  if (goes_on) add_before(step.t1, step);
+  if (options_.draw && !options_.section) found_.samples.path.see(step, goes_on ? step.t1 : last_->t);
+  return goes_on;
+}
+
+void Run::add_before(double end, const ivp::Step& step) {
+  if (!options_.every) return;
+  const double every = *options_.every, way = t1_ - options_.t0;
+  const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
+  for (;; ++rows_) {
+    const double t = options_.t0 + std::copysign(static_cast<double>(rows_) * every, way);
+    // The end has its own row; rounding of k DT makes no second one.
+    const bool is_inner = is_after(t1_, t) && std::abs(t1_ - t) > 1e-9 * every;
+    if (!is_inner || is_after(t, end)) return;
+    add(t, step.at(t));
+  }
+}
+
+// An event by the dense output, made as exact as the steps: the method itself goes from the begin of the step
+// to the time of the event, which Newton's iteration corrects.
+ivp::Hit Run::refined(const ivp::Step& step, ivp::Hit hit) const {
+  const StateFunction& g = options_.events[hit.event].event.value;
+  const double way = step.t1 - step.t0, near = 1e-5 * way;
+  const double from = std::abs(hit.t - step.t0) < std::abs(way) / 2 ? hit.t : hit.t - near;
+  const double slope = (g(from + near, step.at(from + near)) - g(from, step.at(from))) / near;
+  constexpr int most = 3;
+  for (int k = 0; k < most && hit.t != step.t0; ++k) {
+    const ivp::Solution there = one_(problem_.system, step.x0, step.t0, hit.t, {}, options_.limits);
+    if (!there.status.ok()) break;
+    hit.x = there.x;
+    const double change = -g(hit.t, hit.x) / slope, next = hit.t + change;
+    const bool inside = (next - step.t0) / way > 0 && (next - step.t0) / way <= 1;
+    if (!inside || std::abs(change) <= std::numeric_limits<double>::epsilon() * std::abs(hit.t)) break;
+    hit.t = next;
+  }
+  return hit;
+}
+
+Verified Run::verified() const {
+  // The first row is the initial state.
+  std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
+  const double way = t1_ - options_.t0, near = 1e-6 * std::abs(way);
+  const auto rows = static_cast<std::ptrdiff_t>(all.size());
+  const ivp::State unasked =
+      ivp::State::Constant(options_.x0.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const double t : look_at(options_.t0, t1_, 16)) {
+    const auto close = [&](const Kept& k) { return std::abs(k.t - t) <= near; };
+    if (std::none_of(all.begin(), all.begin() + rows, close)) all.push_back({t, unasked});
+  }
+  std::ranges::sort(all, [way](const Kept& a, const Kept& b) { return way > 0 ? a.t < b.t : a.t > b.t; });
+  Verified run{{},
+               Eigen::MatrixXd(unasked.size(), static_cast<Eigen::Index>(all.size())),
+               tolerance_of(options_.settings)};
+  for (const Kept& k : all) {
+    run.states.col(static_cast<Eigen::Index>(run.times.size())) = k.x;
+    run.times.push_back(k.t);
+  }
+  return run;
+}
+
+// What is left of the time for the verification of a run.
+double Run::left_after(const ivp::Solution& end) const {
+  using std::chrono::steady_clock;
+  const double own = options_.limits.seconds - end.statistics.seconds;
+  if (options_.deadline == steady_clock::time_point::max()) return own;
+  const std::chrono::duration<double> all = options_.deadline - steady_clock::now();
+  if (all.count() <= 0)
+    throw Failure(failed_with(Outcome::time_limit,
+                              "{}: the run came to its end, but the time of all was over before it could be "
+                              "verified; allow more, or --no-verify",
+                              method_.name));
+  return std::min(own, all.count());
+}
+
+void Run::verify_by_integration(const ivp::Solution& end) {
+  const Verified run = verified();
+  const scene::Doing doing("verifying the run by integration");
+  Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
+  effort.largest_step = options_.limits.largest_step;
+  const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
+                           .seconds = effort.seconds,
+                           .largest_step = effort.largest_step};
+  const ivp::System& system = problem_.system;
+  if (other_ != nullptr && agrees(system, options_.x0, options_.t0, run, *other_, limits)) return;
+  const Reference reference = reference_of(problem_.extended(effort), system, options_.x0, options_.t0,
+                                           run.times, run.tolerance / 10, effort);
+  const Verification v = verify(system, options_.x0, options_.t0, run, reference, effort);
+  found_.is_open = v.verdict == Verification::Verdict::unknown;
+  if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
+  found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names);
+}
+
+// A run that an event has ended is a success, and its last row is there.
+Trajectory Run::finish(ivp::Solution end) {
+  if (!finder_.status().ok()) {
+    end.status = finder_.status();
+  } else if (finder_.ended()) {
+    end.t = last_->t;
+    end.x = last_->x;
+    end.status = {};
+  }
+  if (!end.status.ok()) throw Failure(end.status);
+  t1_ = end.t;
+  if (finder_.ended())
+    keep(t1_, end.x);
+  else
+    add(t1_, end.x);
+  if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
+  return std::move(found_);
+}
+
+/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
+/// allow.
+ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
+  const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
+  const Tolerance tolerance = tolerance_of(settings);
+  return any_method(method.name == "dop853" ? "series" : "dop853")
+      .with({.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
+}
+
+/// Of the processors' time that many runs took together the share of each, by its right-hand sides: no clock
+/// is read within lanes. Verifications ask for it.
+void share_seconds(double all, std::vector<ivp::Solution>& ends) {
+  double sum = 0;
+  for (const ivp::Solution& end : ends) sum += static_cast<double>(end.statistics.right_hand_sides);
+  for (ivp::Solution& end : ends)
+    end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
+}
+
+}  // namespace
+
+ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& r) {
+  const Tolerance tolerance = tolerance_of(r.settings);
+  return {.system = problem.system,
+          .x0 = r.x0,
+          .t0 = r.t0,
+          .t1 = r.t1,
+          .absolute = tolerance.absolute / tolerance.relative,
+          .largest_step = r.limits.largest_step};
+}
+
+const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions& r) {
+  ChoiceRequest q = choice_request(problem, r);
+  for (const std::string& name : built_method_names()) {
+    const ivp::MethodInfo& method = any_method(name);
+    const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !method.has(*s); };
+    const bool exact_within = name == "series" || name == "adaptive-collocation";
+    const bool within = r.every || !r.events.empty();  // not for a picture, which changes no number
+    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !method.fixed_step())
+      q.methods.push_back(name);
+  }
+  std::string method;
+  if (!r.settings.step && r.t0 != r.t1 && !q.methods.empty())
+    method = method_for(q, tolerance_of(r.settings).relative);
+  return any_method(method.empty() ? "series" : method);
+}
+
+Trajectory trajectory(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method) {
+  const auto one = about("--method", [&] { return method.with(options.settings); });
+  Run run(problem, options, method, one);
+  const ivp::Start start = run.start();
+  return run.finish(about("--method", [&] {
+    return one(*start.system, start.x0, start.t0, start.t1, start.observer, start.limits);
+  }));
+}
+
+std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
+                                         const ivp::MethodInfo& method, int threads) {
+  if (members.empty()) return {};
+  const ivp::Settings& settings = members.front().options.settings;
+  const auto one = about("--method", [&] { return method.with(settings); });
+  const auto each = [&](const std::function<void(std::size_t)>& work) {
+    share_out(members.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) work(i);
+    });
+  };
+  const ivp::NamedIntegrator other = other_method(method, settings);
+  std::vector<std::unique_ptr<Run>> runs(members.size());
+  std::vector<ivp::Start> starts(members.size());
+  each([&](std::size_t i) {
+    runs[i] = std::make_unique<Run>(*members[i].problem, members[i].options, method, one, &other);
+    starts[i] = runs[i]->start();
+  });
+  const Stopwatch watch;
+  auto ends = about("--method", [&] { return integrate_all_by(method, settings, starts, threads); });
+  share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
+  std::vector<EnsembleResult> all(members.size());
+  each([&](std::size_t i) {
+    try {
+      all[i].trajectory = runs[i]->finish(std::move(ends[i]));
+    } catch (const Failure& failure) {
+      all[i].status =
+          failure.status().ok() ? Status::failure(Outcome::not_converged, failure.what()) : failure.status();
+    }
+    runs[i].reset();
+  });
+  return all;
+}
+
+}  // namespace nlmech::comparison

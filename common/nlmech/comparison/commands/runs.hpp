@@ -1,0 +1,57 @@
+/// @file
+/// Runs of problems as rows of CSV, each verified by integration.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/choice/features.hpp"
+#include "nlmech/comparison/commands/run_figure.hpp"
+#include "nlmech/comparison/commands/run_options.hpp"
+#include "nlmech/support/status.hpp"
+
+namespace nlmech::comparison {
+
+/// A run as it is printed.
+struct Trajectory {
+  std::string rows;      ///< CSV
+  std::string remark;    ///< of its verification, for standard error; may be empty
+  bool is_open = false;  ///< was it to be verified, and could it not be?
+  PlotSamples samples;   ///< for a picture, if RunOptions::draw
+};
+
+/// One of many runs, as it is asked for.
+struct EnsembleMember {
+  std::shared_ptr<const UserProblem> problem;  ///< may be the same for many
+  RunOptions options;                          ///< of its run
+};
+
+/// One of many runs, as it has ended.
+struct EnsembleResult {
+  Status status;          ///< a failure, whose run has no rows, leaves the others alone
+  Trajectory trajectory;  ///< of a success
+};
+
+/// What a method is chosen for.
+[[nodiscard]] ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& options);
+
+/// The method that is taken where none is named: what method_for() says for the tolerance, among those that
+/// have the settings, and, for rows and events on the way, values there as exact as at the end. `series`
+/// where the problem ends before its end, and for a step.
+[[nodiscard]] const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions& options);
+
+/// Rows `t,...`: the first, those at RunOptions::every and at events, and the last at t1 exactly, or at the
+/// event that ends the run. With events a last column, `event`, has the text of each.
+/// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot be
+/// meant
+[[nodiscard]] Trajectory trajectory(const UserProblem& problem, const RunOptions& options,
+                                    const ivp::MethodInfo& method);
+
+/// The same for many runs with the same settings, side by side where the method can; what trajectory() throws
+/// as Failure is their status. @param threads how many; 0: one a processor
+[[nodiscard]] std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
+                                                       const ivp::MethodInfo& method, int threads);
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,143 @@
+#include "nlmech/comparison/commands/user_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "nlmech/program/problem.hpp"
+#include "nlmech/program/syntax.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// Equations with the names of the components: the problem's own, or for one that is no text some whose
+/// unknowns these are, with its initial state.
+program::Equations names_of(const UserProblem& problem) {
+  if (problem.text) return *problem.text;
+  std::string text;
+  for (std::size_t i = 0; i < problem.x0.size(); ++i)
+    text += fmt::format("{0}' = 0; {0}(0) = {1:.17g};", problem.state_names[i], problem.x0[i]);
+  return program::Equations(program::SourceText(problem.name, text));
+}
+
+ivp::State state_of(const std::vector<double>& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+}  // namespace
+
+ivp::State UserProblem::initial_state(const std::string& typed) const {
+  if (typed.empty() && !text) return state_of(x0);
+  if (typed.empty() || typed.find('=') != std::string::npos)
+    return state_of(names_of(*this).initial_state("--initial", typed));
+  const std::vector<double> x = scene::typed_numbers("--initial", typed);
+  if (x.size() != state_names.size())
+    throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(typed), x.size(),
+                      state_names.size(), fmt::join(state_names, ","), name, equation);
+  return state_of(x);
+}
+
+StateFunction UserProblem::expression(const std::string& option, const std::string& typed) const {
+  program::Equations names = names_of(*this);
+  const program::NodeId node = names.expression(option, typed);
+  const auto program =
+      std::make_shared<const program::Program>(names.graph(), std::vector<program::NodeId>{node});
+  return [program](double t, const ivp::State& x) {
+    double value = 0;
+    program->run(t, x, 0, 1, [&value](int, double v) { value = v; });
+    return value;
+  };
+}
+
+UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
+                          std::string_view name) {
+  program::Equations equations(source, settings);
+  const program::Problem problem(equations);
+  const auto extended = [problem](const Effort& effort) {
+    // A Taylor series in extended precision does not see where an equation switches.
+    return problem.switches() > 0 ? std::vector<Candidate>()
+                                  : taylor_candidates(problem, problem.size(), effort);
+  };
+  return {.name = std::string(name),
+          .equation = equations.summary(),
+          .parameters = equations.parameters(),
+          .state_names = equations.state_names(),
+          .t0 = equations.initial_time().value_or(0),
+          .t1 = equations.final_time(),
+          .system = ivp::System(problem),
+          .extended = extended,
+          .text = std::move(equations)};
+}
+
+std::string read_equations(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::file_status what = fs::status(name, none);
+  if (fs::is_character_file(what) || fs::is_block_file(what))
+    throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
+  if (fs::is_regular_file(what) && fs::file_size(name, none) > program::most_bytes)
+    throw input_error("--file {}: more than {} bytes", echoed_path(name), program::most_bytes);
+  return scene::read_whole(name);
+}
+
+program::Settings settings_of(const std::vector<std::string>& assignments) {
+  program::Settings values;
+  std::map<std::string, std::string> seen;
+  for (const std::string& assignment : assignments) {
+    const auto refuse = [&](std::string_view why) {
+      return input_error("--set {}: {}", echoed(assignment), why);
+    };
+    const auto sign = assignment.find('=');
+    if (sign == std::string::npos) throw refuse("say name=value");
+    const std::string name = assignment.substr(0, sign);
+    const auto [before, is_new] = seen.emplace(name, assignment);
+    if (!is_new)
+      throw refuse(fmt::format("{} is set twice, by {} too", echoed(name), echoed(before->second)));
+    if (!scene::parse_number(assignment.substr(sign + 1), values[name]))
+      throw refuse("the value is not a number");
+  }
+  return values;
+}
+
+void apply_settings(const std::vector<std::string>& assignments,
+                    const std::function<void(const std::string& name, double value)>& set) {
+  for (const auto& [name, value] : settings_of(assignments)) {
+    try {
+      set(name, value);
+    } catch (const std::invalid_argument& error) {
+      throw input_error("--set {}={:.6g}: {}", echoed(name), value, error.what());
+    }
+  }
+}
+
+const MakeProblem& problem_by_name(const Problems& all, const std::string& name) {
+  std::vector<std::string> known;
+  for (const MakeProblem& make : all) {
+    known.push_back(make({}).name);
+    if (known.back() == name) return make;
+  }
+  throw input_error("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", "));
+}
+
+std::string describe_problems(const Problems& all) {
+  std::string text = "Problems, and their parameters for --set:\n";
+  for (const MakeProblem& make : all) {
+    const UserProblem problem = make({});
+    std::vector<std::string> settings;
+    for (const auto& [name, value] : problem.parameters)
+      settings.push_back(fmt::format("{}={:.6g}", name, value));
+    constexpr std::size_t most = 300;
+    text += fmt::format("  {}: {}\n    {}; state {}\n", problem.name, echoed(problem.equation, most),
+                        fmt::join(settings, " "), fmt::join(problem.state_names, ","));
+  }
+  return text;
+}
+
+}  // namespace nlmech::comparison

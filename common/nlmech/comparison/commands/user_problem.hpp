@@ -1,0 +1,105 @@
+/// @file
+/// A problem as commands see it: one of the library by name, or equations that a user types.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "nlmech/comparison/reference/reference_of.hpp"
+#include "nlmech/ivp/system.hpp"
+#include "nlmech/problems/parameters.hpp"
+#include "nlmech/problems/problem.hpp"
+#include "nlmech/program/equations.hpp"
+
+namespace nlmech::comparison {
+
+/// A function of time and state.
+using StateFunction = std::function<double(double t, const ivp::State& x)>;
+
+/// Equations with the values of their parameters, and what commands ask of them.
+struct UserProblem {
+  std::string name;                                        ///< "three-dof"; "the equation" of a user
+  std::string equation;                                    ///< as text, and which letter is which parameter
+  std::vector<std::pair<std::string, double>> parameters;  ///< their names and values
+  std::vector<std::string> state_names;  ///< columns: "x1", ..., "v1", ..., or the problem's own
+  double t0 = 0;                         ///< where the publication or the text begins
+  std::optional<double> t1;              ///< where the text ends, if it says so
+  ivp::System system;                    ///< what methods run on
+  /// Computations in extended precision, for references; may be none.
+  std::function<std::vector<Candidate>(const Effort&)> extended;
+  std::optional<program::Equations> text;  ///< of a problem that is one
+  std::vector<double> x0 = {};             ///< initial state of a problem that is no text
+
+  /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=pi/2" for some of them, by
+  /// expressions; what the publication or the text says for what is not given.
+  /// @throws InputError naming `--initial` that points at the mistake, or says how many numbers there must be
+  [[nodiscard]] ivp::State initial_state(const std::string& typed) const;
+  /// An expression of time and components, "x = 0" being x - 0.
+  /// @param option named by messages @throws InputError that points at the mistake
+  [[nodiscard]] StateFunction expression(const std::string& option, const std::string& typed) const;
+};
+
+/// Makes a problem with these parameters, all others as they are in the publication or the text.
+/// @throws std::invalid_argument or InputError naming the parameter that is unknown or out of range
+using MakeProblem = std::function<UserProblem(const program::Settings&)>;
+/// The problems that a program offers.
+using Problems = std::vector<MakeProblem>;
+
+/// A problem that is written in C++.
+template <class Problem>
+[[nodiscard]] UserProblem user_problem_of(const Problem& problem) {
+  const auto x0 = problem.initial_state();
+  const auto size = static_cast<int>(x0.size());
+  UserProblem user{.name = std::string(Problem::name),
+                   .equation = std::string(Problem::equation),
+                   .parameters = {},
+                   .state_names = problems::state_names(problem),
+                   .t0 = Problem::initial_time,
+                   .t1 = {},
+                   .system = ivp::System(problem),
+                   .extended = [=](const Effort& e) { return taylor_candidates(problem, size, e); },
+                   .text = {},
+                   .x0 = {x0.begin(), x0.end()}};
+  for (const auto& parameter : Problem::parameters)
+    user.parameters.emplace_back(parameter.name, problem.*(parameter.member));
+  return user;
+}
+
+/// The same with these parameters: a MakeProblem.
+template <class Problem>
+[[nodiscard]] UserProblem user_problem(const program::Settings& settings) {
+  Problem problem;
+  for (const auto& [name, value] : settings) problems::set_parameter(problem, name, value);
+  return user_problem_of(problem);
+}
+
+/// Equations that are a text. @param name in lists of problems
+/// @throws InputError that points at a mistake in the text
+[[nodiscard]] UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
+                                        std::string_view name = "the equation");
+
+/// The text of a file of equations; - is standard input.
+/// @throws InputError naming `--file` for a device, a file that cannot be read, or one that nobody has typed
+[[nodiscard]] std::string read_equations(const std::string& name);
+
+/// Texts "name=value" as values by name. @throws InputError naming `--set` and the text; for a name that is
+/// set twice, both texts
+[[nodiscard]] program::Settings settings_of(const std::vector<std::string>& assignments);
+
+/// Hands such values to @p set, one after another. @throws InputError naming `--set` and the text, for what
+/// @p set refuses as std::invalid_argument
+void apply_settings(const std::vector<std::string>& assignments,
+                    const std::function<void(const std::string& name, double value)>& set);
+
+/// The problem of that name. @throws InputError naming `--problem`, the name, and the known ones
+[[nodiscard]] const MakeProblem& problem_by_name(const Problems& all, const std::string& name);
+
+/// For the help: each problem with its equation, its parameters and their values.
+[[nodiscard]] std::string describe_problems(const Problems& all);
+
+}  // namespace nlmech::comparison
