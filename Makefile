@@ -117,7 +117,6 @@ book: programs
 
 # Every page in a headless browser.
 book-test: book
-	@cmake --build $(BUILD) --target book_check
 	@ctest --test-dir $(BUILD) -L '^book$$' --output-on-failure
 
 # Programs, library and book as a Debian package; `scripts/package try` installs and uses it in a bare root.

@@ -66,8 +66,6 @@ function(nlmech_add_book)
     add_dependencies(book ${book_DEPENDS})
   endif()
   if(NLMECH_TESTS OR BUILD_TESTING)
-    add_test(NAME book.scripts COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/test.py")
-    set_tests_properties(book.scripts PROPERTIES LABELS unit)
     # Pages that forges show are what their maker makes of what the chapters' checks left on disk.
     foreach(chapter IN LISTS book_CHAPTERS)
       add_test(NAME pages/${chapter} COMMAND "${Python3_EXECUTABLE}" -B "${scripts}/forge.py" check "${PROJECT_SOURCE_DIR}"

@@ -2,6 +2,7 @@
 #
 #   nlmech_require(fmt fmt libfmt-dev)               find_package(fmt), by name, Debian package
 #   nlmech_require_pkg(geographiclib libgeographiclib-dev)   by pkg-config: imported target PkgConfig::geographiclib
+#   nlmech_require_program(pytest-3 python3-pytest)  the program's path in the variable ${pytest-3}
 #
 # Each found library's version goes into the provenance of every scene.
 
@@ -27,6 +28,13 @@ macro(nlmech_require_pkg name debian)
     message(FATAL_ERROR "${name} was not found. On Debian: apt-get install ${debian}")
   endif()
   nlmech_note_library(${name} "${${name}_VERSION}")
+endmacro()
+
+macro(nlmech_require_program name debian)
+  find_program(${name} ${name})
+  if(NOT ${name})
+    message(FATAL_ERROR "${name} was not found. On Debian: apt-get install ${debian}")
+  endif()
 endmacro()
 
 # Real numbers of many digits, nlmech/support/extended_real.hpp, by the target nlmech_extended: chapters and tests.

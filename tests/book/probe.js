@@ -1,5 +1,5 @@
 // What a reader would stumble over on a page, at the width of a phone. Run in every page of the book once it is loaded; what it returns
-// is judged by tests/book/page_check.cpp. With a page's text and address it shows that page first, in the frame of the page that is
+// is judged by tests/book/page_check.py. With a page's text and address it shows that page first, in the frame of the page that is
 // loaded: its contents in place of the others, and links as from its own address.
 (async (page, address) => {
   const all = (selector) => [...document.querySelectorAll(selector)];

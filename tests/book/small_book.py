@@ -1,15 +1,9 @@
-"""What the tests of the page maker share: a small house of one scene, with what its page may name."""
-import contextlib
-import io
-import pathlib
-import tempfile
-import unittest
-
+"""What the tests of the page maker share: a small book of one scene, with what its page may name."""
 import references
 from book import Book
+from nlmech_tree import write
 from pages import Page
 
-HOUSE = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGE = "chapters/geodesy/geodesy.md"
 JSON = "results/geodesy/fig-2.27.json"
 QUANTITIES = """{"quantities":[
@@ -62,14 +56,11 @@ MAP = (r'<div class="map"><ul class="floor chapter-floor">'
        r'Every chapter also stands on <span class="common">ground</span>.</div></div>')
 
 
-class InAHouse(unittest.TestCase):
-    """A small house of one scene, with what its page may name."""
+class SmallBook(Book):
+    """In a folder that is empty."""
 
-    def setUp(self):
-        top = tempfile.TemporaryDirectory()
-        self.addCleanup(top.cleanup)
-        top = pathlib.Path(top.name)
-        self.book = Book(top / "source", top / "build", top / "out", top / "book", [])
+    def __init__(self, top):
+        super().__init__(top / "source", top / "build", top / "out", top / "book", [])
         for file, text in ((f"out/{JSON}", QUANTITIES),
                            ("out/figures/geodesy/fig-2.27.svg", PICTURE + "</svg>"),
                            ("out/figures/geodesy/fig-9.svg", "<svg/>"),
@@ -82,35 +73,21 @@ class InAHouse(unittest.TestCase):
                            ("source/tables/ratios.json", RATIOS),
                            ("source/tables/a.csv", "a\n"),
                            ("source/common/nlmech/geodesy/a.hpp", "")):
-            self.write(top / file, text)
-        references.load(self.book, self.book.source / "docs/references.bib")
-        self.book.labels["docs/glossary.md"] = "glossary"
-
-    def test_choosing_needs_its_chapters(self):
-        self.assertEqual(self.book.choosing(), [])
-        self.write(self.book.source / "docs/choosing.md", "[a](../figures/geodesy/fig-9.svg) [b](../figures/orbit/fig-1.svg)")
-        for chapters, pages in ((["geodesy"], []), (["orbit", "geodesy"], ["docs/choosing.md"])):
-            self.book.chapters = chapters
-            self.assertEqual(self.book.choosing(), pages)
-
-    def write(self, file, text):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
+            write(top / file, text)
+        references.load(self, self.source / "docs/references.bib")
+        self.labels["docs/glossary.md"] = "glossary"
 
     def made(self, body, source=PAGE, label="chapter_geodesy"):
         """The page of this text under a title, without the title's two lines."""
-        self.write(self.book.source / source, f"# Title: more\n\n{body}\n")
-        self.book.complaints.clear()
-        with contextlib.redirect_stderr(io.StringIO()):
-            text = Page(self.book, source, label).text()
+        write(self.source / source, f"# Title: more\n\n{body}\n")
+        self.complaints.clear()
+        text = Page(self, source, label).text()
         return text.replace(f"# Title: more {{#{label}}}\n\\tableofcontents\n", "").strip()
 
     def expect_page(self, body, wanted):
-        with self.subTest(page=body):
-            self.assertEqual(self.made(body), wanted)
-            self.assertEqual(self.book.complaints, [])
+        assert self.made(body) == wanted
+        assert self.complaints == []
 
     def expect_complaint(self, body, wanted):
-        with self.subTest(page=body):
-            self.made(body)
-            self.assertEqual(self.book.complaints, [f"{PAGE}:{wanted}"])
+        self.made(body)
+        assert self.complaints == [f"{PAGE}:{wanted}"]
