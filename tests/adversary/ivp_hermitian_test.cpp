@@ -44,10 +44,10 @@ Square exponential(Square m) {
   return sum;
 }
 
-/// What the motion of dy/ds = m y from s = 0 to 1 makes of a tolerance in the first @p n components at any
-/// time. An error is relative to the state where it is made, and grows from there: under a load near
+/// Condition of the first @p n components under dy/ds = m y from s = 0 to 1: the effect at the end of an
+/// error of one tolerance made at any s. That error is relative to the state at s: under a load near
 /// resonance the motion beats, and may end near rest.
-/// @param of (growth, size): by component, for a growth from there to the end and a size of the state there
+/// @param of (growth, size): the effect by component, for the growth from s to the end and the size of y(s)
 template <class Of>
 ivp::State condition_of(const Square& m, const Column& y, Eigen::Index n, const Of& of) {
   constexpr std::size_t parts = 64;

@@ -44,7 +44,7 @@ def missing(files, chapter, scene):
 
 def wrong_provenance(files, chapter, scene, declared):
     """Names of the runs, with the declared ones among them; at least one check, each with its reason and unit."""
-    found = json.loads(files[f"results/{chapter}/{scene}.json"])
+    found = json.loads(files[f"results/{chapter}/{scene}.json"], parse_constant=str)  # NaN and Infinity are no numbers of JSON
     if (found["chapter"], found["scene"], found["effort"]) != (chapter, scene, "quick"):
         yield "chapter, scene or effort of another run"
     runs = [each["name"] for each in found["runs"]]
@@ -55,7 +55,7 @@ def wrong_provenance(files, chapter, scene, declared):
     if not found["quantities"]:
         yield "no checks"
     for quantity in found["quantities"]:
-        if not quantity["reason"] or not quantity["unit"] or not isinstance(quantity["value"], (int, float)):
+        if not quantity["reason"] or not quantity["unit"] or type(quantity["value"]) not in (int, float):
             yield f"a check without reason, unit or number: {quantity}"
 
 

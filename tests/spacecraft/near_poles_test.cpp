@@ -78,9 +78,9 @@ TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(r.theta.value(times[i]), theta[i].value, 1e-11);
 }
 
-// Without a hub and with strong rate feedback theta' leaves 0 in a boundary layer of 1e-15 s, 1/|p| of a pole
-// at -5e15 1/s, and follows theta_f k1/k3 from there on. Theta and y converge all the same; theta' at t = 0,
-// of which no pairs that are looked for make more than the other half, says so.
+// Without a hub and with strong rate feedback theta' rises from 0 to theta_f k1/k3 within 2e-16 s, 1/|p| of a
+// real pole p = -5e15 1/s. The sum over the lowest modes lacks the modes of that boundary layer: its theta
+// and y converge, and its theta' starts with -theta_f k1/k3.
 TEST(NearPoles, ABoundaryLayerIsRefused) {
   Parameters p = table_3_1();
   p.hub_inertia = 0;

@@ -95,7 +95,7 @@ bool notes_its_error(const Asked& a, const std::vector<std::string>& row, const 
 }
 
 /// A row beside the same run: how far its error is from what its digits say, in units of what is not known.
-/// @param step what the problem makes at the end of an oracle's error of one step, relative
+/// @param step relative error at the end that an oracle's error of one step becomes
 double ratio_of(const Asked& a, const std::vector<std::string>& row, const Eigen::VectorXd& end,
                 double known_digits, const Known& known, double step) {
   const Eigen::VectorXd truth = known.x.rightCols(1);
