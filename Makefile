@@ -96,10 +96,8 @@ oracles: configure
 # All chapters are checked before the command says whether a check failed.
 check: figures
 	@failed=0; $(AT_ONCE) -k $(CHAPTERS:%=quantities-%) || failed=1; \
-	$(BUILD)/bin/reproduction report --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/REPRODUCTION.md || failed=1; \
-	$(BUILD)/bin/reproduction completeness --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/COMPLETENESS.md || failed=1; \
-	$(BUILD)/bin/reproduction claims --chapters $(BUILD)/chapters.txt --out $(OUT) --page tables/CLAIMS.md || failed=1; \
-	$(BUILD)/bin/reproduction errata --out $(OUT) --page tables/ERRATA.md || failed=1; \
+	cat $(CHAPTERS:%=$(BUILD)/check/%.values); \
+	python3 -B scripts/tables check . $(OUT) $(CHAPTERS) || failed=1; \
 	exit $$failed
 
 quantities-%:
@@ -109,7 +107,7 @@ quantities-%:
 # Claims about speed, measured with nothing beside them; tables/BENCH.md. Printed ratios of run times; tables/RATIOS.md.
 bench: configure
 	@cmake --build $(BUILD) --target benchmarks
-	@failed=0; for b in $(BUILD)/bin/*_bench; do $$b || failed=1; done; exit $$failed
+	@failed=0; for b in $(BUILD)/bin/*_bench; do $$b || failed=1; done; python3 -B scripts/tables bench . || failed=1; exit $$failed
 
 book: programs
 	@$(MAKE) --no-print-directory check > /dev/null

@@ -63,7 +63,7 @@ template <class Work>
   return keeper.series();
 }
 
-/// Judges the claims, prints a line each, and writes results/bench/<name>.json and tables/BENCH.md.
+/// Judges the claims, prints a line each, and writes results/bench/<name>.json.
 /// @return the exit code: 1 if a claim is not held
 inline int judge_speed(const std::string& name, const std::vector<scene::SpeedClaim>& claims,
                        const std::vector<scene::BenchSeries>& series) {
@@ -80,8 +80,7 @@ inline int judge_speed(const std::string& name, const std::vector<scene::SpeedCl
   return held ? 0 : 1;
 }
 
-/// Prints a line for each ratio, and writes results/ratios/<name>.json, tables/RATIOS.md and
-/// tables/ratios.json.
+/// Prints a line for each ratio, and writes results/ratios/<name>.json.
 /// @return the exit code: 0, because a ratio that does not hold is a finding and no promise of ours
 inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios) {
   const auto tell = [](const std::string& what, const scene::RatioVerdict& v) {

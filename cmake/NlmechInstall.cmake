@@ -82,7 +82,5 @@ if(NLMECH_CHAPTERS_SELECTED)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/reference/problem_set.csv
                 ${PROJECT_SOURCE_DIR}/tables/reference/problem_set_conditions.csv
                 ${PROJECT_SOURCE_DIR}/tables/reference/method_times.csv DESTINATION ${data_dir}/tables/reference)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tables/errata DESTINATION ${data_dir}/tables)
-  install(FILES ${PROJECT_SOURCE_DIR}/tables/places.csv ${PROJECT_SOURCE_DIR}/tables/claims.csv
-                ${PROJECT_SOURCE_DIR}/tables/ratios.json DESTINATION ${data_dir}/tables)
+  install(FILES ${PROJECT_SOURCE_DIR}/tables/places.csv DESTINATION ${data_dir}/tables)
 endif()

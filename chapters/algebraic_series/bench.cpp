@@ -2,8 +2,7 @@
 /// `algebraic_series_bench`: Taylor series against the fastest classical formula of high order as its
 /// library's manual runs it, both compiled with the problem, what our walk costs that library, what the tape
 /// costs us, and coefficients beside a plain loop; by Google Benchmark. Writes
-/// results/bench/algebraic_series.json and tables/BENCH.md under the current folder; exit code 1 if a claim
-/// is not held.
+/// results/bench/algebraic_series.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 /// @file
 /// `geodesy_bench`: times of all contenders by Google Benchmark, and the claims about them. Writes
-/// results/bench/geodesy.json and tables/BENCH.md under the current folder; exit code 1 if a claim is not
-/// held.
+/// results/bench/geodesy.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 /// @file
-/// `integrators_bench`: what a typed equation costs beside the same problem in C++, both behind the interface
-/// that all methods see: right-hand sides, and steps of the Taylor series. By Google Benchmark; writes
-/// results/bench/integrators.json and tables/BENCH.md under the current folder; exit code 1 if a claim is not
-/// held.
+/// `integrators_bench`: what a typed equation costs beside the same problem in C++, both behind the
+/// interface that all methods see: right-hand sides, and steps of the Taylor series. By Google Benchmark;
+/// writes results/bench/integrators.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

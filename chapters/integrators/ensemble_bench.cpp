@@ -1,7 +1,7 @@
 /// @file
 /// `integrators_ensemble_bench`: Lorenz' equations for many initial states by Series, in registers against
-/// one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json and tables/BENCH.md under
-/// the current folder; exit code 1 if a claim is not held.
+/// one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json under the current folder;
+/// exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

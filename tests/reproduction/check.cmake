@@ -1,11 +1,13 @@
 # cmake -D STEP=measure|quantities -D PROGRAM=... -D CHAPTER=... -D OUT=... [-D SOURCE=...] -P check.cmake
 #
 # `measure` is the fixture of a chapter's values: it succeeds as soon as they are on disk, or each of them would be "Not Run"
-# because of one that is missed. What was said about missed quantities is kept for `quantities`. With SOURCE, figures are drawn
+# because of one that is missed. What it said stands in OUT: a line a value, which the tests of the values look up, and complaints about
+# missed quantities, for `quantities`. With SOURCE, figures are drawn
 # too, and nothing is computed again that this very program, with its libraries, made of these very files of SOURCE:
 # `make figures`, `make check` and `make test` share what stands in OUT.
 cmake_minimum_required(VERSION 3.25)
 set(values ${OUT}/results/${CHAPTER}/check.csv)
+set(said ${OUT}/${CHAPTER}.values)
 set(complaints ${OUT}/${CHAPTER}.txt)
 set(stamp ${OUT}/${CHAPTER}.inputs)
 
@@ -21,7 +23,7 @@ if(STEP STREQUAL "measure")
       string(APPEND digests "${digest}\n")
     endforeach()
     set(known "")
-    if(EXISTS ${stamp} AND EXISTS ${values} AND EXISTS ${complaints})
+    if(EXISTS ${stamp} AND EXISTS ${values} AND EXISTS ${said} AND EXISTS ${complaints})
       file(READ ${stamp} known)
     endif()
     if(known STREQUAL digests)
@@ -30,9 +32,9 @@ if(STEP STREQUAL "measure")
     file(REMOVE_RECURSE ${OUT}/figures/${CHAPTER} ${OUT}/tables/${CHAPTER} ${OUT}/results/${CHAPTER})
     set(draw --draw)
   endif()
-  file(REMOVE ${values} ${complaints} ${stamp})  # those of an earlier program must not pass for this one's
+  file(REMOVE ${values} ${said} ${complaints} ${stamp})  # those of an earlier program must not pass for this one's
   file(MAKE_DIRECTORY ${OUT})
-  execute_process(COMMAND ${PROGRAM} check ${draw} --out ${OUT} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE errors)
+  execute_process(COMMAND ${PROGRAM} check ${draw} --out ${OUT} RESULT_VARIABLE code OUTPUT_FILE ${said} ERROR_VARIABLE errors)
   if(errors)
     message("${errors}")
   endif()

@@ -1,7 +1,7 @@
 /// @file
 /// `gss_control_bench`: theta/u and y(x)/u at one frequency, exact, by ten assumed modes dense and
-/// diagonalised and by finite elements, by Google Benchmark. Writes results/bench/gss_control.json and
-/// tables/BENCH.md under the current folder; exit code 1 if a claim is not held.
+/// diagonalised and by finite elements, by Google Benchmark. Writes results/bench/gss_control.json under the
+/// current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 /// @file
 /// `homotopy_bench`: the energy trust region against KINSOL's line search and against paths on toggles of
 /// many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Writes
-/// results/bench/homotopy.json and tables/BENCH.md under the current folder; exit code 1 if a claim is not
-/// held.
+/// results/bench/homotopy.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 /// @file
 /// `rbf_inverse_bench`: nine digits of the initial co-states of the Duffing cases by refined intervals, by
-/// one polynomial and by multiple shooting with CVODE, and a direct start by our own descent and by Ipopt, by
-/// Google Benchmark. Writes results/bench/rbf_inverse.json and tables/BENCH.md under the current folder; exit
-/// code 1 if a claim is not held.
+/// one polynomial and by multiple shooting with CVODE, and a direct start by our own descent and by Ipopt,
+/// by Google Benchmark. Writes results/bench/rbf_inverse.json under the current folder; exit code 1 if a
+/// claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

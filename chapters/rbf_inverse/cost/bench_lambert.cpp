@@ -1,8 +1,8 @@
 /// @file
 /// `rbf_inverse_lambert_bench`: a solve of Lambert's problem by Izzo's method against its promise of half a
 /// microsecond and against collocation, and grids of transfers by one and two threads, by Google Benchmark.
-/// Writes results/bench/rbf_inverse_lambert.json and tables/BENCH.md under the current folder; exit code 1 if
-/// a claim is not held.
+/// Writes results/bench/rbf_inverse_lambert.json under the current folder; exit code 1 if a claim is not
+/// held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// @file
 /// `rbf_ivp_bench`: collocation against the best of the other libraries, as its manual runs it, at equal
 /// accuracy, and what the type-erased System costs, by Google Benchmark. Writes results/bench/rbf_ivp.json
-/// and tables/BENCH.md under the current folder; exit code 1 if a claim is not held.
+/// under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 /// @file
-/// `rbf_ivp_adaptive_bench`: adaptive-collocation against the other libraries, each as its manual runs it, at
-/// equal achieved error, and what our walk costs them; by Google Benchmark. Writes
-/// results/bench/rbf_ivp_adaptive.json and tables/BENCH.md under the current folder; exit code 1 if a claim
-/// is not held.
+/// `rbf_ivp_adaptive_bench`: adaptive-collocation against the other libraries, each as its manual runs it,
+/// at equal achieved error, and what our walk costs them; by Google Benchmark. Writes
+/// results/bench/rbf_ivp_adaptive.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

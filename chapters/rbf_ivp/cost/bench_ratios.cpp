@@ -1,6 +1,6 @@
 /// @file
 /// `rbf_ivp_ratios_bench`: the printed ratios of run times of Tables 4.2, 4.4 and 4.6 beside ours, by Google
-/// Benchmark. Writes results/ratios/rbf_ivp.json and tables/RATIOS.md under the current folder.
+/// Benchmark. Writes results/ratios/rbf_ivp.json under the current folder.
 #include <benchmark/benchmark.h>
 
 #include <functional>

@@ -1,8 +1,7 @@
 /// @file
 /// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78, the latter as
 /// its manual runs it, at equal achieved error, and what our walk costs Odeint; by Google Benchmark. Writes
-/// results/bench/two_body_series.json and tables/BENCH.md under the current folder; exit code 1 if a claim is
-/// not held.
+/// results/bench/two_body_series.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

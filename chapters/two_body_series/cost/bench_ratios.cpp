@@ -1,7 +1,6 @@
 /// @file
 /// `two_body_series_ratios_bench`: the printed ratios of run times of Tables 3.2 and 3.3, and of the text,
-/// beside ours, by Google Benchmark. Writes results/ratios/two_body_series.json and tables/RATIOS.md under
-/// the current folder.
+/// beside ours, by Google Benchmark. Writes results/ratios/two_body_series.json under the current folder.
 #include <benchmark/benchmark.h>
 
 #include <functional>

@@ -1,8 +1,7 @@
 /// @file
 /// `two_body_series_ensemble_bench`: orbits in lanes against the same orbits one by one, at equal achieved
 /// median error, and beside them the multiply-adds alone; by Google Benchmark. Writes
-/// results/bench/two_body_series_ensemble.json and tables/BENCH.md under the current folder; exit code 1 if a
-/// claim is not held.
+/// results/bench/two_body_series_ensemble.json under the current folder; exit code 1 if a claim is not held.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

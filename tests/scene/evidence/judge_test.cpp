@@ -45,7 +45,6 @@ TEST(Verdict, HasTheWordsOfTheFiles) {
   EXPECT_EQ(to_string(Verdict::not_stated), "not stated");
   EXPECT_EQ(to_string(Verdict::context), "context");
   EXPECT_EQ(to_string(Verdict::input), "input");
-  EXPECT_EQ(to_string(Verdict::not_built), "not built");
 }
 
 TEST(Judge, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
@@ -174,11 +173,6 @@ TEST(Judge, ContextAndNotStatedPromiseNothing) {
     EXPECT_TRUE(passes(value, 17));
     EXPECT_TRUE(passes(value, nan));
   }
-}
-
-TEST(Judge, NothingKeepsNotBuilt) {
-  EXPECT_FALSE(passes(printed(1, Verdict::not_built), 1, 1));
-  EXPECT_FALSE(passes(printed(1, Verdict::not_built), none));
 }
 
 TEST(Judge, SaysWhatTheNumbersSupportInstead) {

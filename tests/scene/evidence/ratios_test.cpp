@@ -1,4 +1,5 @@
-/// Printed ratios of run times beside ours: the rule, the table and the page; nothing here is timed.
+/// Printed ratios of run times beside ours, and claims about speed: the rules and the files; nothing here is
+/// timed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -137,45 +138,47 @@ TEST(Ratios, CompareAClaimWithTheMeanOfItsRows) {
                std::invalid_argument);
 }
 
-TEST(Ratios, ArePagedWithWhatIsLostFirstAndTheWorstOfItAtTheTop) {
-  const TemporaryFolder out;
-  write_ratios("b", {rows_of({7, 700, 5}, {0.5, 0.5, 4}), {}}, out.path());
-  const std::string page = read_whole(out / "tables" / "RATIOS.md");
-  const auto lost = page.find("## Faster in print, slower here"), worst = page.find("| 1 | row 1 |"),
-             milder = page.find("| 1 | row 0 |"), table = page.find("## Table 1");
-  ASSERT_NE(table, std::string::npos) << page;
-  EXPECT_LT(lost, worst);
-  EXPECT_LT(worst, milder);
-  EXPECT_LT(milder, table);
-  EXPECT_EQ(page.find("| 1 | row 2 |"), std::string::npos) << "this one is won";
-  EXPECT_NE(page.find("Of 3 ratios 1 hold"), std::string::npos) << page;
+/// The names of an object, in their order.
+std::string names_of(const nlohmann::ordered_json& json) {
+  std::string names;
+  for (const auto& [name, value] : json.items()) names += (names.empty() ? "" : " ") + name;
+  return names;
 }
 
-TEST(Ratios, OfAllProgramsStandOnOnePageInTheOrderOfTheirTables) {
+// scripts/tables/speed.py reads these names.
+TEST(Ratios, LeaveWhatThePagesNeed) {
   const TemporaryFolder out;
-  auto later = rows_of({7}, {5}), earlier = later;
-  later[0].place = "table-4.2";
-  earlier[0].place = "table-3.2";
-  write_ratios("a", {later, {}}, out.path());
-  write_ratios("b", {earlier, {}}, out.path());
-  const std::string page = read_whole(out / "tables" / "RATIOS.md");
-  EXPECT_LT(page.find("## Table 3.2"), page.find("## Table 4.2"));
-  EXPECT_NE(page.find("## Table 4.2"), std::string::npos);
+  const auto rows = rows_of({7, 5}, {5, 0.5});
+  write_ratios(
+      "a",
+      {rows, {mean_claim(value("claim-1", "LEO", 35, "value", "1"), "table-1", {"row 0", "row 1"}, rows)}},
+      out.path());
+  const auto json = nlohmann::ordered_json::parse(read_whole(out / "results" / "ratios" / "a.json"));
+  EXPECT_EQ(names_of(json), "processor commit dirty compiler flags allowed_factor rows claims");
+  EXPECT_EQ(json["allowed_factor"], 3);
+  EXPECT_EQ(names_of(json["rows"][1]), "place row reference printed_seconds seconds verdict");
+  EXPECT_EQ(names_of(json["claims"][0]), "place row quantity over verdict");
+  const auto& verdict = json["rows"][1]["verdict"];
+  EXPECT_EQ(names_of(verdict), "printed ours low high apart holds lost same_faster");
+  EXPECT_EQ(verdict["apart"], 10);
+  EXPECT_EQ(verdict["lost"], true);
 }
 
-TEST(Ratios, CanBeQuoted) {
+TEST(SpeedClaims, AreJudgedByMediansAndLeaveWhatThePageNeeds) {
+  const std::vector<BenchSeries> all = {{"ours", "us a run", {2, 1, 4}}, {"theirs", "us a run", {6, 5, 10}}};
+  const SpeedResult held = judge_claim({"faster", "ours", "theirs", 3}, all);
+  EXPECT_EQ(held.ratio, 3);
+  EXPECT_EQ(held.low, 2.5);
+  EXPECT_EQ(held.high, 5);
+  EXPECT_TRUE(held.held);
+  EXPECT_FALSE(judge_claim({"faster", "ours", "theirs", 3.1}, all).held);
+  EXPECT_THROW((void)judge_claim({"faster", "ours", "nobody's", 1}, all), std::invalid_argument);
   const TemporaryFolder out;
-  write_ratios("a", {rows_of({7, 5}, {5, 0.5}), {}}, out.path());
-  const auto json = nlohmann::json::parse(read_whole(out / "tables" / "ratios.json"));
-  std::map<std::string, nlohmann::json> quoted;
-  for (const auto& q : json["quantities"]) quoted[q["name"].get<std::string>()] = q["value"];
-  EXPECT_EQ(quoted.at("table-1, row 0, printed"), 7);
-  EXPECT_EQ(quoted.at("table-1, row 0, ours"), 5);
-  EXPECT_EQ(quoted.at("table-1, row 0, verdict"), "holds");
-  EXPECT_EQ(quoted.at("table-1, row 0, printed seconds over ours"), 7e6);
-  EXPECT_EQ(quoted.at("ratios"), 2);
-  EXPECT_EQ(quoted.at("ratios that hold"), 1);
-  EXPECT_EQ(quoted.at("faster in print, slower here"), 1);
+  write_bench("a", all, {held}, out.path());
+  const auto json = nlohmann::ordered_json::parse(read_whole(out / "results" / "bench" / "a.json"));
+  EXPECT_EQ(names_of(json), "processor commit dirty compiler flags claims series");
+  EXPECT_EQ(names_of(json["claims"][0]), "claim ours theirs promised ratio low high held");
+  EXPECT_EQ(names_of(json["series"][0]), "name unit median repetitions");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "nlmech/scene/evidence/bench.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -9,7 +7,6 @@
 #include "nlmech/scene/build_info.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/provenance.hpp"
-#include "nlmech/scene/table.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::scene {
@@ -51,25 +48,6 @@ Json to_json(const std::vector<BenchSeries>& series, const std::vector<SpeedResu
   return json;
 }
 
-std::string section(const std::string& name, const Json& json) {
-  Table claims({{"claim"}, {"promised"}, {"measured"}, {"from"}, {"to"}, {"held"}});
-  for (const Json& c : json.value("claims", Json::array())) {
-    claims.add({c["claim"].get<std::string>(), c["promised"].get<double>(), c["ratio"].get<double>(),
-                c["low"].get<double>(), c["high"].get<double>(),
-                std::string(c["held"].get<bool>() ? "yes" : "NO")});
-  }
-  Table times({{"work"}, {"median"}, {"from"}, {"to"}, {"unit"}});
-  for (const Json& s : json.value("series", Json::array())) {
-    const auto repetitions = s["repetitions"].get<std::vector<double>>();
-    const auto [low, high] = std::minmax_element(repetitions.begin(), repetitions.end());
-    times.add(
-        {s["name"].get<std::string>(), s["median"].get<double>(), *low, *high, s["unit"].get<std::string>()});
-  }
-  return fmt::format("\n## {}\n\n{}, {}, commit {}{}.\n\n{}\n{}", name, json["processor"].get<std::string>(),
-                     json["compiler"].get<std::string>(), json["commit"].get<std::string>(),
-                     json["dirty"].get<bool>() ? " with changes" : "", claims.markdown(), times.markdown());
-}
-
 }  // namespace
 
 SpeedResult judge_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series) {
@@ -86,20 +64,7 @@ SpeedResult judge_claim(const SpeedClaim& claim, const std::vector<BenchSeries>&
 
 void write_bench(const std::string& name, const std::vector<BenchSeries>& series,
                  const std::vector<SpeedResult>& results, const fs::path& out) {
-  const fs::path folder = out / "results" / "bench";
-  write_whole(folder / (name + ".json"), to_json(series, results).dump(2) + "\n");
-
-  std::string page =
-      "# Speed\n\nRatios of medians to a peer in the same process: how many times less time ours takes. "
-      "*From* "
-      "and *to* are the smallest and the largest ratio of single repetitions. Integrators of other libraries "
-      "run as their manuals write it: in their own loop over steps, on their own state, with nothing of ours "
-      "around them. Behind our interface, which adds a status, observers and checks, they take longer: lines "
-      "*in our walk* say by how much. Lines *multiply-adds alone* are the floor under lanes: as many "
-      "multiply-adds as the series need, with all numbers in registers. Written by `make bench`.\n";
-  for (const fs::path& file : files_with(folder, ".json"))
-    page += section(file.stem().string(), Json::parse(read_whole(file)));
-  write_whole(out / "tables" / "BENCH.md", page);
+  write_whole(out / "results" / "bench" / (name + ".json"), to_json(series, results).dump(2) + "\n");
 }
 
 }  // namespace nlmech::scene

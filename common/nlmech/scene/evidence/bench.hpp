@@ -36,8 +36,8 @@ struct SpeedResult {
 /// Compares the two series of a claim. @throws std::invalid_argument naming a series that is missing or empty
 [[nodiscard]] SpeedResult judge_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series);
 
-/// Writes `results/bench/<name>.json` with machine, build, all series and claims, and then `tables/BENCH.md`
-/// anew from all files of that folder. @throws Failure if a file cannot be written
+/// Writes `results/bench/<name>.json` with machine, build, all series and claims; `make bench` makes
+/// `tables/BENCH.md` of the files of that folder. @throws Failure if the file cannot be written
 void write_bench(const std::string& name, const std::vector<BenchSeries>& series,
                  const std::vector<SpeedResult>& results, const std::filesystem::path& out);
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
 
-#include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/errors.hpp"
@@ -55,25 +53,7 @@ void refuse_orphans(const Chapter& chapter, const Measurements& measured,
   }
 }
 
-/// Takes "inf" and "nan" too: a method may diverge where a source prints a number.
-std::optional<double> optional_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
 std::string shown(const std::optional<double>& value) { return value ? format_number(*value, 4) : ""; }
-
-/// What the check of one chapter left on disk, by the value's name.
-std::map<std::string, std::vector<std::string>> read_check(const std::string& chapter, const fs::path& out) {
-  const fs::path file = out / "results" / chapter / "check.csv";
-  std::map<std::string, std::vector<std::string>> rows;
-  for (const CsvRecord& r : parse_csv(read_whole(file), file.string())) {
-    if (r.cells.size() != 5) throw input_error("{}: line {}: not 5 cells", file.string(), r.line);
-    rows[r.cells[0]] = r.cells;
-  }
-  return rows;
-}
 
 }  // namespace
 
@@ -137,42 +117,12 @@ void write_check(const ChapterCheck& check, const std::string& chapter, const fs
   write_whole(out / "results" / chapter / "check.csv", table.csv());
 }
 
-std::vector<Checked> collect_checks(const std::vector<std::string>& built, const fs::path& data_folder,
-                                    const fs::path& out) {
-  const std::vector<Place> places = read_places(data_folder);
-  std::map<std::string, std::map<std::string, std::vector<std::string>>> by_chapter;
-  for (const std::string& chapter : built) by_chapter[chapter] = read_check(chapter, out);
-
-  std::vector<Checked> values;
-  for (PublishedValue& value : read_published(data_folder)) {
-    Checked checked{std::move(value), {}, {}, {}, {}};
-    checked.chapter = owner(checked.value, places);
-    if (const auto found = by_chapter.find(checked.chapter); found != by_chapter.end()) {
-      const auto row = found->second.find(checked.value.name());
-      if (row == found->second.end()) {
-        throw input_error("results/{}/check.csv does not list {}", checked.chapter, checked.value.name());
-      }
-      checked.measured = {optional_number(row->second[1]), optional_number(row->second[2])};
-      checked.judgement = judge(checked.value, checked.measured);
-    }
-    values.push_back(std::move(checked));
-  }
-  return values;
-}
-
 std::string verdict_text(const Checked& checked) {
   std::string text(to_string(checked.judgement.verdict));
-  if (checked.judgement.verdict != Verdict::not_built && !checked.judgement.passes) {
+  if (!checked.judgement.passes) {
     text += fmt::format(" (FAILS: expected {})", to_string(checked.value.expected));
   }
   return text;
-}
-
-std::string nominal_text(const Checked& checked) {
-  const std::string_view range = range_by_rounding(checked.value);
-  return checked.judgement.passes && checked.measured.nominal && !range.empty()
-             ? std::string(range)
-             : shown(checked.measured.nominal);
 }
 
 std::string reading_text(const PublishedValue& value) {
@@ -183,8 +133,8 @@ std::string reading_text(const PublishedValue& value) {
 std::string reproduction_text(const std::vector<Checked>& values) {
   std::string text;
   for (const Checked& c : values) {
-    const bool fails = c.judgement.verdict != Verdict::not_built && !c.judgement.passes;
-    text += fmt::format("{} {}: published {}", fails ? "FAILS" : "      ", c.value.name(), c.value.printed);
+    text += fmt::format("{} {}: published {}", c.judgement.passes ? "      " : "FAILS", c.value.name(),
+                        c.value.printed);
     if (c.measured.nominal) text += ", nominal " + shown(c.measured.nominal);
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);

@@ -1,5 +1,6 @@
 /// @file
-/// Published beside reproduced: a chapter's own check, and the report over all sources.
+/// Published beside reproduced: a chapter's check. `scripts/tables` makes the pages over all sources of what
+/// it leaves.
 #pragma once
 
 #include <filesystem>
@@ -44,22 +45,11 @@ struct ChapterCheck {
 [[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick,
                                  const std::optional<Publishing>& how = {});
 
-/// `results/<chapter>/check.csv`: one row a value. The report reads it again.
+/// `results/<chapter>/check.csv`: one row a value, with its verdict.
 void write_check(const ChapterCheck& check, const std::string& chapter, const std::filesystem::path& out);
-
-/// All published values of all sources in the order of the files. Those of chapters that are not in @p built
-/// get the verdict `not built`; the others what `results/<chapter>/check.csv` under @p out says.
-/// @throws InputError if a built chapter's file is missing or does not list a value
-[[nodiscard]] std::vector<Checked> collect_checks(const std::vector<std::string>& built,
-                                                  const std::filesystem::path& data_folder,
-                                                  const std::filesystem::path& out);
 
 /// The verdict in words, with the expected one where it is another.
 [[nodiscard]] std::string verdict_text(const Checked& checked);
-
-/// The nominal number to four digits; the range that the file states in its place, where rounding decides
-/// which number of it is found and this one lies in it. Empty if there is none.
-[[nodiscard]] std::string nominal_text(const Checked& checked);
 
 /// How the text was understood, with the evidence for it: "the other norm (2 tried; explains 2 of 2 rows)".
 [[nodiscard]] std::string reading_text(const PublishedValue& value);

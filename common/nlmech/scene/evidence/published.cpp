@@ -24,8 +24,7 @@ constexpr std::array verdicts = {Verdict::reproduced,    Verdict::reproduced_inf
                                  Verdict::same_rounding, Verdict::better,
                                  Verdict::differs,       Verdict::not_stated,
                                  Verdict::holds,         Verdict::does_not_hold,
-                                 Verdict::context,       Verdict::input,
-                                 Verdict::not_built};
+                                 Verdict::context,       Verdict::input};
 
 struct Range {
   double low, high;
@@ -72,7 +71,6 @@ bool same_noise(const PublishedValue& p, const Tolerance& tolerance, const std::
 
 bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   if (verdict == Verdict::not_stated || verdict == Verdict::context) return true;
-  if (verdict == Verdict::not_built) return false;
   if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
   const Tolerance tolerance(p.tolerance, p.printed);
   const auto found = leading_range(p.nominal);
@@ -114,8 +112,7 @@ Verdict fallback(const PublishedValue& p, const Measured& m) {
 
 /// Does a verdict compare numbers?
 bool compares(Verdict verdict) {
-  return verdict != Verdict::context && verdict != Verdict::input && verdict != Verdict::not_stated &&
-         verdict != Verdict::not_built;
+  return verdict != Verdict::context && verdict != Verdict::input && verdict != Verdict::not_stated;
 }
 
 void refuse(bool wrong, const std::string& where, const std::string& what) {
@@ -173,16 +170,6 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
 
 }  // namespace
 
-std::string_view range_by_rounding(const PublishedValue& value) {
-  constexpr std::string_view mark = " by rounding";
-  const std::string_view text = value.nominal;
-  const auto end = text.find(' ');
-  const bool is_range = leading_range(text) && text.substr(0, end).find("..") != std::string_view::npos;
-  return is_range && end != std::string_view::npos && text.substr(end).starts_with(mark)
-             ? text.substr(0, end + mark.size())
-             : std::string_view();
-}
-
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::reproduced: return "reproduced";
@@ -195,7 +182,6 @@ std::string_view to_string(Verdict verdict) {
     case Verdict::does_not_hold: return "does not hold";
     case Verdict::context: return "context";
     case Verdict::input: return "input";
-    case Verdict::not_built: return "not built";
   }
   return "";
 }

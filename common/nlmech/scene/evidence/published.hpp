@@ -21,8 +21,7 @@ enum class Verdict {
   holds,                ///< a claim, as the text stands
   does_not_hold,        ///< a claim
   context,              ///< run times on unknown machines
-  input,                ///< a parameter, used as printed
-  not_built             ///< its chapter is not part of this build
+  input                 ///< a parameter, used as printed
 };
 
 /// As it stands in files: "reproduced, inferred reading".
@@ -64,9 +63,9 @@ struct PublishedValue {
       kind;  ///< "error", "rounding" (noise), "bound", "count", "time", "value", "claim" or "parameter"
   std::string nominal;   ///< what was found before from the text as it stands, number or words: "2.4e-11"
   std::string inferred;  ///< the same under a reading, in words: "1.1e-6..1.3e-6 with c = 2.5"
-  Verdict expected = Verdict::not_built;  ///< which verdict the findings support
-  std::string tolerance;                  ///< see Tolerance
-  std::string because;                    ///< why that tolerance; "digits" needs no reason
+  Verdict expected = Verdict::not_stated;  ///< which verdict the findings support
+  std::string tolerance;                   ///< see Tolerance
+  std::string because;                     ///< why that tolerance; "digits" needs no reason
   int tried = 0;         ///< readings that were tried, where one is inferred or none was found
   std::string explains;  ///< "5 of 6": of the rows that such a reading bears on
   std::string erratum;   ///< id of the misprint that it is, if it is one
@@ -103,10 +102,6 @@ struct Place {
 /// All rows of `<data>/tables/places.csv`. @throws InputError naming file and line
 [[nodiscard]] std::vector<Place> read_places(const std::filesystem::path& data_folder);
 
-/// "0.03..1e5 by rounding", if that is how `nominal` begins: rounding decides which number of the range is
-/// found, so that pages show the range in its place. Empty for other values.
-[[nodiscard]] std::string_view range_by_rounding(const PublishedValue& value);
-
 /// The chapter that owns a published value. @throws InputError if `places.csv` does not list its place
 [[nodiscard]] const std::string& owner(const PublishedValue& value, const std::vector<Place>& places);
 
@@ -118,8 +113,8 @@ struct Measured {
 
 /// A verdict, and whether it is the expected one.
 struct Judgement {
-  Verdict verdict = Verdict::not_built;  ///< by the evidence
-  bool passes = false;                   ///< is it the expected one?
+  Verdict verdict = Verdict::not_stated;  ///< by the evidence
+  bool passes = false;                    ///< is it the expected one?
 };
 
 /// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "nlmech/scene/build_info.hpp"
+#include "nlmech/scene/program/files.hpp"
+#include "nlmech/scene/provenance.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 /// Between the two values next to the rank.
@@ -103,6 +109,43 @@ RatioClaim mean_claim(const PublishedValue& claim, const std::string& place,
     mean = {mean.middle + share * one.middle, mean.low + share * one.low, mean.high + share * one.high};
   }
   return {claim.place, claim.row, claim.quantity, over, judge_ratio(claim.value, mean)};
+}
+
+namespace {
+
+Json to_json(const RatioVerdict& v) {
+  return {
+      {"printed", v.printed}, {"ours", v.ours.middle}, {"low", v.ours.low}, {"high", v.ours.high},
+      {"apart", v.apart},     {"holds", v.holds},      {"lost", v.lost()},  {"same_faster", v.same_faster}};
+}
+
+Json to_json(const TimeRatios& ratios) {
+  const BuildInfo& build = build_info();
+  Json json = {{"processor", processor_name()}, {"commit", build.commit}, {"dirty", build.dirty},
+               {"compiler", build.compiler},    {"flags", build.flags},   {"allowed_factor", allowed_factor},
+               {"rows", Json::array()},         {"claims", Json::array()}};
+  for (const TimeRatio& r : ratios.rows) {
+    json["rows"].push_back({{"place", r.place},
+                            {"row", r.row},
+                            {"reference", r.reference},
+                            {"printed_seconds", r.printed_seconds},
+                            {"seconds", r.seconds},
+                            {"verdict", to_json(r.verdict)}});
+  }
+  for (const RatioClaim& c : ratios.claims) {
+    json["claims"].push_back({{"place", c.place},
+                              {"row", c.row},
+                              {"quantity", c.quantity},
+                              {"over", c.over},
+                              {"verdict", to_json(c.verdict)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+void write_ratios(const std::string& name, const TimeRatios& ratios, const std::filesystem::path& out) {
+  write_whole(out / "results" / "ratios" / (name + ".json"), to_json(ratios).dump(2) + "\n");
 }
 
 }  // namespace nlmech::scene

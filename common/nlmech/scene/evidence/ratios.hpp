@@ -94,8 +94,8 @@ struct TimeRatios {
 [[nodiscard]] RatioClaim mean_claim(const PublishedValue& claim, const std::string& place,
                                     const std::vector<std::string>& over, const std::vector<TimeRatio>& rows);
 
-/// Writes `results/ratios/<name>.json`, and then from all files of that folder `tables/RATIOS.md` and, for
-/// numbers on pages, `tables/ratios.json`. @throws Failure if a file cannot be written
+/// Writes `results/ratios/<name>.json`; `make bench` makes `tables/RATIOS.md` and, for numbers on pages,
+/// `tables/ratios.json` of the files of that folder. @throws Failure if the file cannot be written
 void write_ratios(const std::string& name, const TimeRatios& ratios, const std::filesystem::path& out);
 
 }  // namespace nlmech::scene
