@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/features.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/ivp/step_control.hpp"
 #include "nlmech/program/problem.hpp"

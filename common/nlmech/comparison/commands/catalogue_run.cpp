@@ -1,4 +1,4 @@
-#include "nlmech/comparison/commands/catalogue_run.hpp"
+#include "nlmech/comparison/commands/runs.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "nlmech/comparison/commands/compare.hpp"
-#include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -46,9 +45,10 @@ std::vector<std::string> states_and_parameters(const UserProblem& problem) {
   return joined(problem.state_names, parameters);
 }
 
-class Runner {
+/// Runs of all rows of a file.
+class CatalogueRun {
  public:
-  Runner(const TypedOptions& typed, const Problems& problems, std::string program)
+  CatalogueRun(const TypedOptions& typed, const Problems& problems, std::string program)
       : typed_(typed),
         program_(std::move(program)),
         threads_(typed.threads.value_or(0)),
@@ -232,7 +232,7 @@ class Runner {
 
 int print_runs(const TypedOptions& typed, const Problems& problems, const std::string& program) {
   if (!typed.plot.empty()) throw input_error("--plot {}: --states draws none", typed.plot);
-  return Runner(typed, problems, program).print();
+  return CatalogueRun(typed, problems, program).print();
 }
 
 }  // namespace nlmech::comparison

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/comparison/reference/verification.hpp"

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "nlmech/comparison/choice/choice.hpp"
-#include "nlmech/comparison/commands/catalogue_run.hpp"
 #include "nlmech/comparison/commands/compare.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/runs.hpp"

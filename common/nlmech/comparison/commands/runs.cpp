@@ -11,7 +11,6 @@
 #include <optional>
 #include <utility>
 
-#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/ivp/named/named_ensemble.hpp"
 #include "nlmech/scene/program/this_process.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/comparison/choice/features.hpp"
+#include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {

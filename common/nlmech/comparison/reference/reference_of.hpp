@@ -12,6 +12,7 @@
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/program/value_of.hpp"
+#include "nlmech/support/errors.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
@@ -43,11 +44,6 @@ struct Backwards {
   }
 };
 
-/// Ends a walk of a reference from within: no more steps.
-struct OutOfWork {
-  Outcome outcome;
-};
-
 /// The states at ascending times by one Taylor series.
 template <class Problem>
 Status taylor_states(const Problem& problem, const Way& way, const problems::ReferenceOptions& options,
@@ -69,14 +65,16 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
       states.col(static_cast<Eigen::Index>(next)) = now;
     }
     if (next == times.size()) return;
-    if (!pace.suffices(static_cast<double>(end))) throw OutOfWork{Outcome::step_limit};
-    if (watch.seconds() > seconds) throw OutOfWork{Outcome::time_limit};
+    const bool late = watch.seconds() > seconds;
+    if (late || !pace.suffices(static_cast<double>(end)))  // ends the walk from within
+      throw Failure(Status::failure(late ? Outcome::time_limit : Outcome::step_limit,
+                                    "the Taylor series in extended precision takes too many steps"));
   };
   try {
     return problems::walk_reference(problem, Exact(way.x0), static_cast<long double>(way.t0),
                                     static_cast<long double>(times.back()), options, look);
-  } catch (const OutOfWork& out) {
-    return Status::failure(out.outcome, "the Taylor series in extended precision takes too many steps");
+  } catch (const Failure& late) {
+    return late.status();
   }
 }
 
