@@ -5,8 +5,8 @@
 #include <string>
 
 #include "chapters/algebraic_series/sections.hpp"
-#include "nlmech/comparison/commands/own_problem_of.hpp"
-#include "nlmech/problems/strong_oscillator.hpp"
+#include "nlmech/comparison/commands/library_problems.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/program/options.hpp"
 
 namespace nlmech::chapters::algebraic_series {
@@ -30,11 +30,12 @@ void declare(scene::Options& options, Words& words) {
 }
 
 std::string section_rows(const Words& words) {
-  comparison::OwnProblemOf<problems::StrongOscillator> problem;
-  comparison::apply_settings(problem, words.set);
-  const std::vector<double> x0 = problem.initial_state(words.initial);
-  const auto all =
-      sections(problem.problem(), {x0[0], x0[1]}, problem.initial_time(), words.sections, words.limits);
+  const auto typed = comparison::problem_by_name(comparison::library_problems(), "oscillator");
+  comparison::apply_settings(*typed, words.set);
+  const std::vector<double> x0 = typed->initial_state(words.initial);
+  const problems::TextProblem oscillator("oscillator", comparison::settings_of(words.set));
+  const auto all = sections(ivp::System(oscillator), {x0[0], x0[1]}, oscillator.initial_time, words.sections,
+                            words.limits);
   std::string text = "section,x,v\n";
   for (std::size_t k = 0; k < all.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{:.17g},{:.17g}\n", k, all[k][0], all[k][1]);

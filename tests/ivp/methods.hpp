@@ -17,6 +17,7 @@
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/problems/problem.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/program/value_of.hpp"
 
 namespace nlmech::ivp::testing {
@@ -101,18 +102,17 @@ struct Poisoned {
   }
 };
 
-// A problem without its announcement of discontinuities.
-template <class Problem>
+// A problem with accelerations without its announcement of discontinuities.
 struct Unannounced {
-  static constexpr int dimension = Problem::dimension;
-  Problem problem = {};
-  template <class T>
-  void acceleration(const T& t, const Vector<T, dimension / 2>& q, const Vector<T, dimension / 2>& v,
-                    Vector<T, dimension / 2>& a) const {
+  static constexpr int dimension = Eigen::Dynamic;
+  problems::TextProblem problem;
+  [[nodiscard]] int size() const { return problem.size(); }
+  template <class T, int m>
+  void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
     problem.acceleration(t, q, v, a);
   }
   template <class T>
-  void operator()(const T& t, const Vector<T, dimension>& x, Vector<T, dimension>& dxdt) const {
+  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
     problem(t, x, dxdt);
   }
 };

@@ -5,8 +5,7 @@
 
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/two_body.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/program/process.hpp"
 #include "tests/pages/page.hpp"
 #include "tests/places.hpp"
@@ -43,7 +42,7 @@ TEST(Examples, EveryIntegratorBringsThePendulumBack) {
 /// that to 1e-8.
 TEST(Examples, ManyStartsEndWhereAnotherMethodEnds) {
   using namespace ivp;
-  const System lorenz(problems::Lorenz{});
+  const System lorenz(problems::TextProblem("lorenz"));
   const std::vector<State> starts = {{0, 1, 0}, {0, 1.0001, 0}, {1, 1, 1}, {-1, 2, 20}};
   const auto lines = lines_in(output_of("many_starts"));
   ASSERT_EQ(lines.size(), starts.size());
@@ -62,7 +61,7 @@ TEST(Examples, ManyStartsEndWhereAnotherMethodEnds) {
 /// ten times t.
 TEST(Examples, LambertsArcsArrive) {
   using namespace ivp;
-  const System motion(problems::TwoBody{});
+  const System motion(problems::TextProblem("two-body"));
   const auto lines = lines_in(output_of("lambert"));
   EXPECT_EQ(lines.size(), 4U);
   for (const std::string& line : lines) {

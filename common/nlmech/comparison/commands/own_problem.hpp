@@ -19,8 +19,6 @@
 #include "nlmech/comparison/commands/seen.hpp"
 #include "nlmech/comparison/cost/curve.hpp"
 #include "nlmech/ivp/events.hpp"
-#include "nlmech/problems/parameters.hpp"
-#include "nlmech/problems/problem.hpp"
 #include "nlmech/program/equations.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/status.hpp"
@@ -163,10 +161,6 @@ class OwnProblem {
   [[nodiscard]] virtual Comparison comparison(const Request& request, const std::vector<Choice>& methods,
                                               std::string_view program) const = 0;
 };
-
-/// Makes a problem of that type with the publication's parameters.
-template <class Problem>
-[[nodiscard]] std::unique_ptr<OwnProblem> own_problem();
 
 /// How to make each of the problems that a program offers.
 using OwnProblems = std::vector<std::function<std::unique_ptr<OwnProblem>()>>;

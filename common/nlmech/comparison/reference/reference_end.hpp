@@ -48,7 +48,7 @@ struct ReferenceEnd {
 /// The solution from (t0, x0) to t1 >= t0. @param most_steps of the Taylor series, after which it gives up
 template <class Problem>
 [[nodiscard]] ReferenceEnd reference_ahead(const Problem& problem,
-                                           const Vector<double, Problem::dimension>& x0, double t0, double t1,
+                                           const problems::StateOf<double, Problem>& x0, double t0, double t1,
                                            std::size_t most_steps) {
   constexpr int n = Problem::dimension;
   ReferenceEnd end{{}, x0.template cast<long double>(), x0.cwiseAbs()};
@@ -67,7 +67,7 @@ template <class Problem>
 
 /// The same to any t1.
 template <class Problem>
-[[nodiscard]] ReferenceEnd reference_end(const Problem& problem, const Vector<double, Problem::dimension>& x0,
+[[nodiscard]] ReferenceEnd reference_end(const Problem& problem, const problems::StateOf<double, Problem>& x0,
                                          double t0, double t1, std::size_t most_steps = 200'000) {
   if (t1 >= t0) return reference_ahead(problem, x0, t0, t1, most_steps);
   return reference_ahead(Backwards<Problem>{problem}, x0, -t0, -t1, most_steps);

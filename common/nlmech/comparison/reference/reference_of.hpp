@@ -109,7 +109,7 @@ template <class Problem>
 /// @param needed how finely
 /// @param effort when to give up
 template <class Problem>
-[[nodiscard]] Reference reference_of(const Problem& problem, const Vector<double, Problem::dimension>& x0,
+[[nodiscard]] Reference reference_of(const Problem& problem, const problems::StateOf<double, Problem>& x0,
                                      double t0, const std::vector<double>& times, const Needed& needed,
                                      const Effort& effort) {
   std::vector<Candidate> all = taylor_candidates(problem, static_cast<int>(x0.size()), effort);
