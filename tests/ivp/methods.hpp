@@ -17,7 +17,6 @@
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/problems/problem.hpp"
-#include "nlmech/problems/texts.hpp"
 #include "nlmech/program/value_of.hpp"
 
 namespace nlmech::ivp::testing {
@@ -103,16 +102,17 @@ struct Poisoned {
 };
 
 // A problem with accelerations without its announcement of discontinuities.
+template <class Problem>
 struct Unannounced {
-  static constexpr int dimension = Eigen::Dynamic;
-  problems::TextProblem problem;
+  static constexpr int dimension = Problem::dimension;
+  Problem problem = {};
   [[nodiscard]] int size() const { return problem.size(); }
   template <class T, int m>
   void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
     problem.acceleration(t, q, v, a);
   }
   template <class T>
-  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
+  void operator()(const T& t, const Vector<T, dimension>& x, Vector<T, dimension>& dxdt) const {
     problem(t, x, dxdt);
   }
 };

@@ -93,7 +93,7 @@ double table_4_4(const Method& first, const Method& second) {
     add(step.t1, step.x1[0]);
     return true;
   };
-  const System system(Unannounced{problems::TextProblem("impact")});
+  const System system(Unannounced<problems::TextProblem>{problems::TextProblem("impact")});
   add(0, 0);
   const auto middle = integrate(system, State{0, 0}, 0, 1, first, measure);
   add(1, middle.x[0]);
