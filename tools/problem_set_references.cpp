@@ -30,8 +30,11 @@ namespace {
 
 using namespace nlmech;
 using namespace nlmech::chapters::integrators;
+using problems::TextProblem;
 using references::Link;
 using Real = ExtendedReal<60>;
+using State = Vector<Real, Eigen::Dynamic>;
+using TaylorStep = problems::TaylorStep<Real, Eigen::Dynamic>;
 
 constexpr int fewest_digits = 18, most_digits = 34;
 
@@ -43,7 +46,6 @@ struct Solved {
   std::vector<Link> links;                ///< of one of them; none: no condition
 };
 
-template <class State>
 std::vector<std::vector<Real>> lists(const std::vector<State>& states) {
   std::vector<std::vector<Real>> all;
   for (const State& x : states) all.emplace_back(x.data(), x.data() + x.size());
@@ -52,15 +54,14 @@ std::vector<std::vector<Real>> lists(const std::vector<State>& states) {
 
 /// Derivatives of the ends of a Taylor step's parts by their begins. Parts turn the fastest motion by four
 /// radians or decades, for which eight Radau nodes leave 1e-6.
-template <int n, class Problem>
-void add_links(const problems::TaylorStep<Real, n>& step, const Problem& problem, std::vector<Link>& links) {
+void add_links(const TaylorStep& step, const TextProblem& problem, std::vector<Link>& links) {
   static const references::RadauRule<double> rule(8);
-  const ivp::Direct<Problem, Eigen::Dynamic> direct(problem);
+  const ivp::System system(problem);
   const auto start = static_cast<double>(step.start), length = static_cast<double>(step.length);
   const auto jacobian = [&](double from_start) {
     const ivp::State x = step.at(Real(from_start)).template cast<double>();
     ivp::Jacobian j(x.size(), x.size());
-    direct.jacobian(start + from_start, x, j);
+    system.jacobian(start + from_start, x, j);
     return Eigen::MatrixXd(j);
   };
   const double fastest = jacobian(length / 2).eigenvalues().cwiseAbs().maxCoeff();
@@ -77,20 +78,19 @@ void add_links(const problems::TaylorStep<Real, n>& step, const Problem& problem
 }
 
 /// To each of @p times in turn, so that a step ends there.
-template <class Problem, class Visit>
-auto taylor_states(const Problem& problem, const std::vector<Real>& times, int order, double tolerance,
+template <class Visit>
+auto taylor_states(const TextProblem& problem, const std::vector<Real>& times, int order, double tolerance,
                    Visit&& visit) {
-  constexpr int n = Problem::dimension;
-  Vector<Real, n> x = problem.initial_state().template cast<Real>();
+  State x = problem.initial_state().cast<Real>();
   Real t = problem.initial_time;
-  std::vector<Vector<Real, n>> states;
+  std::vector<State> states;
   for (const Real& next : times) {
-    const auto look = [&](const problems::TaylorStep<Real, n>& step, const Vector<Real, n>& after) {
+    const auto look = [&](const TaylorStep& step, const State& after) {
       visit(step);
       x = after;
     };
     const Status status =
-        problems::walk_reference(problem, Vector<Real, n>(x), t, next,
+        problems::walk_reference(problem, State(x), t, next,
                                  {.order = order, .tolerance = tolerance, .most_steps = 100'000'000}, look);
     if (!status.ok()) throw std::runtime_error(status.text());
     states.push_back(x);
@@ -99,22 +99,17 @@ auto taylor_states(const Problem& problem, const std::vector<Real>& times, int o
   return states;
 }
 
-template <class Problem>
-Solved by_taylor(const Problem& problem, const std::vector<Real>& times) {
-  constexpr int n = Problem::dimension;
+Solved by_taylor(const TextProblem& problem, const std::vector<Real>& times) {
   Solved solved{"Taylor series of orders 40 and 50, errors of a step 1e-48 and 1e-52", {}, {}, {}};
-  solved.first =
-      lists(taylor_states(problem, times, 40, 1e-48, [&](const problems::TaylorStep<Real, n>& step) {
-        add_links<n>(step, problem, solved.links);
-      }));
+  solved.first = lists(taylor_states(
+      problem, times, 40, 1e-48, [&](const TaylorStep& step) { add_links(step, problem, solved.links); }));
   solved.second = lists(taylor_states(problem, times, 50, 1e-52, [](const auto&) {}));
   return solved;
 }
 
-template <class Problem>
-Solved by_radau(const Problem& problem, const std::vector<Real>& times) {
+Solved by_radau(const TextProblem& problem, const std::vector<Real>& times) {
   const Real t0 = problem.initial_time;
-  const Vector<Real, Problem::dimension> x0 = problem.initial_state().template cast<Real>();
+  const State x0 = problem.initial_state().cast<Real>();
   const double first_step = 1e-12 * static_cast<double>(Real(times.back() - t0));
   Solved solved{
       "Radau collocation of orders 21 and 29, last coefficients of a step 1e-19 and 1e-23", {}, {}, {}};
@@ -241,16 +236,12 @@ void make(const std::string& folder, const std::string& only) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     (void)std::fprintf(stderr, "%s: %.1f s\n", std::string(name).c_str(), seconds.count());
   };
-  for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    if constexpr (by != By::nothing) {
-      solve(c.name, c.problem.initial_time, c.end, c.absolute, [&](const std::vector<Real>& times) {
-        if constexpr (by == By::taylor)
-          return by_taylor(c.problem, times);
-        else
-          return by_radau(c.problem, times);
-      });
-    }
-  });
+  for (const Case& c : all_cases()) {
+    if (c.by == By::nothing) continue;
+    solve(c.name, c.problem.initial_time, c.end, c.absolute, [&](const std::vector<Real>& times) {
+      return c.by == By::taylor ? by_taylor(c.problem, times) : by_radau(c.problem, times);
+    });
+  }
   solve(Friction::name, 0, Friction::end, 1, friction);
 }
 

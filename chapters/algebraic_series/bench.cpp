@@ -18,10 +18,7 @@
 #include "nlmech/ivp/series/series.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {
@@ -47,14 +44,14 @@ struct Case {
   std::string name;
   Problem problem;
   Plain plain;  ///< the same equations as others write them
+  ivp::State x0;
   double end;
   std::vector<double> times = {};
   std::vector<ivp::LongState> states = {};
 
-  Case(std::string label, const Problem& p, double until)
-      : name(std::move(label)), problem(p), plain{p}, end(until) {
-    const auto x0 = Problem::initial_state().template cast<long double>().eval();
-    const problems::ReferenceTrajectory<long double, Problem> path(p, x0, 0, until);
+  Case(std::string label, const Problem& p, const ivp::State& from, double until)
+      : name(std::move(label)), problem(p), plain{p}, x0(from), end(until) {
+    const problems::ReferenceTrajectory<long double, Problem> path(p, x0.cast<long double>(), 0, until);
     for (int i = 0; i < end_times; ++i) {
       times.push_back(until * (1 - 0.002 * i));
       states.push_back(path(times.back()));
@@ -79,21 +76,19 @@ struct Case {
 };
 
 /// A method of integrate().
-template <class Problem, class System, class Make>
-Runner by_integrate(const System& system, const Make& make) {
-  return [system, make](double end, double tolerance) -> std::optional<ivp::State> {
-    const auto s = ivp::integrate(system, Problem::initial_state(), 0, end, make(tolerance));
+template <class System, class Make>
+Runner by_integrate(const System& system, const ivp::State& x0, const Make& make) {
+  return [system, x0, make](double end, double tolerance) -> std::optional<ivp::State> {
+    const auto s = ivp::integrate(system, x0, 0, end, make(tolerance));
     if (!s.status.ok()) return std::nullopt;
     return s.x;
   };
 }
 
 /// Odeint's own loop on its own state.
-template <class Problem, class Plain>
-Runner odeint_alone(const Plain& plain) {
-  constexpr std::size_t n = Problem::dimension;
-  return [plain](double end, double tolerance) -> std::optional<ivp::State> {
-    const ivp::State x0 = Problem::initial_state();
+template <std::size_t n, class Plain>
+Runner odeint_alone(const Plain& plain, const ivp::State& x0) {
+  return [plain, x0](double end, double tolerance) -> std::optional<ivp::State> {
     std::array<double, n> x;
     std::copy(x0.begin(), x0.end(), x.begin());
     const peers::Odeint method{peers::Odeint::Formula::fehlberg78, tolerance, tolerance};
@@ -136,10 +131,10 @@ constexpr const char *alone = "odeint-fehlberg78 alone", *in_our_walk = "odeint-
 
 /// Odeint as its manual runs it, and in our walk; alone with those tolerances alone of which it comes back
 /// there.
-template <class Case, class Problem>
-void add_odeint(std::vector<Work>& all, const Case& c, const Problem& problem) {
+template <class Case>
+void add_odeint(std::vector<Work>& all, const Case& c) {
   if (!peers::odeint_available()) return;
-  const Runner walked = by_integrate<Problem>(ivp::Direct(problem), [](double tolerance) {
+  const Runner walked = by_integrate(ivp::Direct(c.problem), c.x0, [](double tolerance) {
     return peers::OdeintDirect{{peers::Odeint::Formula::fehlberg78, tolerance, tolerance}};
   });
   std::vector<double> safe;
@@ -147,7 +142,7 @@ void add_odeint(std::vector<Work>& all, const Case& c, const Problem& problem) {
     if (c.error(walked, tolerance)) safe.push_back(tolerance);
   }
   if (const auto work = fastest(c, in_our_walk, walked)) all.push_back(*work);
-  if (const auto work = fastest(c, alone, odeint_alone<Problem>(c.plain), safe)) all.push_back(*work);
+  if (const auto work = fastest(c, alone, odeint_alone<Case::n>(c.plain, c.x0), safe)) all.push_back(*work);
 }
 
 /// Ours inlined, ours through the tape, and the library.
@@ -157,16 +152,16 @@ void add_rivals(std::vector<Work>& all, const Case<Problem, Plain>& c) {
     return ivp::Series{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
   };
   const auto add = [&](const char* label, const auto& system) {
-    if (const auto work = fastest(c, label, by_integrate<Problem>(system, series))) all.push_back(*work);
+    if (const auto work = fastest(c, label, by_integrate(system, c.x0, series))) all.push_back(*work);
   };
   add("series inlined", ivp::Direct(c.problem));
   add("series through the tape", ivp::System(c.problem));
-  add_odeint(all, c, c.problem);
+  add_odeint(all, c);
 }
 
 /// The recurrence of Filipich and Rosales, Eqs. 67 and 68, as one would write it down.
 void lorenz_loop(double* a, double* b, double* c, int order) {
-  const problems::Lorenz p;
+  const chapters::PlainLorenz p;
   for (int i = 0; i < order; ++i) {
     double s = 0, z = 0;
     for (int j = 0; j <= i; ++j) {
@@ -181,8 +176,8 @@ void lorenz_loop(double* a, double* b, double* c, int order) {
 
 /// The coefficients of one step of the Lorenz equations, three ways.
 void add_coefficients(std::vector<Work>& all) {
-  static const ivp::System system{problems::Lorenz{}};
-  static const ivp::Direct direct{problems::Lorenz{}};
+  static const ivp::System system{chapters::PlainLorenz{}};
+  static const ivp::Direct direct{chapters::PlainLorenz{}};
   const ivp::State x{-3, 2, 21};
   for (const int order : {8, 16, 24, 32, 40, 64, 100}) {
     const auto name = [order](const char* way) {
@@ -232,10 +227,10 @@ int bench(int argc, char** argv) {
   chapters::begin_speed(argc, argv);
 
   std::vector<Work> all;
-  using problems::Duffing, problems::Lorenz, problems::ThreeMassChain;
-  add_rivals(all, Case<Duffing, chapters::PlainDuffing>("duffing", {}, 500));
-  add_rivals(all, Case<ThreeMassChain, chapters::PlainChain>("three-masses", {}, 200));
-  add_rivals(all, Case<Lorenz, chapters::PlainLorenz>("lorenz", {}, 20));
+  using chapters::PlainChain, chapters::PlainDuffing, chapters::PlainLorenz;
+  add_rivals(all, Case<PlainDuffing, PlainDuffing>("duffing", {}, {1, 0}, 500));
+  add_rivals(all, Case<PlainChain, PlainChain>("three-masses", {}, ivp::State::Zero(6), 200));
+  add_rivals(all, Case<PlainLorenz, PlainLorenz>("lorenz", {}, {0, 1, 0}, 20));
   add_coefficients(all);
   return chapters::judge_speed("algebraic_series", claims(all), chapters::measure_speed(all));
 }

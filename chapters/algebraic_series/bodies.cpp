@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "chapters/algebraic_series/samples.hpp"
-#include "nlmech/problems/bodies.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series::bodies {
 namespace {
 
-using problems::FourBodies;
+using problems::TextProblem;
 using State = ivp::State;
 
 struct Orbits {
@@ -25,16 +24,15 @@ struct Orbits {
 };
 
 Orbits orbits() {
-  const FourBodies problem;
+  const TextProblem problem("bodies");
   const ivp::System system(problem);
-  const State x0 = FourBodies::initial_state();
+  const State& x0 = problem.initial_state();
   Orbits all;
-  all.path = sampled(system, x0, 0, FourBodies::final_time, accurate_series(), 5);
-  const auto invariants = [&](const State& x) { return problem.invariants(0.0, Vector<double, 24>(x)); };
-  const Vector<double, 4> first = invariants(x0);
+  all.path = sampled(system, x0, 0, problem.final_time, accurate_series(), 5);
+  const Vector<double, 4> first = problem.invariants(0.0, x0);
   const double momentum = first.head<3>().norm();
   for (const auto& s : all.path) {
-    const Vector<double, 4> now = invariants(s.x);
+    const Vector<double, 4> now = problem.invariants(0.0, s.x);
     all.energy_drift = std::max(all.energy_drift, std::abs(now[3] / first[3] - 1));
     all.momentum_drift = std::max(all.momentum_drift, (now - first).head<3>().norm() / momentum);
   }
@@ -42,25 +40,25 @@ Orbits orbits() {
 }
 
 void put_data(scene::Show& show) {
-  const FourBodies problem;
-  const auto x0 = FourBodies::initial_state();
+  const TextProblem problem("bodies");
+  const State& x0 = problem.initial_state();
   const auto triple = [&](int at) {
     return "(" + scene::format_number(x0[at], 4) + ", " + scene::format_number(x0[at + 1], 4) + ", " +
            scene::format_number(x0[at + 2], 4) + ")";
   };
   scene::Table table({{"body"}, {"initial position"}, {"initial velocity"}, {"mass"}, {"remark"}});
-  int body = 0;
-  for (const double mass : problem.mass) {
+  double sum = 0;
+  for (int body = 0; body < 4; ++body) {
+    const double mass = problem.parameter(fmt::format("m{}", body + 1));
     table.add({body + 1, triple(3 * body), triple(12 + 3 * body), mass, "as printed"});
-    ++body;
+    sum += mass;
   }
-  table.add({"G", "", "", problem.gravity, "not printed: assumed, see the page"});
+  table.add({"G", "", "", problem.parameter("gravity"), "not printed: assumed, see the page"});
   show.table(std::move(table));
   // By hand from the printed table: 3^-1 + 5/5 + 5/4 + 1/sqrt(4.5) (twice) + 5/sqrt(8.5).
   const double energy = 0.5 * (0.00125 * 0.00125 + 2 * 0.0005 * 0.0005) -
                         1e-6 * (1 / 3.0 + 1 + 1.25 + 2 / std::sqrt(4.5) + 5 / std::sqrt(8.5));
-  show.equals("sum of the masses", std::reduce(problem.mass.begin(), problem.mass.end()), 8,
-              "1 + 1 + 5 + 1 by hand; exact");
+  show.equals("sum of the masses", sum, 8, "1 + 1 + 5 + 1 by hand; exact");
   show.near("energy", problem.invariants(0.0, x0)[3], energy, 1e-14, "from distances by hand; rounding");
 }
 

@@ -6,7 +6,6 @@
 
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/comparison/commands/user_problem.hpp"
-#include "nlmech/problems/strong_oscillator.hpp"
 #include "nlmech/scene/program/options.hpp"
 
 namespace nlmech::chapters::algebraic_series {
@@ -30,12 +29,10 @@ void declare(scene::Options& options, Words& words) {
 }
 
 std::string section_rows(const Words& words) {
-  problems::StrongOscillator problem;
-  comparison::apply_settings(words.set, [&](const std::string& name, double value) {
-    problems::set_parameter(problem, name, value);
-  });
-  const ivp::State x0 = comparison::user_problem_of(problem).initial_state(words.initial);
-  const auto all = sections(problem, {x0[0], x0[1]}, problem.initial_time, words.sections, words.limits);
+  const comparison::UserProblem oscillator =
+      comparison::library_problem("oscillator")(comparison::settings_of(words.set));
+  const ivp::State x0 = oscillator.initial_state(words.initial);
+  const auto all = sections(oscillator.system, {x0[0], x0[1]}, oscillator.t0, words.sections, words.limits);
   std::string text = "section,x,v\n";
   for (std::size_t k = 0; k < all.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{:.17g},{:.17g}\n", k, all[k][0], all[k][1]);

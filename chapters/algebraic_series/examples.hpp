@@ -1,15 +1,12 @@
 /// @file
 /// The examples of section 4 of the paper: equations, and their solutions in more than double precision.
+/// Their numbers are the doubles next to the paper's decimals and to 8/3, as methods see them: a solution of
+/// Lorenz's equations with 8/3 itself is another one by 4e-13 at t = 20, and by 2e-3 at 40.
 #pragma once
 
 #include <functional>
 
 #include "nlmech/comparison/commands/example.hpp"
-#include "nlmech/problems/bodies.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/projectile.hpp"
-#include "nlmech/problems/strong_oscillator.hpp"
 
 namespace nlmech::chapters::algebraic_series {
 

@@ -10,9 +10,8 @@
 
 #include "chapters/algebraic_series/departure.hpp"
 #include "chapters/algebraic_series/examples.hpp"
-#include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series::extremes {
@@ -83,31 +82,30 @@ std::vector<Attempt> attempts() {
   const auto& duffing = forced_duffing_example();
   all.push_back(attempt("forced Duffing to t = 100, T = 0.5, N = 20", duffing.system, duffing.x0, 0, 100,
                         published_series(0.5, 20), {}, "T close to the radius"));
-  const problems::FourBodies bodies;
+  const problems::TextProblem bodies("bodies");
   const ivp::System four(bodies);
-  const ivp::State begin = problems::FourBodies::initial_state();
-  const double energy = bodies.invariants(0.0, problems::FourBodies::initial_state())[3];
+  const ivp::State& begin = bodies.initial_state();
+  const double energy = bodies.invariants(0.0, begin)[3];
   all.push_back(attempt(
       "four bodies to t = 5000, through an encounter at 0.039", four, begin, 0, 5000, accurate_series(),
-      [&](const ivp::State& x) {
-        return std::abs(bodies.invariants(0.0, Vector<double, 24>(x))[3] / energy - 1);
-      },
+      [&](const ivp::State& x) { return std::abs(bodies.invariants(0.0, x)[3] / energy - 1); },
       "error: of the energy, relative"));
-  const ivp::System relaxation(problems::VanDerPol{.mu = 1000});
+  const ivp::System relaxation(problems::TextProblem("van-der-pol", {{"mu", 1000}}));
   all.push_back(attempt(
       "van der Pol, mu = 1000, to t = 2000", relaxation, {2, 0}, 0, 2000,
       {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
       [](const ivp::State& x) { return std::abs(x[0] - 1.706167732170465008); },
       "stiff: steps bounded by stability"));
-  all.push_back(attempt("y' = y^3 past its end", ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 1,
-                        {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
+  all.push_back(attempt("y' = y^3 past its end", ivp::System(problems::TextProblem("blow-up")),
+                        ivp::State{1.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
+                        {}));
   all.push_back(attempt("Bessel's equation into its singular point", ivp::System(SingularCentre{}),
                         {1.0, 1.0}, 1, 0, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
   all.push_back(attempt("Bessel's equation from its singular point", ivp::System(SingularCentre{}),
                         {1.0, 0.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
   all.push_back(attempt("a branch on the state", ivp::System(UnannouncedBranch{}), {0.0, 1.0}, 0, 1,
                         accurate_series(), {}, "no problem announces it"));
-  const ivp::System free(problems::Duffing{});
+  const ivp::System free(problems::TextProblem("duffing"));
   const double period = problems::Duffing{}.period(1.0);
   for (const int order : {2, 10, 100}) {
     all.push_back(attempt(fmt::format("free Duffing over a period, order {}", order), free, {1, 0}, 0, period,

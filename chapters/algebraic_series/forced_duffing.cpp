@@ -5,6 +5,7 @@
 
 #include "chapters/algebraic_series/departure.hpp"
 #include "chapters/algebraic_series/examples.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series::forced_duffing {
@@ -61,20 +62,7 @@ void put_phase(const Motion& m, scene::Show& show) {
 }
 
 /// The oscillator beside the linear equations of a small distance from its motion.
-struct WithDistance {
-  static constexpr int dimension = 4;
-  problems::ForcedDuffing duffing;
-
-  template <class T>
-  void operator()(const T& t, const Vector<T, 4>& x, Vector<T, 4>& dxdt) const {
-    Vector<T, 2> state(x[0], x[1]), slope;
-    duffing(t, state, slope);
-    dxdt[0] = slope[0];
-    dxdt[1] = slope[1];
-    dxdt[2] = x[3];
-    dxdt[3] = -duffing.damping * x[3] - 3 * duffing.hardening * (x[0] * x[0] * x[2]);
-  }
-};
+constexpr const char* with_distance = "u'' = 7.5 cos(t) - 0.05 u' - u^3; d'' = -0.05 d' - 3 (u^2 d)";
 
 /// The motion from (3, 4) beside that from (3.1, 4.1), at a time.
 struct Pair {
@@ -96,10 +84,11 @@ Starts start_nearby(const Motion& m) {
     const Both& b = m.path[i];
     starts.pairs.push_back({b.t, b.exact[0], near[i].x[0], (near[i].x - b.exact).norm()});
   }
-  const ivp::State x0 = {3, 4, 1, 1};
-  const auto end = ivp::integrate(ivp::System(WithDistance{}), x0, 0, 100, accurate_series());
+  const program::Problem both(program::Equations({"with distance", with_distance}));
+  const auto end =
+      ivp::integrate(ivp::System(both), {3, 1, 4, 1}, 0, 100, accurate_series());  // u, d, u', d'
   if (!end.status.ok()) throw Failure(end.status);
-  starts.growth = std::log(end.x.tail<2>().norm() / x0.tail<2>().norm());
+  starts.growth = std::log(std::hypot(end.x[1], end.x[3]) / std::sqrt(2.0));
   return starts;
 }
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "chapters/algebraic_series/sections.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series::poincare {
 namespace {
 
-using problems::StrongOscillator;
 using States = std::vector<ivp::State>;
 
 constexpr std::int64_t many = 20'000;
@@ -75,7 +75,8 @@ void put_islands(const States& all, scene::Show& show) {
   const std::size_t quarter = all.size() / 4;
   const double first = island_radius(all, centre, 0, quarter),
                last = island_radius(all, centre, 3 * quarter, all.size());
-  const States around = sections({}, centre, StrongOscillator::initial_time, 32);
+  const States around =
+      sections(ivp::System(problems::TextProblem("oscillator")), centre, std::numbers::pi, 32);
   show.between("rotation number", {rotation_number(all), "turns"}, 8.0 / 31 - 1e-9, 8.0 / 31 + 1e-9,
                "8/31 exactly, on islands about an orbit of 31 periods; the issue's bound");
   show.at_most("distance of the central orbit from itself after 31 periods", (around[31] - centre).norm(),
@@ -92,8 +93,10 @@ void put_islands(const States& all, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   const scene::Result result(
-      "sections", "every pi from t = pi on; order and steps by the radius of convergence, dense output",
-      [] { return sections({}, StrongOscillator::initial_state(), StrongOscillator::initial_time, many); });
+      "sections", "every pi from t = pi on; order and steps by the radius of convergence, dense output", [] {
+        const problems::TextProblem oscillator("oscillator");
+        return sections(ivp::System(oscillator), oscillator.initial_state(), oscillator.initial_time, many);
+      });
   return {{.name = "fig-6b",
            .title = "Poincare sections every pi, 750 s",
            .place = "Figure 6b",

@@ -3,13 +3,12 @@
 
 #include "chapters/algebraic_series/samples.hpp"
 #include "nlmech/ivp/events.hpp"
-#include "nlmech/problems/projectile.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::algebraic_series::projectile {
 namespace {
 
-using problems::Projectile;
 using State = ivp::State;
 
 struct Flight {
@@ -19,9 +18,9 @@ struct Flight {
 };
 
 /// Flies until z = 0 with the printed T = 0.01 and N = 20.
-Flight fly(const Projectile& problem) {
+Flight fly(const problems::TextProblem& problem) {
   const ivp::System system(problem);
-  const State x0 = Projectile::initial_state();
+  const State x0 = problem.initial_state();
   const std::vector<ivp::Event> events = {
       {[](double, const State& x) { return x[2]; }, ivp::Crossing::falling, true},
       {[](double, const State& x) { return x[5]; }, ivp::Crossing::falling}};
@@ -41,9 +40,8 @@ Flight fly(const Projectile& problem) {
 }
 
 Flight fly_with_and_without_wind() {
-  Flight flight = fly({});
-  Projectile calm;
-  calm.wind_x = calm.wind_y = 0;
+  Flight flight = fly(problems::TextProblem("projectile"));
+  const problems::TextProblem calm("projectile", {{"wind_x", 0}, {"wind_y", 0}});
   flight.x_without_wind = fly(calm).landing.x[0];
   return flight;
 }

@@ -6,10 +6,10 @@
 
 namespace nlmech::chapters::algebraic_series {
 
-std::vector<ivp::State> sections(const problems::StrongOscillator& problem, const ivp::State& x0, double t0,
+std::vector<ivp::State> sections(const ivp::System& oscillator, const ivp::State& x0, double t0,
                                  std::int64_t count, const ivp::Limits& limits) {
   const double t1 = t0 + std::numbers::pi * static_cast<double>(count - 1);
-  const auto samples = sampled(ivp::System(problem), x0, t0, t1, accurate_series(), std::numbers::pi, limits);
+  const auto samples = sampled(oscillator, x0, t0, t1, accurate_series(), std::numbers::pi, limits);
   std::vector<ivp::State> states;
   states.reserve(samples.size());
   for (const Sample& s : samples) states.push_back(s.x);

@@ -39,14 +39,14 @@ double determinant_less_one(const ivp::System& system, const ivp::Hermitian& met
 
 Energy energy_of(const ivp::HermitianPair& pair) {
   const problems::Duffing problem;
-  const ivp::System system(problem);
-  const Vector<double, 2> x0(1, 0.3);
-  const double at_first = problem.invariants(0.0, x0)[0];
+  const ivp::System system(problem.text());
+  const ivp::State x0{1, 0.3};
+  const double at_first = problem.energy(x0);
   const ivp::Hermitian method{.operators = pair, .step = step};
   Energy e{std::string(pair.name), std::vector<double>(windows), 0, determinant_less_one(system, method)};
   double st = 0, se = 0, stt = 0, ste = 0, count = 0;
   const auto look = [&](const ivp::Step& s) {
-    const double error = problem.invariants(0.0, Vector<double, 2>(s.x1))[0] / at_first - 1;
+    const double error = problem.energy(s.x1) / at_first - 1;
     const auto window = static_cast<std::size_t>(std::min(windows - 1.0, s.t1 / end * windows));
     e.worst[window] = std::max(e.worst[window], std::abs(error));
     st += s.t1;

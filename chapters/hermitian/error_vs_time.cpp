@@ -6,8 +6,7 @@
 
 #include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::hermitian::error_vs_time {
@@ -39,15 +38,15 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 }
 
 /// @param scale longest of the fixed steps @param change of the begin, for the condition
-template <class Problem>
-scene::Scene scene_of(const Problem& problem, const std::string& title, double end, double scale,
-                      double change) {
+scene::Scene scene_of(const problems::TextProblem& problem, const std::string& title, double end,
+                      double scale, double change) {
   const auto measure = [=](bool quick) {
-    return comparison::costs_of(comparison::example_of(problem, end), contenders(scale, quick), change,
-                                quick);
+    return comparison::costs_of(
+        comparison::example_of(problem, problem.name, problem.initial_state(), 0, end),
+        contenders(scale, quick), change, quick);
   };
   return comparison::cost_scene(
-      {.name = std::string(Problem::name),
+      {.name = problem.name,
        .problem = title,
        .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
        .measure = measure,
@@ -57,8 +56,10 @@ scene::Scene scene_of(const Problem& problem, const std::string& title, double e
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {scene_of(problems::DrivenDuffing{}, "Driven Duffing oscillator to t = 50", 50, 0.4, 1e-8),
-          scene_of(problems::VanDerPol{.mu = 100}, "Van der Pol, mu = 100, to t = 200", 200, 0.01, 1e-6)};
+  return {
+      scene_of(problems::TextProblem("driven-duffing"), "Driven Duffing oscillator to t = 50", 50, 0.4, 1e-8),
+      scene_of(problems::TextProblem("van-der-pol", {{"mu", 100}}), "Van der Pol, mu = 100, to t = 200", 200,
+               0.01, 1e-6)};
 }
 
 }  // namespace nlmech::chapters::hermitian::error_vs_time

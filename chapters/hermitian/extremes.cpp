@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "nlmech/ivp/hermitian/hermitian.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -57,7 +55,7 @@ Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
 std::vector<Subject> relaxations() {
   const auto make = [](double mu, double end, double truth) {
     return Subject{fmt::format("van der Pol, mu = {}", mu),
-                   ivp::System(problems::VanDerPol{.mu = mu}),
+                   ivp::System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
                    {2, 0},
                    end,
                    truth};
@@ -68,10 +66,10 @@ std::vector<Subject> relaxations() {
 
 // x'' + 10^6 x + m x^3 = cos t to t = 1: h omega is a thousand steps.
 Subject fast_duffing(const std::string& what, double hardening, double x0) {
-  const problems::DrivenDuffing problem{
-      .damping = 0, .stiffness = 1e6, .hardening = hardening, .force = 1, .frequency = 1};
-  const Vector<long double, 2> begin(x0, 0);
-  const problems::ReferenceTrajectory<long double, problems::DrivenDuffing> reference(problem, begin, 0, 1);
+  const problems::TextProblem problem(
+      "driven-duffing",
+      {{"damping", 0}, {"stiffness", 1e6}, {"hardening", hardening}, {"force", 1}, {"frequency", 1}});
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(problem, {x0, 0}, 0, 1);
   if (!reference.status().ok()) throw Failure(reference.status());
   return {what, ivp::System(problem), {x0, 0}, 1, static_cast<double>(reference(1)[0])};
 }
@@ -100,7 +98,7 @@ std::vector<Attempt> attempts(bool quick) {
   }
   for (const double z : {1e2, 1e4, 1e6}) {
     const Subject linear{fmt::format("linear, h omega = {:.0e}", z),
-                         ivp::System(problems::LinearOscillator{.natural_frequency = z}),
+                         ivp::System(problems::TextProblem("linear", {{"natural_frequency", z}})),
                          {1, 0},
                          100,
                          std::cos(100 * z)};

@@ -11,6 +11,7 @@
 
 #include "chapters/hermitian/peaks.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -27,12 +28,11 @@ struct Error {
   std::optional<double> order;  ///< between this step and its half
 };
 
-template <class Problem>
-void measure(std::vector<Error>& all, const Problem& problem, const ivp::State& x0) {
-  const problems::ReferenceTrajectory<long double, Problem> reference(problem, x0.cast<long double>().eval(),
-                                                                      0, end);
+void measure(std::vector<Error>& all, const problems::TextProblem& problem, const ivp::State& x0) {
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(
+      problem, x0.cast<long double>().eval(), 0, end);
   if (!reference.status().ok()) throw Failure(reference.status());
-  const ivp::State truth = reference(end).template cast<double>();
+  const ivp::State truth = reference(end).cast<double>();
   const ivp::System system(problem);
   for (const ivp::HermitianPair& pair : ivp::hermitian_table) {
     for (const double step : steps) {
@@ -40,15 +40,15 @@ void measure(std::vector<Error>& all, const Problem& problem, const ivp::State& 
       if (!run.status.ok()) throw Failure(run.status);
       const double error = (run.x - truth).cwiseAbs().maxCoeff();
       if (step < steps[0]) all.back().order = std::log2(all.back().error / error);
-      all.push_back({std::string(Problem::name), std::string(pair.name), step, error, {}});
+      all.push_back({problem.name, std::string(pair.name), step, error, {}});
     }
   }
 }
 
 std::vector<Error> all_errors() {
   std::vector<Error> all;
-  measure(all, laier_duffing(), {0, 0});
-  measure(all, laier_van_der_pol(), {2, 0});
+  measure(all, problems::TextProblem("laier-duffing"), {0, 0});
+  measure(all, problems::TextProblem("laier-van-der-pol"), {2, 0});
   return all;
 }
 

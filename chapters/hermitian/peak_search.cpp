@@ -8,6 +8,7 @@
 #include <random>
 
 #include "chapters/printed_values.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::chapters::hermitian {
@@ -169,13 +170,13 @@ std::vector<ivp::State> searched_starts() {
 }
 
 std::vector<Combination> duffing_combinations() {
-  const problems::DrivenDuffing problem = laier_duffing();
+  const problems::TextProblem problem("laier-duffing");
   const ivp::System system(problem);
   std::vector<Combination> all;
   for (const ivp::State& x0 : searched_starts()) {
     // Cosine, minus sine, minus cosine, sine: quarters of the load's period.
     for (int quarter = 0; quarter < 4; ++quarter) {
-      const double begin = quarter * std::numbers::pi / 2 / problem.frequency;
+      const double begin = quarter * std::numbers::pi / 2 / problem.parameter("frequency");
       for (int halves = -4; halves <= 4; ++halves) {
         for (const bool first : {false, true}) {
           for (const int updates : {1, 2, 50}) add(all, system, {x0, begin, halves / 2.0, first, updates}, 1);
@@ -188,7 +189,7 @@ std::vector<Combination> duffing_combinations() {
 }
 
 std::vector<Combination> van_der_pol_combinations() {
-  const ivp::System system(laier_van_der_pol());
+  const ivp::System system(problems::TextProblem("laier-van-der-pol"));
   std::vector<Combination> all;
   for (const ivp::State& x0 : searched_starts()) {
     if (x0.isZero()) continue;

@@ -1,19 +1,22 @@
 #include "chapters/hermitian/peaks.hpp"
 
-#include "nlmech/problems/laier.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "nlmech/problems/texts.hpp"
+
 namespace nlmech::chapters::hermitian {
 
-problems::DrivenDuffing laier_duffing() { return problems::LaierDuffing(); }
-problems::VanDerPol laier_van_der_pol() { return problems::LaierVanDerPol(); }
+Case duffing_case() {
+  const problems::TextProblem problem("laier-duffing");
+  return {.system = ivp::System(problem), .x0 = problem.initial_state(), .sign = 1};
+}
 
-Case duffing_case() { return {.system = ivp::System(laier_duffing()), .x0 = {0, 0}, .sign = 1}; }
-
-Case van_der_pol_case() { return {.system = ivp::System(laier_van_der_pol()), .x0 = {0.01, 0}, .sign = -1}; }
+Case van_der_pol_case() {
+  const problems::TextProblem problem("laier-van-der-pol");
+  return {.system = ivp::System(problem), .x0 = problem.initial_state(), .sign = -1};
+}
 
 Peak first_peak(const Case& what, const ivp::Hermitian& method, double end) {
   Peak peak;

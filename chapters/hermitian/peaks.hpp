@@ -3,15 +3,8 @@
 #pragma once
 
 #include "nlmech/ivp/hermitian/hermitian.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::chapters::hermitian {
-
-/// Duffing's equation (11) of the paper: x'' + 0.4 x' + x + 0.5 x^3 = 0.5 cos(0.5 t).
-[[nodiscard]] problems::DrivenDuffing laier_duffing();
-/// Van der Pol's equation of the paper: x'' - 1.5 (1 - x^2) x' + x = 0.
-[[nodiscard]] problems::VanDerPol laier_van_der_pol();
 
 /// What starts an oscillator of one degree of freedom, and which way it peaks.
 struct Case {

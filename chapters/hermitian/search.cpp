@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "chapters/hermitian/peak_search.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::hermitian::search {
@@ -71,7 +72,8 @@ std::string in_words(const Combination& c, bool has_load) {
   std::string text = fmt::format("({:g}, {:g})", p.x0[0], p.x0[1]);
   if (has_load) {
     constexpr std::array loads = {"cos", "-sin", "-cos", "sin"};
-    const double quarter = p.begin * laier_duffing().frequency / (std::numbers::pi / 2);
+    const double quarter =
+        p.begin * problems::TextProblem("laier-duffing").parameter("frequency") / (std::numbers::pi / 2);
     text +=
         fmt::format(", {} ahead by {:g}", loads.at(static_cast<std::size_t>(std::lround(quarter))), p.ahead);
   }

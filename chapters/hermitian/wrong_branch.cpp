@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nlmech/ivp/hermitian/hermitian.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::hermitian::wrong_branch {
@@ -43,7 +43,8 @@ ivp::Solution run(const ivp::Hermitian& method, std::vector<Point>* points = nul
       points->push_back({s.t1, s.x1[0]});
     return true;
   };
-  return ivp::integrate(ivp::System(problems::VanDerPol{.mu = mu}), {2, 0}, 0, end, method, keep);
+  return ivp::integrate(ivp::System(problems::TextProblem("van-der-pol", {{"mu", mu}})), {2, 0}, 0, end,
+                        method, keep);
 }
 
 ivp::Hermitian unchecked(double step) { return {.step = step, .branch_tolerance = HUGE_VAL}; }

@@ -1,8 +1,7 @@
 #include "nlmech/comparison/commands/ivp_commands.hpp"
-#include "nlmech/comparison/commands/library_problems.hpp"
 
 namespace nlmech::chapters::integrators {
 
-void commands(scene::Commands& all) { comparison::add_ivp_commands(all, comparison::library_problems()); }
+void commands(scene::Commands& all) { comparison::add_ivp_commands(all); }
 
 }  // namespace nlmech::chapters::integrators

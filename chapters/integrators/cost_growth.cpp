@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,8 +8,8 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/duffing_chain.hpp"
+#include "nlmech/problems/texts.hpp"
+#include "nlmech/program/problem.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -31,6 +33,18 @@ struct Growth {
   std::string method;
   std::vector<Point> over_time, over_masses;
 };
+
+/// duffing-chain.ode with so many masses.
+std::string chain_of(int masses) {
+  std::string text, energy;
+  for (int i = 1; i <= masses; ++i) {
+    const std::string left = i > 1 ? fmt::format("x{} - ", i - 1) : "-", right = fmt::format(" + x{}", i + 1);
+    text += fmt::format("x{0}'' = -x{0} - x{0}^3 + ({1}2 x{0}{2}); x{0}(0) = sin({0} pi/{3}); x{0}'(0) = 0\n",
+                        i, i > 1 ? left : "-", i < masses ? right : "", masses + 1);
+    energy += fmt::format("(x{0}'^2 + x{0}^2)/2 + x{0}^4/4 + ({1}x{0})^2/2 + ", i, left);
+  }
+  return text + fmt::format("conserved {}x{}^2/2", energy, masses);
+}
 
 double energy(const ivp::System& system, const ivp::State& x) {
   Eigen::VectorXd values(1);
@@ -61,14 +75,14 @@ std::vector<Growth> measure(bool quick) {
     g.method = name;
     for (const double end : {10., 100., 1e3, 1e4, 1e5}) {
       if (quick && end > 1e3) break;
-      if (!add(name, ivp::System(problems::Duffing{}), problems::Duffing::initial_state(), end, end,
-               g.over_time))
-        break;
+      if (!add(name, ivp::System(problems::TextProblem("duffing")), {1, 0}, end, end, g.over_time)) break;
     }
-    for (const double count : {1., 3., 10., 30., 100., 300., 1000.}) {
+    for (const int count : {1, 3, 10, 30, 100, 300, 1000}) {
       if (quick && count > 30) break;
-      const problems::DuffingChain chain{.masses = count};
-      if (!add(name, ivp::System(chain), chain.initial_state(), 10, count, g.over_masses)) break;
+      program::Equations chain({"chain", chain_of(count)});
+      const std::vector<double> x0 = chain.initial_state("chain", "");
+      const ivp::State start = Eigen::Map<const Eigen::VectorXd>(x0.data(), chain.size());
+      if (!add(name, ivp::System(program::Problem(chain)), start, 10, count, g.over_masses)) break;
     }
   }
   return all;

@@ -13,7 +13,7 @@
 #include "chapters/floor.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
-#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace {
@@ -82,7 +82,7 @@ int bench(int argc, char** argv) {
   chapters::begin_speed(argc, argv);
   std::vector<Work> all;
   std::vector<scene::SpeedClaim> claims;
-  const ivp::System system(problems::Lorenz{});
+  const ivp::System system(problems::TextProblem("lorenz"));
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) add_series(system, all, claims, tolerance);
   return chapters::judge_speed("integrators_ensemble", claims, chapters::measure_speed(all));
 }

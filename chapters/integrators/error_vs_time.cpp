@@ -31,7 +31,7 @@ std::vector<comparison::Contender> contenders(bool quick) {
 
 comparison::Costs measure(bool quick) {
   const program::Equations equations(program::SourceText("equation", equation));
-  const auto example = comparison::example_of(program::Problem(equations), "duffing", {1, 0}, 50);
+  const auto example = comparison::example_of(program::Problem(equations), "duffing", {1, 0}, 0, 50);
   return comparison::costs_of(example, contenders(quick), 1e-8, quick);
 }
 

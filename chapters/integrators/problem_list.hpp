@@ -1,24 +1,12 @@
 /// @file
-/// The problem set with the types of its problems: what its references, and its type-erased list, are made
-/// of.
+/// The problem set: what its references and its list are made of.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/bodies.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/duffing_chain.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/strong_oscillator.hpp"
 #include "nlmech/problems/texts.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 
 namespace nlmech::chapters::integrators {
 
@@ -37,16 +25,14 @@ enum class By {
 };
 
 /// A problem of the set.
-/// @tparam by how its reference is computed
-template <class Problem, By by = By::taylor>
 struct Case {
-  static constexpr By reference = by;  ///< how its reference is computed
-  std::string_view name;               ///< in tables: "kepler-0.99"
-  Problem problem;                     ///< its parameters
-  double end = problem.final_time;     ///< time
-  Kind kind = Kind::smooth;            ///< what makes it hard
-  double absolute = 1;                 ///< absolute over relative tolerance: below the components that count
-  std::int64_t length = 1;             ///< how many times as many steps it takes as the others
+  std::string_view name;            ///< in tables: "kepler-0.99"
+  problems::TextProblem problem;    ///< with its parameters
+  By by = By::taylor;               ///< how its reference is computed
+  double end = problem.final_time;  ///< time
+  Kind kind = Kind::smooth;         ///< what makes it hard
+  double absolute = 1;              ///< absolute over relative tolerance: below the components that count
+  std::int64_t length = 1;          ///< how many times as many steps it takes as the others
 };
 
 /// Friction between a mass on a spring and its support, as typed: x' changes its sign nine times.
@@ -59,37 +45,55 @@ struct Friction {
   static constexpr double end = 25;                           ///< before the mass sticks
 };
 
-/// Calls @p visit with each Case in the order of tables. Friction is not among them.
-template <class Visit>
-void for_each_case(Visit&& visit) {
-  using namespace problems;
+/// All of them in the order of tables, but friction.
+[[nodiscard]] inline std::vector<Case> all_cases() {
+  using problems::TextProblem;
   using enum Kind;
-  visit(Case<Duffing>{"duffing", {}});
-  visit(Case<ImpactDuffing>{"impact", {}});
-  visit(Case<ForcedDuffing>{"forced-duffing", {}});
-  visit(Case<StrongOscillator>{"oscillator", {}});
-  visit(Case<ThreeMassChain>{"three-masses", {}});
-  visit(Case<DuffingChain>{"chain-10", {}});
-  visit(Case<Lorenz>{"lorenz", {}});
-  visit(Case<TextProblem>{"kepler-0.1", TextProblem("kepler", {{"eccentricity", 0.1}})});
-  visit(Case<TextProblem>{"kepler-0.7", TextProblem("kepler", {{"eccentricity", 0.7}})});
-  visit(Case<TextProblem>{"kepler-0.99", TextProblem("kepler", {{"eccentricity", 0.99}})});
-  visit(Case<TextProblem>{"arenstorf", TextProblem("arenstorf")});
-  visit(Case<FourBodies>{"four-bodies", {}, FourBodies::final_time, smooth, 1e-3});
-  visit(Case<TextProblem>{"pleiades", TextProblem("pleiades")});
-  visit(Case<Duffing>{"duffing-1e6", {.hardening = 1e6}, 0.2, stiff});
-  ThreeMassChain pinned;
-  pinned.k1 = 1e8;
-  visit(Case<ThreeMassChain>{"three-masses-1e8", pinned, 2, stiff});
-  visit(Case<TextProblem, By::radau>{"spring-pendulum", TextProblem("spring-pendulum"), 10, stiff});
-  visit(Case<Hires, By::radau>{"hires", {}, Hires::final_time, stiff, 1e-4});
-  visit(Case<VanDerPol, By::radau>{"van-der-pol-1000", {.mu = 1000}, 2000, stiff, 1e-3});
-  visit(Case<Robertson, By::radau>{"robertson", {}, Robertson::final_time, stiff, 1e-12});
-  visit(Case<TextProblem, By::radau>{"pollution", TextProblem("pollution"), 60, stiff, 1e-8});
-  visit(Case<Duffing>{"duffing-10000", {}, 47680.5, extreme, 1, 100});
-  visit(Case<BlowUp, By::nothing>{"blow-up", {}, BlowUp::final_time, extreme});
-  visit(Case<TextProblem, By::nothing>{"dead-end", TextProblem("dead-end"), 2, extreme});
-  visit(Case<TextProblem, By::nothing>{"lost-domain", TextProblem("lost-domain"), 2, extreme});
+  using enum By;
+  const TextProblem duffing("duffing"), van_der_pol("van-der-pol", {{"mu", 1000}});
+  return {{.name = "duffing", .problem = duffing},
+          {.name = "impact", .problem = TextProblem("impact")},
+          {.name = "forced-duffing", .problem = TextProblem("forced-duffing")},
+          {.name = "oscillator", .problem = TextProblem("oscillator")},
+          {.name = "three-masses", .problem = TextProblem("three-dof")},
+          {.name = "chain-10", .problem = TextProblem("duffing-chain")},
+          {.name = "lorenz", .problem = TextProblem("lorenz")},
+          {.name = "kepler-0.1", .problem = TextProblem("kepler", {{"eccentricity", 0.1}})},
+          {.name = "kepler-0.7", .problem = TextProblem("kepler", {{"eccentricity", 0.7}})},
+          {.name = "kepler-0.99", .problem = TextProblem("kepler", {{"eccentricity", 0.99}})},
+          {.name = "arenstorf", .problem = TextProblem("arenstorf")},
+          {.name = "four-bodies", .problem = TextProblem("bodies"), .absolute = 1e-3},
+          {.name = "pleiades", .problem = TextProblem("pleiades")},
+          {.name = "duffing-1e6",
+           .problem = TextProblem("duffing", {{"hardening", 1e6}}),
+           .end = 0.2,
+           .kind = stiff},
+          {.name = "three-masses-1e8",
+           .problem = TextProblem("three-dof", {{"k1", 1e8}}),
+           .end = 2,
+           .kind = stiff},
+          {.name = "spring-pendulum", .problem = TextProblem("spring-pendulum"), .by = radau, .kind = stiff},
+          {.name = "hires", .problem = TextProblem("hires"), .by = radau, .kind = stiff, .absolute = 1e-4},
+          {.name = "van-der-pol-1000",
+           .problem = van_der_pol,
+           .by = radau,
+           .end = 2000,
+           .kind = stiff,
+           .absolute = 1e-3},
+          {.name = "robertson",
+           .problem = TextProblem("robertson"),
+           .by = radau,
+           .kind = stiff,
+           .absolute = 1e-12},
+          {.name = "pollution",
+           .problem = TextProblem("pollution"),
+           .by = radau,
+           .kind = stiff,
+           .absolute = 1e-8},
+          {.name = "duffing-10000", .problem = duffing, .end = 47680.5, .kind = extreme, .length = 100},
+          {.name = "blow-up", .problem = TextProblem("blow-up"), .by = nothing, .kind = extreme},
+          {.name = "dead-end", .problem = TextProblem("dead-end"), .by = nothing, .kind = extreme},
+          {.name = "lost-domain", .problem = TextProblem("lost-domain"), .by = nothing, .kind = extreme}};
 }
 
 /// The times at which errors are judged: 16 equidistant ones in the last tenth, the last of them the end.

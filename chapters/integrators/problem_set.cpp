@@ -74,14 +74,6 @@ class References {
   std::map<std::string, Known> known_;
 };
 
-template <class Problem>
-ivp::System system_of(const Problem& problem) {
-  if constexpr (requires { problem.system(); })
-    return problem.system();
-  else
-    return ivp::System(problem);
-}
-
 SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t length, ivp::System system,
                 const ivp::State& x0, double t0, double t1) {
   SetProblem p{std::string(name), kind, absolute, length, std::move(system), x0, t0, t1, {}};
@@ -103,12 +95,12 @@ std::string_view to_string(Kind kind) {
 std::vector<SetProblem> problem_set() {
   const References references;
   std::vector<SetProblem> all;
-  for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    auto p = made(c.name, c.kind, c.absolute, c.length, system_of(c.problem), c.problem.initial_state(),
+  for (const Case& c : all_cases()) {
+    auto p = made(c.name, c.kind, c.absolute, c.length, ivp::System(c.problem), c.problem.initial_state(),
                   c.problem.initial_time, c.end);
-    if (by != By::nothing) references.complete(p);
+    if (c.by != By::nothing) references.complete(p);
     all.emplace_back(std::move(p));
-  });
+  }
   const program::Equations equations(program::SourceText(std::string(Friction::name), Friction::equation));
   auto p = made(Friction::name, Kind::extreme, 1, 1, ivp::System(program::Problem(equations)),
                 {Friction::position, 0}, 0, Friction::end);
@@ -119,9 +111,9 @@ std::vector<SetProblem> problem_set() {
 
 std::vector<std::string> problem_names(bool solved) {
   std::vector<std::string> names;
-  for_each_case([&]<class Problem, By by>(const Case<Problem, by>& c) {
-    if (by != By::nothing || !solved) names.emplace_back(c.name);
-  });
+  for (const Case& c : all_cases()) {
+    if (c.by != By::nothing || !solved) names.emplace_back(c.name);
+  }
   names.emplace_back(Friction::name);
   return names;
 }

@@ -26,7 +26,7 @@ struct Regimes {
   double at_50 = 0;                     ///< the chaotic position at t = 50, p = 5, h = 0.002
 };
 
-std::vector<ErrorAt> error_curve(const problems::DrivenDuffing& problem, const ivp::State& x0) {
+std::vector<ErrorAt> error_curve(const problems::TextProblem& problem, const ivp::State& x0) {
   const Truth truth(problem, x0.cast<long double>(), 0, compared);
   std::vector<ErrorAt> curve;
   double greatest = 0, next = 1;
@@ -43,7 +43,7 @@ std::vector<ErrorAt> error_curve(const problems::DrivenDuffing& problem, const i
 
 Regimes regimes(bool quick) {
   Regimes r;
-  const problems::DrivenDuffing periodic = stand_in(1);
+  const problems::TextProblem periodic = stand_in(1);
   constexpr double settled = 60;
   const Course c = course(periodic, {0, 0}, settled + 4, mtl(0.02, 3), nullptr);
   for (const Point& p : c.points) {

@@ -33,7 +33,7 @@ double interpolated_cube(const std::vector<Point>& points, double t) {
 }
 
 Block block() {
-  const problems::DrivenDuffing problem;
+  const problems::TextProblem problem("driven-duffing");
   const ivp::State x0{1, 0};
   Block b;
   b.points.push_back({0, x0});

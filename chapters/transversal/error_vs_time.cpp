@@ -4,7 +4,7 @@
 
 #include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::transversal::error_vs_time {
@@ -34,7 +34,7 @@ std::vector<Contender> contenders(bool quick) {
   return all;
 }
 
-comparison::Example example() { return comparison::example_of(problems::DrivenDuffing{}, 50); }
+comparison::Example example() { return comparison::example_of(problems::TextProblem("driven-duffing")); }
 
 void check(const comparison::Costs& costs, scene::Show& show) {
   const comparison::Curve& three = comparison::curve_of(costs.curves, "mtl, p = 3");

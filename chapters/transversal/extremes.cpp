@@ -8,9 +8,8 @@
 
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::transversal::extremes {
@@ -51,7 +50,7 @@ RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::St
 void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
   const auto add = [&](double mu, double end, double truth, const Mtl& method) {
     all.push_back(run_to_end(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
-                             problems::VanDerPol{.mu = mu}, {2, 0}, end, truth, method));
+                             problems::TextProblem("van-der-pol", {{"mu", mu}}), {2, 0}, end, truth, method));
   };
   constexpr double ten = 1.872808279858089700, hundred = 1.718587208019240655,
                    thousand = 1.706167732170465008;
@@ -59,8 +58,8 @@ void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
   add(10, 40, ten, blind({.step = 0.01}));
   add(10, 40, ten, blind({.step = 0.01, .linear = MtlLinear::jacobian}));
   // Up to t = 20 the solution creeps.
-  const problems::VanDerPol slow{.mu = 100};
-  const problems::ReferenceTrajectory<long double, problems::VanDerPol> creeping(slow, {2, 0}, 0, 20);
+  const problems::TextProblem slow("van-der-pol", {{"mu", 100}});
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> creeping(slow, {2, 0}, 0, 20);
   const auto before_the_leap = static_cast<double>(creeping(20)[0]);
   for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian})
     add(100, 20, before_the_leap, blind({.step = 0.05, .linear = linear}));
@@ -82,7 +81,7 @@ void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
 
 void add_fast(std::vector<RunEnd>& all) {
   for (const double m : {1., 1e3}) {
-    const problems::DrivenDuffing problem{.stiffness = 1e6, .hardening = m};
+    const problems::TextProblem problem("driven-duffing", {{"stiffness", 1e6}, {"hardening", m}});
     for (const bool smooth : {true, false}) {
       const double x0 = smooth ? 1e-6 : 1;
       const Truth truth(problem, {x0, 0}, 0, 1);
@@ -99,13 +98,13 @@ void add_fast(std::vector<RunEnd>& all) {
 
 void add_linear(std::vector<RunEnd>& all) {
   for (const double z : {10., 1e3, 1e6}) {
-    const problems::LinearOscillator problem{.natural_frequency = 1e3};
+    const problems::TextProblem problem("linear", {{"natural_frequency", 1e3}});
     const double h = z / 1e3, end = 3 * h;
     all.push_back(run_to_end(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
                              std::cos(1e3 * end), blind({.step = h})));
   }
   // K = C = 0: the force alone, x = 1 + (1 - cos 2 t)/4.
-  const problems::DrivenDuffing bare{.stiffness = 0, .hardening = 0, .frequency = 2};
+  const problems::TextProblem bare("driven-duffing", {{"stiffness", 0}, {"hardening", 0}, {"frequency", 2}});
   all.push_back(run_to_end("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4,
                            blind({.step = 1})));
 }
@@ -114,8 +113,9 @@ void add_linear(std::vector<RunEnd>& all) {
 void add_far_root(std::vector<RunEnd>& all) {
   for (const double allowed : {0., 1e-2}) {
     const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
-    all.push_back(run_to_end("Duffing, x'' + x + x^3 = cos t, to t = 50", problems::DrivenDuffing{}, {1, 0},
-                             50, 1.203734404401093362708, method));
+    all.push_back(run_to_end("Duffing, x'' + x + x^3 = cos t, to t = 50",
+                             problems::TextProblem("driven-duffing"), {1, 0}, 50, 1.203734404401093362708,
+                             method));
   }
 }
 

@@ -25,7 +25,7 @@ struct Histories {
 };
 
 Histories all_histories() {
-  const problems::DrivenDuffing problem = stand_in(0.5);
+  const problems::TextProblem problem = stand_in(0.5);
   const Truth truth(problem, {0, 0}, 0, end);
   Histories all;
   for (int i = 0; i <= 400; ++i) {

@@ -32,7 +32,7 @@ struct Fall {
   [[nodiscard]] double least_error() const { return samples.back().error; }
 };
 
-Fall fall_of(const Truth& truth, const problems::DrivenDuffing& problem, int p, ivp::MtlBasis basis,
+Fall fall_of(const Truth& truth, const problems::TextProblem& problem, int p, ivp::MtlBasis basis,
              int halvings) {
   Fall fall{basis == ivp::MtlBasis::lagrange ? fmt::format("p = {}", p) : fmt::format("hats p = {}", p),
             ivp::mtl_order(basis, p),
@@ -48,7 +48,7 @@ Fall fall_of(const Truth& truth, const problems::DrivenDuffing& problem, int p, 
 }
 
 std::vector<Fall> all_falls() {
-  const problems::DrivenDuffing problem{.damping = 0.1};
+  const problems::TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const Truth truth(problem, {1, 0}, 0, end);
   std::vector<Fall> all;
   const int halvings[] = {7, 6, 6, 5, 5, 4};

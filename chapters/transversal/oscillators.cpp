@@ -9,18 +9,20 @@
 
 namespace nlmech::chapters::transversal {
 
-problems::DrivenDuffing stand_in(double e2) {
+problems::TextProblem stand_in(double e2) {
   constexpr double turn = 2 * std::numbers::pi;
-  return {.damping = turn * 0.25,
-          .stiffness = turn * turn * e2,
-          .hardening = turn * turn * e2,
-          .force = turn * turn * 0.5,
-          .frequency = turn};
+  return problems::TextProblem("driven-duffing", {{"damping", turn * 0.25},
+                                                  {"stiffness", turn * turn * e2},
+                                                  {"hardening", turn * turn * e2},
+                                                  {"force", turn * turn * 0.5},
+                                                  {"frequency", turn}});
 }
 
-problems::DrivenDuffing ueda() { return {.damping = 0.05, .stiffness = 0, .hardening = 1, .force = 7.5}; }
+problems::TextProblem ueda() {
+  return problems::TextProblem("driven-duffing", {{"damping", 0.05}, {"stiffness", 0}, {"force", 7.5}});
+}
 
-Course course(const problems::DrivenDuffing& problem, const ivp::State& x0, double end,
+Course course(const problems::TextProblem& problem, const ivp::State& x0, double end,
               const ivp::NamedIntegrator& method, const Truth* truth) {
   Course c;
   c.points.push_back({0, x0});

@@ -7,22 +7,22 @@
 #include <vector>
 
 #include "nlmech/ivp/named/named_methods.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::transversal {
 
 /// x'' + 2 pi e1 x' + 4 pi^2 e2 (x + x^3) = 4 pi^2 e3 cos 2 pi t: the form of the oscillators in the author's
 /// other papers, with e1 = 0.25 and e3 = 0.5. The summary prints neither the equation nor its parameters.
 /// @param e2 stiffness
-[[nodiscard]] problems::DrivenDuffing stand_in(double e2);
+[[nodiscard]] problems::TextProblem stand_in(double e2);
 
 /// Ueda's oscillator x'' + 0.05 x' + x^3 = 7.5 cos t, chaotic (Y. Ueda, Randomly transitional phenomena in
 /// the system governed by Duffing's equation, J. Stat. Phys. 20 (1979) 181-196).
-[[nodiscard]] problems::DrivenDuffing ueda();
+[[nodiscard]] problems::TextProblem ueda();
 
 /// A solution in long double.
-using Truth = problems::ReferenceTrajectory<long double, problems::DrivenDuffing>;
+using Truth = problems::ReferenceTrajectory<long double, problems::TextProblem>;
 
 /// A state at a time.
 struct Point {
@@ -50,7 +50,7 @@ struct Course {
 
 /// Runs a method of fixed step from @p x0 at 0 to @p end.
 /// @param truth reaches @p end; null: no error
-[[nodiscard]] Course course(const problems::DrivenDuffing& problem, const ivp::State& x0, double end,
+[[nodiscard]] Course course(const problems::TextProblem& problem, const ivp::State& x0, double end,
                             const ivp::NamedIntegrator& method, const Truth* truth);
 
 /// `mtl` with p points and a step, without an estimate, as in the source.

@@ -56,7 +56,7 @@ ivp::NamedIntegrator method(const std::string& name, double step) {
 }
 
 Fates fates(double e2, bool quick) {
-  const problems::DrivenDuffing problem = stand_in(e2);
+  const problems::TextProblem problem = stand_in(e2);
   const Truth truth(problem, {0, 0}, 0, end);
   Fates all;
   for (int i = 0; i <= 4000; ++i)

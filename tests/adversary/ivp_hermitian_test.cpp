@@ -14,8 +14,7 @@
 
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/adversary/adversary.hpp"
 
 namespace nlmech::adversary::ivp_hermitian_test {
@@ -104,23 +103,26 @@ Case judge(const Asked& asked, const ivp::Solution& s, const Column& truth, doub
 // x'' + 2 zeta w x' + w^2 x = F cos(W t), in the scaled state (x, v/w, cos, sin).
 Case oscillator(Draw& draw) {
   const double interval = draw.log_uniform(1e-3, 1e4);
-  problems::LinearOscillator p;
-  p.natural_frequency = draw.chance(0.8) ? draw.log_uniform(1e-1, 1e5) / interval : draw.log_uniform(1, 1e10);
-  p.damping_ratio = draw.chance(0.5) ? 0 : draw.log_uniform(1e-6, 10);
-  p.force = draw.chance(0.5) ? 0 : draw.signed_log(1e-3, 1e6);
-  p.frequency = draw.chance(0.05) ? p.natural_frequency : load_frequency(draw, interval);
+  const double natural =
+      draw.chance(0.8) ? draw.log_uniform(1e-1, 1e5) / interval : draw.log_uniform(1, 1e10);
+  const double ratio = draw.chance(0.5) ? 0 : draw.log_uniform(1e-6, 10);
+  const double force = draw.chance(0.5) ? 0 : draw.signed_log(1e-3, 1e6);
+  const double frequency = draw.chance(0.05) ? natural : load_frequency(draw, interval);
+  const problems::TextProblem p(
+      "linear",
+      {{"natural_frequency", natural}, {"damping_ratio", ratio}, {"force", force}, {"frequency", frequency}});
   const ivp::State x0{draw.chance(0.3) ? 0 : draw.signed_log(1e-3, 1e3),
                       draw.chance(0.6) ? 0 : draw.signed_log(1e-3, 1e3)};
   const Asked asked = ask(draw);
   const double backwards = draw.chance(0.2) ? -1 : 1, end = backwards * interval;
   const auto s = ivp::named_integrator(asked.method, asked.settings)(ivp::System(p), x0, 0, end, {},
                                                                      {.steps = most_steps, .seconds = 20});
-  const Real w = p.natural_frequency, W = p.frequency, z = p.damping_ratio;
+  const Real w = natural, W = frequency, z = ratio;
   Square m = Square::Zero(4, 4);
   m(0, 1) = w;
   m(1, 0) = -w;
   m(1, 1) = -2 * z * w;
-  m(1, 2) = p.force / w;
+  m(1, 2) = force / w;
   m(2, 3) = -W;
   m(3, 2) = W;
   const Square flow = exponential(m * static_cast<Real>(end));
@@ -129,10 +131,8 @@ Case oscillator(Draw& draw) {
   Column truth = (flow * y).head(2);
   truth[1] *= w;
   // Rounding of the flow, and of w in the problem: by the angle.
-  const double radians =
-      interval * std::max({p.natural_frequency, p.frequency, 1.0 / interval}) * (1 + p.damping_ratio);
-  const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff()),
-               v = p.natural_frequency;
+  const double radians = interval * std::max({natural, frequency, 1.0 / interval}) * (1 + ratio);
+  const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff()), v = natural;
   const double sure =
       4 * eps * radians * size * std::max(1.0, v / (1 + static_cast<double>(std::abs(truth[1]))));
   const double share = std::min(interval, 1 / v);
@@ -143,10 +143,9 @@ Case oscillator(Draw& draw) {
       });
   return judge(
       asked, s, truth, sure, condition,
-      fmt::format("linear --set natural-frequency={:.17g} --set damping-ratio={:.17g} --set force={:.17g} "
+      fmt::format("linear --set natural_frequency={:.17g} --set damping_ratio={:.17g} --set force={:.17g} "
                   "--set frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} --method {}",
-                  p.natural_frequency, p.damping_ratio, p.force, p.frequency, x0[0], x0[1], end,
-                  asked.words()));
+                  natural, ratio, force, frequency, x0[0], x0[1], end, asked.words()));
 }
 
 // x'' + w^2 x + eta x^3 = 0 from X at rest: X cn.
@@ -156,7 +155,7 @@ Case duffing(Draw& draw) {
   p.hardening = draw.log_uniform(1e-4, 1e4) * std::pow(p.natural_frequency / amplitude, 2);
   const Asked asked = ask(draw);
   const auto s = ivp::named_integrator(asked.method, asked.settings)(
-      ivp::System(p), {amplitude, 0}, 0, interval, {}, {.steps = most_steps, .seconds = 20});
+      ivp::System(p.text()), {amplitude, 0}, 0, interval, {}, {.steps = most_steps, .seconds = 20});
   if (!s.status.ok()) return Case::refused(s.status.text());
   const Real X = std::abs(amplitude), w2 = Real(p.natural_frequency) * p.natural_frequency,
              add = p.hardening * X * X;
@@ -174,43 +173,41 @@ Case duffing(Draw& draw) {
   const ivp::State condition{grown * (x + v / rate), grown * (v + rate * x)};
   return judge(
       asked, s, truth, sure, condition,
-      fmt::format("duffing --set natural-frequency={:.17g} --set hardening={:.17g} --initial {:.17g},0 "
+      fmt::format("duffing --set natural_frequency={:.17g} --set hardening={:.17g} --initial {:.17g},0 "
                   "--until {:.17g} --method {}",
                   p.natural_frequency, p.hardening, amplitude, interval, asked.words()));
 }
 
-// The chain without its cubic spring, under a load on the second mass that it does not announce.
+// The chain without its cubic spring, under a load on the second mass.
 Case chain(Draw& draw) {
   const double interval = draw.log_uniform(1e-2, 1e3);
-  problems::ThreeMassChain p;
-  p.l1 = 0;
-  p.k1 = draw.log_uniform(0.1, 1e8);
-  p.k4 = draw.chance(0.5) ? 0 : draw.log_uniform(0.1, 1e4);
-  p.c1 = draw.chance(0.5) ? 0 : draw.log_uniform(1e-3, 1e3);
-  p.force = draw.log_uniform(1e-3, 1e3);
-  p.frequency = load_frequency(draw, interval);
+  const double k1 = draw.log_uniform(0.1, 1e8), k4 = draw.chance(0.5) ? 0 : draw.log_uniform(0.1, 1e4),
+               c1 = draw.chance(0.5) ? 0 : draw.log_uniform(1e-3, 1e3), force = draw.log_uniform(1e-3, 1e3),
+               frequency = load_frequency(draw, interval);
+  program::Settings set = {{"l1", 0},  {"k1", k1},       {"k4", k4},
+                           {"c1", c1}, {"force", force}, {"frequency", frequency}};
+  const ivp::System system(problems::TextProblem("three-dof", set));
+  set["force"] = 0;
+  const ivp::System free(problems::TextProblem("three-dof", set));
   ivp::State x0 = ivp::State::Zero(6);
   if (draw.chance(0.3)) x0[draw.whole(0, 5)] = draw.signed_log(1e-3, 10);
   const Asked asked = ask(draw);
   const auto s = ivp::named_integrator(asked.method, asked.settings)(
-      ivp::System(p), x0, 0, interval, {}, {.steps = most_steps / 4, .seconds = 20});
+      system, x0, 0, interval, {}, {.steps = most_steps / 4, .seconds = 20});
   if (!s.status.ok()) return Case::refused(s.status.text());
-  problems::ThreeMassChain free = p;
-  free.force = 0;
   Square m = Square::Zero(8, 8);
   for (int i = 0; i < 6; ++i) {
-    Vector<double, 6> f;
-    free(0.0, Vector<double, 6>(Vector<double, 6>::Unit(i)),
-         f);  // small whole numbers and parameters: exact to rounding
+    ivp::State f;
+    free.rhs(0, ivp::State::Unit(6, i), f);  // small whole numbers and parameters: exact to rounding
     m.col(i).head(6) = f.cast<Real>();
   }
-  m(4, 6) = p.force / p.m2;
-  m(6, 7) = -p.frequency;
-  m(7, 6) = p.frequency;
+  m(4, 6) = force;  // over m2 = 1
+  m(6, 7) = -frequency;
+  m(7, 6) = frequency;
   Column y = Column::Zero(8);
   y.head(6) = x0.cast<Real>();
   y[6] = 1;
-  const Real scale = std::sqrt(std::max(Real(1), Real(p.k1)));  // velocities in units of the fastest motion
+  const Real scale = std::sqrt(std::max(Real(1), Real(k1)));  // velocities in units of the fastest motion
   for (int i = 3; i < 6; ++i) {
     m.row(i) /= scale;
     m.col(i) *= scale;
@@ -220,7 +217,7 @@ Case chain(Draw& draw) {
   Column truth = (flow * y).head(6);
   const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff());
   truth.tail(3) *= scale;
-  const double fast = static_cast<double>(scale), radians = interval * (fast + p.frequency + p.c1 + 1);
+  const double fast = static_cast<double>(scale), radians = interval * (fast + frequency + c1 + 1);
   const double sure = 8 * eps * radians * size * fast;
   const auto condition =
       condition_of(m * Real(interval), y, 6, [&](double growth, double there) -> ivp::State {
@@ -232,7 +229,7 @@ Case chain(Draw& draw) {
   return judge(asked, s, truth, sure, condition,
                fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
                            "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
-                           p.k1, p.k4, p.c1, p.force, p.frequency, interval, asked.words(),
+                           k1, k4, c1, force, frequency, interval, asked.words(),
                            fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
 }
 

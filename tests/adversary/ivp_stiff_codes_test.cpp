@@ -7,9 +7,7 @@
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/adversary/adversary.hpp"
 
 namespace nlmech::ivp::ivp_stiff_codes_test {
@@ -77,7 +75,11 @@ TEST(AdversaryStiffCodes, VanDerPol) {
   hunt({.quick = 5, .full = 1500}, [](Draw& draw) {
     const double mu = draw.log_uniform(1, 1e4), end = draw.uniform(0.1, 2) * (mu + 5),
                  tolerance = draw.log_uniform(1e-8, 1e-3);
-    const Question q{System(problems::VanDerPol{mu}), {2, 0}, end, tolerance, 1e-3 * tolerance / mu};
+    const Question q{System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
+                     {2, 0},
+                     end,
+                     tolerance,
+                     1e-3 * tolerance / mu};
     return judge(q, tolerances(q, 10 * (1 + mu)),
                  fmt::format("mu {:.17g}, end {:.17g}, tolerance {:.17g}", mu, end, tolerance));
   });
@@ -86,14 +88,14 @@ TEST(AdversaryStiffCodes, VanDerPol) {
 TEST(AdversaryStiffCodes, Robertson) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
   hunt({.quick = 5, .full = 1500}, [](Draw& draw) {
-    const problems::Robertson p{.k1 = 0.04 * draw.log_uniform(0.1, 10),
-                                .k2 = 1e4 * draw.log_uniform(0.01, 100),
-                                .k3 = 3e7 * draw.log_uniform(0.01, 100)};
-    const double end = draw.log_uniform(1e-3, 1e10), tolerance = draw.log_uniform(1e-8, 1e-3);
+    const double k1 = 0.04 * draw.log_uniform(0.1, 10), k2 = 1e4 * draw.log_uniform(0.01, 100),
+                 k3 = 3e7 * draw.log_uniform(0.01, 100), end = draw.log_uniform(1e-3, 1e10),
+                 tolerance = draw.log_uniform(1e-8, 1e-3);
+    const problems::TextProblem p("robertson", {{"k1", k1}, {"k2", k2}, {"k3", k3}});
     const Question q{System(p), p.initial_state(), end, tolerance, 1e-11 * tolerance};
-    return judge(q, tolerances(q, 0),
-                 fmt::format("k {:.17g} {:.17g} {:.17g}, end {:.17g}, tolerance {:.17g}", p.k1, p.k2, p.k3,
-                             end, tolerance));
+    return judge(
+        q, tolerances(q, 0),
+        fmt::format("k {:.17g} {:.17g} {:.17g}, end {:.17g}, tolerance {:.17g}", k1, k2, k3, end, tolerance));
   });
 }
 
@@ -101,11 +103,12 @@ TEST(AdversaryStiffCodes, Robertson) {
 TEST(AdversaryStiffCodes, Hires) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
   hunt({.quick = 5, .full = 1500}, [](Draw& draw) {
-    const problems::Hires p{.k_plus = draw.log_uniform(10, 1e4)};
-    const double end = draw.log_uniform(0.1, 1000), tolerance = draw.log_uniform(1e-8, 1e-3);
+    const double k_plus = draw.log_uniform(10, 1e4), end = draw.log_uniform(0.1, 1000),
+                 tolerance = draw.log_uniform(1e-8, 1e-3);
+    const problems::TextProblem p("hires", {{"k_plus", k_plus}});
     const Question q{System(p), p.initial_state(), end, tolerance, 1e-6 * tolerance};
     return judge(q, tolerances(q, 10),
-                 fmt::format("k-plus {:.17g}, end {:.17g}, tolerance {:.17g}", p.k_plus, end, tolerance));
+                 fmt::format("k_plus {:.17g}, end {:.17g}, tolerance {:.17g}", k_plus, end, tolerance));
   });
 }
 

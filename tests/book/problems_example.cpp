@@ -49,7 +49,6 @@ TEST(Example, Problems) {
   EXPECT_EQ(b(0, 1), 1);
   EXPECT_NEAR(b(1, 0), -(1 + 0.2 * std::cos(2 * t)) * std::cos(q), 1e-15);  // derived by hand; 4 eps
   EXPECT_EQ(b(1, 1), 0);
-  EXPECT_TRUE(nlmech::problems::SecondOrder<ShakenPendulum>);
 }
 
 }  // namespace

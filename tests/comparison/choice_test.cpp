@@ -7,11 +7,7 @@
 #include <cmath>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -20,7 +16,7 @@ namespace {
 
 template <class Problem>
 ChoiceRequest request(const Problem& problem, double end) {
-  return {ivp::System(problem), problem.initial_state(), Problem::initial_time, end};
+  return {ivp::System(problem), problem.initial_state(), problem.initial_time, end};
 }
 
 ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
@@ -32,7 +28,7 @@ Features features(const ChoiceRequest& q) { return probe_problem(q).features; }
 
 // The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
 TEST(Probe, SeesStiffness) {
-  EXPECT_GT(features(request(problems::VanDerPol{.mu = 1000}, 500)).stiffness, 100);
+  EXPECT_GT(features(request(problems::TextProblem("van-der-pol", {{"mu", 1000}}), 500)).stiffness, 100);
 }
 
 // Heat along a rod of 200 points: the coarse steps grow from a small first one for a long time.
@@ -72,15 +68,15 @@ TEST(Probe, SeesTheFastestMotionOfManyComponents) {
 }
 
 TEST(Probe, TellsVelocitiesAndSwitches) {
-  EXPECT_FALSE(features(request(problems::Lorenz{}, 1)).velocity_free);
-  EXPECT_FALSE(features(request(problems::ForcedDuffing{}, 1)).velocity_free);
-  EXPECT_TRUE(features(request(problems::Duffing{}, 1)).velocity_free);
-  EXPECT_FALSE(features(request(problems::Duffing{}, 1)).switches);
+  EXPECT_FALSE(features(request(problems::TextProblem("lorenz"), 1)).velocity_free);
+  EXPECT_FALSE(features(request(problems::TextProblem("forced-duffing"), 1)).velocity_free);
+  EXPECT_TRUE(features(request(problems::TextProblem("duffing"), 1)).velocity_free);
+  EXPECT_FALSE(features(request(problems::TextProblem("duffing"), 1)).switches);
   EXPECT_TRUE(features(typed("x'' + x + sign(x')/8 = 0", {2.5, 0}, 10)).switches);
 }
 
 TEST(Probe, SaysThatASolutionEnds) {
-  const auto q = request(problems::BlowUp{}, problems::BlowUp::final_time);
+  const auto q = request(problems::TextProblem("blow-up"), problems::TextProblem("blow-up").final_time);
   const Chosen none = choose(q, 9, examine(q));
   EXPECT_FALSE(none.status.ok());
   EXPECT_TRUE(none.ranked.empty());
@@ -127,13 +123,14 @@ TEST(Choice, IsRepeatableAndFitsTheProblem) {
     EXPECT_EQ(method, method_for(q, 1e-9));
     return method;
   };
-  EXPECT_EQ(first(request(problems::Duffing{}, 100)), "rkn1210");
-  EXPECT_EQ(first(request(problems::Lorenz{}, 10)), "series");
-  EXPECT_EQ(first(request(problems::VanDerPol{.mu = 1000}, 2000)), "adaptive-collocation");
+  EXPECT_EQ(first(request(problems::TextProblem("duffing"), 100)), "rkn1210");
+  EXPECT_EQ(first(request(problems::TextProblem("lorenz"), 10)), "series");
+  EXPECT_EQ(first(request(problems::TextProblem("van-der-pol", {{"mu", 1000}}), 2000)),
+            "adaptive-collocation");
 }
 
 TEST(Choice, KeepsToTheMethodsThatMayBeChosen) {
-  auto q = request(problems::Duffing{}, 20);
+  auto q = request(problems::TextProblem("duffing"), 20);
   q.methods = {"ode45", "series", "adaptive-collocation"};
   EXPECT_EQ(method_for(q, 1e-9), "series");
   q.methods = {"ode45"};
@@ -148,7 +145,7 @@ TEST(Choice, PassesOverMethodsThatFail) {
 }
 
 TEST(Choice, MoreDigitsTakeTighterTolerances) {
-  const auto q = request(problems::Duffing{}, 50);
+  const auto q = request(problems::TextProblem("duffing"), 50);
   const Chosen examined = examine(q);
   double last = 1;
   for (const double digits : {3., 6., 9.}) {

@@ -6,10 +6,7 @@
 #include <cmath>
 
 #include "nlmech/comparison/cost/accuracy.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::comparison::reference_test {
@@ -74,7 +71,7 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
     const std::vector<double> times = look_at(0, end, 16);
     ASSERT_EQ(times.size(), 16U);
     EXPECT_EQ(times.back(), end);
-    const Reference r = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+    const Reference r = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
     ASSERT_TRUE(r.status.ok()) << r.text();
     EXPECT_TRUE(r.first.extended && r.second.extended) << r.text();
     EXPECT_LT(r.doubt.maxCoeff(), 1e-16);
@@ -89,8 +86,8 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
 // The test set's digits at 1e11 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.10),
 // which no series reaches.
 TEST(ReferenceOf, RobertsonByTwoMethods) {
-  const Reference r =
-      reference_of(problems::Robertson{}, {1, 0, 0}, 0, {1e11}, {.relative = 1e-9, .absolute = 1e-18}, {});
+  const Reference r = reference_of(problems::TextProblem("robertson"), {1, 0, 0}, 0, {1e11},
+                                   {.relative = 1e-9, .absolute = 1e-18}, {});
   ASSERT_TRUE(r.status.ok()) << r.text();
   EXPECT_FALSE(r.first.extended) << r.text();
   const Vector<double, 3> truth = {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050};
@@ -105,7 +102,8 @@ TEST(ReferenceOf, RobertsonByTwoMethods) {
 // The test set's digits for eps = 1e-6 at tau = 2 (E. Hairer, G. Wanner, Solving Ordinary Differential
 // Equations II, IV.10): mu = 1000, t = mu tau, v = (dx/dtau)/mu. Two leaps lie on the way.
 TEST(ReferenceOf, StiffVanDerPolByTwoMethods) {
-  const Reference r = reference_of(problems::VanDerPol{1000}, {2, 0}, 0, look_at(0, 2000, 8), {}, {});
+  const Reference r = reference_of(problems::TextProblem("van-der-pol", {{"mu", 1000}}), {2, 0}, 0,
+                                   look_at(0, 2000, 8), {}, {});
   if (!r.status.ok()) GTEST_SKIP() << "this build has one stiff method alone: " << r.text();
   EXPECT_LT(r.uncertainty(), 1e-9) << r.text();
   EXPECT_NEAR(static_cast<double>(r.states(0, 7)), 1.706167732170483, 1e-9);
@@ -114,16 +112,16 @@ TEST(ReferenceOf, StiffVanDerPolByTwoMethods) {
 
 // Lyapunov exponent 0.906: an error of 1e-19 grows by exp(54) = 3e23 to t = 60.
 TEST(ReferenceOf, ChaosBeyondExtendedPrecisionIsSaid) {
-  const Reference r = reference_of(problems::Lorenz{}, {0, 1, 0}, 0, {60}, {}, {});
+  const Reference r = reference_of(problems::TextProblem("lorenz"), {0, 1, 0}, 0, {60}, {}, {});
   EXPECT_FALSE(r.status.ok());
   EXPECT_TRUE(r.undetermined) << r.text();
-  const Reference half = reference_of(problems::Lorenz{}, {0, 1, 0}, 0, {25}, {}, {});
+  const Reference half = reference_of(problems::TextProblem("lorenz"), {0, 1, 0}, 0, {25}, {}, {});
   ASSERT_TRUE(half.status.ok()) << half.text();
   EXPECT_GT(half.uncertainty(), 1e-18);  // exp(22) = 4e9 times some 1e-20
 }
 
 TEST(ReferenceOf, NoWayToGoIsTheInitialState) {
-  const Reference r = reference_of(problems::Duffing{}, {0.5, -2}, 3, look_at(3, 3, 64), {}, {});
+  const Reference r = reference_of(problems::TextProblem("duffing"), {0.5, -2}, 3, look_at(3, 3, 64), {}, {});
   ASSERT_TRUE(r.status.ok()) << r.text();
   EXPECT_EQ(r.states.cast<double>().col(0), Eigen::Vector2d(0.5, -2));
 }
@@ -135,8 +133,8 @@ TEST(LookAt, TimesAreFiniteHoweverFarTheEnd) {
 }
 
 TEST(ReferenceOf, GivesUpWithinItsWork) {
-  const Reference r =
-      reference_of(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 0, {1}, {}, {.work = 0.01});
+  const Reference r = reference_of(problems::TextProblem("duffing", {{"natural_frequency", 1e12}}), {1, 0}, 0,
+                                   {1}, {}, {.work = 0.01});
   EXPECT_FALSE(r.status.ok());
   EXPECT_NE(r.text().find("step_limit"), std::string::npos) << r.text();
 }

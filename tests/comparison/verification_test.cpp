@@ -7,8 +7,6 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/reference/reference_of.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
 
@@ -46,10 +44,10 @@ TEST(Verify, CountsTolerances) {
   const Tolerance tolerance{1e-9, 1e-9};
   const Vector<double, 2> end = oracle::duffing(3);
   const double unit = 1e-9 * (1 + std::abs(end[0]));
-  const Verification good = verdict(problems::Duffing{}, {1, 0}, 3, 40 * unit, tolerance);
+  const Verification good = verdict(problems::TextProblem("duffing"), {1, 0}, 3, 40 * unit, tolerance);
   EXPECT_EQ(good.verdict, Verdict::right);
   EXPECT_NEAR(good.tolerances, 40, 0.01);  // rounding of the state adds 1e-15
-  const Verification bad = verdict(problems::Duffing{}, {1, 0}, 3, 1000 * unit, tolerance);
+  const Verification bad = verdict(problems::TextProblem("duffing"), {1, 0}, 3, 1000 * unit, tolerance);
   EXPECT_EQ(bad.verdict, Verdict::wrong);
   EXPECT_EQ(bad.component, 0);
   EXPECT_EQ(bad.t, 3);
@@ -77,7 +75,7 @@ TEST(Amplification, OfTheSaddleIsTheExponential) {
 TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
   for (const double end : {100.0, 1600.0}) {
     const std::vector<double> times = look_at(0, end, 16);
-    const Reference truth = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+    const Reference truth = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
     ASSERT_TRUE(truth.status.ok());
     Eigen::MatrixXd moved;
     const Way way{ExtendedState(Eigen::Vector2d(1, 0).cast<long double>()), 0, times};
@@ -100,19 +98,22 @@ TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
 }
 
 TEST(Verify, SaysThatNothingIsDetermined) {
-  EXPECT_EQ(verdict(problems::Lorenz{}, {0, 1, 0}, 30, 5, {1e-9, 1e-9}).verdict, Verdict::undetermined);
-  EXPECT_EQ(verdict(problems::Lorenz{}, {0, 1, 0}, 60, 5, {1e-12, 1e-12}).verdict, Verdict::undetermined);
+  EXPECT_EQ(verdict(problems::TextProblem("lorenz"), {0, 1, 0}, 30, 5, {1e-9, 1e-9}).verdict,
+            Verdict::undetermined);
+  EXPECT_EQ(verdict(problems::TextProblem("lorenz"), {0, 1, 0}, 60, 5, {1e-12, 1e-12}).verdict,
+            Verdict::undetermined);
 }
 
 // A motion far below the tolerance is not chaos: what is far above it is wrong.
 TEST(Verify, ACoarseToleranceIsNoExcuse) {
-  EXPECT_EQ(verdict(problems::Duffing{}, {1e-7, 0}, 3, 5, {1e-6, 1e-6}).verdict, Verdict::wrong);
-  EXPECT_EQ(verdict(problems::Duffing{}, {1e-7, 0}, 3, 1e-5, {1e-6, 1e-6}).verdict, Verdict::right);
+  EXPECT_EQ(verdict(problems::TextProblem("duffing"), {1e-7, 0}, 3, 5, {1e-6, 1e-6}).verdict, Verdict::wrong);
+  EXPECT_EQ(verdict(problems::TextProblem("duffing"), {1e-7, 0}, 3, 1e-5, {1e-6, 1e-6}).verdict,
+            Verdict::right);
 }
 
 TEST(Verify, SaysThatItDoesNotKnow) {
-  const Verification v =
-      verdict(problems::Duffing{.natural_frequency = 1e12}, {1, 0}, 1e3, 0, {1e-9, 1e-9}, {.work = 0.02});
+  const Verification v = verdict(problems::TextProblem("duffing", {{"natural_frequency", 1e12}}), {1, 0}, 1e3,
+                                 0, {1e-9, 1e-9}, {.work = 0.02});
   EXPECT_EQ(v.verdict, Verdict::unknown);
   EXPECT_NE(v.reason.find("step_limit"), std::string::npos) << v.reason;
 }
@@ -129,11 +130,11 @@ TEST(Verify, SaysThatTheSolutionEnds) {
 // A reference that knows eight digits does not find a run wrong that is off by as much.
 TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
   const std::vector<double> times = {1};
-  Reference truth = reference_of(problems::Duffing{}, {1, 0}, 0, times, {}, {});
+  Reference truth = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
   truth.doubt.setConstant(1e-6);
   Verified run{times, truth.states.cast<double>(), {1e-9, 1e-9}};
   run.states(0, 0) += 9e-7;
-  const ivp::System system{problems::Duffing{}};
+  const ivp::System system{problems::TextProblem("duffing")};
   EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::unknown);
   run.states(0, 0) += 1e-4;
   EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::wrong);
@@ -143,7 +144,7 @@ TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
 // A run of a Duffing oscillator by its elliptic functions, off by some tolerances at the end, beside a method
 // that shares nothing with them; and one that does not arrive.
 TEST(Verify, AgreesWithAnotherMethod) {
-  const ivp::System system{problems::Duffing{}};
+  const ivp::System system{problems::TextProblem("duffing")};
   const std::vector<double> times = {1, 2, 3};
   const ivp::NamedIntegrator other = ivp::named_integrator("dop853", {.tolerance = 1e-10});
   const auto agree = [&](double error, const ivp::Limits& limits) {

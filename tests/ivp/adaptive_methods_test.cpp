@@ -8,8 +8,7 @@
 #include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/ivp/named/named_integrators.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
@@ -139,7 +138,7 @@ TEST(AdaptiveMethods, KeepToTheirLimits) {
 // 1e-9 the free oscillator has 1e-9 a unit of time for ode45 (Table 4.2: 1e-6 after 477); a step of
 // adaptive-collocation errs by its tolerance, which grows with time.
 TEST(AdaptiveMethods, StopAtDiscontinuities) {
-  const problems::ImpactDuffing problem;
+  const problems::TextProblem problem("impact");
   const State end = reference(problem, {0, 0}, 0, 10);
   for (const Case& method : {Case(Ode45{}, 2e-8), Case(Dop853{}, 2e-8), Case(to<Series>(1e-14), 1e-13),
                              Case(to<AdaptiveCollocation>(1e-13))}) {
@@ -168,7 +167,7 @@ TEST(AdaptiveMethods, EndAtABlowUp) {
         Case(to(1e-9, Series{.order = 40}), 1e-6), Case(to(1e-9, Series{.order = 100}), 1e-6),
         Case(to<AdaptiveCollocation>(1e-9), 1e-3)}) {
     for (const double end : {1.0, 10.0}) {
-      const auto s = method(System(problems::BlowUp{}), State{1.0}, 0, end);
+      const auto s = method(System(problems::TextProblem("blow-up")), State{1.0}, 0, end);
       EXPECT_FALSE(s.status.ok());
       if (method.name == "ode45" || method.name == "dop853") {
         EXPECT_EQ(s.status.outcome(), Outcome::step_underflow) << s.status.text();

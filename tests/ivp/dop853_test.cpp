@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
@@ -40,8 +39,7 @@ TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
     before = (step.x1 - x) / d;
     return true;
   };
-  const auto s =
-      integrate(System(problems::Duffing{}), problems::Duffing::initial_state(), 0, 5, within(1e-6), watch);
+  const auto s = integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 5, within(1e-6), watch);
   EXPECT_GT(s.statistics.steps, 5);
 }
 
@@ -49,7 +47,8 @@ TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
 // step is asked for.
 TEST(Dop853, CountsItsWork) {
   const auto run = [](const Observer& observer) {
-    return integrate(System(problems::Duffing{}), State{1, 0}, 0, 50, Dop853{}, observer).statistics;
+    return integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 50, Dop853{}, observer)
+        .statistics;
   };
   const auto s = run({});
   EXPECT_GT(s.rejected, 0);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
@@ -92,9 +93,9 @@ TEST(EmbeddedRungeKutta, HighOrdersMeetTheirTolerance) {
 // Inlined expressions may be contracted otherwise.
 template <class Method>
 void expect_inlined_is_the_same() {
-  const problems::Duffing duffing;
-  const auto a = integrate(System(duffing), problems::Duffing::initial_state(), 0, 30, Method{});
-  const auto b = integrate(Direct(duffing), problems::Duffing::initial_state(), 0, 30, Method{});
+  const chapters::PlainDuffing duffing;
+  const auto a = integrate(System(duffing), State{1, 0}, 0, 30, Method{});
+  const auto b = integrate(Direct(duffing), State{1, 0}, 0, 30, Method{});
   EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << Method::name;
   EXPECT_LE(oracle::distance(a.x, b.x), 1e3 * eps) << Method::name;
   EXPECT_LE(oracle::distance(a.x, oracle::duffing(30)), 1e-6) << Method::name;
@@ -138,7 +139,7 @@ void expect_dense(double tolerance, double most) {
     }
     return true;
   };
-  const auto s = integrate(System(problems::Duffing{}), problems::Duffing::initial_state(), 0, 5,
+  const auto s = integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 5,
                            within<Method>(tolerance), watch);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_LT(largest, most) << Method::name;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "chapters/plain_equations.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::ivp::explicit_runge_kutta_test {
@@ -11,7 +12,7 @@ using oracle::distance;
 
 template <class Method>
 double error_at_five(double step) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto s = integrate(system, {1, 0}, 0, 5, Method{.step = step});
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_EQ(s.t, 5);
@@ -51,7 +52,7 @@ TEST(ExplicitRungeKutta, TableausAreConsistent) {
 }
 
 TEST(ExplicitRungeKutta, DenseOutputIsAsAccurateAsTheMethod) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   double worst = 0;
   const auto s = integrate(system, {1, 0}, 0, 5, Rk6{.step = 0.05}, [&](const Step& step) {
     for (const double part : {0.0, 0.3, 0.7, 1.0}) {
@@ -68,7 +69,7 @@ TEST(ExplicitRungeKutta, DenseOutputIsAsAccurateAsTheMethod) {
 }
 
 TEST(ExplicitRungeKutta, InlinedAndErasedAgreeToTheBit) {
-  const problems::Duffing problem;
+  const chapters::PlainDuffing problem;
   const auto erased = integrate(System(problem), {1, 0}, 0, 20, Rk4{.step = 0.01});
   const auto inlined = integrate(Direct(problem), {1, 0}, 0, 20, Rk4{.step = 0.01});
   // The same operations; contraction to fused multiply-adds is off on the portable baseline.
@@ -77,7 +78,7 @@ TEST(ExplicitRungeKutta, InlinedAndErasedAgreeToTheBit) {
 }
 
 TEST(ExplicitRungeKutta, BackwardsReturnsToTheStart) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto there = integrate(system, {1, 0}, 0, 7.3, Rk6{.step = 0.01});
   const auto back = integrate(system, there.x, 7.3, 0, Rk6{.step = 0.01});
   ASSERT_TRUE(back.status.ok());

@@ -6,9 +6,7 @@
 #include <limits>
 
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::fixed_steps_test {
 namespace {
@@ -43,7 +41,7 @@ TEST(StepGrid, AWholeNumberOfStepsHasNoRest) {
 }
 
 TEST(Walk, LandsOnDiscontinuitiesAndOnTheEnd) {
-  const System system(problems::ImpactDuffing{});
+  const System system(problems::TextProblem("impact"));
   std::vector<double> ends;
   const auto s = integrate(system, {0, 0}, 0, 2, Rk4{.step = 0.3}, [&](const Step& step) {
     ends.push_back(step.t1);
@@ -55,7 +53,7 @@ TEST(Walk, LandsOnDiscontinuitiesAndOnTheEnd) {
 }
 
 TEST(Walk, BlowUpEndsWithASentence) {
-  const System system(problems::BlowUp{});  // y' = y^3 from 1: infinite at t = 1/2
+  const System system(problems::TextProblem("blow-up"));  // y' = y^3 from 1: infinite at t = 1/2
   const auto s = integrate(system, State{1}, 0, 2, Rk4{.step = 0.01});
   EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
   EXPECT_NE(s.status.sentence().find("rk4: the step of 0.01 from t = 0.5"), std::string::npos)
@@ -81,7 +79,7 @@ TEST(Walk, NotANumberEndsAtTheLastGoodStep) {
 }
 
 TEST(Walk, StepUnderflow) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto s =
       integrate(system, {1, 0}, 1e6, 1e6 + 1, Rk4{.step = 1e-11});  // half an ulp of 1e6 is 5.8e-11
   EXPECT_EQ(s.status.outcome(), Outcome::step_underflow);
@@ -89,7 +87,7 @@ TEST(Walk, StepUnderflow) {
 }
 
 TEST(Integrate, RefusesWhatCannotBeMeant) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   EXPECT_THROW((void)integrate(system, {1, 0}, 0, HUGE_VAL, Rk4{}), std::invalid_argument);
   EXPECT_THROW((void)integrate(system, {1, 0}, std::nan(""), 1, Rk4{}), std::invalid_argument);
   EXPECT_THROW((void)integrate(system, Eigen::VectorXd::Zero(3), 0, 1, Rk4{}), std::invalid_argument);

@@ -11,7 +11,7 @@
 
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::integrate_all_test {
 namespace {
@@ -74,10 +74,10 @@ void expect_same(const System& system, const Method& method, double t0, double t
 }
 
 TEST(IntegrateAll, HasTheBitsOfOne) {
-  expect_same(System(problems::Lorenz{}), Rk4{.step = 0.01}, 0, 1.237);
+  expect_same(System(problems::TextProblem("lorenz")), Rk4{.step = 0.01}, 0, 1.237);
   expect_same(System(Pendulum{.jump = 1}), Rk4{.step = 0.03}, 0, 2);
   const Ode45 method{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
-  expect_same(System(problems::Lorenz{}), method, 0.5, 0.1);
+  expect_same(System(problems::TextProblem("lorenz")), method, 0.5, 0.1);
   expect_same(System(Pendulum{.jump = 1}), method, 0, 2);
 }
 

@@ -101,14 +101,14 @@ struct Poisoned {
   }
 };
 
-// A problem without its announcement of discontinuities.
+// A problem with accelerations without its announcement of discontinuities.
 template <class Problem>
 struct Unannounced {
   static constexpr int dimension = Problem::dimension;
   Problem problem = {};
-  template <class T>
-  void acceleration(const T& t, const Vector<T, dimension / 2>& q, const Vector<T, dimension / 2>& v,
-                    Vector<T, dimension / 2>& a) const {
+  [[nodiscard]] int size() const { return problem.size(); }
+  template <class T, int m>
+  void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
     problem.acceleration(t, q, v, a);
   }
   template <class T>

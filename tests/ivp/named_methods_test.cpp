@@ -12,18 +12,17 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::ivp::named_methods_test {
 namespace {
 
-using problems::BlowUp;
-using problems::Duffing;
+using problems::TextProblem;
 
 Solution duffing(std::string_view name, const Settings& settings, double until) {
-  return named_integrator(name, settings)(System(Duffing{}), Duffing::initial_state(), 0, until, {}, {});
+  return named_integrator(name, settings)(System(TextProblem("duffing")), State{1, 0}, 0, until, {}, {});
 }
 
 std::string complaint(std::string_view name, const Settings& settings) {
@@ -75,8 +74,8 @@ TEST(NamedMethods, UnknownNameListsTheKnownOnes) {
 
 // Each name with a step is the aggregate of that method: the same doubles.
 TEST(NamedMethods, StepIsPassedOn) {
-  const System system(Duffing{});
-  const State x0 = Duffing::initial_state();
+  const System system(TextProblem("duffing"));
+  const State x0 = State{1, 0};
   const auto same = [&](std::string_view name, const Settings& settings, const auto& method) {
     const Solution a = duffing(name, settings, 3), b = integrate(system, x0, 0, 3, method);
     EXPECT_TRUE(a.status.ok()) << a.status.text();
@@ -156,7 +155,7 @@ TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {
 
 // A method for accelerations refuses what has none when it runs.
 TEST(NamedMethods, AccelerationsAreAskedFor) {
-  const System decay(BlowUp{});
+  const System decay(TextProblem("blow-up"));
   for (const MethodInfo& m : named_methods()) {
     const auto run = named_integrator(m.name, m.fixed_step() ? Settings{.step = 0.1} : Settings{});
     if (m.second_order_only) {

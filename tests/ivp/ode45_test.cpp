@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::ode45_test {
@@ -99,7 +99,7 @@ TEST(Ode45, RefinedOutputIsTheDenseOutput) {
 
 // Six evaluations a trial, one for the start: the last stage of a step is the first of the next.
 TEST(Ode45, CountsItsWork) {
-  const auto s = integrate(System(problems::Duffing{}), State{1, 0}, 0, 50, Ode45{}).statistics;
+  const auto s = integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 50, Ode45{}).statistics;
   EXPECT_GT(s.rejected, 0);
   EXPECT_EQ(s.right_hand_sides, 6 * (s.steps + s.rejected) + 1);
 }

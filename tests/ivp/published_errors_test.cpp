@@ -7,10 +7,8 @@
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::published_errors_test {
@@ -36,7 +34,8 @@ Table42 table_4_2(const Method& method, double end = 100 * P) {
       rms.add(step.states(0, static_cast<Eigen::Index>(i)) - free_oscillation(step.times[i]));
     return true;
   };
-  const auto solution = integrate(System(problems::Duffing{}), State{1, 0}, 0, end, method, measure);
+  const auto solution =
+      integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, end, method, measure);
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   return {rms.value(), solution.statistics};
 }
@@ -79,8 +78,8 @@ TEST(Table42, HhtAsPrinted) {
 }
 
 const auto& impact_reference() {
-  static const problems::ReferenceTrajectory<long double, problems::ImpactDuffing> trajectory(
-      problems::ImpactDuffing{}, Vector<long double, 2>(0, 0), 0, 499);
+  static const problems::ReferenceTrajectory<long double, problems::TextProblem> trajectory(
+      problems::TextProblem("impact"), {0, 0}, 0, 499);
   return trajectory;
 }
 
@@ -94,7 +93,7 @@ double table_4_4(const Method& first, const Method& second) {
     add(step.t1, step.x1[0]);
     return true;
   };
-  const System system(Unannounced<problems::ImpactDuffing>{});
+  const System system(Unannounced<problems::TextProblem>{problems::TextProblem("impact")});
   add(0, 0);
   const auto middle = integrate(system, State{0, 0}, 0, 1, first, measure);
   add(1, middle.x[0]);
@@ -139,19 +138,19 @@ struct Table46 {
 
 template <class Method>
 Table46 table_4_6(const Method& method, const State& x0 = State::Zero(6)) {
-  using Chain = problems::BasicThreeMassChain<long double>;
-  static const problems::ReferenceTrajectory<long double, Chain> reference(
-      Chain{}, Vector<long double, 6>::Zero(), 0, 200);
+  static const problems::TextProblem chain("three-dof");
+  static const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(
+      chain, LongState::Zero(6), 0, 200);
   Rms x1, x3;
   x1.add(0);
   x3.add(0);
   const auto measure = [&](const Step& step) {
-    const State error = step.x1 - reference(step.t1).template cast<double>();
+    const State error = step.x1 - reference(step.t1).cast<double>();
     x1.add(error[0]);
     x3.add(error[2]);
     return true;
   };
-  const auto solution = integrate(System(problems::ThreeMassChain{}), x0, 0, 200, method, measure);
+  const auto solution = integrate(System(chain), x0, 0, 200, method, measure);
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   return {x1.value(), x3.value()};
 }

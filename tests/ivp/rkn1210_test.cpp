@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "tests/ivp/coefficient_table.hpp"
 #include "tests/ivp/methods.hpp"
@@ -153,7 +153,7 @@ TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
 // it only after the first step.
 TEST(Rkn1210, RefusesVelocities) {
   EXPECT_THROW((void)integrate(System(Manufactured{}), State{1, 0}, 0, 1, Rkn1210{}), std::invalid_argument);
-  const auto s = integrate(System(problems::VanDerPol{}), State{1, 0.5}, 0, 5, Rkn1210{});
+  const auto s = integrate(System(problems::TextProblem("van-der-pol")), State{1, 0.5}, 0, 5, Rkn1210{});
   EXPECT_EQ(s.status.outcome(), Outcome::outside_validity) << s.status.text();
 }
 

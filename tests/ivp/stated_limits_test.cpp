@@ -7,9 +7,7 @@
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/series/series.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::stated_limits_test {
 namespace {
@@ -21,8 +19,8 @@ AdaptiveCollocation to(double tolerance) {
 // y2 is 8e-14 at 1e11 and 8e-17 at 1e14: under a tolerance far above it becomes negative, and then the sum is
 // kept by concentrations of both signs that grow without bound.
 TEST(StatedLimits, RobertsonDoesNotRunAway) {
-  const System system(problems::Robertson{});
-  const auto x0 = problems::Robertson::initial_state();
+  const System system(problems::TextProblem("robertson"));
+  const auto x0 = problems::TextProblem("robertson").initial_state();
   int refused = 0;
   for (const double end : {1e11, 1e12, 1e14}) {
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-9}) {
@@ -50,7 +48,7 @@ TEST(StatedLimits, RobertsonDoesNotRunAway) {
 }
 
 TEST(StatedLimits, BoundsHoldForwardsAndFromWithin) {
-  const System system(problems::Robertson{});
+  const System system(problems::TextProblem("robertson"));
   // Backwards concentrations do become negative, and from negative ones nothing is said.
   const auto back = integrate(system, {0.5, 1e-5, 0.5}, 1, 0.9, to(1e-8));
   EXPECT_NE(back.status.outcome(), Outcome::spurious_root) << back.status.text();
@@ -92,14 +90,16 @@ TEST(StatedLimits, HonestRunsPass) {
   for (const double tolerance : {1e-2, 1e-4, 1e-8, 1e-12}) {
     const Ode45 ode45{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     for (const double end : {0.1, 10., 1000.}) {
-      for (const auto& s : {integrate(System(Boast{}), State{1, 0}, 0, end, to(tolerance)),
-                            integrate(System(Boast{}), State{1, 0}, 0, end, ode45),
-                            integrate(System(problems::Duffing{}), State{3, 1}, 0, end, to(tolerance)),
-                            integrate(System(problems::Duffing{}), State{0, 1e-3}, 0, end, ode45)})
+      for (const auto& s :
+           {integrate(System(Boast{}), State{1, 0}, 0, end, to(tolerance)),
+            integrate(System(Boast{}), State{1, 0}, 0, end, ode45),
+            integrate(System(problems::TextProblem("duffing")), State{3, 1}, 0, end, to(tolerance)),
+            integrate(System(problems::TextProblem("duffing")), State{0, 1e-3}, 0, end, ode45)})
         EXPECT_TRUE(s.status.ok()) << end << ' ' << tolerance << ' ' << s.status.text();
     }
     const auto hires = integrate(
-        System(problems::Hires{}), problems::Hires::initial_state(), 0, problems::Hires::final_time,
+        System(problems::TextProblem("hires")), problems::TextProblem("hires").initial_state(), 0,
+        problems::TextProblem("hires").final_time,
         AdaptiveCollocation{.relative_tolerance = tolerance, .absolute_tolerance = 1e-4 * tolerance});
     EXPECT_TRUE(hires.status.ok()) << hires.status.text();
   }

@@ -8,9 +8,7 @@
 
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
@@ -45,7 +43,7 @@ double rms(const Method& method, double end) {
     sum += error * error;
     return true;
   };
-  const auto s = integrate(System(hard), {1, 0}, 0, end, method, watch);
+  const auto s = integrate(System(hard.text()), {1, 0}, 0, end, method, watch);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return std::sqrt(sum / static_cast<double>(s.statistics.steps));
 }
@@ -62,7 +60,7 @@ TEST(StiffDuffing, ErrorsOverHundredPeriods) {
 // From the constant state Newton's iteration does not find a whole period.
 TEST(StiffDuffing, AWholePeriodIsTooMuchForNewton) {
   const double P = hard.period(1.0);
-  const auto s = integrate(System(hard), {1, 0}, 0, P, lobatto(P, 35));
+  const auto s = integrate(System(hard.text()), {1, 0}, 0, P, lobatto(P, 35));
   EXPECT_TRUE(s.status.outcome() == Outcome::newton_diverged || s.status.outcome() == Outcome::not_converged)
       << s.status.text();
   expect_sentence(s.status, "lgl-coll", "t = 0");
@@ -71,11 +69,7 @@ TEST(StiffDuffing, AWholePeriodIsTooMuchForNewton) {
 }
 
 // Three masses, the first one held by a spring of 1e8: omega = 7071.
-problems::ThreeMassChain stiff_chain() {
-  problems::ThreeMassChain chain;
-  chain.k1 = 1e8;
-  return chain;
-}
+problems::TextProblem stiff_chain() { return problems::TextProblem("three-dof", {{"k1", 1e8}}); }
 const double omega = std::sqrt((1e8 + 1) / 2);
 
 /// Growth of the first mass in the steps from 20 to 25.
@@ -108,7 +102,7 @@ TEST(StiffChain, RadialFunctionsHaveItToo) {
 
 template <class Method>
 double van_der_pol_error(double mu, double end, const Method& method) {
-  const problems::VanDerPol problem{.mu = mu};
+  const problems::TextProblem problem("van-der-pol", {{"mu", mu}});
   const auto s = integrate(System(problem), {2, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return distance(s.x, testing::reference(problem, {2, 0}, 0, end));
@@ -132,7 +126,8 @@ TEST(VanDerPol, SlowBranchWithLongSteps) {
 // in one of the steps after it, and the sentence says where.
 TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
   for (const PolynomialCollocation& method : {lobatto(1), radau(10)}) {
-    const auto s = integrate(System(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 1000, method);
+    const auto s =
+        integrate(System(problems::TextProblem("van-der-pol", {{"mu", 1000}})), {2, 0}, 0, 1000, method);
     EXPECT_TRUE(s.x.allFinite());
     EXPECT_FALSE(s.status.ok());
     EXPECT_GT(s.t, 790);
@@ -142,7 +137,7 @@ TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
 
 // y' = y^3 from 1 ends at t = 1/2. Picard's iteration diverges there.
 TEST(BlowUp, EndsPicardsIteration) {
-  const auto s = integrate(System(problems::BlowUp{}), State{1.0}, 0, 1, Mcpi{.step = 1e-2});
+  const auto s = integrate(System(problems::TextProblem("blow-up")), State{1.0}, 0, 1, Mcpi{.step = 1e-2});
   EXPECT_EQ(s.status.outcome(), Outcome::not_converged);
   EXPECT_LE(s.t, 0.51);
   EXPECT_GT(s.t, 0.4);
@@ -153,7 +148,7 @@ TEST(BlowUp, EndsPicardsIteration) {
 // equations of a step that is no solution, and nothing but an error estimate could tell. The headers say so;
 // what is asserted here is that the state stays a number.
 TEST(BlowUp, IsPassedByCollocationOfFixedStep) {
-  const System system(problems::BlowUp{});
+  const System system(problems::TextProblem("blow-up"));
   for (const PolynomialCollocation& method : {lobatto(1e-2), radau(1e-2)}) {
     const auto s = integrate(system, State{1.0}, 0, 1, method);
     EXPECT_TRUE(s.x.allFinite());
@@ -174,7 +169,7 @@ void with_each(double step, Check&& check) {
 // methods with symmetric nodes are the same but for rounding; those of Radau nodes, at the other side then,
 // are not.
 TEST(Times, BackwardsAsWellAsForwards) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const double P = oracle::duffing_period;
   with_each(P / 10, [&](const auto& method, std::string_view name) {
     const auto ahead = integrate(system, {1, 0}, 0, P, method),
@@ -189,7 +184,7 @@ TEST(Times, BackwardsAsWellAsForwards) {
 
 // Polynomials of degree 1 with the equation at the end of the step: backward Euler.
 TEST(NumberOfNodes, TwoAreBackwardEuler) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto euler = integrate(system, {1, 0}, 0, 2, BackwardEuler{.step = 0.1});
   for (const PolynomialCollocation& method : {lobatto(0.1, 2), radau(0.1, 2)}) {
     const auto s = integrate(system, {1, 0}, 0, 2, method);
@@ -199,7 +194,7 @@ TEST(NumberOfNodes, TwoAreBackwardEuler) {
 }
 
 TEST(NumberOfNodes, TwoHundred) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const double P = oracle::duffing_period;
   // |D| is 200^2/2: rounding of the state enters the equations with that factor, the solution with less.
   for (const PolynomialCollocation& method : {lobatto(P / 2, 200), radau(P / 2, 200)}) {
@@ -215,7 +210,7 @@ TEST(NumberOfNodes, TwoHundred) {
 // At both ends of the shape the basis is of no use, and the status says so; nothing in between is silent
 // about NaN.
 TEST(Shape, FromOneMillionthToAMillion) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const double P = oracle::duffing_period, step = P / 10;
   for (int exponent = -6; exponent <= 6; ++exponent) {
     const double relative = std::pow(10.0, exponent);

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::system_test {
 namespace {
@@ -53,25 +51,25 @@ RC_GTEST_PROP(System, JacobianIsTheDerivativeOfTheRightHandSide, ()) {
 }
 
 TEST(System, AgreesWithTheInlinedProblem) {
-  const problems::ThreeMassChain problem;
+  const chapters::PlainImpact problem;
   const System system(problem);
   const Direct inlined(problem);
-  EXPECT_EQ(system.size(), 6);
-  const State x{0.1, -0.2, 0.3, 0.4, -0.5, 0.6};
+  EXPECT_EQ(system.size(), 2);
+  const State x{0.1, -0.2};
   State f;
-  system.rhs(1.5, x, f);
-  Vector<double, 6> g;
-  inlined.rhs(1.5, x, g);
+  system.rhs(0.75, x, f);
+  Vector<double, 2> g;
+  inlined.rhs(0.75, x, g);
   EXPECT_EQ(f, g);
   Jacobian j;
-  system.jacobian(1.5, x, j);
-  Matrix<double, 6, 6> k;
-  inlined.jacobian(1.5, x, k);
+  system.jacobian(0.75, x, j);
+  Matrix<double, 2, 2> k;
+  inlined.jacobian(0.75, x, k);
   EXPECT_EQ(j, k);
 }
 
 TEST(System, ManyNodesAreTheNodesOneByOne) {
-  const System system(problems::ImpactDuffing{});
+  const System system(problems::TextProblem("impact"));
   const std::vector<double> times = {0.1, 0.4, 0.7, 1.3};
   Nodes x(2, 4), f(2, 4);
   x << 1, 2, 3, 4, -1, -2, -3, -4;
@@ -84,9 +82,9 @@ TEST(System, ManyNodesAreTheNodesOneByOne) {
 }
 
 TEST(System, KnowsItsOrderAndItsDiscontinuities) {
-  EXPECT_TRUE(System(problems::Duffing{}).second_order());
+  EXPECT_TRUE(System(problems::TextProblem("duffing")).second_order());
   EXPECT_FALSE(System(Chain{2}).second_order());
-  const System impact(problems::ImpactDuffing{});
+  const System impact(problems::TextProblem("impact"));
   EXPECT_EQ(impact.discontinuities(0, 5), (std::vector<double>{0.5, 1}));
   EXPECT_EQ(impact.discontinuities(5, 0.7), (std::vector<double>{1}));
   State q(2), a(2);
@@ -105,18 +103,18 @@ struct OwnJacobian {
 TEST(System, PassesOnWhatAProblemSaysOfItsSolutions) {
   Eigen::VectorXd kept;
   State lower2(2), upper2(2);
-  const System duffing(problems::Duffing{});
+  const System duffing(problems::TextProblem("duffing"));
   EXPECT_TRUE(duffing.invariants(0, {1, 0}, kept));
   EXPECT_EQ(kept, Eigen::VectorXd::Constant(1, 0.75));
   EXPECT_FALSE(duffing.bounds(lower2, upper2));
-  const System chain(problems::ThreeMassChain{});
+  const System chain(problems::TextProblem("three-dof"));
   EXPECT_FALSE(chain.invariants(0, State::Zero(6), kept));
-  const System hires(problems::Hires{});
+  const System hires(problems::TextProblem("hires"));
   State lower, upper;
   EXPECT_TRUE(hires.bounds(lower, upper));
   EXPECT_EQ(lower, Eigen::VectorXd::Zero(8));
   EXPECT_EQ(upper, Eigen::VectorXd::Constant(8, std::numeric_limits<double>::infinity()));
-  EXPECT_TRUE(hires.invariants(0, problems::Hires::initial_state(), kept));
+  EXPECT_TRUE(hires.invariants(0, problems::TextProblem("hires").initial_state(), kept));
   EXPECT_EQ(kept, Eigen::VectorXd::Constant(1, 0.0057));
 }
 

@@ -4,8 +4,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <map>
 
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::accuracy_test {
@@ -58,7 +57,8 @@ TEST_P(EveryPeer, FollowsTheDuffingOscillator) {
       worst = std::max(worst, (step.x1 - duffing_exact(step.t1)).lpNorm<Eigen::Infinity>());
       return true;
     };
-    const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 0, 20, tolerance, compare);
+    const auto solution =
+        run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 0, 20, tolerance, compare);
     ASSERT_TRUE(solution.status.ok()) << solution.status.text();
     EXPECT_EQ(solution.t, 20);
     EXPECT_EQ(last, 20);
@@ -85,7 +85,8 @@ TEST_P(EveryPeer, InterpolatesItsSteps) {
     return true;
   };
   for (const double end : {20.0, -20.0})
-    EXPECT_TRUE(run(ivp::System(problems::Duffing{}), {1, 0}, 0, end, tolerance, compare).status.ok());
+    EXPECT_TRUE(
+        run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 0, end, tolerance, compare).status.ok());
 }
 
 // x' = k x grows by exp(k (t - t0)) since the start of a step. A matrix 1 - c h k of an implicit formula is
@@ -111,7 +112,7 @@ TEST_P(EveryPeer, InterpolatesGrowth) {
 
 // Looking at the steps, or between them, changes neither the solution nor what it costs.
 TEST_P(EveryPeer, DoesNotNoticeItsObserver) {
-  const ivp::System system(problems::Duffing{});
+  const ivp::System system(problems::TextProblem("duffing"));
   const auto look = [](const ivp::Step& step) {
     ivp::State x(2);
     step.dense.at((step.t0 + step.t1) / 2, x);
@@ -126,7 +127,7 @@ TEST_P(EveryPeer, DoesNotNoticeItsObserver) {
 // There and back again. Both ways cost the same within a factor of three: a step control that minds the sign
 // of time shows here.
 TEST_P(EveryPeer, RunsBackwards) {
-  const ivp::System system(problems::Duffing{});
+  const ivp::System system(problems::TextProblem("duffing"));
   const auto there = run(system, {1, 0}, 0, 20), back = run(system, there.x, 20, 0);
   ASSERT_TRUE(back.status.ok()) << back.status.text();
   EXPECT_EQ(back.t, 0);
@@ -135,7 +136,7 @@ TEST_P(EveryPeer, RunsBackwards) {
 }
 
 TEST_P(EveryPeer, StandsStillForAnEmptyInterval) {
-  const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 3, 3);
+  const auto solution = run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 3, 3);
   EXPECT_TRUE(solution.status.ok());
   EXPECT_EQ(solution.t, 3);
   EXPECT_EQ(solution.x, (ivp::State{1, 0}));
@@ -210,8 +211,8 @@ TEST_P(EveryPeer, CreepsWithVanDerPolIfImplicit) {
   const double mu = 1000, tolerance = 1e-8;
   const double end = mu * boost::math::quadrature::gauss<double, 30>::integrate(
                               [](double x) { return -1 / creep(x); }, 1.5, 2.0);
-  const auto solution =
-      run(ivp::System(problems::VanDerPol{mu}), ivp::State{2, creep(2) / mu}, 0, end, tolerance);
+  const auto solution = run(ivp::System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
+                            ivp::State{2, creep(2) / mu}, 0, end, tolerance);
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
   // On the way the distance of two solutions grows by p(1.5)/p(2) = 1.8 alone. Some hundred steps of
   // multistep formulas, which underrate their errors, make up to 330 tolerances.

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "nlmech/problems/impact_duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::discontinuities_test {
@@ -67,7 +67,7 @@ TEST_P(EveryPeerAtJumps, LandsOnTheCornersOfAnImpact) {
     if (step.t1 == 1) worst = std::max(worst, (step.x1 - one).lpNorm<Eigen::Infinity>());
     return true;
   };
-  const ivp::System system(problems::ImpactDuffing{});
+  const ivp::System system(problems::TextProblem("impact"));
   const auto there = run(system, {0, 0}, 0, 2, 1e-9, note);
   ASSERT_TRUE(there.status.ok()) << there.status.text();
   EXPECT_TRUE(ends.contains(0.5) && ends.contains(1.0) && ends.contains(2.0));

@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "nlmech/problems/blow_up.hpp"
-#include "nlmech/problems/duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::failures_test {
@@ -30,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Peers, EveryPeerFails, ::testing::ValuesIn(all_peer_nam
 // y' = y^3 from 1 ends at 1/2. Odeint returns NaN at t = 2 as a success; CVODE and ARKODE stay where they are
 // and let y grow to 1e100 until their steps are used up.
 TEST_P(EveryPeerFails, AtABlowUp) {
-  const auto solution = run(ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 2);
+  const auto solution = run(ivp::System(problems::TextProblem("blow-up")), ivp::State{1.0}, 0, 2);
   expect_failure(solution, Outcome::step_underflow);
   // At a distance d of the end y is 1/sqrt(2 d): steps cease to move t near y^2 = 1/(d eps). The tolerance
   // moves the end by some 1e-7.
@@ -114,7 +113,8 @@ TEST_P(EveryPeerFails, WithoutAJacobianIfImplicit) {
 }
 
 TEST_P(EveryPeerFails, WhenItsStepsAreUsedUp) {
-  const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 0, 1000, 1e-9, {}, {.steps = 25});
+  const auto solution =
+      run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 0, 1000, 1e-9, {}, {.steps = 25});
   expect_failure(solution, Outcome::step_limit);
   EXPECT_GT(solution.t, 0);
   EXPECT_LT(solution.t, 1000);
@@ -146,7 +146,7 @@ TEST_P(EveryPeerFails, WhenItsObserverSaysStop) {
     state = step.x1;
     return step.index < 3;
   };
-  const auto solution = run(ivp::System(problems::Duffing{}), {1, 0}, 0, 20, 1e-9, third);
+  const auto solution = run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 0, 20, 1e-9, third);
   expect_failure(solution, Outcome::interrupted);
   EXPECT_EQ(solution.statistics.steps, 3);
   EXPECT_EQ(solution.t, reached);
@@ -186,7 +186,7 @@ TEST_P(EveryPeerFails, WithTheObserversException) {
 }
 
 TEST_P(EveryPeerFails, BeforeItBeginsWithABadState) {
-  const auto solution = run(ivp::System(problems::Duffing{}), {1, nan}, 0, 1);
+  const auto solution = run(ivp::System(problems::TextProblem("duffing")), {1, nan}, 0, 1);
   EXPECT_EQ(solution.status.outcome(), Outcome::non_finite);
   EXPECT_EQ(solution.statistics.right_hand_sides, 0);
 }
@@ -207,13 +207,14 @@ TEST_P(EveryPeerFails, OrNotOnTheShortestWay) {
 // At t = 1e16 doubles are two apart: every step of x'' + x = 0 is rounded. Left alone, CVODE, ARKODE, rk8pd
 // and bsimp arrive at t1 in another state.
 TEST_P(EveryPeerFails, WhereTimeHasNoRoomForAStep) {
-  const auto solution = run(ivp::System(problems::Duffing{.hardening = 0}), {1, 0}, 1e16, 1e16 + 64);
+  const auto solution =
+      run(ivp::System(problems::TextProblem("duffing", {{"hardening", 0}})), {1, 0}, 1e16, 1e16 + 64);
   expect_failure(solution, Outcome::step_underflow);
 }
 
 TEST_P(EveryPeerFails, OrNotWithATolerancePastDoublePrecision) {
-  const auto solution =
-      run(ivp::System(problems::Duffing{}), {1, 0}, 0, 0.5, 1e-18, {}, {.steps = 20000, .seconds = 2});
+  const auto solution = run(ivp::System(problems::TextProblem("duffing")), {1, 0}, 0, 0.5, 1e-18, {},
+                            {.steps = 20000, .seconds = 2});
   const Outcome outcome = solution.status.outcome();
   EXPECT_TRUE(outcome == Outcome::success || outcome == Outcome::step_underflow ||
               outcome == Outcome::step_limit || outcome == Outcome::newton_diverged ||

@@ -9,6 +9,7 @@
 #include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::peers::native_test {
 namespace {
@@ -19,7 +20,8 @@ void expect_same(const Plain& plain, const Problem& problem) {
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> any(-3, 3);
   for (int i = 0; i < 1000; ++i) {
-    Vector<double, Problem::dimension> x, expected, found;
+    const int n = static_cast<int>(problem.initial_state().size());
+    Vector<double, Problem::dimension> x(n), expected(n), found(n);
     for (double& component : x) component = any(engine);
     const double t = any(engine);
     problem(t, x, expected);
@@ -29,17 +31,20 @@ void expect_same(const Plain& plain, const Problem& problem) {
 }
 
 TEST(PlainEquations, AreThoseOfTheProblems) {
-  expect_same(chapters::PlainDuffing{}, problems::Duffing{});
+  expect_same(chapters::PlainDuffing{}, problems::TextProblem("duffing"));
   expect_same(chapters::PlainDuffing{{.natural_frequency = 2, .hardening = 10}},
-              problems::Duffing{.natural_frequency = 2, .hardening = 10});
-  expect_same(chapters::PlainImpact{}, problems::ImpactDuffing{});
-  expect_same(chapters::PlainLorenz{}, problems::Lorenz{});
-  expect_same(chapters::PlainChain{}, problems::ThreeMassChain{});
-  problems::ThreeMassChain chain;
-  chain.c1 = 0.1, chain.c3 = 0.2, chain.c4 = 0.3, chain.k4 = 0.4, chain.l2 = 0.5, chain.l3 = 0.6,
-  chain.l4 = 0.7;
-  expect_same(chapters::PlainChain{chain}, chain);
-  expect_same(chapters::PlainTwoBody{{.mu = 1}}, problems::TwoBody{.mu = 1});
+              problems::TextProblem("duffing", {{"natural_frequency", 2}, {"hardening", 10}}));
+  expect_same(chapters::PlainImpact{}, problems::TextProblem("impact"));
+  expect_same(chapters::PlainLorenz{}, problems::TextProblem("lorenz"));
+  expect_same(chapters::PlainChain{}, problems::TextProblem("three-dof"));
+  const chapters::PlainChain chain{
+      .c1 = 0.1, .c3 = 0.2, .c4 = 0.3, .k4 = 0.4, .l2 = 0.5, .l3 = 0.6, .l4 = 0.7};
+  expect_same(
+      chain,
+      problems::TextProblem(
+          "three-dof",
+          {{"c1", 0.1}, {"c3", 0.2}, {"c4", 0.3}, {"k4", 0.4}, {"l2", 0.5}, {"l3", 0.6}, {"l4", 0.7}}));
+  expect_same(chapters::PlainTwoBody{}, problems::TextProblem("two-body", {{"mu", 1}}));
 }
 
 int duffing(double t, const double* x, double* f, void* data) {

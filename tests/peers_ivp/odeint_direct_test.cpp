@@ -1,5 +1,6 @@
 // The inlined Odeint is the same Odeint.
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
+#include "chapters/plain_equations.hpp"
 
 #include "nlmech/problems/duffing.hpp"
 #include "tests/peers_ivp/peers.hpp"
@@ -16,7 +17,7 @@ OdeintDirect inlined(Odeint::Formula formula) {
 }
 
 TEST(OdeintDirect, TakesTheSameSteps) {
-  const problems::Duffing duffing;
+  const chapters::PlainDuffing duffing;
   const ivp::Direct direct(duffing);
   const ivp::System system(duffing);
   for (const auto formula :
@@ -35,7 +36,7 @@ TEST(OdeintDirect, TakesTheSameSteps) {
 }
 
 TEST(OdeintDirect, HasNoRosenbrockMethod) {
-  const ivp::Direct direct(problems::Duffing{});
+  const ivp::Direct direct(chapters::PlainDuffing{});
   EXPECT_THROW((void)ivp::integrate(direct, {1, 0}, 0, 1, inlined(Odeint::Formula::rosenbrock4)),
                std::invalid_argument);
 }

@@ -3,7 +3,6 @@
 /// which shares anything with the Taylor series of the references.
 #pragma once
 
-#include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/numeric/odeint.hpp>
@@ -41,18 +40,18 @@ Vector<T, Problem::dimension> by_odeint(const Problem& problem, const Vector<T, 
                                         const T& t0, const T& t1, const T& tolerance) {
   namespace odeint = boost::numeric::odeint;
   constexpr int n = Problem::dimension;
-  using State = std::array<T, static_cast<std::size_t>(n)>;
-  State state;
-  std::copy(x0.data(), x0.data() + n, state.begin());
-  const auto slope = [&problem](const State& x, State& dxdt, T t) {
-    Vector<T, n> f;
-    problem(t, Vector<T, n>(Eigen::Map<const Vector<T, n>>(x.data())), f);
-    std::copy(f.data(), f.data() + n, dxdt.begin());
+  using State = std::vector<T>;
+  const Eigen::Index size = x0.size();
+  State state(x0.data(), x0.data() + size);
+  const auto slope = [&problem, size](const State& x, State& dxdt, T t) {
+    Vector<T, n> f(size);
+    problem(t, Vector<T, n>(Eigen::Map<const Vector<T, n>>(x.data(), size)), f);
+    std::copy(f.data(), f.data() + size, dxdt.begin());
   };
   using Stepper = odeint::runge_kutta_fehlberg78<State, T>;
   odeint::integrate_adaptive(odeint::make_controlled<Stepper>(tolerance, tolerance), slope, state, t0, t1,
                              T(1) / 100000);
-  return Eigen::Map<const Vector<T, n>>(state.data());
+  return Eigen::Map<const Vector<T, n>>(state.data(), size);
 }
 
 /// A row of tables/reference/rbf_ivp.csv.
@@ -89,13 +88,13 @@ inline Real reference(const std::string& problem, const std::string& parameters,
   throw std::runtime_error("reference table: no row " + problem + "," + parameters + "," + t + "," + state);
 }
 
-/// A state of the table.
-template <class Problem>
-Vector<Real, Problem::dimension> reference_state(const std::string& parameters, const std::string& t) {
-  Vector<Real, Problem::dimension> x;
-  int i = 0;
-  for (const std::string& name : state_names<Problem>())
-    x[i++] = reference(std::string(Problem::name), parameters, t, name);
+/// A state of the table: positions x1, ..., then velocities v1, ...
+template <int n>
+Vector<Real, n> reference_state(const std::string& problem, const std::string& parameters,
+                                const std::string& t) {
+  Vector<Real, n> x;
+  for (int i = 0; i < n; ++i)
+    x[i] = reference(problem, parameters, t, (i < n / 2 ? "x" : "v") + std::to_string(i % (n / 2) + 1));
   return x;
 }
 

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "nlmech/problems/blow_up.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/problems/oracle.hpp"
 
 namespace nlmech::problems::tests::reference_trajectory_test {
@@ -18,16 +15,16 @@ constexpr double long_epsilon = 0x1p-63;
 template <class Problem>
 ReferenceTrajectory<Long, Problem> trajectory(const Problem& problem, double t1,
                                               const ReferenceOptions& options = {}) {
-  return {problem, Problem::initial_state().template cast<Long>(), 0, t1, options};
+  return {problem, problem.initial_state().template cast<Long>(), 0, t1, options};
 }
 
 // In 50 digits against the Jacobi function: everything but rounding cancels, some hundred steps of it.
 TEST(ReferenceStates, OfTheFreeOscillatorInFiftyDigits) {
   const Duffing problem{.natural_frequency = 1.25, .hardening = 3};
   const std::vector<Real> times = {0, 0.125, 1, Real(10) / 3, 10};
-  std::vector<Vector<Real, 2>> states;
-  const Status status =
-      reference_states(problem, Vector<Real, 2>(1, 0), Real(0), std::span<const Real>(times), states);
+  std::vector<Vector<Real, Eigen::Dynamic>> states;
+  const Vector<Real, Eigen::Dynamic> x0 = ivp::BasicState<Real>{1, 0};
+  const Status status = reference_states(problem.text(), x0, Real(0), std::span<const Real>(times), states);
   ASSERT_TRUE(status.ok()) << status.text();
   ASSERT_EQ(states.size(), times.size());
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -38,7 +35,7 @@ TEST(ReferenceStates, OfTheFreeOscillatorInFiftyDigits) {
 // way or the other; an error at time s shifts the phase by up to |d omega/dX| (500 - s) < 300 times itself:
 // 300 sqrt(N) h eps = 2.6e-16.
 TEST(ReferenceTrajectory, FollowsTheJacobiFunctionForAHundredPeriods) {
-  const auto solution = trajectory(Duffing{}, 500);
+  const auto solution = trajectory(TextProblem("duffing"), 500);
   ASSERT_TRUE(solution.status().ok()) << solution.status().text();
   for (const double t : {0.0, 0.1, 4.7, 77.7, 333.3, 476.8, 499.999, 500.0})
     EXPECT_LT(distance(solution(t), free_oscillation(Duffing{}, 1, t)), 2.6e-16) << t;
@@ -47,45 +44,45 @@ TEST(ReferenceTrajectory, FollowsTheJacobiFunctionForAHundredPeriods) {
 // The same estimate by the table: the impact leaves an orbit of half the amplitude (h = 0.2, N = 2500, phase
 // 150); the three masses are 500 steps of a damped system, whose errors do not grow beyond 10 times.
 TEST(ReferenceTrajectory, EndsAtTheStatesOfTheTable) {
-  const auto impact = trajectory(ImpactDuffing{}, 500);
+  const auto impact = trajectory(TextProblem("impact"), 500);
   for (const char* t : {"0.5", "1", "499", "500"})
-    EXPECT_LT(distance(impact(std::stold(t)), reference_state<ImpactDuffing>("", t)), 1.6e-16) << t;
-  EXPECT_LT(distance(impact(1), reference_state<ImpactDuffing>("", "1")), 4 * long_epsilon);
-  const auto chain = trajectory(BasicThreeMassChain<Long>{}, 200);
-  EXPECT_LT(distance(chain(200), reference_state<ThreeMassChain>("", "200")), 10 * 23 * long_epsilon);
-  const auto rounded = trajectory(ThreeMassChain{}, 200);
-  EXPECT_LT(distance(rounded(200), reference_state<ThreeMassChain>("as doubles", "200")),
+    EXPECT_LT(distance(impact(std::stold(t)), reference_state<2>("impact", "", t)), 1.6e-16) << t;
+  EXPECT_LT(distance(impact(1), reference_state<2>("impact", "", "1")), 4 * long_epsilon);
+  const auto rounded = trajectory(TextProblem("three-dof"), 200);
+  EXPECT_LT(distance(rounded(200), reference_state<6>("three-dof", "as doubles", "200")),
             10 * 23 * long_epsilon);
 }
 
 // Parameters rounded to double are another problem: its load is out of step by 200 eps in the end, and the
 // resonant chain answers with some 5e-15. A double-precision method must be judged by that solution.
 TEST(ReferenceTrajectory, TellsRoundedParametersFromExactOnes) {
-  const double shift = distance(reference_state<ThreeMassChain>("as doubles", "200"),
-                                reference_state<ThreeMassChain>("", "200"));
+  const double shift = distance(reference_state<6>("three-dof", "as doubles", "200"),
+                                reference_state<6>("three-dof", "", "200"));
   EXPECT_GT(shift, 1e-15);
   EXPECT_LT(shift, 1e-14);
 }
 
 RC_GTEST_PROP(ReferenceTrajectory, IsSmoothAcrossItsSteps, ()) {
-  static const auto solution = trajectory(Duffing{}, 50);
+  static const auto solution = trajectory(TextProblem("duffing"), 50);
   // Two nearby times may lie in two series: they differ by f dt and the rounding of the first.
   const Long t = *between(0, 49.9), dt = 1e-12L;
-  Vector<Long, 2> slope;
-  Duffing{}(t, solution(t), slope);
-  RC_ASSERT(distance(solution(t + dt), Vector<Long, 2>(solution(t) + dt * slope)) < 1e-17);
-  RC_ASSERT(std::abs(Duffing{}.invariants(t, solution(t))[0] - 0.75L) < 1e-17L);
+  Vector<Long, Eigen::Dynamic> slope(2);
+  static const TextProblem duffing("duffing");
+  duffing(t, solution(t), slope);
+  RC_ASSERT(distance(solution(t + dt), ivp::LongState(solution(t) + dt * slope)) < 1e-17);
+  RC_ASSERT(std::abs(Duffing{}.energy(solution(t)) - 0.75L) < 1e-17L);
 }
 
 TEST(ReferenceTrajectory, DoesNotDependOnOrderAndStep) {
   for (const int order : {12, 30}) {
-    const auto chosen = trajectory(VanDerPol{10}, 20, {.order = order, .tolerance = 1e-21});
+    const auto chosen =
+        trajectory(TextProblem("van-der-pol", {{"mu", 10}}), 20, {.order = order, .tolerance = 1e-21});
     ASSERT_TRUE(chosen.status().ok());
-    EXPECT_LT(distance(chosen(20), reference_state<VanDerPol>("mu=10", "20")), 1e-17) << order;
+    EXPECT_LT(distance(chosen(20), reference_state<2>("van-der-pol", "mu=10", "20")), 1e-17) << order;
   }
   // With a loose tolerance it takes fewer steps, and is as loose.
-  const auto loose = trajectory(Duffing{}, 20, {.order = 12, .tolerance = 1e-8});
-  EXPECT_LT(loose.steps(), trajectory(Duffing{}, 20).steps());
+  const auto loose = trajectory(TextProblem("duffing"), 20, {.order = 12, .tolerance = 1e-8});
+  EXPECT_LT(loose.steps(), trajectory(TextProblem("duffing"), 20).steps());
   const double error = distance(loose(20), free_oscillation(Duffing{}, 1, 20));
   EXPECT_GT(error, 1e-13);
   EXPECT_LT(error, 1e-6);
@@ -94,19 +91,19 @@ TEST(ReferenceTrajectory, DoesNotDependOnOrderAndStep) {
 TEST(ReferenceTrajectory, StopsAtAnnouncedTimes) {
   // Force and state at 1/2 and 1 are those of the table only if no series reaches across a corner.
   const std::vector<Long> times = {0.5L, 1};
-  std::vector<Vector<Long, 2>> states;
+  std::vector<Vector<Long, Eigen::Dynamic>> states;
+  const Vector<Long, Eigen::Dynamic> rest = Vector<Long, Eigen::Dynamic>::Zero(2);
   ASSERT_TRUE(
-      reference_states(ImpactDuffing{}, Vector<Long, 2>(0, 0), Long(0), std::span<const Long>(times), states)
-          .ok());
-  EXPECT_LT(distance(states[0], reference_state<ImpactDuffing>("", "0.5")), 4 * long_epsilon);
-  EXPECT_LT(distance(states[1], reference_state<ImpactDuffing>("", "1")), 4 * long_epsilon);
+      reference_states(TextProblem("impact"), rest, Long(0), std::span<const Long>(times), states).ok());
+  EXPECT_LT(distance(states[0], reference_state<2>("impact", "", "0.5")), 4 * long_epsilon);
+  EXPECT_LT(distance(states[1], reference_state<2>("impact", "", "1")), 4 * long_epsilon);
 }
 
 TEST(ReferenceTrajectory, OfNoLengthIsItsStart) {
-  const ReferenceTrajectory<double, Duffing> solution(Duffing{}, {1, 2}, 3, 3);
+  const ReferenceTrajectory<double, TextProblem> solution(TextProblem("duffing"), {1, 2}, 3, 3);
   EXPECT_TRUE(solution.status().ok());
   EXPECT_EQ(solution.steps(), 0U);
-  EXPECT_EQ(solution(3), (Vector<double, 2>(1, 2)));
+  EXPECT_EQ(solution(3), (ivp::State{1, 2}));
 }
 
 TEST(ReferenceTrajectory, SumsAreCompensated) {
@@ -140,7 +137,7 @@ TEST(ReferenceTrajectory, TakesAPolynomialInOneStep) {
 }
 
 TEST(ReferenceTrajectory, SaysWhereASolutionEnds) {
-  const auto solution = trajectory(BlowUp{}, 1);
+  const auto solution = trajectory(TextProblem("blow-up"), 1);
   EXPECT_EQ(solution.status().outcome(), Outcome::step_underflow);
   EXPECT_NE(solution.status().sentence().find("t = 0.5"), std::string::npos) << solution.status().text();
   EXPECT_LE(solution.end(), 0.5L + 8 * long_epsilon);
@@ -172,29 +169,33 @@ TEST(ReferenceTrajectory, ReportsWhatIsNotANumber) {
 }
 
 TEST(ReferenceTrajectory, GivesUpAfterItsStepsAreUsed) {
-  const auto solution = trajectory(Duffing{}, 500, {.most_steps = 10});
+  const auto solution = trajectory(TextProblem("duffing"), 500, {.most_steps = 10});
   EXPECT_EQ(solution.status().outcome(), Outcome::step_limit);
   EXPECT_EQ(solution.steps(), 10U);
   EXPECT_LT(solution.end(), 500);
 }
 
 TEST(ReferenceTrajectory, RefusesWhatMakesNoSense) {
-  const Vector<double, 2> x(1, 0), nan(std::nan(""), 0);
-  using Trajectory = ReferenceTrajectory<double, Duffing>;
+  const ivp::State x{1, 0}, nan{std::nan(""), 0};
+  using Trajectory = ReferenceTrajectory<double, TextProblem>;
   const double inf = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(Trajectory(Duffing{}, x, 1, 0), std::invalid_argument);
-  EXPECT_THROW(Trajectory(Duffing{}, x, 0, inf), std::invalid_argument);
-  EXPECT_THROW(Trajectory(Duffing{}, x, std::nan(""), 1), std::invalid_argument);
-  EXPECT_THROW(Trajectory(Duffing{}, nan, 0, 1), std::invalid_argument);
-  EXPECT_THROW(Trajectory(Duffing{}, x, 0, 1, {.order = 3}), std::invalid_argument);
+  EXPECT_THROW(Trajectory(TextProblem("duffing"), x, 1, 0), std::invalid_argument);
+  EXPECT_THROW(Trajectory(TextProblem("duffing"), x, 0, inf), std::invalid_argument);
+  EXPECT_THROW(Trajectory(TextProblem("duffing"), x, std::nan(""), 1), std::invalid_argument);
+  EXPECT_THROW(Trajectory(TextProblem("duffing"), nan, 0, 1), std::invalid_argument);
+  EXPECT_THROW(Trajectory(TextProblem("duffing"), x, 0, 1, {.order = 3}), std::invalid_argument);
   for (const double tolerance : {-1.0, 1.0, std::nan("")})
-    EXPECT_THROW(Trajectory(Duffing{}, x, 0, 1, {.tolerance = tolerance}), std::invalid_argument);
-  std::vector<Vector<double, 2>> states;
+    EXPECT_THROW(Trajectory(TextProblem("duffing"), x, 0, 1, {.tolerance = tolerance}),
+                 std::invalid_argument);
+  std::vector<Vector<double, Eigen::Dynamic>> states;
+  const Vector<double, Eigen::Dynamic>& plain = x;
   const std::vector<double> descending = {2, 1}, early = {-1};
-  EXPECT_THROW((void)reference_states(Duffing{}, x, 0.0, std::span<const double>(descending), states),
-               std::invalid_argument);
-  EXPECT_THROW((void)reference_states(Duffing{}, x, 0.0, std::span<const double>(early), states),
-               std::invalid_argument);
+  EXPECT_THROW(
+      (void)reference_states(TextProblem("duffing"), plain, 0.0, std::span<const double>(descending), states),
+      std::invalid_argument);
+  EXPECT_THROW(
+      (void)reference_states(TextProblem("duffing"), plain, 0.0, std::span<const double>(early), states),
+      std::invalid_argument);
 }
 
 }  // namespace

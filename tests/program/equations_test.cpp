@@ -38,6 +38,12 @@ TEST(Equations, TheOneOfTheManual) {
   EXPECT_NEAR(f[1], 0.2 * std::cos(3.3) + 0.2 - 0.5 - 0.375, 5 * 1.2e-16);
 }
 
+// The text names components first where it gives their initial values first.
+TEST(Equations, ComponentsAreInTheOrderOfTheText) {
+  EXPECT_EQ(read("x' = z; y' = x; z' = y").state_names(), (Names{"x", "z", "y"}));
+  EXPECT_EQ(read("x(0) = 1; y(0) = 2; x' = z; y' = x; z' = y").state_names(), (Names{"x", "y", "z"}));
+}
+
 TEST(Equations, OrdersMayBeMixed) {
   const Equations e = read("x''' = -x + y; y' = z'' ; z'' = -z");
   EXPECT_EQ(e.state_names(), (Names{"x", "y", "z", "x'", "z'", "x''"}));
@@ -177,7 +183,7 @@ TEST(Equations, SayWhatHoldsOfTheirSolutions) {
   EXPECT_EQ(e.summary(), "x'' = -k x");
   const Problem problem(e);
   const Vector<double, Eigen::Dynamic> x = Vector<double, 2>(3, 5);
-  const Vector<double, Eigen::Dynamic> kept = problem.invariants(0, x);
+  const Vector<double, Eigen::Dynamic> kept = problem.invariants(0.0, x);
   EXPECT_EQ(std::vector<double>(kept.begin(), kept.end()), (std::vector<double>{25 + 36, 4}));
   Vector<double, Eigen::Dynamic> lower, upper;
   EXPECT_TRUE(problem.bounds(lower, upper));
@@ -191,7 +197,7 @@ TEST(Equations, MaySayNothing) {
   EXPECT_EQ(e.summary(), "x'' = -x + r, r = 2 x'");
   const Problem problem(e);
   Vector<double, Eigen::Dynamic> none, x = Vector<double, 2>(1, 2);
-  EXPECT_EQ(problem.invariants(0, x).size(), 0);
+  EXPECT_EQ(problem.invariants(0.0, x).size(), 0);
   EXPECT_FALSE(problem.bounds(none, none));
 }
 

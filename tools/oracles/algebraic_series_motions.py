@@ -10,21 +10,32 @@ digits(44)
 PI = D("3.14159265358979323846264338327950288419717")
 
 
-def lorenz(_, s):
-    u, v, w = s
-    return [10 * (v - u), u * (28 - w) - v, u * v - w * D(8) / 3]
+def lorenz(b):
+    def f(_, s):
+        u, v, w = s
+        return [10 * (v - u), u * (28 - w) - v, u * v - w * b]
+
+    return f
 
 
-def duffing(_, s):
+def duffing(damping):
     """u'' + u'/20 + u^3 = 7.5 cos t; the cosine and sine are carried along."""
-    u, v, c, z = s
-    return [v, D("7.5") * c - v / 20 - u * u * u, -z, c]
+
+    def f(_, s):
+        u, v, c, z = s
+        return [v, D("7.5") * c - damping * v - u * u * u, -z, c]
+
+    return f
 
 
-def oscillator(_, s):
+def oscillator(stiffness):
     """x'' + 0.306 x + 5 x' x^2 sin 2t = 0."""
-    x, v, c, z = s
-    return [v, -D("0.306") * x - 5 * v * x * x * z, -2 * z, 2 * c]
+
+    def f(_, s):
+        x, v, c, z = s
+        return [v, -stiffness * x - 5 * v * x * x * z, -2 * z, 2 * c]
+
+    return f
 
 
 def projectile(wind):
@@ -51,7 +62,13 @@ def bodies(_, s):
 
 
 START = {"Lorenz": [0, 1, 0], "Duffing": [3, 4, 1, 0], "oscillator": [D("-0.5"), 0, 1, 0]}
-FIELD = {"Lorenz": lorenz, "Duffing": duffing, "oscillator": oscillator}
+FIELD = {"Lorenz": lorenz(D(8) / 3), "Duffing": duffing(D("0.05")), "oscillator": oscillator(D("0.306"))}
+# With the doubles next to these numbers, as a program has them. The oscillator's begins at the double next to pi.
+cosine, sine = cosine_sine(2 * (D(math.pi) - PI))
+START |= {f"{name} as doubles": start for name, start in START.items()}
+START["oscillator as doubles"] = [D("-0.5"), 0, cosine, sine]
+FIELD |= {"Lorenz as doubles": lorenz(D(8 / 3)), "Duffing as doubles": duffing(D(0.05)),
+          "oscillator as doubles": oscillator(D(0.306))}
 
 
 def walk(name, times, tolerance="1e-28"):
@@ -64,16 +81,18 @@ def walk(name, times, tolerance="1e-28"):
 
 
 def ends():
-    at_20, at_40 = walk("Lorenz", [20, 40], "1e-36")
-    for t, state in ((20, at_20), (40, at_40)):
-        for name, value in zip("uvw", state):
-            row(f"Lorenz {name}({t})", value, 16)
-    for t, state in zip((50, 100), walk("Duffing", [50, 100], "1e-30")):
-        row(f"Duffing u({t})", state[0], 16)
-        row(f"Duffing v({t})", state[1], 16)
-    (end,) = walk("oscillator", [375])
-    row("oscillator x", end[0], 15)
-    row("oscillator v", end[1], 15)
+    for which in ("", " as doubles"):
+        times = [20, 40] if which else [20]
+        for t, state in zip(times, walk(f"Lorenz{which}", times, "1e-36")):
+            for name, value in zip("uvw", state):
+                row(f"Lorenz{which} {name}({t})", value, 16)
+        for t, state in zip((50, 100), walk(f"Duffing{which}", [50, 100], "1e-30")):
+            row(f"Duffing{which} u({t})", state[0], 16)
+            row(f"Duffing{which} v({t})", state[1], 16)
+        duration = D(375 + math.pi) - D(math.pi) if which else D(375)
+        (end,) = walk(f"oscillator{which}", [duration])
+        row(f"oscillator{which} x", end[0], 15)
+        row(f"oscillator{which} v", end[1], 15)
     y = [0, 0, 0, 3, 0, 0, 3, 4, 0, D("1.5"), D("1.5"), 0] + [0] * 9 + [D("-0.00125"), D("0.0005"), D("0.0005")]
     y = Extrapolation(bodies, "1e-24", 11, "20").run(0, y, 3000)
     for body in (1, 4):
@@ -214,7 +233,7 @@ def sections():
     half = PI * 31 / 2
 
     def v(x):
-        return Extrapolation(oscillator, "1e-24").run(0, [x, 0, 1, 0], half)[1]
+        return Extrapolation(FIELD["oscillator"], "1e-24").run(0, [x, 0, 1, 0], half)[1]
 
     a, b = D("-0.5001357"), D("-0.5001358")
     fa, fb = v(a), v(b)

@@ -1,4 +1,5 @@
 """End states of the three examples of Elgohary 2015, chapter 4, by extrapolation of the midpoint rule, and closed forms by mpmath."""
+import math
 from decimal import Decimal as D
 
 from mpmath import mp
@@ -22,12 +23,22 @@ def falling(t, s):
     return [s[1], 2 * (1 - t) - s[0] - s[0] ** 3]
 
 
-def three_masses(_, s):
+def three_masses(fifth, twentieth, omega):
     """Table 4.5 with F = 0.2, Omega = sqrt(1/2); the load's cosine and sine are carried along."""
-    x1, x2, x3, v1, v2, v3, c, z = s
-    wall, first, second = 2 * x1 + x1**3 / 5, x1 - x2 + (v1 - v2) / 20, (x2 - x3) / 2
-    omega = D("0.5").sqrt()
-    return [v1, v2, v3, (-wall - first) / 2, c / 5 + first - second, 2 * second, -omega * z, omega * c]
+
+    def f(_, s):
+        x1, x2, x3, v1, v2, v3, c, z = s
+        wall, first, second = 2 * x1 + fifth * x1**3, x1 - x2 + twentieth * (v1 - v2), (x2 - x3) / 2
+        return [v1, v2, v3, (-wall - first) / 2, fifth * c + first - second, 2 * second, -omega * z, omega * c]
+
+    return f
+
+
+# The decimals, and the doubles next to them.
+CHAINS = {
+    "three masses": three_masses(D("0.2"), D("0.05"), D("0.5").sqrt()),
+    "three masses as doubles": three_masses(D(0.2), D(0.05), D(math.sqrt(0.5))),
+}
 
 
 def impact():
@@ -53,9 +64,10 @@ def main():
     row("Duffing x(500)", cn, 40)
     row("Duffing v(500)", -mp.sqrt(2) * sn * dn, 40)
     impact()
-    end = Extrapolation(three_masses, "1e-50", 18, "0.25").run(0, [0] * 6 + [1, 0], 200)
-    for name, value in zip(("x1", "x2", "x3", "v1", "v2", "v3"), end):
-        row(f"three masses {name}", value, 40)
+    for chain, field in CHAINS.items():
+        end = Extrapolation(field, "1e-50", 18, "0.25").run(0, [0] * 6 + [1, 0], 200)
+        for name, value in zip(("x1", "x2", "x3", "v1", "v2", "v3"), end):
+            row(f"{chain} {name}", value, 40)
 
 
 main()

@@ -21,15 +21,55 @@
 #include "chapters/speed.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 
 namespace {
 
 using namespace nlmech;
 using chapters::rbf_ivp::Case;
 using chapters::rbf_ivp::Stiff;
+
+/// van-der-pol.ode in C++.
+struct VanDerPol {
+  static constexpr int dimension = 2;
+  double mu;
+  template <class T>
+  void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& v, Vector<T, 1>& a) const {
+    a[0] = mu * ((1 - q[0] * q[0]) * v[0]) - q[0];
+  }
+  template <class T>
+  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+    problems::first_order_form(*this, t, x, dxdt);
+  }
+};
+
+/// robertson.ode in C++.
+struct Robertson {
+  static constexpr int dimension = 3;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 3>& y, Vector<T, 3>& dydt) const {
+    const T back = 1e4 * (y[1] * y[2]), fast = 3e7 * (y[1] * y[1]);
+    dydt[0] = back - 0.04 * y[0];
+    dydt[2] = fast;
+    dydt[1] = 0.04 * y[0] - back - fast;
+  }
+};
+
+/// hires.ode in C++.
+struct Hires {
+  static constexpr int dimension = 8;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 8>& y, Vector<T, 8>& dydt) const {
+    const T complex = 280 * (y[5] * y[7]);
+    dydt[0] = 0.43 * y[1] + 8.32 * y[2] - 1.71 * y[0] + 0.0007;
+    dydt[1] = 1.71 * y[0] - 8.75 * y[1];
+    dydt[2] = 0.43 * y[3] + 0.035 * y[4] - 10.03 * y[2];
+    dydt[3] = 8.32 * y[1] + 1.71 * y[2] - 1.12 * y[3];
+    dydt[4] = 0.43 * y[5] + 0.43 * y[6] - 1.745 * y[4];
+    dydt[5] = 0.69 * y[3] + 1.71 * y[4] + 0.69 * y[6] - 0.43 * y[5] - complex;
+    dydt[6] = complex - 1.81 * y[6];
+    dydt[7] = 1.81 * y[6] - complex;
+  }
+};
 
 /// A piece of work that is measured.
 struct Work {
@@ -171,8 +211,9 @@ bool by_collocation(const Stiff& p, double relative, double absolute, ivp::State
 }
 
 template <class Problem, class Plain>
-void against_cvode(Contest& contest, const Stiff& p, const Problem& problem, const Plain& plain,
-                   double wanted, double least) {
+void against_cvode(Contest& contest, Stiff p, const Problem& problem, const Plain& plain, double wanted,
+                   double least) {
+  p.system = ivp::System(problem);  // compiled, as theirs
   const std::string at = fmt::format("{} to {:.0e}", p.name, wanted);
   const auto ours = fastest_stiff(
       p, [p](double r, double a, ivp::State& x) { return by_collocation(p, r, a, x); }, wanted,
@@ -199,21 +240,20 @@ void against_cvode(Contest& contest, const Stiff& p, const Problem& problem, con
 /// less than half as much again.
 void add_peers(Contest& all) {
   constexpr double behind = 1 / 1.5;
-  const problems::Duffing free, held_back{.hardening = 10};
-  const problems::ImpactDuffing impact;
-  const problems::ThreeMassChain chain;
-  auto impact_peers = chapters::rbf_ivp::native_peers(impact, chapters::PlainImpact{impact});
-  for (auto& peer : impact_peers)
-    peer.run = chapters::rbf_ivp::between(peer.run, {impact.duration / 2, impact.duration});
+  namespace rbf = chapters::rbf_ivp;
+  const chapters::PlainDuffing free, held_back{.hardening = 10};
+  const chapters::PlainImpact impact;
+  const chapters::PlainChain chain;
+  static const Case cases[] = {
+      rbf::compiled(rbf::free_duffing_case(), free), rbf::compiled(rbf::impact_case(), impact),
+      rbf::compiled(rbf::three_mass_case(), chain), rbf::compiled(rbf::held_back_case(), held_back)};
+  auto impact_peers = rbf::native_peers(impact, impact);
+  for (auto& peer : impact_peers) peer.run = rbf::between(peer.run, {impact.duration / 2, impact.duration});
   for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, behind}, std::tuple{1e-12, 1.5, 1.5}}) {
-    const auto plain = [](const problems::Duffing& p) {
-      return chapters::rbf_ivp::native_peers(p, chapters::PlainDuffing{p});
-    };
-    against_peers(all, chapters::rbf_ivp::free_duffing_case(), plain(free), wanted, ahead);
-    against_peers(all, chapters::rbf_ivp::impact_case(), impact_peers, wanted, level);
-    against_peers(all, chapters::rbf_ivp::three_mass_case(),
-                  chapters::rbf_ivp::native_peers(chain, chapters::PlainChain{chain}), wanted, level);
-    against_peers(all, chapters::rbf_ivp::held_back_case(), plain(held_back), wanted, ahead);
+    against_peers(all, cases[0], rbf::native_peers(free, free), wanted, ahead);
+    against_peers(all, cases[1], impact_peers, wanted, level);
+    against_peers(all, cases[2], rbf::native_peers(chain, chain), wanted, level);
+    against_peers(all, cases[3], rbf::native_peers(held_back, held_back), wanted, ahead);
   }
 }
 
@@ -222,17 +262,15 @@ void add_stiff(Contest& all) {
     against_cvode(all, p, problem, plain, 1e-6, 1 / 1.5);
     against_cvode(all, p, problem, plain, 1e-9, 1);
   };
-  const problems::VanDerPol relaxation{.mu = 1000};
-  const problems::Duffing spring{.hardening = 1e6};
-  problems::ThreeMassChain chain;
-  chain.k1 = 1e8;
+  const VanDerPol relaxation{1000};
+  const chapters::PlainDuffing spring{.hardening = 1e6};
+  const chapters::PlainChain chain{.k1 = 1e8};
   both(chapters::rbf_ivp::van_der_pol_of_the_test_set(), relaxation,
-       chapters::rbf_ivp::OnArrays<problems::VanDerPol>{relaxation});
-  both(chapters::rbf_ivp::robertson(), problems::Robertson{},
-       chapters::rbf_ivp::OnArrays<problems::Robertson>{});
-  both(chapters::rbf_ivp::hires(), problems::Hires{}, chapters::rbf_ivp::OnArrays<problems::Hires>{});
-  both(chapters::rbf_ivp::stiff_duffing(), spring, chapters::PlainDuffing{spring});
-  both(chapters::rbf_ivp::stiff_masses(), chain, chapters::PlainChain{chain});
+       chapters::rbf_ivp::OnArrays<VanDerPol>{relaxation});
+  both(chapters::rbf_ivp::robertson(), Robertson{}, chapters::rbf_ivp::OnArrays<Robertson>{});
+  both(chapters::rbf_ivp::hires(), Hires{}, chapters::rbf_ivp::OnArrays<Hires>{});
+  both(chapters::rbf_ivp::stiff_duffing(), spring, spring);
+  both(chapters::rbf_ivp::stiff_masses(), chain, chain);
 }
 
 Contest contest() {

@@ -9,8 +9,7 @@
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/comparison/cost/cost_curves.hpp"
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::ladder {
@@ -25,7 +24,8 @@ constexpr double nine_digits = 1e-9;
 template <class Problem>
 struct FirstOrder {
   static constexpr int dimension = Problem::dimension;
-  Problem problem = {};
+  Problem problem;
+  [[nodiscard]] int size() const { return problem.size(); }
   template <class T>
   void operator()(const T& t, const Vector<T, dimension>& x, Vector<T, dimension>& dxdt) const {
     problem(t, x, dxdt);
@@ -49,14 +49,14 @@ Rung rung(std::string what, const comparison::Curve& curve) {
 }
 
 template <class Problem>
-std::vector<Rung> climb(const Case& c, const StepScales& s, bool quick) {
+std::vector<Rung> climb(const Problem& problem, const Case& c, const StepScales& s, bool quick) {
   constexpr double ladder[] = {1, 0.5, 0.25, 0.125};
   const auto one = [&](const Case& example, const comparison::Contender& contender) {
     return comparison::cost_curves(example, {contender}, quick).front();
   };
   const auto ours = comparison::by_tolerances("adaptive-collocation", Kind::own, quick);
   Case first_order = c;
-  first_order.system = ivp::System(FirstOrder<Problem>{});
+  first_order.system = ivp::System(FirstOrder<Problem>{problem});
   return {rung("the dissertation: Gaussians at 35 LGL nodes, Newton",
                one(c, comparison::by_steps("rbf-coll", 35, Kind::source, s.many_nodes, ladder, quick,
                                            s.many_shape))),
@@ -155,8 +155,9 @@ std::vector<scene::Scene> scenes() {
       "the cheapest of a few steps or of the tolerances 1e-4 to 1e-13 with nine digits, the most accurate "
       "one where none has them; one thread, median of repeats",
       [](bool quick) {
-        return Ladders{climb<problems::Duffing>(free_duffing_case(), free_duffing_steps(), quick),
-                       climb<problems::ThreeMassChain>(three_mass_case(), three_mass_steps(), quick)};
+        return Ladders{
+            climb(problems::TextProblem("duffing"), free_duffing_case(), free_duffing_steps(), quick),
+            climb(problems::TextProblem("three-dof"), three_mass_case(), three_mass_steps(), quick)};
       });
   return {{.name = "ladder",
            .title = "From the dissertation's algorithm to the adaptive integrator, step by step",

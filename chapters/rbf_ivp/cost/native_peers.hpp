@@ -42,6 +42,13 @@ struct OnArrays {
   }
 };
 
+/// An example whose equations our methods get compiled too, as the libraries do: its own are a text.
+template <class Problem>
+[[nodiscard]] Case compiled(Case c, const Problem& problem) {
+  c.system = ivp::System(problem);
+  return c;
+}
+
 /// A problem for C libraries: the equations written for arrays, the Jacobian by dual numbers.
 template <class Problem, class Plain>
 class NativeProblem {

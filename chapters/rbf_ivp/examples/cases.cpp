@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
@@ -43,14 +42,13 @@ auto trajectory_of(const Problem& problem, double end) {
 }
 
 Case make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State& x0, double end) {
-  const Vector<double, 2> start = x0;
-  const Extended X = problem.amplitude(start);
+  const Extended X = problem.amplitude(x0);
   const Extended period = problem.period(X);
-  const double greatest_speed = std::sqrt(2 * problem.invariants(0.0, start)[0]);
+  const double greatest_speed = std::sqrt(2 * problem.energy(x0));
   return {{.name = std::move(name),
-           .system = ivp::System(problem),
+           .system = ivp::System(problem.text()),
            .x0 = x0,
-           .t0 = problems::Duffing::initial_time,
+           .t0 = 0,
            .t1 = end,
            .amplitude = {static_cast<double>(X), greatest_speed},
            .reference = [=](double t) { return elliptic(problem, X, period, t); }},
@@ -59,16 +57,16 @@ Case make_free_duffing(std::string name, const problems::Duffing& problem, const
 }
 
 Case make_impact() {
-  const problems::ImpactDuffing problem;
-  const auto trajectory = trajectory_of(problem, problems::ImpactDuffing::final_time + beyond);
-  const Vector<double, 2> after = (*trajectory)(problem.duration).cast<double>();
-  const problems::Duffing free = problem.free();
+  const problems::TextProblem problem("impact");
+  const auto trajectory = trajectory_of(problem, problem.final_time + beyond);
+  const ivp::State after = (*trajectory)(impact_end()).cast<double>();
+  const problems::Duffing free;
   return {{.name = "impact",
            .system = ivp::System(problem),
            .x0 = problem.initial_state(),
-           .t0 = problems::ImpactDuffing::initial_time,
-           .t1 = problems::ImpactDuffing::final_time,
-           .amplitude = {free.amplitude(after), std::sqrt(2 * free.invariants(0.0, after)[0])},
+           .t0 = problem.initial_time,
+           .t1 = problem.final_time,
+           .amplitude = {free.amplitude(after), std::sqrt(2 * free.energy(after))},
            .reference = [trajectory](double t) { return (*trajectory)(t); }},
           499,
           free.period(free.amplitude(after)) / 2};
@@ -76,44 +74,44 @@ Case make_impact() {
 
 /// The impact problem without its list of kinks.
 struct QuietImpact {
-  static constexpr int dimension = problems::ImpactDuffing::dimension;
-  problems::ImpactDuffing full;
-  template <class T>
-  void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& v, Vector<T, 1>& a) const {
+  static constexpr int dimension = Eigen::Dynamic;
+  problems::TextProblem full{"impact"};
+  [[nodiscard]] int size() const { return full.size(); }
+  template <class T, int m>
+  void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
     full.acceleration(t, q, v, a);
   }
   template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
+  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
     full(t, x, dxdt);
   }
 };
 
 Case make_three_masses() {
-  using Chain = problems::ThreeMassChain;
-  const auto trajectory =
-      trajectory_of(problems::BasicThreeMassChain<Extended>{}, Chain::final_time + beyond);
+  const problems::TextProblem chain("three-dof");
+  const double end = chain.final_time;
+  const auto trajectory = trajectory_of(chain, end + beyond);
   ivp::State amplitude = ivp::State::Zero(6);
   constexpr int samples = 20'000;
   for (int i = 0; i <= samples; ++i) {
-    const ivp::State x = (*trajectory)(Chain::final_time * i / samples).cast<double>();
+    const ivp::State x = (*trajectory)(end * i / samples).cast<double>();
     amplitude = amplitude.cwiseMax(x.cwiseAbs());
   }
   return {{.name = "three-masses",
-           .system = ivp::System(Chain{}),
-           .x0 = Chain::initial_state(),
-           .t0 = Chain::initial_time,
-           .t1 = Chain::final_time,
+           .system = ivp::System(chain),
+           .x0 = chain.initial_state(),
+           .t0 = chain.initial_time,
+           .t1 = end,
            .amplitude = amplitude,
            .reference = [trajectory](double t) { return (*trajectory)(t); }},
-          Chain::final_time,
+          end,
           std::numbers::pi / chain_frequencies()[0]};
 }
 
 }  // namespace
 
 const Case& free_duffing_case() {
-  static const Case c =
-      make_free_duffing("duffing", {}, problems::Duffing::initial_state(), problems::Duffing::final_time);
+  static const Case c = make_free_duffing("duffing", {}, {1, 0}, 500);
   return c;
 }
 
@@ -137,18 +135,18 @@ const Case& three_mass_case() {
   return c;
 }
 
-double duffing_period() {
-  const problems::Duffing problem;
-  return static_cast<double>(problem.period(Extended(problem.initial_state()[0])));
-}
+double duffing_period() { return static_cast<double>(problems::Duffing{}.period(Extended(1))); }
 
-double impact_end() { return problems::ImpactDuffing{}.duration; }
+double impact_end() { return problems::TextProblem("impact").parameter("duration"); }
 
 Eigen::Vector3d chain_frequencies() {
-  const problems::ThreeMassChain c;
-  Eigen::Matrix3d K;
-  K << c.k1 + c.k2, -c.k2, 0, -c.k2, c.k2 + c.k3, -c.k3, 0, -c.k3, c.k3 + c.k4;
-  const Eigen::Matrix3d M = Eigen::Vector3d(c.m1, c.m2, c.m3).asDiagonal();
+  // Of the equations' linear part (0 1; -M^-1 K, -M^-1 C).
+  const problems::TextProblem chain("three-dof");
+  Eigen::MatrixXd linear;
+  chain.linear_part(linear);
+  const Eigen::Matrix3d M =
+      Eigen::Vector3d(chain.parameter("m1"), chain.parameter("m2"), chain.parameter("m3")).asDiagonal();
+  const Eigen::Matrix3d K = -M * linear.bottomLeftCorner<3, 3>();
   return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(K, M).eigenvalues().cwiseSqrt();
 }
 

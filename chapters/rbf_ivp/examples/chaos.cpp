@@ -13,8 +13,8 @@
 #include "chapters/rbf_ivp/examples/cases.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::chaos {
@@ -33,16 +33,10 @@ struct Motion {
 };
 
 Motion make_motion(const std::string& name, bool forced) {
-  using Exact = problems::BasicForcedDuffing<Extended>;
-  problems::ForcedDuffing problem;
-  Exact exact;
-  if (!forced) {
-    problem.force = 0;
-    exact.force = 0;
-  }
-  const auto x0 = problems::ForcedDuffing::initial_state();
-  const auto trajectory = std::make_shared<const problems::ReferenceTrajectory<Extended, Exact>>(
-      exact, x0.cast<Extended>(), 0, end);
+  const problems::TextProblem problem("forced-duffing", {{"force", forced ? 7.5 : 0}});
+  const ivp::State& x0 = problem.initial_state();
+  using Trajectory = problems::ReferenceTrajectory<Extended, problems::TextProblem>;
+  const auto trajectory = std::make_shared<const Trajectory>(problem, x0.cast<Extended>(), 0, end);
   const auto at = [trajectory](double t) -> Vector<Extended, 2> { return (*trajectory)(t); };
   double amplitude = 0;
   for (int i = 0; i <= 4000; ++i)

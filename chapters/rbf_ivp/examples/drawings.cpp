@@ -6,7 +6,7 @@
 
 #include "chapters/drawing.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::rbf_ivp::drawings {
 namespace {
@@ -116,18 +116,19 @@ void draw_mass(Drawing& d, double x0, double x1, int number) {
 /// What the drawing says: elements act with opposite forces on their two ends. The sum of all mass times
 /// acceleration is then the load and what the two walls exert.
 double force_balance() {
-  const problems::ThreeMassChain p;
+  const problems::TextProblem chain("three-dof");
+  const auto p = [&chain](const char* name) { return chain.parameter(name); };
   double greatest = 0;
   for (int i = 0; i < 100; ++i) {
     const double u = i;
     const Vector<double, 3> q(std::sin(u), std::cos(2 * u), std::sin(3 * u + 1)),
         v(std::cos(u), std::sin(5 * u), std::cos(4 * u));
     Vector<double, 3> a;
-    p.acceleration(u, q, v, a);
-    const double left = p.k1 * q[0] + p.l1 * q[0] * q[0] * q[0] + p.c1 * v[0];
-    const double right = p.k4 * q[2] + p.l4 * q[2] * q[2] * q[2] + p.c4 * v[2];
-    const double sum = p.m1 * a[0] + p.m2 * a[1] + p.m3 * a[2];
-    greatest = std::max(greatest, std::abs(sum - p.force * std::cos(p.frequency * u) + left + right));
+    chain.acceleration(u, q, v, a);
+    const double left = p("k1") * q[0] + p("l1") * q[0] * q[0] * q[0] + p("c1") * v[0];
+    const double right = p("k4") * q[2] + p("l4") * q[2] * q[2] * q[2] + p("c4") * v[2];
+    const double sum = p("m1") * a[0] + p("m2") * a[1] + p("m3") * a[2];
+    greatest = std::max(greatest, std::abs(sum - p("force") * std::cos(p("frequency") * u) + left + right));
   }
   return greatest;
 }

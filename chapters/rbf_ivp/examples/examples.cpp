@@ -8,7 +8,7 @@
 
 #include "chapters/rbf_ivp/examples/histories.hpp"
 #include "chapters/rbf_ivp/examples/rows.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::rbf_ivp::examples {
 namespace {
@@ -75,7 +75,7 @@ void put_response(const Record& record, scene::Show& show) {
     next = value.t + 0.1;
     data.add({value.t, value.x[0], value.x[1], value.x[2]});
   }
-  const double load = problems::ThreeMassChain{}.frequency;
+  const double load = problems::TextProblem("three-dof").parameter("frequency");
   scene::Panel& panel = show.plot(fmt::format("Three masses: load and slowest mode beat every {:.0f} s",
                                               2 * std::numbers::pi / std::abs(load - chain_frequencies()[0])),
                                   "{/:Italic t} (s)", "position");

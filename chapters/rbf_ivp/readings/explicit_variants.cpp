@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using Vector3 = Vector<double, 3>;
 
 /// Stops where an update of the velocity is lost; the damping is weak, so that each turn gains four digits.
-Vector3 implicit_velocity(const problems::ThreeMassChain& p, double t, double h, const Vector3& q,
+Vector3 implicit_velocity(const problems::TextProblem& p, double t, double h, const Vector3& q,
                           const Vector3& half_before) {
   Vector3 v = half_before, a;
   for (int turn = 0; turn < 12; ++turn) {
@@ -42,7 +42,7 @@ std::string_view to_string(ExplicitDamping damping) {
 }
 
 Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
-  const problems::ThreeMassChain p;
+  const problems::TextProblem p("three-dof");
   const Case& c = three_mass_case();
   const Vector3 v0 = c.x0.tail<3>();
   Vector3 q = c.x0.head<3>(), a;

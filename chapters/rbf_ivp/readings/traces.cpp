@@ -3,18 +3,17 @@
 #include <cmath>
 #include <memory>
 
-#include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 /// Fifteen times as fast as the elliptic functions.
 Case duffing_by_series() {
-  const problems::Duffing problem;
-  using Trajectory = problems::ReferenceTrajectory<Extended, problems::Duffing>;
+  using Trajectory = problems::ReferenceTrajectory<Extended, problems::TextProblem>;
   const auto trajectory = std::make_shared<const Trajectory>(
-      problem, Vector<Extended, 2>(problem.initial_state().cast<Extended>()), Extended(0), Extended(505));
+      problems::TextProblem("duffing"), ivp::LongState{1, 0}, Extended(0), Extended(505));
   Case c = free_duffing_case();
   c.reference = [trajectory](double t) { return (*trajectory)(t); };
   return c;

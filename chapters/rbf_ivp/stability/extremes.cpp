@@ -11,7 +11,7 @@
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
-#include "nlmech/problems/blow_up.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::extremes {
@@ -112,8 +112,10 @@ Ends ends_of(const ivp::MethodInfo& method) {
   const ivp::System& duffing = free_duffing_case().system;
   const bool second_order = method.second_order_only;
   const End blow_up =
-      second_order ? attempt(method, Trial{ivp::System(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
-                   : attempt(method, Trial{ivp::System(problems::BlowUp{}), ivp::State{1.0}, 0, 1, 1e-3, {}});
+      second_order
+          ? attempt(method, Trial{ivp::System(BlowUpOfSecondOrder{}), {1, 1}, 0, 1, 1e-3, {}})
+          : attempt(method,
+                    Trial{ivp::System(problems::TextProblem("blow-up")), ivp::State{1.0}, 0, 1, 1e-3, {}});
   return {std::string(method.name),
           method.fixed_step(),
           blow_up,

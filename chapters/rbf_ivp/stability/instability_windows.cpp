@@ -10,7 +10,7 @@
 
 #include "chapters/rbf_ivp/stability/extended.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -41,16 +41,12 @@ const std::array schemes = {Scheme{"LGL N = 7", 7, 0, NodeFamily::legendre_gauss
                             Scheme{"Radau N = 7", 7, 0, NodeFamily::left_end_and_radau},
                             Scheme{"Radau N = 35", 35, 0, NodeFamily::left_end_and_radau}};
 
-problems::ThreeMassChain stiff_chain() {
-  problems::ThreeMassChain chain;
-  chain.k1 = 1e8;
-  return chain;
-}
+problems::TextProblem stiff_chain() { return problems::TextProblem("three-dof", {{"k1", 1e8}}); }
 
 /// Angular frequency of the first mass between its stiff spring and its neighbour.
 double frequency() {
-  const problems::ThreeMassChain chain = stiff_chain();
-  return std::sqrt((chain.k1 + chain.k2) / chain.m1);
+  const problems::TextProblem chain = stiff_chain();
+  return std::sqrt((chain.parameter("k1") + chain.parameter("k2")) / chain.parameter("m1"));
 }
 
 /// The first mass, displaced by 1e-9, step by step.

@@ -20,7 +20,6 @@
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
-#include "nlmech/problems/two_body.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -61,7 +60,7 @@ struct Contender {
 
 template <class Method>
 Integrator general(Method (*make)(double tolerance)) {
-  return [make, system = ivp::Direct(problems::TwoBody{.mu = 1})](
+  return [make, system = ivp::Direct(chapters::PlainTwoBody{})](
              const orbit::State& s, double time, double tolerance) -> std::optional<orbit::Vector3<double>> {
     ivp::State x(6);
     x << s.position, s.velocity;
@@ -83,7 +82,7 @@ std::optional<orbit::Vector3<double>> by_odeint(const orbit::State& s, double ti
   std::copy_n(s.position.begin(), 3, x.begin());
   std::copy_n(s.velocity.begin(), 3, x.begin() + 3);
   const peers::Odeint method{peers::Odeint::Formula::fehlberg78, tolerance, tolerance};
-  const chapters::PlainTwoBody equations{problems::TwoBody{.mu = 1}};
+  const chapters::PlainTwoBody equations;
   if (!peers::odeint_natively(method, equations, 0, time, x)) return std::nullopt;
   return orbit::Vector3<double>(x[0], x[1], x[2]);
 }

@@ -9,7 +9,7 @@
 #include "chapters/two_body_series/orbits/propagators.hpp"
 #include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/problems/two_body.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::two_body_series::error_vs_time {
 namespace {
@@ -49,7 +49,7 @@ Example example_of(const Subject& subject) {
     return static_cast<double>(d.norm());
   };
   return {.name = subject.name,
-          .system = ivp::System(problems::TwoBody{.mu = 1}),
+          .system = ivp::System(problems::TextProblem("two-body", {{"mu", 1}})),
           .x0 = joined(start),
           .t0 = 0,
           .t1 = orbits * revolution,

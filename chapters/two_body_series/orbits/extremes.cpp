@@ -16,7 +16,7 @@
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
-#include "nlmech/problems/two_body.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::two_body_series {
@@ -94,7 +94,7 @@ struct Answer {
 };
 
 Answer answer(const Case& c, const Method& m, std::int64_t most_steps) {
-  static const ivp::System system(problems::TwoBody{.mu = 1});
+  static const ivp::System system(problems::TextProblem("two-body", {{"mu", 1}}));
   Answer a{c.name, m.name, {}, 0, {}, 0, 0};
   try {
     const auto end = m.run(system, joined(c.start), 0, c.time, {}, {.steps = most_steps});

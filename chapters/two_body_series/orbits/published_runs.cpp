@@ -13,7 +13,7 @@
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/problems/two_body.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -83,7 +83,7 @@ template <class Method>
 EnergyRecord integrated(const Orbit& orbit, int orbits, const Method& method,
                         const std::function<void(Recorder&, const ivp::Step&)>& observe) {
   Recorder r(orbit, orbits);
-  const ivp::System system(problems::TwoBody{.mu = earth_mu});
+  const ivp::System system(problems::TextProblem("two-body", {{"mu", earth_mu}}));
   const ivp::State start = joined(orbit.start);
   const auto look = [&](const ivp::Step& step) {
     observe(r, step);
@@ -145,8 +145,8 @@ EnergyRecord by_series(const Orbit& orbit, int orbits) {
 /// Nothing but the integration.
 template <class Method>
 std::function<void()> integration(const Orbit& orbit, int orbits, const Method& method) {
-  return [system = ivp::System(problems::TwoBody{.mu = earth_mu}), start = joined(orbit.start),
-          end = Recorder(orbit, orbits).end(),
+  return [system = ivp::System(problems::TextProblem("two-body", {{"mu", earth_mu}})),
+          start = joined(orbit.start), end = Recorder(orbit, orbits).end(),
           method] { static_cast<void>(ivp::integrate(system, start, 0, end, method)); };
 }
 

@@ -2,12 +2,9 @@
 /// The attraction of a body with zonal harmonics as an equation for integrators in general.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "nlmech/orbit/gravity.hpp"
-#include "nlmech/problems/parameters.hpp"
 #include "nlmech/problems/problem.hpp"
 
 namespace nlmech::chapters::two_body_series {
@@ -15,10 +12,8 @@ namespace nlmech::chapters::two_body_series {
 /// q'' = mu [(-q^3 + q sum_k J_k w_k P'_{k+1}(s)) r - z^ sum_k J_k w_k P'_k(s)] with q = 1/|r|, s = z q and
 /// w_k = R^k q^(k+2), see orbit::Expansion. State (x1, x2, x3, v1, v2, v3).
 struct ZonalField {
-  static constexpr int dimension = 6;                      ///< three positions, then three velocities
-  static constexpr std::string_view name = "zonal-field";  ///< in sentences
-  static constexpr std::array<problems::Parameter<ZonalField>, 0> parameters = {};  ///< none by name
-  orbit::Gravity gravity;                                                           ///< of the centre
+  static constexpr int dimension = 6;  ///< three positions, then three velocities
+  orbit::Gravity gravity;              ///< of the centre
 
   /// The acceleration at @p r.
   template <class T>

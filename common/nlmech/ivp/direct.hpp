@@ -70,6 +70,12 @@ concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
   { problem.in_mode(mode) } -> std::same_as<Problem>;
 };
 
+/// True if the problem has read them off its equations, as typed equations do.
+template <class Problem>
+concept GivesLinearTerms = requires(const Problem& problem) {
+  { problem.linear_terms() } -> std::convertible_to<program::LinearTerms>;
+};
+
 /// True if the problem knows quantities that stay constant along its solutions.
 template <class Problem>
 concept GivesInvariants = requires(const Problem& problem, double t,
@@ -310,7 +316,10 @@ class Direct {
   /// What of f is linear with constant coefficients, and its harmonic loads; nothing of a problem that is
   /// written for double alone, or branches.
   [[nodiscard]] program::LinearTerms linear_terms() const {
-    if constexpr (detail::TakesDual<Problem, program::Recorded> && !detail::GivesDiscontinuities<Problem>) {
+    if constexpr (detail::GivesLinearTerms<Problem>) {
+      return problem_.linear_terms();
+    } else if constexpr (detail::TakesDual<Problem, program::Recorded> &&
+                         !detail::GivesDiscontinuities<Problem>) {
       try {
         const program::Recording recording = program::record(problem_, 0, size(), false);
         return program::linear_terms(recording.graph, recording.slopes);

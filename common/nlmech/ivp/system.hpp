@@ -100,7 +100,7 @@ concept CompiledOnce = requires {
   requires std::same_as<typename Problem::compiled_once, Problem>;
 };
 /// Of such a problem. Defined by compiled_system.hpp, for the one source that compiles it:
-/// problems/systems.cpp.
+/// typed_system.cpp and problems/texts.cpp.
 template <class Problem>
 std::shared_ptr<const Face> compiled_face(Problem problem);
 

@@ -10,14 +10,21 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "nlmech/ivp/state.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/problems/taylor_step.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::problems {
+
+/// A state of a problem, made of its components in braces.
+template <class Real, class Problem>
+using StateOf = std::conditional_t<Problem::dimension == Eigen::Dynamic, ivp::BasicState<Real>,
+                                   Vector<Real, Problem::dimension>>;
 
 /// How a reference is computed.
 struct ReferenceOptions {
@@ -95,19 +102,21 @@ class ReferenceTrajectory {
   /// Number of components of the state.
   static constexpr int dimension = Problem::dimension;
   /// A state.
-  using State = Vector<Real, dimension>;
+  using State = StateOf<Real, Problem>;
 
   /// Computes the solution from @p x0 at @p t0 to @p t1.
   /// @throws std::invalid_argument if t1 < t0, a number is not finite, or an option out of range
   ReferenceTrajectory(const Problem& problem, const State& x0, const Real& t0, const Real& t1,
                       const ReferenceOptions& options = {})
       : start_(t0), end_(t0), first_(x0), last_(x0) {
-    status_ = walk_reference(problem, x0, t0, t1, options,
-                             [this](const TaylorStep<Real, dimension>& step, const State& after) {
-                               steps_.push_back(step);
-                               end_ = step.start + step.length;
-                               last_ = after;
-                             });
+    const Vector<Real, dimension>& start = x0;
+    status_ =
+        walk_reference(problem, start, t0, t1, options,
+                       [this](const TaylorStep<Real, dimension>& step, const Vector<Real, dimension>& after) {
+                         steps_.push_back(step);
+                         end_ = step.start + step.length;
+                         last_ = after;
+                       });
   }
 
   /// Success, or why the solution ends before t1.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "nlmech/ivp/compiled_system.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::problems {
@@ -29,15 +30,30 @@ program::Equations equations_of(std::string_view name, const program::Settings& 
 
 }  // namespace
 
-TextProblem::TextProblem(std::string_view name, const program::Settings& settings)
-    : TextProblem(equations_of(name, settings)) {}
+TextProblem::TextProblem(std::string_view of_text, const program::Settings& settings)
+    : TextProblem(equations_of(of_text, settings), of_text) {}
 
-TextProblem::TextProblem(program::Equations equations)
+TextProblem::TextProblem(program::Equations equations, std::string_view of_text)
     : Problem(equations),
+      name(of_text),
       initial_time(equations.initial_time().value()),
-      final_time(equations.final_time().value()) {
+      final_time(equations.final_time().value()),
+      parameters_(equations.parameters()) {
   const std::vector<double> x0 = equations.initial_state("initial state", "");
   x0_ = Eigen::Map<const Eigen::VectorXd>(x0.data(), size());
 }
 
+double TextProblem::parameter(std::string_view definition) const {
+  const auto found = std::ranges::find(parameters_, definition, &std::pair<std::string, double>::first);
+  if (found == parameters_.end())
+    throw invalid_argument("{}.ode: no number is called '{}'", name, definition);
+  return found->second;
+}
+
 }  // namespace nlmech::problems
+
+namespace nlmech::ivp::detail {
+
+template struct InSystem<problems::TextProblem>;
+
+}  // namespace nlmech::ivp::detail

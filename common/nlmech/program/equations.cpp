@@ -22,7 +22,8 @@ class EquationReader {
         tree_(made.tree_),
         meaning_(made.graph_, made.names_, made.source_, made.tree_) {}
 
-  // Names with a prime, in the order in which the text first has them, with a prime or without.
+  // Names with a prime, in the order in which the text first has them, with a prime or without, be it as an
+  // initial value.
   void find_unknowns() {
     std::map<std::string, std::size_t> first;
     for (const Syntax& node : tree_.nodes) {
@@ -30,6 +31,10 @@ class EquationReader {
       const auto entry = first.try_emplace(node.name, node.place.begin).first;
       entry->second = std::min(entry->second, node.place.begin);
       if (node.primes > 0) take_derivative(node);
+    }
+    for (const InitialValue& given : tree_.initial_values) {
+      const auto entry = first.find(given.name);
+      if (entry != first.end()) entry->second = std::min(entry->second, given.place.begin);
     }
     std::sort(names_.unknowns.begin(), names_.unknowns.end(),
               [&](const Unknown& a, const Unknown& b) { return first[a.name] < first[b.name]; });

@@ -2,11 +2,13 @@
 /// Typed equations as a problem, so that every method runs on them.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "nlmech/program/equations.hpp"
+#include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/program.hpp"
 #include "nlmech/program/switches.hpp"
 #include "nlmech/program/vector.hpp"
@@ -25,6 +27,8 @@ class Problem {
       : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
         stated_(std::make_shared<const Stated>(equations)),
+        linear_(std::make_shared<const LinearTerms>(
+            program::linear_terms(equations.graph(), equations.slopes()))),
         size_(equations.size()),
         second_order_(equations.second_order()),
         smooth_(switches_->count() == 0) {}
@@ -34,7 +38,16 @@ class Problem {
   /// Is every unknown of second order?
   [[nodiscard]] bool second_order() const { return second_order_; }
 
-  /// How many functions decide by their signs what the equations are; none within a mode.
+  /// The known times between @p t0 and @p t1 at which the equations change, in the direction of travel.
+  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
+    std::vector<double> between;
+    for (const double t : switches_->times()) {
+      if (t > std::min(t0, t1) && t < std::max(t0, t1)) between.push_back(t);
+    }
+    if (t1 < t0) std::reverse(between.begin(), between.end());
+    return between;
+  }
+  /// How many other functions decide by their signs what the equations are; none within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
   /// The smooth equations of a mode. What the text says of all solutions does not hold of theirs: steps of
   /// them lead beyond the switch that ends them.
@@ -57,11 +70,11 @@ class Problem {
   }
 
   /// What stays constant along every solution, as the text says; empty where it says nothing.
-  [[nodiscard]] Vector<double, Eigen::Dynamic> invariants(double t,
-                                                          const Vector<double, Eigen::Dynamic>& x) const {
+  template <class T>
+  [[nodiscard]] Vector<T, Eigen::Dynamic> invariants(const T& t, const Vector<T, Eigen::Dynamic>& x) const {
     const std::size_t count = stated_->conserved.outputs();
-    Vector<double, Eigen::Dynamic> values(static_cast<Eigen::Index>(count));
-    stated_->conserved.run(t, x, 0, count, [&](int i, double value) { values[i] = value; });
+    Vector<T, Eigen::Dynamic> values(static_cast<Eigen::Index>(count));
+    stated_->conserved.run(t, x, 0, count, [&](int i, const T& value) { values[i] = value; });
     return values;
   }
   /// What no component leaves at later times, as the text says. False, and nothing is written, if it says
@@ -73,6 +86,9 @@ class Problem {
     upper = Eigen::Map<const Eigen::VectorXd>(stated_->upper.data(), size_);
     return true;
   }
+
+  /// What is linear with constant coefficients, and the harmonic loads.
+  [[nodiscard]] const LinearTerms& linear_terms() const { return *linear_; }
 
   /// dx/dt.
   template <class T>
@@ -110,6 +126,7 @@ class Problem {
   std::shared_ptr<const Program> program_;
   std::shared_ptr<const Switches> switches_;
   std::shared_ptr<const Stated> stated_;
+  std::shared_ptr<const LinearTerms> linear_;
   int size_;
   bool second_order_, smooth_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -61,6 +62,14 @@ class Sliding {
   std::vector<std::vector<NodeId>> rises_, jumps_;
 };
 
+/// The time at which t - c becomes zero, if that is what decides.
+std::optional<double> time_of(const Graph& graph, NodeId decides) {
+  const Node& n = graph[decides];
+  if (decides == Graph::time()) return 0;
+  if (n.operation == Operation::shifted && n.a == Graph::time()) return -n.c;
+  return {};
+}
+
 }  // namespace
 
 Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {
@@ -68,9 +77,14 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)] || graph_[i].operation != Operation::choice) continue;
     const NodeId decides = graph_[i].decides;
-    if (std::find(deciding_.begin(), deciding_.end(), decides) == deciding_.end())
+    if (const std::optional<double> time = time_of(graph_, decides)) {
+      times_.push_back(*time);
+    } else if (std::find(deciding_.begin(), deciding_.end(), decides) == deciding_.end()) {
       deciding_.push_back(decides);
+    }
   }
+  std::sort(times_.begin(), times_.end());
+  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
 // Slopes and then functions without choices, for a mode without zeros.
@@ -85,8 +99,11 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
     if (i <= graph_.size() || n.operation == Operation::number) {
       made[index(i)] = i;
     } else if (n.operation == Operation::choice) {
-      const auto decides = std::find(deciding_.begin(), deciding_.end(), n.decides) - deciding_.begin();
-      made[index(i)] = made[index(mode[static_cast<std::size_t>(decides)] < 0 ? n.b : n.a)];
+      const auto decides = static_cast<std::size_t>(std::find(deciding_.begin(), deciding_.end(), n.decides) -
+                                                    deciding_.begin());
+      made[index(i)] = decides == mode.size()
+                           ? graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)])
+                           : made[index(mode[decides] < 0 ? n.b : n.a)];
     } else {
       made[index(i)] = graph.again(n, made[index(n.a)], made[index(n.b)]);
     }

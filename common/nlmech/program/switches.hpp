@@ -23,12 +23,17 @@ using Mode = std::vector<std::int8_t>;
 /// g stays zero (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, section 4). On
 /// several surfaces at once the slopes change by a share of each surface's own jump, such that all their
 /// functions stay zero (Utkin's equivalent control): what dry friction at several places asks for.
+///
+/// A function t - c, as of max(0, t - c), decides at a known time: methods step onto it, and there is nothing
+/// to locate. The equations keep such choices in every mode.
 class Switches {
  public:
   /// What the slopes @p slopes of a state depend on by choices. @param graph is copied
   Switches(const Graph& graph, const std::vector<NodeId>& slopes);
 
-  /// How many functions decide.
+  /// The times c at which functions t - c decide, ascending.
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+  /// How many other functions decide.
   [[nodiscard]] int count() const { return static_cast<int>(deciding_.size()); }
   /// The equations of a mode. Outputs: the slopes; for each function its value, or where the motion stays on
   /// its surface the share of the upper side; then the derivatives of all functions along the slopes. Shares
@@ -41,6 +46,7 @@ class Switches {
   static constexpr std::size_t most_known = 256;  // modes that are kept
   Graph graph_;
   std::vector<NodeId> slopes_, deciding_;
+  std::vector<double> times_;
   mutable std::mutex mutex_;
   mutable std::map<Mode, std::shared_ptr<const Program>> known_;
 };

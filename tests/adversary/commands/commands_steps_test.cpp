@@ -137,7 +137,7 @@ Case powers(Draw& draw) {
   const double t1 = sign * (count + rest) * h;
   const Ran r =
       ran(fmt::format("integrators integrate --problem duffing --set hardening=0 --set "
-                      "natural-frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} "
+                      "natural_frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} "
                       "--step {:.17g} --every {:.17g} --method {}",
                       w, x, v, t1, h, stride * h, method));
   if (const auto failure = failed(r)) return *failure;

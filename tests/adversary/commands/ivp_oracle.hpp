@@ -17,8 +17,7 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/peers/ivp/registry.hpp"
-#include "nlmech/problems/parameters.hpp"
-#include "nlmech/problems/problem.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/adversary/commands/command_run.hpp"
 
 namespace nlmech::adversary {
@@ -154,16 +153,10 @@ struct Question {
 
 namespace detail {
 
-/// Each parameter times a factor, in words too: all of them, since a chapter may have others than the type.
-template <class Problem>
-void set_any_parameters(Draw& draw, Problem& problem, std::string& words) {
-  for (const auto& parameter : Problem::parameters) {
-    double value = problem.*(parameter.member);
-    if (draw.chance(0.4)) value = value * draw.log_uniform(0.1, 10) + (draw.chance(0.1) ? 0.5 : 0);
-    value = std::max(value, 0.0);
-    problems::set_parameter(problem, parameter.name, value);
-    words += fmt::format(" --set {}={:.17g}", parameter.name, value);
-  }
+/// A parameter times a factor.
+[[nodiscard]] inline double any_parameter(Draw& draw, double value) {
+  if (draw.chance(0.4)) value = value * draw.log_uniform(0.1, 10) + (draw.chance(0.1) ? 0.5 : 0);
+  return std::max(value, 0.0);
 }
 
 /// A random state, or one near the problem's own.
@@ -181,13 +174,17 @@ void set_any_parameters(Draw& draw, Problem& problem, std::string& words) {
 
 /// A problem with other parameters and a random initial state.
 /// @param keep the initial state near the problem's own: of problems that any state would make meaningless
-template <class Problem>
-[[nodiscard]] Question question(Draw& draw, const std::string& name, double longest, bool keep = false) {
+[[nodiscard]] inline Question question(Draw& draw, const std::string& name, double longest,
+                                       bool keep = false) {
   Question q;
   q.words = "--problem " + name;
   q.longest = longest;
-  Problem problem;
-  detail::set_any_parameters(draw, problem, q.words);
+  program::Settings settings;
+  for (const auto& [parameter, value] : problems::TextProblem(name).parameters()) {
+    settings[parameter] = detail::any_parameter(draw, value);
+    q.words += fmt::format(" --set {}={:.17g}", parameter, settings[parameter]);
+  }
+  const problems::TextProblem problem(name, settings);
   q.x0 = detail::any_state(draw, problem.initial_state(), keep);
   q.words += fmt::format(" --initial {:.17g}", fmt::join(std::vector<double>(q.x0.begin(), q.x0.end()), ","));
   const ivp::System system(problem);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "chapters/algebraic_series/sections.hpp"
-#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/program/runge_kutta.hpp"
 
@@ -19,8 +19,8 @@ using tests::runge_kutta;
 // "Without any approximation or truncation in each time step": with T = 0.1 and N = 20, as printed, v is
 // wrong by a tenth of itself after five steps, u and w by a thousandth.
 TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
-  const ivp::System system{problems::Lorenz{}};
-  const ivp::State x0 = problems::Lorenz::initial_state();
+  const ivp::System system{problems::TextProblem("lorenz")};
+  const ivp::State x0 = problems::TextProblem("lorenz").initial_state();
   const auto field = [](double, const std::array<double, 3>& x) {
     return std::array{10 * (x[1] - x[0]), 28 * x[0] - x[1] - x[0] * x[2], x[0] * x[1] - 8.0 / 3 * x[2]};
   };
@@ -42,8 +42,8 @@ TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
 // paper's 750 s.
 TEST(Claims, SectionsDoNotSettle) {
   constexpr int first = 310, last = first + 6 * 31;
-  const problems::StrongOscillator problem;
-  const auto all = sections(problem, problem.initial_state(), problem.initial_time, last + 1);
+  const problems::TextProblem problem("oscillator");
+  const auto all = sections(ivp::System(problem), problem.initial_state(), problem.initial_time, last + 1);
   const auto field = [](double t, const std::array<double, 2>& x) {
     return std::array{x[1], -0.306 * x[0] - 5 * x[1] * x[0] * x[0] * std::sin(2 * t)};
   };

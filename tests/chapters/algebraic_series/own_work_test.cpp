@@ -50,7 +50,7 @@ struct Bad {
 TEST(OwnWork, BadInputIsNamed) {
   const std::vector<Bad> cases = {{"poincare --sections 0", {"--sections", "0"}},
                                   {"poincare --sections 1.5", {"--sections", "1.5"}},
-                                  {"poincare --sections 3 --initial 1", {"--initial", "x,v"}},
+                                  {"poincare --sections 3 --initial 1", {"--initial", "x,x'"}},
                                   {"poincare", {"--sections"}}};
   for (const Bad& bad : cases) {
     const Finished f = algebraic_series(bad.words);

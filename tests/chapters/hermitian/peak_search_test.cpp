@@ -20,8 +20,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A mass under a constant force: steps by hand.
 ivp::System falling() {
-  return ivp::System(
-      problems::DrivenDuffing{.damping = 0, .stiffness = 0, .hardening = 0, .force = -1, .frequency = 0});
+  return ivp::System(problems::TextProblem(
+      "driven-duffing",
+      {{"damping", 0}, {"stiffness", 0}, {"hardening", 0}, {"force", -1}, {"frequency", 0}}));
 }
 
 void expect_state(const ivp::State& x, double position, double velocity, double within) {
@@ -74,10 +75,8 @@ TEST(PeakSearch, FirstStepByHand) {
 
 // On a linear problem one update is the root; under a load that stands still the old one is the new one.
 TEST(PeakSearch, OddIterationsThatChangeNothing) {
-  problems::DrivenDuffing linear = laier_duffing();
-  linear.hardening = 0;
-  problems::DrivenDuffing still = laier_duffing();
-  still.frequency = 0;
+  const problems::TextProblem linear("laier-duffing", {{"hardening", 0}}),
+      still("laier-duffing", {{"frequency", 0}});
   const ivp::State rest{0, 0};
   for (const ivp::HermitianPair& pair : peak_operators) {
     const ivp::System a(linear), b(still);

@@ -113,7 +113,7 @@ TEST(Integrate, TakesTheMethodThatChooseSays) {
 // What `series` alone has is a choice of it; a polynomial within steps is as exact as their ends.
 TEST(Integrate, ChoosesAmongMethodsThatHaveWhatIsAsked) {
   const Words problem = {"--problem", "duffing", "--until", "10"};
-  for (const Words& asked : {Words{"--order", "18"}, Words{"--every", "1"}, Words{"--event", "x1=0"}}) {
+  for (const Words& asked : {Words{"--order", "18"}, Words{"--every", "1"}, Words{"--event", "x=0"}}) {
     const Finished without = integrators(of("integrate", problem, asked));
     const Finished series = integrators(of("integrate", problem, with(asked, {"--method", "series"})));
     EXPECT_EQ(without.exit_code, 0) << without.errors;

@@ -93,10 +93,10 @@ TEST(Mistakes, OfTheOptionsOfARun) {
 // Problems by name take the same texts and point at the same mistakes.
 TEST(Mistakes, OfANamedProblem) {
   const Words begin = {"integrate", "--problem", "duffing", "--until", "1"};
-  const std::vector<Bad> cases = {{{"--initial", "x1=1, y=2"}, {"--initial:1:7: ", "x1, v1"}},
-                                  {{"--initial", "x1=1, x1=2"}, {"--initial:1:7: given a second time"}},
-                                  {{"--initial", "v1=oops"}, {"--initial:1:4: oops is not defined"}},
-                                  {{"--event", "x=0"}, {"--event:1:1: x is not defined"}},
+  const std::vector<Bad> cases = {{{"--initial", "x=1, y=2"}, {"--initial:1:6: ", "x, x'"}},
+                                  {{"--initial", "x=1, x=2"}, {"--initial:1:6: given a second time"}},
+                                  {{"--initial", "x'=oops"}, {"--initial:1:4: oops is not defined"}},
+                                  {{"--event", "y=0"}, {"--event:1:1: y is not defined"}},
                                   {{"--set", "mass=1"}, {"--set mass=1", "hardening"}}};
   for (const Bad& bad : cases) {
     Bad whole = bad;

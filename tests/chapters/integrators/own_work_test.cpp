@@ -13,7 +13,7 @@
 namespace nlmech::integrators_commands_test {
 namespace {
 
-const std::vector<std::string> duffing_columns = {"t", "x1", "v1"};
+const std::vector<std::string> duffing_columns = {"t", "x", "x'"};
 
 scene::NumberColumns trajectory(const std::string& words, const std::vector<std::string>& columns) {
   const Finished f = run("integrate " + words);
@@ -150,7 +150,7 @@ TEST(Integrate, AbsoluteToleranceOfItsOwn) {
   const auto rows = trajectory(
       "--problem robertson --until 1e11 --method adaptive-collocation --tolerance 1e-9 --absolute-tolerance "
       "1e-17",
-      {"t", "x1", "x2", "x3"});
+      {"t", "y1", "y2", "y3"});
   EXPECT_NEAR(rows.column[1].back() / 0.2083340149701255e-7, 1, 1e-7);
   EXPECT_NEAR(rows.column[2].back() / 0.8333360770334713e-13, 1, 1e-7);
   EXPECT_NEAR(rows.column[3].back() / 0.9999999791665050, 1, 1e-7);
@@ -198,16 +198,16 @@ TEST(Integrate, BackwardsInTime) {
 TEST(Integrate, ParametersAreSet) {
   // Without hardening a harmonic oscillator.
   const auto rows = trajectory(
-      "--problem duffing --set hardening=0 --set natural-frequency=2 --until 3 --method rk6 --step 0.01",
+      "--problem duffing --set hardening=0 --set natural_frequency=2 --until 3 --method rk6 --step 0.01",
       duffing_columns);
   EXPECT_LE(last_error(rows, {std::cos(6), -2 * std::sin(6)}), 1e-10);  // (0.01 2)^6 is 6e-11
 }
 
 TEST(Integrate, ColumnsFollowTheProblem) {
   const auto chain = trajectory("--problem three-dof --until 1 --method rk4 --step 0.1",
-                                {"t", "x1", "x2", "x3", "v1", "v2", "v3"});
+                                {"t", "x1", "x2", "x3", "x1'", "x2'", "x3'"});
   EXPECT_EQ(chain.rows(), 2U);
-  const auto blow = trajectory("--problem blow-up --until 0.25 --method rk6 --step 0.001", {"t", "x1"});
+  const auto blow = trajectory("--problem blow-up --until 0.25 --method rk6 --step 0.001", {"t", "y"});
   EXPECT_NEAR(blow.column[1].back(), 1 / std::sqrt(0.5), 1e-12);
   EXPECT_EQ(trajectory("--problem van-der-pol --until 1 --method ode45", duffing_columns).rows(), 2U);
   EXPECT_EQ(trajectory("--problem impact --until 2 --method hht --step 0.1", duffing_columns).rows(), 2U);
@@ -237,7 +237,8 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --method rk4 --set stiffness=2" + good, {"--set stiffness=2", "hardening"}},
       {"integrate --method rk4 --set hardening" + good, {"--set hardening", "name=value"}},
       {"integrate --method rk4 --set hardening=two" + good, {"--set hardening=two", "number"}},
-      {"integrate --method rk4 --initial 1" + good, {"--initial 1", "1 numbers", "x1,v1", "x'' + w^2 x"}},
+      {"integrate --method rk4 --initial 1" + good,
+       {"--initial 1", "1 numbers", "x,x'", "x'' = -natural_frequency^2 x"}},
       {"integrate --method rk4 --initial 1,2,3" + good, {"--initial 1,2,3", "3 numbers"}},
       {"integrate --method rk4 --initial 1,two" + good, {"--initial 1,two", "'two'"}},
       {"integrate --method rk4 --initial 1,nan" + good, {"--initial", "'nan'"}},
@@ -276,13 +277,13 @@ TEST(OwnWork, BadInputIsNamed) {
        {"--methods", "ode45", "tolerance, not a step"}},
       {"integrate --method rk4 --set hardening=2 --set hardening=3" + good,
        {"hardening=2", "hardening=3", "twice"}},
-      {"integrate --method rk4 --set hardening=2 natural-frequency=1 hardening=2" + good,
+      {"integrate --method rk4 --set hardening=2 natural_frequency=1 hardening=2" + good,
        {"hardening", "twice"}},
       {"compare --methods rk4,ode45 --nodes 7" + good, {"--nodes 7", "rk4,ode45"}},
       {"compare --methods lgl-coll --shape 7" + good, {"--shape 7", "lgl-coll"}},
       {"integrate --problem blow-up --until 0.1 --method newmark --step 0.1", {"newmark", "acceleration"}},
       {"integrate --method rk4 --limit 0" + good, {"--limit 0", "positive"}},
-      {"integrate --problem duffing --method rk4", {"--until"}},
+      {"integrate --equation x'=-x --initial 1 --method rk4", {"--until"}},
       {"integrate --until 1 --method rk4", {"--problem"}},
       {"integrate --method rk4 --frobnicate 1" + good, {"--frobnicate"}},
   };
@@ -401,7 +402,7 @@ TEST(Compare, BackwardsHasAReferenceToo) {
   const auto blow = comparison("--problem blow-up --until -3 --methods dop853 --tolerance 1e-12", errors);
   ASSERT_EQ(blow.size(), 1U);
   EXPECT_GT(std::stod(blow[0].digits), 11) << errors;
-  const auto end = trajectory("--problem blow-up --until -3 --method dop853 --tolerance 1e-12", {"t", "x1"});
+  const auto end = trajectory("--problem blow-up --until -3 --method dop853 --tolerance 1e-12", {"t", "y"});
   EXPECT_NEAR(end.column[1].back(), 1 / std::sqrt(7.0), 1e-12);
   const auto impact = comparison(
       "--problem impact --from 3 --until -1 --initial 0.5,-0.25 --methods dop853,adaptive-collocation "

@@ -14,14 +14,14 @@ namespace {
 TEST(Hermitian, LinearOscillatorAtTheAskedRows) {
   const Finished f = run("integrate --problem linear --until 2 --step 0.1 --every 0.5 --method laier");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
-  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x1", "v1"});
+  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x", "x'"});
   EXPECT_EQ(rows.column[0], (std::vector<double>{0, 0.5, 1, 1.5, 2}));
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     EXPECT_NEAR(rows.column[1][i], std::cos(rows.column[0][i]), 2 * 1e-4 / 720);
     EXPECT_NEAR(rows.column[2][i], -std::sin(rows.column[0][i]), 2 * 1e-4 / 720);
   }
   const Finished n = run("integrate --problem linear --until 2 --step 0.1 --method newmark");
-  const auto ends = scene::parse_numbers(n.output, "output", {"t", "x1", "v1"});
+  const auto ends = scene::parse_numbers(n.output, "output", {"t", "x", "x'"});
   EXPECT_NEAR(ends.column[1][1] - std::cos(2.0), std::sin(2.0) * 2 * 0.01 / 12, 1e-5);
 }
 
@@ -32,11 +32,11 @@ TEST(Hermitian, EveryProblemByEveryOperator) {
     std::vector<std::string> header;
   };
   const std::vector<Asked> all = {
-      {"laier-duffing --until 10", {"t", "x1", "v1"}},
-      {"laier-duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x1", "v1"}},
-      {"laier-van-der-pol --until 5", {"t", "x1", "v1"}},
-      {"laier-van-der-pol --set mu=3 --initial 2,0 --until 2", {"t", "x1", "v1"}},
-      {"two-dof --until 10", {"t", "x1", "x2", "v1", "v2"}}};
+      {"laier-duffing --until 10", {"t", "x", "x'"}},
+      {"laier-duffing --set damping=0 --set force=0 --initial 1,0 --until 5", {"t", "x", "x'"}},
+      {"laier-van-der-pol --until 5", {"t", "x", "x'"}},
+      {"laier-van-der-pol --set mu=3 --initial 2,0 --until 2", {"t", "x", "x'"}},
+      {"two-dof --until 10", {"t", "x1", "x2", "x1'", "x2'"}}};
   for (const Asked& a : all) {
     const Finished best = run("integrate --problem " + a.words + " --tolerance 1e-10 --method laier");
     ASSERT_EQ(best.exit_code, 0) << best.errors;
@@ -73,15 +73,15 @@ TEST(Transversal, EveryProblemToItsReference) {
   };
   const std::vector<Known> all = {
       // oracle: transversal_motions driven Duffing *, van der Pol *
-      {"driven-duffing --until 50 --step 0.005 --points 5", "t,x1,v1", 50, 1.203734404401093, 1e-9},
-      {"van-der-pol --until 40 --step 0.002", "t,x1,v1", 40, 1.872808279858090, 1e-6},
+      {"driven-duffing --until 50 --step 0.005 --points 5", "t,x,x'", 50, 1.203734404401093, 1e-9},
+      {"van-der-pol --until 40 --step 0.002", "t,x,x'", 40, 1.872808279858090, 1e-6},
       // x = cos t, whatever the step.
-      {"linear --until 30 --step 3 --points 2", "t,x1,v1", 30, std::cos(30.), 1e-13},
+      {"linear --until 30 --step 3 --points 2", "t,x,x'", 30, std::cos(30.), 1e-13},
       // Moving as one: x = cos(sqrt(1.5) t) for k = 1.5 without the cubic terms.
       {"two-dof --set damping=0 --set hardening=0 --set force=0 --set stiffness=1.5 --initial 1,1,0,0 "
        "--until 4 "
        "--step 0.5 --points 8",
-       "t,x1,x2,v1,v2", 4, std::cos(std::sqrt(1.5) * 4), 1e-13}};
+       "t,x1,x2,x1',x2'", 4, std::cos(std::sqrt(1.5) * 4), 1e-13}};
   for (const Known& k : all) {
     const Finished f = run("integrate --method mtl --problem " + k.words);
     ASSERT_EQ(f.exit_code, 0) << f.errors;
@@ -97,7 +97,7 @@ TEST(Transversal, RowsAtEqualDistancesWithinBlocks) {
   const Finished f =
       run("integrate --method mtl --problem linear --until 1 --step 0.4 --points 2 --every 0.25");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
-  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x1", "v1"});
+  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x", "x'"});
   EXPECT_EQ(rows.column[0], (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   for (std::size_t i = 0; i < rows.rows(); ++i)
     EXPECT_NEAR(rows.column[1][i], std::cos(rows.column[0][i]), 1e-14);
@@ -123,12 +123,12 @@ TEST(Series, EveryProblemToItsReference) {
   };
   const std::vector<Known> all = {
       {"lorenz --until 20 --tolerance 1e-14", "t,u,v,w", 1, 20, -1.356348984580380, 1e-5},
-      {"forced-duffing --until 50", "t,u,v", 1, 50, 1.221946638567542, 1e-6},
-      {"oscillator --until 378.14159265358979", "t,x,v", 1, 378.14159265358979, -0.302938936512582, 1e-6},
-      {"projectile --until 9.84601516944855", "t,x,y,z,vx,vy,vz", 1, 9.84601516944855, 38476.6981780052,
+      {"forced-duffing --until 50", "t,u,u'", 1, 50, 1.221946638567542, 1e-6},
+      {"oscillator --until 378.14159265358979", "t,x,x'", 1, 378.14159265358979, -0.302938936512582, 1e-6},
+      {"projectile --until 9.84601516944855", "t,x,y,z,x',y',z'", 1, 9.84601516944855, 38476.6981780052,
        1e-4},
       {"bodies --until 3000 --tolerance 1e-13",
-       "t,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,vx1,vy1,vz1,vx2,vy2,vz2,vx3,vy3,vz3,vx4,vy4,vz4", 11, 3000,
+       "t,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,x1',y1',z1',x2',y2',z2',x3',y3',z3',x4',y4',z4'", 11, 3000,
        3.071464269641001, 1e-6}};
   for (const Known& k : all) {
     const Finished f = run("integrate --method series --problem " + k.words);
@@ -157,7 +157,7 @@ TEST(Series, RowsAtEqualDistancesAndParameters) {
           "--until 1 --every "
           "0.25");
   ASSERT_EQ(f.exit_code, 0) << f.errors;
-  const auto rows = scene::parse_numbers(f.output, "output", {"t", "u", "v"});
+  const auto rows = scene::parse_numbers(f.output, "output", {"t", "u", "u'"});
   EXPECT_EQ(rows.column[0], (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   // Energy v^2/2 + u^4/4 is kept.
   for (std::size_t i = 0; i < rows.rows(); ++i) {

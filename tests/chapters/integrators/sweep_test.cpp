@@ -54,7 +54,8 @@ TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
 }
 
 TEST(ProblemSet, ErrorsAreRelativeOrBySize) {
-  SetProblem p{"none", Kind::smooth, 1, 1, ivp::System(problems::Duffing{}), {1, 0}, 0, 1, {1.0}};
+  SetProblem p{"none", Kind::smooth, 1, 1, ivp::System(problems::TextProblem("duffing")), {1, 0}, 0,
+               1,      {1.0}};
   p.truth.push_back({2, 0.5});
   p.flagged = {0, 4};
   EXPECT_EQ(p.error({2.5, 0.5}, 0), 0.25);

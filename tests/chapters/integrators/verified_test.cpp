@@ -26,7 +26,7 @@ void expect_says(const Finished& f, const std::vector<std::string>& words) {
 TEST(IntegrateVerified, RefusesWhatIsFarOff) {
   for (const std::string words :
        {"--problem van-der-pol --set mu=266.85 --until 200 --tolerance 4.2e-10 --method gsl-msadams",
-        "--problem duffing --set natural-frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
+        "--problem duffing --set natural_frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
         "gsl-bsimp",
         "--problem duffing --until 20 --method gsl-msbdf"}) {
     const Finished f = run("integrate " + words);
@@ -49,7 +49,7 @@ TEST(IntegrateVerified, NoRunawayIsASuccess) {
     const Finished f = run("integrate --problem robertson --method " + std::string(words));
     if (is_absent(f)) continue;
     if (f.exit_code == 0) {
-      const auto rows = scene::parse_numbers(f.output, "output", {"t", "x1", "x2", "x3"});
+      const auto rows = scene::parse_numbers(f.output, "output", {"t", "y1", "y2", "y3"});
       EXPECT_NEAR(rows.column[1].back(), 0, 100 * tolerance) << words;
       EXPECT_NEAR(rows.column[2].back(), 0, 100 * tolerance) << words;
       EXPECT_NEAR(rows.column[3].back(), 1, 100 * tolerance) << words;
@@ -66,7 +66,7 @@ TEST(IntegrateVerified, PrintsTheRunAsItIsIfAsked) {
   if (is_absent(f)) GTEST_SKIP() << f.errors;
   EXPECT_EQ(f.exit_code, 0) << f.errors;
   EXPECT_EQ(f.errors, "");
-  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x1", "v1"});
+  const auto rows = scene::parse_numbers(f.output, "output", {"t", "x", "x'"});
   EXPECT_NEAR(rows.column[1].back(), oracle::duffing(20)[0], 1e-4);
 }
 
@@ -87,7 +87,7 @@ TEST(IntegrateVerified, LooksAtRows) {
   const Finished rows = run(words + " --every 0.37");
   double worst = 0;
   if (rows.exit_code == 0) {
-    const auto all = scene::parse_numbers(rows.output, "output", {"t", "x1", "v1"});
+    const auto all = scene::parse_numbers(rows.output, "output", {"t", "x", "x'"});
     for (std::size_t i = 0; i < all.rows(); ++i)
       worst = std::max(worst, std::abs(all.column[1][i] - oracle::duffing(all.column[0][i])[0]));
   }

@@ -13,8 +13,9 @@
 #include "chapters/rbf_ivp/examples/runs.hpp"
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
 #include "chapters/rbf_ivp/readings/readings.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/errata/erratum.hpp"
+#include "tests/problems/text.hpp"
 
 namespace nlmech::chapters::rbf_ivp::errata_tables_test {
 namespace {
@@ -270,8 +271,8 @@ constexpr double rk4_1_of_table_4_6 = 4.6e-3;
 
 // 6.08e-3 for the equations as printed is recorded. oracle: rbf_ivp_methods 4.6 RK4-1 x1
 TEST(ErrataOfTables, Equation4_25) {
-  const double corrected = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{})),
-               printed = rms_of_rk4_1(ivp::System(problems::ThreeMassChainAsPrinted{}));
+  const double corrected = rms_of_rk4_1(ivp::System(problems::TextProblem("three-dof"))),
+               printed = rms_of_rk4_1(ivp::System(problems::tests::three_dof_as_printed()));
   EXPECT_NEAR(corrected, 4.582e-3, 0.001e-3);
   EXPECT_NEAR(printed, 6.08e-3, 0.01e-3);
   expect_erratum("rbf_ivp-4.25-c2", {.printed = printed,
@@ -283,8 +284,8 @@ TEST(ErrataOfTables, Equation4_25) {
 // Table 4.5 has no load, and the masses begin at rest.
 TEST(ErrataOfTables, LoadOfTable4_5) {
   expect_erratum("rbf_ivp-table-4.5",
-                 {.printed = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{.force = 0})),
-                  .corrected = rms_of_rk4_1(ivp::System(problems::ThreeMassChain{})),
+                 {.printed = rms_of_rk4_1(ivp::System(problems::TextProblem("three-dof", {{"force", 0}}))),
+                  .corrected = rms_of_rk4_1(ivp::System(problems::TextProblem("three-dof"))),
                   .oracle = rk4_1_of_table_4_6,
                   .tolerance = half_digit("4.6e-3")});
 }

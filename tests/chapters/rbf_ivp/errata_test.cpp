@@ -172,8 +172,8 @@ TEST(Errata, EllipticSolutionHoldsForEveryHardening) {
   const double X = 1.2, t = 7.3;
   int holds = 0, from_one = 0;
   for (const double eta : hardenings) {
-    const problems::ReferenceTrajectory<long double, problems::Duffing> motion(
-        problems::Duffing{.hardening = eta}, Vector<long double, 2>(X, 0), 0, 8);
+    const problems::ReferenceTrajectory<long double, problems::TextProblem> motion(
+        problems::TextProblem("duffing", {{"hardening", eta}}), {X, 0}, 0, 8);
     const double square = 1 + eta * X * X, modulus = std::sqrt(eta * X * X / (2 * square));
     const double closed = X * boost::math::jacobi_cn(modulus, std::sqrt(square) * t);
     // Rounding of an argument of 20.

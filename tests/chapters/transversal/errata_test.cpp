@@ -8,7 +8,7 @@
 
 #include "chapters/transversal/oscillators.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/two_dof.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/errata/erratum.hpp"
 
 namespace nlmech::chapters::transversal::errata_test {
@@ -79,25 +79,15 @@ TEST(Errata, NonlinearTermsAreTakenAtTheirPoints) {
       {.printed = printed, .corrected = closed, .oracle = corrected, .tolerance = 64 * eps, .scale = 1});
 }
 
-/// Two masses with Q^(j) for one j in both equations, as (4) literally reads; j = 1.
-struct OneComponentForAll : problems::TwoDof {
-  template <class T>
-  void acceleration(const T& t, const Vector<T, 2>& q, const Vector<T, 2>& v, Vector<T, 2>& a) const {
-    problems::TwoDof::acceleration(t, q, v, a);
-    a[1] += hardening * (q[1] * q[1] * q[1]) - hardening * (q[0] * q[0] * q[0]);
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 4>& x, Vector<T, 4>& dxdt) const {
-    problems::first_order_form(*this, t, x, dxdt);
-  }
-};
+/// The oscillators of two-dof with Q^(j) for one j in both equations, as (4) literally reads; j = 1.
+constexpr const char* one_component_for_all =
+    "x1'' = -x1 - x1^3 - (x1 - x2)/2; x2'' = -x2 - x1^3 + (x1 - x2)/2";
 
 // (4) has the component Q_M^(j) where the vector Q_M belongs. Masses that start against each other stay so;
 // with one component for both they do not.
 TEST(Errata, NonlinearTermsAreAVector) {
-  const problems::TwoDof problem{.damping = 0, .force = 0};
-  OneComponentForAll literal;
-  literal.damping = literal.force = 0;
+  const problems::TextProblem problem("two-dof", {{"damping", 0}, {"force", 0}});
+  const program::Problem literal(program::Equations({"(4) literally", one_component_for_all}));
   const ivp::State x0{1, -1, 0, 0};
   const auto corrected = ivp::integrate(ivp::System(problem), x0, 0, 5, ivp::Mtl{.step = 0.05});
   const auto printed = ivp::integrate(ivp::System(literal), x0, 0, 5, ivp::Mtl{.step = 0.05});
@@ -182,7 +172,7 @@ double area_lost(double h, double change) {
 // to roundings; for x'' + x + x^3 it does not, by an amount that p = 3 leaves at 1e-6.
 TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
   const auto determinant = [](double hardening) {
-    const problems::DrivenDuffing problem{.hardening = hardening, .force = 0};
+    const problems::TextProblem problem("driven-duffing", {{"hardening", hardening}, {"force", 0}});
     constexpr double change = 1e-4;
     Eigen::Matrix2d map;
     for (int i = 0; i < 2; ++i) {

@@ -13,7 +13,7 @@
 #include "chapters/two_body_series/zonal/zonal.hpp"
 #include "nlmech/orbit/convergence.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/problems/two_body.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::chapters::two_body_series::studies_test {
 namespace {
@@ -112,7 +112,7 @@ TEST(Units, DoNotMatter) {
 
 // The propagators as integrators in general give what they give by themselves, and observers see every step.
 TEST(Propagators, AsIntegrators) {
-  const ivp::System system(problems::TwoBody{.mu = 1});
+  const ivp::System system(problems::TextProblem("two-body", {{"mu", 1}}));
   const orbit::State start = on_ellipse(0.7, 1);
   const orbit::AnalyticContinuation method{.tolerance = 1e-12};
   const auto plain = orbit::propagate(start, 2, 9, orbit::Gravity{}, method);

@@ -1,16 +1,14 @@
 // A parameter by its name.
 #include <stdexcept>
 
-#include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/parameters.hpp"
+#include "nlmech/problems/texts.hpp"
 
 int main() {
-  nlmech::problems::Duffing duffing;
-  nlmech::problems::parameter(duffing, "hardening") = 3;
+  using nlmech::problems::TextProblem;
   try {
-    nlmech::problems::parameter(duffing, "softening") = 3;
-  } catch (const std::invalid_argument&) {
-    return duffing.hardening == 3 ? 0 : 1;
+    (void)TextProblem("duffing", {{"softening", 3}});
+  } catch (const std::runtime_error&) {
+    return TextProblem("duffing", {{"hardening", 3}}).parameter("hardening") == 3 ? 0 : 1;
   }
   return 1;
 }

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
@@ -17,7 +17,8 @@ AdaptiveCollocation to(double relative, double absolute) {
 }
 
 TEST(AdaptiveCollocationEdges, BackwardsTheStiffBranchRepels) {
-  const auto decay = integrate(System(problems::VanDerPol{.mu = 100}), {2, 0}, 1, 0.9, to(1e-6, 1e-6));
+  const auto decay =
+      integrate(System(problems::TextProblem("van-der-pol", {{"mu", 100}})), {2, 0}, 1, 0.9, to(1e-6, 1e-6));
   EXPECT_TRUE(decay.status.ok() || decay.t < 1);
 }
 
@@ -71,7 +72,7 @@ TEST(AdaptiveCollocationEdges, OptionsOutOfRangeAreNamed) {
 // There and back on the free oscillator, whatever amplitude, stiffness and interval.
 RC_GTEST_PROP(AdaptiveCollocationEdges, ThereAndBack, ()) {
   const double amplitude = *rc::gen::inRange(1, 300) / 100.0, end = *rc::gen::inRange(-2000, 2000) / 100.0;
-  const problems::Duffing problem{.hardening = *rc::gen::inRange(0, 500) / 100.0};
+  const problems::TextProblem problem("duffing", {{"hardening", *rc::gen::inRange(0, 500) / 100.0}});
   const auto method = to(1e-11, 1e-11);
   const State x0{amplitude, 0};
   const auto there = integrate(System(problem), x0, 0, end, method);

@@ -2,11 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
-#include "nlmech/problems/hires.hpp"
-#include "nlmech/problems/impact_duffing.hpp"
-#include "nlmech/problems/robertson.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
@@ -65,7 +61,8 @@ TEST(StiffAdaptiveCollocation, Robertson) {
   ASSERT_EQ(exact.size(), 3U);
   for (int d = 4; d <= 12; ++d) {
     const double tolerance = std::pow(10., -d);
-    const auto s = integrate(System(problems::Robertson{}), problems::Robertson::initial_state(), 0, 1e11,
+    const auto s = integrate(System(problems::TextProblem("robertson")),
+                             problems::TextProblem("robertson").initial_state(), 0, 1e11,
                              to(tolerance, 1e-8 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
@@ -79,8 +76,8 @@ TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
   exact[1] /= 1000;  // the test set's time is t/mu
   for (int d = 4; d <= 13; ++d) {
     const double tolerance = std::pow(10., -d);
-    const auto s =
-        integrate(System(problems::VanDerPol{.mu = 1000}), {2, 0}, 0, 2000, to(tolerance, 1e-3 * tolerance));
+    const auto s = integrate(System(problems::TextProblem("van-der-pol", {{"mu", 1000}})), {2, 0}, 0, 2000,
+                             to(tolerance, 1e-3 * tolerance));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     EXPECT_GT(digits(s.x, exact), d - lost) << tolerance;
     EXPECT_GT(s.statistics.jacobians, 0) << "sweeps cannot do this";
@@ -97,8 +94,9 @@ TEST(StiffAdaptiveCollocation, Hires) {
   for (int d = 4; d <= 13; ++d) {
     const double tolerance = std::pow(10., -d);
     for (const double absolute : {1e-6 * tolerance, std::min(1e-14, 1e-4 * tolerance)}) {
-      const auto s = integrate(System(problems::Hires{}), problems::Hires::initial_state(), 0,
-                               problems::Hires::final_time, to(tolerance, absolute));
+      const auto s =
+          integrate(System(problems::TextProblem("hires")), problems::TextProblem("hires").initial_state(), 0,
+                    problems::TextProblem("hires").final_time, to(tolerance, absolute));
       ASSERT_TRUE(s.status.ok()) << s.status.text();
       EXPECT_GT(digits(s.x, exact), d - lost) << tolerance << ' ' << absolute;
     }
@@ -107,11 +105,12 @@ TEST(StiffAdaptiveCollocation, Hires) {
 
 /// Counts its evaluations in double.
 struct Counted {
-  static constexpr int dimension = 2;
-  problems::VanDerPol problem{.mu = 100};
+  static constexpr int dimension = Eigen::Dynamic;
   std::int64_t* count;
+  problems::TextProblem problem{"van-der-pol", {{"mu", 100}}};
+  [[nodiscard]] int size() const { return problem.size(); }
   template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+  void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& f) const {
     if constexpr (std::is_same_v<T, double>) ++*count;
     problem(t, x, f);
   }
@@ -126,8 +125,7 @@ TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
 
 // The stiff spring and the hardest oscillator against Taylor series and Jacobi's functions.
 TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
-  problems::ThreeMassChain chain;
-  chain.k1 = 1e8;
+  const problems::TextProblem chain("three-dof", {{"k1", 1e8}});
   const State end = testing::reference(chain, State::Zero(6), 0, 2);
   const problems::Duffing hard{.hardening = 1e6};
   for (int d = 4; d <= 12; d += 2) {
@@ -136,7 +134,7 @@ TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
     ASSERT_TRUE(slow.status.ok()) << slow.status.text();
     EXPECT_LT(oracle::distance(slow.x, end), 100 * tolerance) << tolerance;
     const double P = hard.period(1.0);
-    const auto fast = integrate(System(hard), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
+    const auto fast = integrate(System(hard.text()), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
     ASSERT_TRUE(fast.status.ok()) << fast.status.text();
     const State exact = oracle::duffing(10 * P, hard);
     // In the units of the motion, time 1/sqrt(eta), this is ten periods of an oscillator like Table 4.1's.

@@ -6,10 +6,8 @@
 
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/ivp/series/series.hpp"
-#include "nlmech/problems/lorenz.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 
@@ -25,7 +23,7 @@ AdaptiveCollocation to(double tolerance, int nodes = 0) {
 // Ten periods against Jacobi's elliptic function. An error of a step moves the phase and the amplitude; an
 // error of the amplitude is a frequency off by about as much and grows with time.
 TEST(AdaptiveCollocation, FreeDuffingAtEveryTolerance) {
-  const problems::Duffing problem;
+  const problems::TextProblem problem("duffing");
   const double end = 10 * oracle::duffing_period;
   for (const int nodes : {0, 9, 13, 17}) {
     for (int digits = 3; digits <= 14; ++digits) {
@@ -50,14 +48,14 @@ double largest_local_error(const Problem& problem, double end, const AdaptiveCol
   const auto measure = [&](const Step& step) {
     const auto exact = integrate(System(problem), step.x0, step.t0, step.t1, accurate);
     EXPECT_TRUE(exact.status.ok());
-    for (int i = 0; i < Problem::dimension; ++i) {
+    for (Eigen::Index i = 0; i < step.x0.size(); ++i) {
       const double size = std::max(std::abs(step.x0[i]), std::abs(step.x1[i]));
       largest = std::max(largest, std::abs(step.x1[i] - exact.x[i]) /
                                       (method.absolute_tolerance + method.relative_tolerance * size));
     }
     return true;
   };
-  const auto s = integrate(System(problem), Problem::initial_state(), 0, end, method, measure);
+  const auto s = integrate(System(problem), problem.initial_state(), 0, end, method, measure);
   EXPECT_TRUE(s.status.ok());
   if (jacobians) *jacobians = s.statistics.jacobians;
   return largest;
@@ -71,11 +69,11 @@ TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
     for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
       const auto method = to(tolerance, nodes);
       const auto check = [&](double error) { EXPECT_LT(error, most) << nodes << ' ' << tolerance; };
-      check(largest_local_error(problems::Duffing{}, 60, method));
-      check(largest_local_error(problems::Duffing{.hardening = 1e6}, 0.1, method));
-      check(largest_local_error(problems::ThreeMassChain{}, 60, method));
+      check(largest_local_error(problems::TextProblem("duffing"), 60, method));
+      check(largest_local_error(problems::TextProblem("duffing", {{"hardening", 1e6}}), 0.1, method));
+      check(largest_local_error(problems::TextProblem("three-dof"), 60, method));
       std::int64_t jacobians = 0;
-      const double lorenz = largest_local_error(problems::Lorenz{}, 15, method, &jacobians);
+      const double lorenz = largest_local_error(problems::TextProblem("lorenz"), 15, method, &jacobians);
       if (jacobians == 0) check(lorenz);  // else see the next test
     }
   }
@@ -86,9 +84,11 @@ TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
 TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     std::int64_t jacobians = 0;
-    EXPECT_LT(largest_local_error(problems::VanDerPol{.mu = 5}, 20, to(tolerance), &jacobians), 3)
+    EXPECT_LT(
+        largest_local_error(problems::TextProblem("van-der-pol", {{"mu", 5}}), 20, to(tolerance), &jacobians),
+        3)
         << tolerance;
-    EXPECT_LT(largest_local_error(problems::Lorenz{}, 15, to(tolerance)), 3) << tolerance;
+    EXPECT_LT(largest_local_error(problems::TextProblem("lorenz"), 15, to(tolerance)), 3) << tolerance;
   }
 }
 
@@ -133,7 +133,8 @@ TEST(AdaptiveCollocation, DenseOutput) {
       }
       return true;
     };
-    ASSERT_TRUE(integrate(System(problems::Duffing{}), {1, 0}, 0, 20, to(tolerance), look).status.ok());
+    ASSERT_TRUE(
+        integrate(System(problems::TextProblem("duffing")), {1, 0}, 0, 20, to(tolerance), look).status.ok());
     EXPECT_LT(largest, static_cast<double>(steps) * tolerance * 21) << tolerance;
   }
 }
@@ -141,9 +142,8 @@ TEST(AdaptiveCollocation, DenseOutput) {
 // Newton's steps between their ends: the trial function, of order s + 1 where the end is of 2s - 1, on the
 // smooth branch of van der Pol.
 TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
-  const problems::VanDerPol problem{.mu = 100};
-  const problems::ReferenceTrajectory<long double, problems::VanDerPol> truth(
-      problem, Vector<long double, 2>(2, 0), 0, 60);
+  const problems::TextProblem problem("van-der-pol", {{"mu", 100}});
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> truth(problem, {2, 0}, 0, 60);
   double largest = 0;
   const auto look = [&](const Step& step) {
     State x(2);
@@ -165,8 +165,8 @@ TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
 TEST(AdaptiveCollocation, Events) {
   const Event zero{.value = [](double, const State& x) { return x[0]; }};
   const double quarter = oracle::duffing_period / 4;
-  const auto [s, hits] =
-      integrate_with_events(System(problems::Duffing{}), State{1, 0}, 0, 8 * quarter, to(1e-11), {zero});
+  const auto [s, hits] = integrate_with_events(System(problems::TextProblem("duffing")), State{1, 0}, 0,
+                                               8 * quarter, to(1e-11), {zero});
   ASSERT_TRUE(s.status.ok());
   ASSERT_EQ(hits.size(), 4U);
   for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -184,12 +184,13 @@ TEST(AdaptiveCollocation, Gaussians) {
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
       AdaptiveCollocation method = to(tolerance);
       method.shape = shape;
-      const auto s = integrate(System(problems::Duffing{}), {1, 0}, 0, end, method);
+      const auto s = integrate(System(problems::TextProblem("duffing")), {1, 0}, 0, end, method);
       ASSERT_TRUE(s.status.ok()) << s.status.text();
       EXPECT_LT(oracle::distance(s.x, exact), static_cast<double>(s.statistics.steps) * tolerance * (1 + end))
           << shape << ' ' << tolerance;
       EXPECT_GE(s.statistics.steps,
-                integrate(System(problems::Duffing{}), {1, 0}, 0, end, to(tolerance)).statistics.steps);
+                integrate(System(problems::TextProblem("duffing")), {1, 0}, 0, end, to(tolerance))
+                    .statistics.steps);
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/ivp/collocation/picard.hpp"
-#include "nlmech/problems/three_mass_chain.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
 
 namespace nlmech::ivp::collocation_test {
@@ -16,7 +16,7 @@ constexpr double eps = 2.220446049250313e-16;
 
 template <class Method>
 double error_at_five(const Method& method) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto s = integrate(system, {1, 0}, 0, 5, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return distance(s.x, oracle::duffing(5));
@@ -62,7 +62,7 @@ TEST(PolynomialCollocation, ExactForPolynomialsOfItsDegree) {
 }
 
 TEST(PolynomialCollocation, DenseOutputMeetsTheNodesAndStaysClose) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   double at_nodes = 0, between = 0;
   (void)integrate(
       system, {1, 0}, 0, P, PolynomialCollocation{.step = P / 2, .nodes = 30}, [&](const Step& step) {
@@ -89,7 +89,7 @@ TEST(RbfCollocation, TendsToThePolynomialLimit) {
 }
 
 TEST(RbfCollocation, DefaultShapeIsTheDissertationsRule) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto rule = integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15});
   const auto given =
       integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15, .shape = 14 / (2 * P)});
@@ -97,7 +97,7 @@ TEST(RbfCollocation, DefaultShapeIsTheDissertationsRule) {
 }
 
 TEST(RbfCollocation, AShortenedStepKeepsTheRelativeShape) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto s =
       integrate(system, {1, 0}, 0, 1.1 * P, RbfCollocation{.step = P / 10, .nodes = 7, .shape = 0.77});
   ASSERT_TRUE(s.status.ok()) << s.status.text();
@@ -108,7 +108,7 @@ TEST(RbfCollocation, AShortenedStepKeepsTheRelativeShape) {
 }
 
 TEST(RbfCollocation, BackwardsIsTheMirrorImage) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto forward = integrate(system, {1, 0}, 0, P / 3, RbfCollocation{.step = P / 10, .nodes = 7});
   const auto backward = integrate(system, {1, 0}, 0, -P / 3, RbfCollocation{.step = P / 10, .nodes = 7});
   EXPECT_NEAR(forward.x[0], backward.x[0], 1e-12);
@@ -116,7 +116,7 @@ TEST(RbfCollocation, BackwardsIsTheMirrorImage) {
 }
 
 TEST(Collocation, NewtonFailureIsAStatus) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto s = integrate(system, {1, 0}, 0, 10 * P, PolynomialCollocation{.step = 2.5 * P, .nodes = 60});
   EXPECT_FALSE(s.status.ok());
   EXPECT_NE(s.status.sentence().find("take a smaller step"), std::string::npos) << s.status.text();
@@ -124,7 +124,7 @@ TEST(Collocation, NewtonFailureIsAStatus) {
 }
 
 TEST(Collocation, RefusesBadOptions) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto run = [&](const auto& method) { (void)integrate(system, {1, 0}, 0, 1, method); };
   EXPECT_THROW(run(RbfCollocation{.nodes = 1}), std::invalid_argument);
   EXPECT_THROW(run(RbfCollocation{.nodes = 201}), std::invalid_argument);
@@ -144,7 +144,7 @@ TEST(Mcpi, ConvergesToTheExactMotion) {
 // The dissertation found the limit at half a period. It depends on where in the period a step begins: whole
 // periods of steps of 0.5 P converge, steps of 0.53 P do not get through the second period, for any order.
 TEST(Mcpi, ContractsOnlyInShortSteps) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   for (const int order_of_state : {20, 50, 100}) {
     const auto run = [&](double step, double end) {
       return integrate(system, {1, 0}, 0, end, Mcpi{.step = step, .order = order_of_state});

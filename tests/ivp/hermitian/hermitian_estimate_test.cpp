@@ -8,14 +8,13 @@
 #include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/ivp/hermitian/hermitian_trial.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
-#include "nlmech/problems/two_dof.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::hermitian_estimate_test {
 namespace {
 
-using problems::LinearOscillator;
+using problems::TextProblem;
 using testing::eps;
 
 // Undamped oscillation of amplitude 1 in any phase, one step of z = h omega: the estimate of unresolved steps
@@ -27,7 +26,7 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
   for (const HermitianPair& pair : {laier, hoff, argyris}) {
     double smallest = HUGE_VAL;
     for (double z = 1.5; z < 1e4; z *= 1.07) {
-      const System system(LinearOscillator{.natural_frequency = z});
+      const System system(TextProblem("linear", {{"natural_frequency", z}}));
       for (int k = 0; k < 24; ++k) {
         const double phase = std::numbers::pi * k / 24;
         HermitianTrial trial(system, pair, {});
@@ -46,7 +45,7 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
 // 1e4 radians at 1e-6: errors of every step are within the tolerance, and those of all steps together are a
 // percent of the state and more. The end is off by 8e-3; that is no success.
 TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
-  const System system(LinearOscillator{.natural_frequency = 1e4});
+  const System system(TextProblem("linear", {{"natural_frequency", 1e4}}));
   for (const char* name : {"laier", "argyris"}) {
     const auto s = named_integrator(name, {.tolerance = 1e-6})(system, State{1, 0}, 0, 1, {}, {});
     EXPECT_EQ(s.status.outcome(), Outcome::not_converged) << name;
@@ -60,7 +59,8 @@ TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
 
 // One step would do for a constant force, and a load that makes whole turns in a half of it looks like one.
 TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
-  const LinearOscillator p{.natural_frequency = 1e-3, .force = 0.1, .frequency = 2 * std::numbers::pi * 528};
+  const TextProblem p(
+      "linear", {{"natural_frequency", 1e-3}, {"force", 0.1}, {"frequency", 2 * std::numbers::pi * 528}});
   for (const char* name : {"laier", "argyris", "hoff"}) {
     const auto s = named_integrator(name, {.tolerance = 1e-5})(System(p), State::Zero(2), 0, 1, {}, {});
     // In truth F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
@@ -73,7 +73,7 @@ TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
 // Velocities within tiny steps: two nearly equal positions, divided by the step, would have an error of
 // eps |q|/h, here 1e-3.
 TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
-  const System system(problems::TwoDof{});
+  const System system(problems::TextProblem("two-dof"));
   const State x0{1, -0.5, 0.12, 0.3};
   State f(4), x(4);
   system.rhs(0, x0, f);

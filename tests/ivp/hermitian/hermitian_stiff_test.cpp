@@ -5,10 +5,8 @@
 #include <string>
 
 #include "nlmech/ivp/hermitian/hermitian.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::hermitian_stiff_test {
 namespace {
@@ -21,7 +19,8 @@ constexpr Relaxation relaxations[] = {
     {10, 40, 1.872808279858089700}, {100, 200, 1.718587208019240655}, {1000, 2000, 1.706167732170465008}};
 
 Solution run(const Relaxation& r, const Hermitian& method) {
-  return integrate(System(problems::VanDerPol{.mu = r.mu}), State{2, 0}, 0, r.end, method);
+  return integrate(System(problems::TextProblem("van-der-pol", {{"mu", r.mu}})), State{2, 0}, 0, r.end,
+                   method);
 }
 
 // Fixed steps of every size: what ends with success is right to a tenth of the amplitude, for all three
@@ -75,7 +74,7 @@ TEST(Hermitian, CrossesLeapsWithStepsOfItsChoice) {
 // x'' + 1e6 x + x^3 = cos t from the slow motion x = 1e-6 cos t: what is not resolved is 1e-12 at first, and
 // stays. Argyris, beyond h omega = sqrt(60), makes it grow.
 TEST(Hermitian, FastDuffingFromASmoothStart) {
-  const System system(problems::DrivenDuffing{.stiffness = 1e6});
+  const System system(problems::TextProblem("driven-duffing", {{"stiffness", 1e6}}));
   const double slow = std::cos(1.0) / (1e6 - 1);
   for (const double step : {0.1, 0.01, 0.005}) {
     const auto end = integrate(system, State{1e-6, 0}, 0, 1, Hermitian{.step = step});
@@ -90,9 +89,8 @@ TEST(Hermitian, FastDuffingFromASmoothStart) {
 // The same from x = 1, where every period counts: order 4 in h omega; phase z^4/720 a radian over 1000
 // radians.
 TEST(Hermitian, FastDuffingFromAnOscillatingStart) {
-  const problems::DrivenDuffing problem{.stiffness = 1e6};
-  const Vector<long double, 2> begin(1, 0);
-  const problems::ReferenceTrajectory<long double, problems::DrivenDuffing> reference(problem, begin, 0, 1);
+  const problems::TextProblem problem("driven-duffing", {{"stiffness", 1e6}});
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(problem, {1, 0}, 0, 1);
   const auto truth = static_cast<double>(reference(1)[0]);
   for (const double step : {1e-4, 5e-5, 2.5e-5}) {
     const auto end = integrate(System(problem), State{1, 0}, 0, 1, Hermitian{.step = step});
@@ -106,8 +104,8 @@ TEST(Hermitian, FastDuffingFromAnOscillatingStart) {
 TEST(Hermitian, LinearWithVeryLongSteps) {
   for (const double z : {1e2, 1e4, 1e6}) {
     for (const HermitianPair& pair : {laier, newmark_pair}) {
-      const auto end = integrate(System(problems::LinearOscillator{.natural_frequency = z}), State{1, 0}, 0,
-                                 100, Hermitian{.operators = pair, .step = 1});
+      const auto end = integrate(System(problems::TextProblem("linear", {{"natural_frequency", z}})),
+                                 State{1, 0}, 0, 100, Hermitian{.operators = pair, .step = 1});
       ASSERT_TRUE(end.status.ok()) << end.status.text();
       EXPECT_NEAR(std::hypot(end.x[0], end.x[1] / z), 1, 1e-15 * 100 * std::max(10.0, z)) << pair.name << z;
     }

@@ -9,10 +9,8 @@
 #include "nlmech/ivp/hermitian/hermitian.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/two_dof.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 
 namespace nlmech::ivp::hermitian_test {
@@ -24,7 +22,7 @@ using namespace testing;
 // equation: j = mu (1 - q^2) a - 2 mu q v^2 - v. Rounding of a few terms.
 RC_GTEST_PROP(SecondDerivative, IsThatOfVanDerPol, ()) {
   const double q = *rc::gen::inRange(-300, 300) / 100.0, v = *rc::gen::inRange(-300, 300) / 100.0, mu = 2.5;
-  const System system(problems::VanDerPol{.mu = mu});
+  const System system(problems::TextProblem("van-der-pol", {{"mu", mu}}));
   State f(2), g(2), f2(2), g2(2);
   Jacobian fx, gx;
   RC_ASSERT(system.second_derivative(0, {q, v}, f, g));
@@ -42,8 +40,9 @@ RC_GTEST_PROP(SecondDerivative, IsThatOfVanDerPol, ()) {
 
 // And of a load: j = -f w sin(w t) - c a - (k + 3 m q^2) v.
 TEST(SecondDerivative, KnowsTheLoad) {
-  const System system(problems::DrivenDuffing{
-      .damping = 0.4, .stiffness = 1, .hardening = 0.5, .force = 0.5, .frequency = 0.5});
+  const System system(problems::TextProblem(
+      "driven-duffing",
+      {{"damping", 0.4}, {"stiffness", 1}, {"hardening", 0.5}, {"force", 0.5}, {"frequency", 0.5}}));
   State f(2), g(2);
   ASSERT_TRUE(system.second_derivative(1.2, {0.7, -0.3}, f, g));
   const double a = 0.5 * std::cos(0.6) + 0.12 - 0.7 - 0.5 * 0.343;
@@ -89,7 +88,7 @@ TEST(Hermitian, ChosenStepsMeetTheTolerance) {
 // Laier's Newmark is the library's: the same equations, solved for other unknowns. Newton's tolerance 1e-12 a
 // step, quadratically exceeded.
 TEST(Hermitian, NewmarksRowIsNewmark) {
-  const System system(problems::DrivenDuffing{});
+  const System system(problems::TextProblem("driven-duffing"));
   const auto ours = integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = newmark_pair, .step = 0.05});
   const auto theirs = integrate(system, State{1, 0}, 0, 10, Newmark{.step = 0.05});
   EXPECT_NEAR(ours.x[0], theirs.x[0], 1e-11);
@@ -120,7 +119,7 @@ TEST(Hermitian, TurnsTheLinearOscillator) {
 // There and back again: a symmetric step forgets nothing but rounding. All rows are: q0 and q1, h and -h
 // exchanged, each pair spans the same equations. A fourth-order Runge-Kutta step of that length does forget.
 TEST(Hermitian, StepsAreSymmetric) {
-  const System system(problems::Duffing{});
+  const System system(problems::TextProblem("duffing"));
   const auto return_error = [&](const auto& method) {
     const auto there = integrate(system, State{1, 0.3}, 0, 25, method);
     const auto back = integrate(system, there.x, 25, 0, method);
@@ -135,17 +134,17 @@ TEST(Hermitian, StepsAreSymmetric) {
 // Bounded energy: the second half of a long run errs no more than the first.
 TEST(Hermitian, EnergyErrorIsBounded) {
   const problems::Duffing problem;
-  const double at_first = problem.invariants(0.0, Vector<double, 2>(1, 0.3))[0];
+  const double at_first = problem.energy(State{1, 0.3});
   for (const HermitianPair& pair : {laier, argyris, newmark_pair}) {
     double first = 0, second = 0;
     const auto look = [&](const Step& s) {
-      const double error = std::abs(problem.invariants(0.0, Vector<double, 2>(s.x1))[0] / at_first - 1);
+      const double error = std::abs(problem.energy(s.x1) / at_first - 1);
       (s.t1 < 500 ? first : second) = std::max(s.t1 < 500 ? first : second, error);
       return true;
     };
-    ASSERT_TRUE(
-        integrate(System(problem), State{1, 0.3}, 0, 1000, Hermitian{.operators = pair, .step = 0.2}, look)
-            .status.ok());
+    ASSERT_TRUE(integrate(System(problem.text()), State{1, 0.3}, 0, 1000,
+                          Hermitian{.operators = pair, .step = 0.2}, look)
+                    .status.ok());
     EXPECT_LT(second, 1.01 * first) << pair.name;
     EXPECT_GT(first, 1e-6) << pair.name;  // not exact: the bound would hold for nothing
   }
@@ -153,8 +152,8 @@ TEST(Hermitian, EnergyErrorIsBounded) {
 
 // Two degrees of freedom: masses that move as one are two Duffing oscillators, each the other's double.
 TEST(Hermitian, TwoDegreesOfFreedomMoveAsOne) {
-  const problems::TwoDof pair{.damping = 0, .force = 0};
-  const problems::DrivenDuffing one{.damping = 0, .force = 0};
+  const problems::TextProblem pair("two-dof", {{"damping", 0}, {"force", 0}});
+  const problems::TextProblem one("driven-duffing", {{"damping", 0}, {"force", 0}});
   const Hermitian method{.step = 0.1};
   const auto both = integrate(System(pair), State{1, 1, 0.2, 0.2}, 0, 20, method);
   const auto alone = integrate(System(one), State{1, 0.2}, 0, 20, method);
@@ -163,7 +162,7 @@ TEST(Hermitian, TwoDegreesOfFreedomMoveAsOne) {
 }
 
 TEST(Hermitian, HasNamesOfItsOwn) {
-  const System system(problems::DrivenDuffing{});
+  const System system(problems::TextProblem("driven-duffing"));
   for (const std::string name : {"laier", "argyris", "hoff", "bazzi"}) {
     const auto fixed = named_integrator(name, {.step = 0.05})(system, {1, 0}, 0, 5, {}, {});
     EXPECT_EQ(

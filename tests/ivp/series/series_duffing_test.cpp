@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/ivp/series/series.hpp"
-#include "nlmech/problems/forced_duffing.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/series.hpp"
 
 namespace nlmech::ivp::series_duffing_test {
@@ -13,7 +13,7 @@ using testing::with_tolerance;
 
 // mpfr, 70 digits. T = 0.5 blows up, as the findings say; T = 0.1 is exact to 2e-12 times a few.
 TEST(SeriesOnProblems, ForcedDuffing) {
-  const problems::ForcedDuffing duffing;
+  const problems::TextProblem duffing("forced-duffing");
   const State x0{3, 4}, truth{1.221946638567542, 5.565479787665349};
   const auto wild = integrate(System(duffing), x0, 0, 50, Series{.order = 20, .step = 0.5});
   EXPECT_FALSE(wild.status.ok() && (wild.x - truth).cwiseAbs().maxCoeff() < 1);

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
-#include "nlmech/problems/lorenz.hpp"
-#include "nlmech/problems/robertson.hpp"
+#include "nlmech/problems/texts.hpp"
 
 namespace nlmech::ivp::series_ensemble_test {
 namespace {
@@ -103,12 +102,10 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
   };
   const std::size_t count = *rc::gen::inRange<std::size_t>(0, 60);
   std::vector<System> systems;
-  systems.emplace_back(problems::Lorenz{});
+  systems.emplace_back(problems::TextProblem("lorenz"));
   for (int k = 0; k < 5; ++k) {
-    problems::Lorenz other;
-    other.sigma = *rc::gen::element(1.0, 9.5, 10.25);  // with 1 it has one operation less
-    other.r = number(0.5, 60);
-    systems.emplace_back(other);
+    const double sigma = *rc::gen::element(1.0, 9.5, 10.25);  // with 1 it has one operation less
+    systems.emplace_back(problems::TextProblem("lorenz", {{"sigma", sigma}, {"r", number(0.5, 60)}}));
   }
   std::vector<Start> starts;
   for (std::size_t i = 0; i < count; ++i) {
@@ -194,7 +191,7 @@ TEST(SeriesEnsemble, FailuresAreTheirOwn) {
 
 // Observers see the steps of their own trajectory, values within them too, and end it alone.
 TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
-  const System system(problems::Lorenz{});
+  const System system(problems::TextProblem("lorenz"));
   constexpr std::size_t count = 45;
   std::vector<std::vector<double>> seen(count), alone(count);
   const auto starts = [&](std::vector<std::vector<double>>& to) {
@@ -221,7 +218,7 @@ TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
 
 // Components in any number; solutions with bounds and invariants are held to them.
 TEST(SeriesEnsemble, OtherSizes) {
-  const System lorenz(problems::Lorenz{}), pendulum(Pendulum{});
+  const System lorenz(problems::TextProblem("lorenz")), pendulum(Pendulum{});
   std::vector<Start> starts;
   for (int i = 0; i < 25; ++i) {
     if (i % 2 == 0) {
@@ -231,13 +228,13 @@ TEST(SeriesEnsemble, OtherSizes) {
     }
   }
   expect_bits_of_one(starts, with(1e-8));
-  const System reactions(problems::Robertson{});
+  const System reactions(problems::TextProblem("robertson"));
   std::vector<Start> cells(5, {&reactions, State{1, 0, 0}, 0, 0.01, {}, {}});
   expect_bits_of_one(cells, with(1e-3));
 }
 
 TEST(SeriesEnsemble, OneSystemAndManyStates) {
-  const System system(problems::Lorenz{});
+  const System system(problems::TextProblem("lorenz"));
   std::vector<State> states;
   for (int i = 0; i < 33; ++i) states.push_back({1, 0.1 * i, 20});
   const std::span<const State> all(states);

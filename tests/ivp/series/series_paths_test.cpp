@@ -1,8 +1,9 @@
 /// The Taylor series method by its two paths: inlined, and by a tape.
 #include <gtest/gtest.h>
 
+#include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/series/series.hpp"
-#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/series.hpp"
 
 namespace nlmech::ivp::series_paths_test {
@@ -13,7 +14,7 @@ using testing::with_tolerance;
 
 // Both sum the same series in another order.
 TEST(Series, InlinedAndTapedAgree) {
-  const problems::Lorenz lorenz;
+  const chapters::PlainLorenz lorenz;
   const State x0{0, 1, 0};
   const auto inlined = integrate(Direct(lorenz), x0, 0, 4, with_tolerance(1e-13));
   const auto taped = integrate(System(lorenz), x0, 0, 4, with_tolerance(1e-13));
@@ -33,7 +34,7 @@ TEST(Series, TightestToleranceHasTheHighestUnrolledOrder) {
 
 TEST(Series, ComesOutTheSameEveryTime) {
   for (int run = 0; run < 2; ++run) {
-    const System system(problems::Lorenz{});
+    const System system(problems::TextProblem("lorenz"));
     const auto one = integrate(system, State{0, 1, 0}, 0, 20, Series{});
     const auto two = integrate(system, State{0, 1, 0}, 0, 20, Series{});
     EXPECT_EQ(one.x, two.x);

@@ -6,26 +6,26 @@
 #include <complex>
 
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/linear_oscillator.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
 
 namespace nlmech::ivp::mtl_linear_test {
 namespace {
 
-using problems::DrivenDuffing;
-using problems::LinearOscillator;
+using problems::TextProblem;
 using testing::eps;
 using testing::run;
 
 /// State of the linear oscillator by its closed form, underdamped, away from undamped resonance.
-State exact(const LinearOscillator& p, const State& x0, double t) {
+State exact(const TextProblem& p, const State& x0, double t) {
   using Complex = std::complex<long double>;
-  const long double w = p.natural_frequency, zeta = p.damping_ratio, wf = p.frequency;
+  const long double w = p.parameter("natural_frequency"), zeta = p.parameter("damping_ratio"),
+                    wf = p.parameter("frequency");
   const Complex i(0, 1);
   // Steady state: the real part of c exp(i W t).
-  const Complex c = static_cast<long double>(p.force) / Complex(w * w - wf * wf, 2 * zeta * w * wf);
+  const Complex c =
+      static_cast<long double>(p.parameter("force")) / Complex(w * w - wf * wf, 2 * zeta * w * wf);
   const Complex root(-zeta * w, w * std::sqrt(1 - zeta * zeta));
   const long double x = x0[0] - c.real(), v = x0[1] - (i * wf * c).real();
   // The rest: the real part of d exp(root t).
@@ -44,8 +44,10 @@ TEST(Mtl, LinearProblemsAreExact) {
     for (const double zeta : {0., 0.05, 0.7}) {
       for (const double h : {0.001, 0.1, 1.7}) {
         for (const int p : {1, 2, 3, 5, 8}) {
-          const LinearOscillator problem{
-              .natural_frequency = w, .damping_ratio = zeta, .force = 2 * w * w, .frequency = 0.3 * w + 0.1};
+          const TextProblem problem("linear", {{"natural_frequency", w},
+                                               {"damping_ratio", zeta},
+                                               {"force", 2 * w * w},
+                                               {"frequency", 0.3 * w + 0.1}});
           const double end = 7 * h * p;
           const auto s = integrate(System(problem), x0, 0, end, Mtl{.step = h, .points = p});
           ASSERT_TRUE(s.status.ok()) << s.status.text();
@@ -62,7 +64,7 @@ TEST(Mtl, LinearProblemsAreExact) {
 // w h up to 1e6 in one block of one step: the argument of the sine is rounded to (w h) eps, and so is all.
 TEST(Mtl, LongStepsOfFastOscillatorsAreExactToTheirConditioning) {
   for (const double z : {1e2, 1e4, 1e6}) {
-    const LinearOscillator problem{.natural_frequency = 1e4, .force = 1e8, .frequency = 3};
+    const TextProblem problem("linear", {{"natural_frequency", 1e4}, {"force", 1e8}, {"frequency", 3}});
     const double h = z / 1e4;
     const auto s = integrate(System(problem), State{1, 0}, 0, 3 * h, Mtl{.step = h, .points = 3});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
@@ -74,7 +76,7 @@ TEST(Mtl, LongStepsOfFastOscillatorsAreExactToTheirConditioning) {
 
 // At resonance the particular solution grows with time; a formula that divides by w^2 - W^2 has nothing.
 TEST(Mtl, ResonanceIsExact) {
-  const LinearOscillator problem{.force = 1, .frequency = 1};
+  const TextProblem problem("linear", {{"force", 1}, {"frequency", 1}});
   const auto s = integrate(System(problem), State{0, 0}, 0, 30, Mtl{.step = 0.5, .points = 3});
   EXPECT_NEAR(s.x[0], 15 * std::sin(30.), 2e3 * eps);
   EXPECT_NEAR(s.x[1], (std::sin(30.) + 30 * std::cos(30.)) / 2, 2e3 * eps);
@@ -82,7 +84,8 @@ TEST(Mtl, ResonanceIsExact) {
 
 // K = C = 0: a mass under a force alone, whose motion is a polynomial and a cosine.
 TEST(Mtl, NoSpringAndNoDamper) {
-  const DrivenDuffing problem{.stiffness = 0, .hardening = 0, .force = 1, .frequency = 2};
+  const TextProblem problem("driven-duffing",
+                            {{"stiffness", 0}, {"hardening", 0}, {"force", 1}, {"frequency", 2}});
   for (const double h : {1e-6, 0.1, 10.}) {
     const auto s = run(problem, {1, 0.5}, 0, 6 * h, {.step = h, .points = 3});
     ASSERT_TRUE(s.status.ok());
@@ -93,29 +96,28 @@ TEST(Mtl, NoSpringAndNoDamper) {
 
 RC_GTEST_PROP(Mtl, LinearProblemsAreExactForAnyStep, ()) {
   const auto number = [](int from, int to) { return *rc::gen::inRange(from, to) / 1000.; };
-  const LinearOscillator problem{.natural_frequency = number(10, 20000),
-                                 .damping_ratio = number(0, 900),
-                                 .force = number(-5000, 5000),
-                                 .frequency = number(1, 20000) + 0.0003};
+  const TextProblem problem("linear", {{"natural_frequency", number(10, 20000)},
+                                       {"damping_ratio", number(0, 900)},
+                                       {"force", number(-5000, 5000)},
+                                       {"frequency", number(1, 20000) + 0.0003}});
   const double h = number(1, 3000);
   const int p = *rc::gen::inRange(1, 9);
   const State x0{number(-2000, 2000), number(-2000, 2000)};
   const auto s = integrate(System(problem), x0, 0, 4 * p * h, Mtl{.step = h, .points = p});
   RC_ASSERT(s.status.ok());
   const State truth = exact(problem, x0, 4 * p * h);
-  const double w = problem.natural_frequency;
+  const double w = problem.parameter("natural_frequency"), wf = problem.parameter("frequency");
   // The closed form loses digits near resonance and for a slow oscillator: its own amplitudes are the scale.
-  const double gap = std::abs(w * w - problem.frequency * problem.frequency) +
-                     2 * problem.damping_ratio * w * problem.frequency;
-  const double scale = 4 + 4 / w + 10 * std::abs(problem.force) / gap * (1 + problem.frequency / w);
-  const double bound = 400 * eps * (1 + (w + problem.frequency) * h * p) * scale;
+  const double gap = std::abs(w * w - wf * wf) + 2 * problem.parameter("damping_ratio") * w * wf;
+  const double scale = 4 + 4 / w + 10 * std::abs(problem.parameter("force")) / gap * (1 + wf / w);
+  const double bound = 400 * eps * (1 + (w + wf) * h * p) * scale;
   RC_ASSERT(std::abs(s.x[0] - truth[0]) <= bound);
-  RC_ASSERT(std::abs(s.x[1] - truth[1]) <= bound * (1 + w + problem.frequency));
+  RC_ASSERT(std::abs(s.x[1] - truth[1]) <= bound * (1 + w + wf));
 }
 
 // An oscillation of which the block sees many periods is there between the points.
 TEST(Mtl, DenseOutputOfAFastOscillation) {
-  const LinearOscillator problem{.natural_frequency = 100};
+  const TextProblem problem("linear", {{"natural_frequency", 100}});
   double worst = 0;
   State x(2);
   const auto observe = [&](const Step& step) {

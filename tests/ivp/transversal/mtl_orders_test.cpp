@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
-#include "nlmech/problems/lorenz.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
@@ -14,11 +13,11 @@
 namespace nlmech::ivp::mtl_orders_test {
 namespace {
 
-using problems::DrivenDuffing;
+using problems::TextProblem;
 using testing::eps;
 using testing::run;
 
-double error_of(const DrivenDuffing& problem, const State& truth, double end, const Mtl& method) {
+double error_of(const TextProblem& problem, const State& truth, double end, const Mtl& method) {
   const auto s = run(problem, {1, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return oracle::distance(s.x, truth);
@@ -26,7 +25,7 @@ double error_of(const DrivenDuffing& problem, const State& truth, double end, co
 
 // x'' + 0.1 x' + x + x^3 = cos t to t = 12: the order from the last of some halvings, all errors above 1e-12.
 TEST(Mtl, ObservedOrders) {
-  const DrivenDuffing problem{.damping = 0.1};
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const State truth = testing::reference(problem, {1, 0}, 0, 12);
   for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian}) {
     for (int p = 1; p <= 6; ++p) {
@@ -46,7 +45,7 @@ TEST(Mtl, ObservedOrders) {
 }
 
 TEST(Mtl, InterpoletsAreOfSecondOrder) {
-  const DrivenDuffing problem{.damping = 0.1};
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const State truth = testing::reference(problem, {1, 0}, 0, 12);
   for (const int p : {1, 3, 4}) {
     const Mtl coarse{.step = 0.01, .points = p, .basis = MtlBasis::interpolet};
@@ -59,19 +58,20 @@ TEST(Mtl, InterpoletsAreOfSecondOrder) {
 
 // With straight lines a step depends on the one before alone, however many are solved at once.
 TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
-  const DrivenDuffing problem{.damping = 0.1};
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const auto one = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 1, .basis = MtlBasis::interpolet});
   const auto three = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 3, .basis = MtlBasis::interpolet});
   EXPECT_NEAR(one.x[0], three.x[0], 100 * eps);
   EXPECT_NEAR(one.x[1], three.x[1], 100 * eps);
 }
 
-// First order in form: Lorenz's equations, which name no linear part, are equidistant collocation.
+// First order in form.
 TEST(Mtl, FirstOrderProblems) {
-  const problems::Lorenz problem;
-  const State truth = testing::reference(problem, problems::Lorenz::initial_state(), 0, 1);
+  const problems::TextProblem problem("lorenz");
+  const State truth = testing::reference(problem, problems::TextProblem("lorenz").initial_state(), 0, 1);
   const auto error = [&](double h) {
-    const auto s = integrate(System(problem), problems::Lorenz::initial_state(), 0, 1, Mtl{.step = h});
+    const auto s =
+        integrate(System(problem), problems::TextProblem("lorenz").initial_state(), 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();
     return oracle::distance(s.x, truth);
   };
@@ -82,7 +82,7 @@ TEST(Mtl, FirstOrderProblems) {
 // goes with the hardening.
 TEST(Mtl, ErrorGoesWithTheNonlinearity) {
   const auto error = [](double hardening) {
-    const DrivenDuffing problem{.damping = 0.1, .hardening = hardening};
+    const TextProblem problem("driven-duffing", {{"damping", 0.1}, {"hardening", hardening}});
     return error_of(problem, testing::reference(problem, {1, 0}, 0, 6), 6, {.step = 0.2, .points = 3});
   };
   EXPECT_NEAR(error(1e-3) / error(1e-4), 10, 0.2);

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/driven_duffing.hpp"
+#include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/van_der_pol.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
@@ -16,15 +15,16 @@
 namespace nlmech::ivp::mtl_stiff_test {
 namespace {
 
-using problems::DrivenDuffing;
-using problems::VanDerPol;
+using problems::TextProblem;
 using testing::eps;
 
 Solution oscillator(double mu, double end, const Mtl& method) {
-  return integrate(System(VanDerPol{.mu = mu}), State{2, 0}, 0, end, method);
+  return integrate(System(TextProblem("van-der-pol", {{"mu", mu}})), State{2, 0}, 0, end, method);
 }
 
-State truth_of(double mu, double end) { return testing::reference(VanDerPol{.mu = mu}, {2, 0}, 0, end); }
+State truth_of(double mu, double end) {
+  return testing::reference(TextProblem("van-der-pol", {{"mu", mu}}), {2, 0}, 0, end);
+}
 
 // ------------------------------------------------------------ van der Pol
 
@@ -72,7 +72,7 @@ TEST(MtlStiff, WrongBranchIsAStatus) {
 // Equidistant points of high degree and a long step: Newton's iteration ends far away from the solution,
 // which stays below 2. Nothing has to be asked for to learn that.
 TEST(MtlStiff, AFarRootIsAStatusByDefault) {
-  const System system(DrivenDuffing{});
+  const System system(TextProblem("driven-duffing"));
   const auto blind =
       integrate(system, State{1, 0}, 0, 50, Mtl{.step = 0.4, .points = 8, .error_tolerance = 0});
   ASSERT_TRUE(blind.status.ok()) << blind.status.text();
@@ -90,8 +90,8 @@ TEST(MtlStiff, EstimateNamesTheBlock) {
 
 // On a smooth problem the estimate is an upper bound of what a block adds, and of the order h^(p + 2).
 TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
-  const DrivenDuffing problem{.damping = 0.1};
-  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 2);
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
+  const problems::ReferenceTrajectory<long double, TextProblem> reference(problem, {1, 0}, 0, 2);
   for (const int p : {1, 2, 3, 4}) {
     for (const double h : {0.1, 0.05}) {
       Mtl method{.step = h, .points = p};
@@ -112,7 +112,7 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
 // ------------------------------------------------------------ fast Duffing
 
 /// x'' + 1e6 x + m x^3 = cos t.
-DrivenDuffing fast(double m) { return {.stiffness = 1e6, .hardening = m}; }
+TextProblem fast(double m) { return TextProblem("driven-duffing", {{"stiffness", 1e6}, {"hardening", m}}); }
 
 // On its slow manifold, x = 1e-6 at rest: linear to 18 digits, forced by a harmonic, and so exact for every
 // step.
@@ -158,7 +158,7 @@ TEST(MtlStiff, BoundedForEveryStep) {
 // x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is
 // recorded, and it is there in the first tenth as in the last: no drift.
 TEST(MtlEnergy, IsBounded) {
-  const DrivenDuffing problem{.force = 0};
+  const problems::Duffing problem;
   const double known[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6};
   for (int p = 1; p <= 5; ++p) {
     const State x0{1, 0};
@@ -170,7 +170,7 @@ TEST(MtlEnergy, IsBounded) {
       if (s.t1 > 540) late = std::max(late, error);
       return true;
     };
-    const auto end = integrate(System(problem), x0, 0, 600, Mtl{.step = 0.1, .points = p}, observe);
+    const auto end = integrate(System(problem.text()), x0, 0, 600, Mtl{.step = 0.1, .points = p}, observe);
     ASSERT_TRUE(end.status.ok());
     EXPECT_NEAR(late / early, 1, 0.1) << p;
     EXPECT_NEAR(std::max(early, late) / known[p - 1], 1, 0.04) << p;

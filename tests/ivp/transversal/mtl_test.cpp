@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include "nlmech/problems/driven_duffing.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
-#include "nlmech/problems/two_dof.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/transversal/mtl_run.hpp"
@@ -16,8 +15,7 @@
 namespace nlmech::ivp::mtl_test {
 namespace {
 
-using problems::DrivenDuffing;
-using problems::TwoDof;
+using problems::TextProblem;
 using testing::eps;
 using testing::run;
 
@@ -26,7 +24,7 @@ using testing::run;
 // Two masses that move as one, or against each other, are Duffing oscillators with the stiffness 1 or 1 + 2
 // s.
 TEST(Mtl, TwoDegreesOfFreedom) {
-  const TwoDof problem{.damping = 0, .coupling = 0.5, .force = 0};
+  const TextProblem problem("two-dof", {{"damping", 0}, {"coupling", 0.5}, {"force", 0}});
   for (const int sign : {1, -1}) {
     const problems::Duffing mode{.natural_frequency = sign > 0 ? 1 : std::sqrt(2.), .hardening = 1};
     const State truth = oracle::duffing(5, mode);
@@ -45,7 +43,7 @@ TEST(Mtl, TwoDegreesOfFreedom) {
 
 // There and back: time-symmetric with a fixed linear part, and not with one taken at the begin of a block.
 TEST(Mtl, SymmetricInTime) {
-  const DrivenDuffing problem;
+  const TextProblem problem("driven-duffing");
   const auto gap = [&](MtlLinear linear, int p) {
     const Mtl method{.step = 0.1, .points = p, .linear = linear};
     const auto there = run(problem, {1, 0}, 0, 6, method);
@@ -64,7 +62,7 @@ TEST(Mtl, SymmetricInTime) {
 // det - 1 of the derivative of one block of x'' + x + x^3 = 0, h = 0.1, at (1, 0.3), by central differences.
 // oracle: transversal_motions MTL *
 TEST(Mtl, BlocksAreNotSymplectic) {
-  const DrivenDuffing problem{.force = 0};
+  const TextProblem problem("driven-duffing", {{"force", 0}});
   const auto determinant = [&](int p) {
     const Mtl method{.step = 0.1, .points = p};
     const double d = 1e-5;
@@ -86,8 +84,8 @@ TEST(Mtl, BlocksAreNotSymplectic) {
 
 // It meets the states at the points. Within a block, and at its inner points, it is of the order p + 1.
 TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
-  const DrivenDuffing problem{.damping = 0.1};
-  const problems::ReferenceTrajectory<long double, DrivenDuffing> reference(problem, {1, 0}, 0, 6);
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
+  const problems::ReferenceTrajectory<long double, TextProblem> reference(problem, {1, 0}, 0, 6);
   double worst = 0, at_points = 0;
   State x(2);
   const auto observe = [&](const Step& step) {

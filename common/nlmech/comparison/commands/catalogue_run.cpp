@@ -48,11 +48,11 @@ std::vector<std::string> states_and_parameters(const UserProblem& problem) {
 /// Runs of all rows of a file.
 class CatalogueRun {
  public:
-  CatalogueRun(const TypedOptions& typed, const Problems& problems, std::string program)
+  CatalogueRun(const TypedOptions& typed, std::string program)
       : typed_(typed),
         program_(std::move(program)),
         threads_(typed.threads.value_or(0)),
-        make_(problem_of(typed, problems)),
+        make_(problem_of(typed)),
         base_(std::make_shared<const UserProblem>(make_({}))),
         states_(base_->state_names),
         options_(run_options(typed, *base_, initial_state(*base_))),
@@ -104,7 +104,7 @@ class CatalogueRun {
   [[nodiscard]] std::string what_rows_depend_on() const {
     const double from = typed_.from.value_or(base_->t0);
     return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", typed_.problem,
-                       typed_.problem.empty() ? base_->text->source().text() : "", fmt::join(typed_.set, " "),
+                       typed_.problem.empty() ? base_->text.source().text() : "", fmt::join(typed_.set, " "),
                        typed_.initial, from, typed_.until.value_or(from), typed_.no_verify,
                        typed_.every.value_or(0), fmt::join(typed_.events, " "), typed_.section,
                        typed_.largest_step.value_or(0), method_.name,
@@ -230,9 +230,9 @@ class CatalogueRun {
 
 }  // namespace
 
-int print_runs(const TypedOptions& typed, const Problems& problems, const std::string& program) {
+int print_runs(const TypedOptions& typed, const std::string& program) {
   if (!typed.plot.empty()) throw input_error("--plot {}: --states draws none", typed.plot);
-  return CatalogueRun(typed, problems, program).print();
+  return CatalogueRun(typed, program).print();
 }
 
 }  // namespace nlmech::comparison

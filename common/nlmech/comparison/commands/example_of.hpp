@@ -8,37 +8,42 @@
 
 #include "nlmech/comparison/commands/example.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
 
-/// A problem from @p x0 at 0 to @p end. Amplitudes: the greatest of 4000 samples.
+/// A problem from @p x0 at @p t0 to @p end. Amplitudes: the greatest of 4000 samples.
+/// @tparam Real precision of the reference @param beyond how far the reference goes on after the end
 /// @throws Failure if the reference does not get there
-template <class Problem>
-[[nodiscard]] Example example_of(const Problem& problem, const std::string& name, const ivp::State& x0,
-                                 double end) {
-  constexpr int n = Problem::dimension;
-  using Path = problems::ReferenceTrajectory<long double, Problem>;
-  const Vector<long double, n> exact = x0.template cast<long double>();
-  const auto path = std::make_shared<const Path>(problem, exact, 0, end);
+template <class Real = long double>
+[[nodiscard]] Example example_of(const program::Problem& problem, const std::string& name,
+                                 const ivp::State& x0, double t0, double end, double beyond = 0) {
+  using Path = problems::ReferenceTrajectory<Real, program::Problem>;
+  const Vector<Real, Eigen::Dynamic> exact = x0.template cast<Real>();
+  const auto path = std::make_shared<const Path>(problem, exact, t0, end + beyond);
   if (!path->status().ok()) throw Failure(path->status());
+  const auto at = [path](double t) -> ivp::LongState {
+    return (*path)(std::min(Real(t), path->end())).template cast<long double>();
+  };
   constexpr int samples = 4000;
   ivp::State amplitude = x0.cwiseAbs();
   for (int i = 1; i <= samples; ++i)
-    amplitude = amplitude.cwiseMax((*path)(end * i / samples).template cast<double>().cwiseAbs());
+    amplitude = amplitude.cwiseMax(at(t0 + (end - t0) * i / samples).template cast<double>().cwiseAbs());
   return {.name = name,
           .system = ivp::System(problem),
           .x0 = x0,
-          .t0 = 0,
+          .t0 = t0,
           .t1 = end,
           .amplitude = amplitude,
-          .reference = [path, end](double t) { return (*path)(std::min(t, end)); }};
+          .reference = at};
 }
 
-/// A problem from its own initial state.
-template <class Problem>
-[[nodiscard]] Example example_of(const Problem& problem, double end) {
-  return example_of(problem, std::string(Problem::name), Problem::initial_state(), end);
+/// A problem of the library from its own initial state to its own end.
+template <class Real = long double>
+[[nodiscard]] Example example_of(const problems::TextProblem& problem, double beyond = 0) {
+  return example_of<Real>(problem, problem.name, problem.initial_state(), problem.initial_time,
+                          problem.final_time, beyond);
 }
 
 }  // namespace nlmech::comparison

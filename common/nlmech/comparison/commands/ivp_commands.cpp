@@ -26,11 +26,11 @@ std::string heading_of(const TypedOptions& typed) {
   return echoed(text, most);
 }
 
-int integrate(const TypedOptions& typed, const Problems& problems, const std::string& program) {
-  if (!typed.states.empty()) return print_runs(typed, problems, program);
+int integrate(const TypedOptions& typed, const std::string& program) {
+  if (!typed.states.empty()) return print_runs(typed, program);
   if (typed.threads) throw input_error("--threads {}: is about --states", *typed.threads);
   if (!typed.shard.empty()) throw input_error("--shard {}: is about --states", typed.shard);
-  const UserProblem problem = problem_of(typed, problems)({});
+  const UserProblem problem = problem_of(typed)({});
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const Trajectory run = trajectory(problem, options, method_of(typed, problem, options));
@@ -44,8 +44,8 @@ int integrate(const TypedOptions& typed, const Problems& problems, const std::st
   return 0;
 }
 
-void compare(const TypedOptions& typed, const Problems& problems, const std::string& program) {
-  const UserProblem problem = problem_of(typed, problems)({});
+void compare(const TypedOptions& typed, const std::string& program) {
+  const UserProblem problem = problem_of(typed)({});
   const scene::Picture picture(typed.plot);
   if (!typed.tolerances.empty() && typed.settings.tolerance)
     throw InputError("--tolerances: give no --tolerance with it");
@@ -78,8 +78,8 @@ std::vector<std::string> run_of(const TypedOptions& typed, double until, const R
   return all;
 }
 
-void choose(const TypedOptions& typed, const Problems& problems, const std::string& program) {
-  const UserProblem problem = problem_of(typed, problems)({});
+void choose(const TypedOptions& typed, const std::string& program) {
+  const UserProblem problem = problem_of(typed)({});
   const RunOptions r = run_options(typed, problem, problem.initial_state(typed.initial));
   if (r.t0 == r.t1) throw input_error("--until {}: is where it begins; there is nothing to choose for", r.t1);
   ChoiceRequest q = choice_request(problem, r);
@@ -151,11 +151,11 @@ void declare_settings(scene::Options& options, ivp::Settings& s) {
   }
 }
 
-std::string describe_all(const Problems& problems) {
-  return fmt::format("{}Methods: {}", describe_problems(problems), fmt::join(any_method_names(), " "));
+std::string describe_all() {
+  return fmt::format("{}Methods: {}", describe_problems(), fmt::join(any_method_names(), " "));
 }
 
-void add_integrate(scene::Commands& commands, const Problems& problems) {
+void add_integrate(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed, "--states");
     options.add("--method", typed.method,
@@ -181,17 +181,16 @@ void add_integrate(scene::Commands& commands, const Problems& problems) {
         .range(1, 1024);
     options.add("--shard", typed.shard,
                 "of --states, i/n: the i-th of n disjoint parts, for merge of integrators");
-    options.footer(describe_all(problems));
+    options.footer(describe_all());
   };
   commands.add<TypedOptions>(
       "integrate",
       "An equation from begin to end, as CSV: t,x,x',...; of many rows of a file: row,t,x,x',...,status",
-      declare, [problems, program = commands.program()](const TypedOptions& typed) {
-        return integrate(typed, problems, program);
-      });
+      declare,
+      [program = commands.program()](const TypedOptions& typed) { return integrate(typed, program); });
 }
 
-void add_choose(scene::Commands& commands, const Problems& problems) {
+void add_choose(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_problem(options, typed);
     options.add("--digits", typed.digits, "correct digits at the end").range(1, 14);
@@ -200,18 +199,16 @@ void add_choose(scene::Commands& commands, const Problems& problems) {
              "error that does not count in components that become small; as for 1 without it")
         .positive();
     declare_largest_step(options, typed);
-    options.footer(describe_all(problems));
+    options.footer(describe_all());
   };
   commands.add<TypedOptions>(
       "choose",
       "Methods for an equation by a list of rules: rank,method,tolerance,seconds,reason as CSV; on standard "
       "error the command that runs the first",
-      declare, [problems, program = commands.program()](const TypedOptions& typed) {
-        return choose(typed, problems, program);
-      });
+      declare, [program = commands.program()](const TypedOptions& typed) { return choose(typed, program); });
 }
 
-void add_compare(scene::Commands& commands, const Problems& problems) {
+void add_compare(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed);
     options.add(
@@ -223,13 +220,11 @@ void add_compare(scene::Commands& commands, const Problems& problems) {
     declare_settings(options, typed.settings);
     options.add("--plot", typed.plot,
                 "draws digits against run time: a name.svg, over an older such picture alone");
-    options.footer(describe_all(problems));
+    options.footer(describe_all());
   };
   commands.add<TypedOptions>(
       "compare", "Methods side by side: method,setting,status,digits,seconds,right_hand_sides,note as CSV",
-      declare, [problems, program = commands.program()](const TypedOptions& typed) {
-        return compare(typed, problems, program);
-      });
+      declare, [program = commands.program()](const TypedOptions& typed) { return compare(typed, program); });
 }
 
 /// `merge`
@@ -243,10 +238,10 @@ void declare_parts(scene::Options& options, Parts& parts) {
 
 }  // namespace
 
-void add_ivp_commands(scene::Commands& commands, const Problems& problems) {
-  add_integrate(commands, problems);
-  add_compare(commands, problems);
-  add_choose(commands, problems);
+void add_ivp_commands(scene::Commands& commands) {
+  add_integrate(commands);
+  add_compare(commands);
+  add_choose(commands);
   commands.add("merge",
                "Joins all shards of one run over --states, given in any order, to what one run writes",
                declare_parts, [](const Parts& parts) { scene::print_merged(parts.files); });

@@ -9,7 +9,6 @@ namespace nlmech::comparison {
 
 /// `integrate`: a problem from start to end as rows of CSV; `compare`: methods side by side; `choose`: which
 /// method for a problem, with the command that runs it; `merge`: the shards of `integrate --states`.
-/// @param problems that they offer by name, beside equations that are typed
-void add_ivp_commands(scene::Commands& commands, const Problems& problems);
+void add_ivp_commands(scene::Commands& commands);
 
 }  // namespace nlmech::comparison

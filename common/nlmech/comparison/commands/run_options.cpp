@@ -36,22 +36,17 @@ void RunOptions::check_rows() const {
     throw input_error("--every {}: more than 10 million rows", *every);
 }
 
-MakeProblem problem_of(const TypedOptions& typed, const Problems& problems) {
+MakeProblem problem_of(const TypedOptions& typed) {
   const int given = !typed.problem.empty() + !typed.equation.empty() + !typed.file.empty();
   if (given != 1) throw InputError("give one of --problem NAME, --equation TEXT and --file NAME.ode");
+  const program::Settings set = settings_of(typed.set);
   MakeProblem make;
-  program::Settings set;
   if (typed.problem.empty()) {
     const auto text = typed.file.empty() ? program::SourceText("--equation", typed.equation)
                                          : program::SourceText(typed.file, read_equations(typed.file));
     make = [text](const program::Settings& all) { return typed_problem(text, all); };
-    set = settings_of(typed.set);
   } else {
-    make = problem_by_name(problems, typed.problem);
-    apply_settings(typed.set, [&](const std::string& name, double value) {
-      set[name] = value;
-      static_cast<void>(make(set));
-    });
+    make = library_problem(typed.problem);
   }
   return [make, set](program::Settings values) {
     values.insert(set.begin(), set.end());  // if they are not there

@@ -66,7 +66,7 @@ decltype(auto) about(const char* option, Work work) {
 /// The problem by name, or the equations that were typed or stand in a file, which is read once; with the
 /// parameters of `--set` for those that are not given.
 /// @throws InputError naming the option
-[[nodiscard]] MakeProblem problem_of(const TypedOptions& typed, const Problems& problems);
+[[nodiscard]] MakeProblem problem_of(const TypedOptions& typed);
 
 /// @param x0 initial state @throws InputError naming the option that cannot be meant
 [[nodiscard]] RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, ivp::State x0);

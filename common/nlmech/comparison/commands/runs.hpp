@@ -62,6 +62,6 @@ struct EnsembleResult {
 /// @param program on standard error
 /// @returns the exit code: 1, with a word on standard error, if one failed
 /// @throws InputError for whatever is wrong with the options or the file, with line and value
-[[nodiscard]] int print_runs(const TypedOptions& typed, const Problems& problems, const std::string& program);
+[[nodiscard]] int print_runs(const TypedOptions& typed, const std::string& program);
 
 }  // namespace nlmech::comparison

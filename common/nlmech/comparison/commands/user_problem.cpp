@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/program/problem.hpp"
 #include "nlmech/program/syntax.hpp"
 #include "nlmech/scene/program/csv.hpp"
@@ -17,26 +17,19 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Equations with the names of the components: the problem's own, or for one that is no text some whose
-/// unknowns these are, with its initial state.
-program::Equations names_of(const UserProblem& problem) {
-  if (problem.text) return *problem.text;
-  std::string text;
-  for (std::size_t i = 0; i < problem.x0.size(); ++i)
-    text += fmt::format("{0}' = 0; {0}(0) = {1:.17g};", problem.state_names[i], problem.x0[i]);
-  return program::Equations(program::SourceText(problem.name, text));
-}
-
 ivp::State state_of(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+UserProblem problem_of_text(const problems::ProblemText& known, const program::Settings& settings) {
+  return typed_problem({fmt::format("{}.ode", known.name), std::string(known.text)}, settings, known.name);
 }
 
 }  // namespace
 
 ivp::State UserProblem::initial_state(const std::string& typed) const {
-  if (typed.empty() && !text) return state_of(x0);
   if (typed.empty() || typed.find('=') != std::string::npos)
-    return state_of(names_of(*this).initial_state("--initial", typed));
+    return state_of(program::Equations(text).initial_state("--initial", typed));
   const std::vector<double> x = scene::typed_numbers("--initial", typed);
   if (x.size() != state_names.size())
     throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(typed), x.size(),
@@ -45,7 +38,7 @@ ivp::State UserProblem::initial_state(const std::string& typed) const {
 }
 
 StateFunction UserProblem::expression(const std::string& option, const std::string& typed) const {
-  program::Equations names = names_of(*this);
+  program::Equations names = text;
   const program::NodeId node = names.expression(option, typed);
   const auto program =
       std::make_shared<const program::Program>(names.graph(), std::vector<program::NodeId>{node});
@@ -106,30 +99,20 @@ program::Settings settings_of(const std::vector<std::string>& assignments) {
   return values;
 }
 
-void apply_settings(const std::vector<std::string>& assignments,
-                    const std::function<void(const std::string& name, double value)>& set) {
-  for (const auto& [name, value] : settings_of(assignments)) {
-    try {
-      set(name, value);
-    } catch (const std::invalid_argument& error) {
-      throw input_error("--set {}={:.6g}: {}", echoed(name), value, error.what());
-    }
-  }
-}
-
-const MakeProblem& problem_by_name(const Problems& all, const std::string& name) {
-  std::vector<std::string> known;
-  for (const MakeProblem& make : all) {
-    known.push_back(make({}).name);
-    if (known.back() == name) return make;
+MakeProblem library_problem(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const problems::ProblemText& text : problems::problem_texts()) {
+    if (text.name == name)
+      return [&text](const program::Settings& set) { return problem_of_text(text, set); };
+    known.push_back(text.name);
   }
   throw input_error("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", "));
 }
 
-std::string describe_problems(const Problems& all) {
+std::string describe_problems() {
   std::string text = "Problems, and their parameters for --set:\n";
-  for (const MakeProblem& make : all) {
-    const UserProblem problem = make({});
+  for (const problems::ProblemText& known : problems::problem_texts()) {
+    const UserProblem problem = problem_of_text(known, {});
     std::vector<std::string> settings;
     for (const auto& [name, value] : problem.parameters)
       settings.push_back(fmt::format("{}={:.6g}", name, value));

@@ -12,8 +12,6 @@
 
 #include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/ivp/system.hpp"
-#include "nlmech/problems/parameters.hpp"
-#include "nlmech/problems/problem.hpp"
 #include "nlmech/program/equations.hpp"
 
 namespace nlmech::comparison {
@@ -32,8 +30,7 @@ struct UserProblem {
   ivp::System system;                    ///< what methods run on
   /// Computations in extended precision, for references; may be none.
   std::function<std::vector<Candidate>(const Effort&)> extended;
-  std::optional<program::Equations> text;  ///< of a problem that is one
-  std::vector<double> x0 = {};             ///< initial state of a problem that is no text
+  program::Equations text;  ///< as they were read
 
   /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=pi/2" for some of them, by
   /// expressions; what the publication or the text says for what is not given.
@@ -47,36 +44,6 @@ struct UserProblem {
 /// Makes a problem with these parameters, all others as they are in the publication or the text.
 /// @throws std::invalid_argument or InputError naming the parameter that is unknown or out of range
 using MakeProblem = std::function<UserProblem(const program::Settings&)>;
-/// The problems that a program offers.
-using Problems = std::vector<MakeProblem>;
-
-/// A problem that is written in C++.
-template <class Problem>
-[[nodiscard]] UserProblem user_problem_of(const Problem& problem) {
-  const auto x0 = problem.initial_state();
-  const auto size = static_cast<int>(x0.size());
-  UserProblem user{.name = std::string(Problem::name),
-                   .equation = std::string(Problem::equation),
-                   .parameters = {},
-                   .state_names = problems::state_names(problem),
-                   .t0 = Problem::initial_time,
-                   .t1 = {},
-                   .system = ivp::System(problem),
-                   .extended = [=](const Effort& e) { return taylor_candidates(problem, size, e); },
-                   .text = {},
-                   .x0 = {x0.begin(), x0.end()}};
-  for (const auto& parameter : Problem::parameters)
-    user.parameters.emplace_back(parameter.name, problem.*(parameter.member));
-  return user;
-}
-
-/// The same with these parameters: a MakeProblem.
-template <class Problem>
-[[nodiscard]] UserProblem user_problem(const program::Settings& settings) {
-  Problem problem;
-  for (const auto& [name, value] : settings) problems::set_parameter(problem, name, value);
-  return user_problem_of(problem);
-}
 
 /// Equations that are a text. @param name in lists of problems
 /// @throws InputError that points at a mistake in the text
@@ -91,15 +58,11 @@ template <class Problem>
 /// set twice, both texts
 [[nodiscard]] program::Settings settings_of(const std::vector<std::string>& assignments);
 
-/// Hands such values to @p set, one after another. @throws InputError naming `--set` and the text, for what
-/// @p set refuses as std::invalid_argument
-void apply_settings(const std::vector<std::string>& assignments,
-                    const std::function<void(const std::string& name, double value)>& set);
+/// The problem of the library of that name. @throws InputError naming `--problem`, the name, and the known
+/// ones
+[[nodiscard]] MakeProblem library_problem(const std::string& name);
 
-/// The problem of that name. @throws InputError naming `--problem`, the name, and the known ones
-[[nodiscard]] const MakeProblem& problem_by_name(const Problems& all, const std::string& name);
-
-/// For the help: each problem with its equation, its parameters and their values.
-[[nodiscard]] std::string describe_problems(const Problems& all);
+/// For the help: each problem of the library with its equation, its parameters and their values.
+[[nodiscard]] std::string describe_problems();
 
 }  // namespace nlmech::comparison

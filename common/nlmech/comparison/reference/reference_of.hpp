@@ -113,7 +113,7 @@ template <class Problem>
 
 /// The reference of a problem: these series, else methods by name. See reference.hpp.
 template <class Problem>
-[[nodiscard]] Reference reference_of(const Problem& problem, const Vector<double, Problem::dimension>& x0,
+[[nodiscard]] Reference reference_of(const Problem& problem, const problems::StateOf<double, Problem>& x0,
                                      double t0, const std::vector<double>& times, const Tolerance& needed,
                                      const Effort& effort) {
   return reference_of(taylor_candidates(problem, static_cast<int>(x0.size()), effort), ivp::System(problem),
