@@ -15,9 +15,8 @@
 namespace nlmech::comparison::choice_test {
 namespace {
 
-template <class Problem>
-ChoiceRequest request(const Problem& problem, double end) {
-  return {ivp::System(problem), problem.initial_state(), Problem::initial_time, end};
+ChoiceRequest request(const problems::TextProblem& problem, double end) {
+  return {ivp::System(problem), problem.initial_state(), problem.initial_time, end};
 }
 
 ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
