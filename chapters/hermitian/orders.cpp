@@ -28,7 +28,8 @@ struct Error {
   std::optional<double> order;  ///< between this step and its half
 };
 
-void measure(std::vector<Error>& all, const problems::TextProblem& problem, const ivp::State& x0) {
+void measure(std::vector<Error>& all, const std::string& name, const problems::TextProblem& problem,
+             const ivp::State& x0) {
   const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(
       problem, x0.cast<long double>().eval(), 0, end);
   if (!reference.status().ok()) throw Failure(reference.status());
@@ -40,15 +41,15 @@ void measure(std::vector<Error>& all, const problems::TextProblem& problem, cons
       if (!run.status.ok()) throw Failure(run.status);
       const double error = (run.x - truth).cwiseAbs().maxCoeff();
       if (step < steps[0]) all.back().order = std::log2(all.back().error / error);
-      all.push_back({problem.name, std::string(pair.name), step, error, {}});
+      all.push_back({name, std::string(pair.name), step, error, {}});
     }
   }
 }
 
 std::vector<Error> all_errors() {
   std::vector<Error> all;
-  measure(all, problems::TextProblem("laier-duffing"), {0, 0});
-  measure(all, problems::TextProblem("laier-van-der-pol"), {2, 0});
+  measure(all, "driven-duffing", problems::TextProblem("laier-duffing"), {0, 0});
+  measure(all, "van-der-pol", problems::TextProblem("laier-van-der-pol"), {2, 0});
   return all;
 }
 

@@ -30,7 +30,7 @@ struct Saddle {
 
 /// A run of a problem that is off by @p error in its first component at the end.
 template <class Problem>
-Verification verdict(const Problem& problem, const Vector<double, Problem::dimension>& x0, double end,
+Verification verdict(const Problem& problem, const problems::StateOf<double, Problem>& x0, double end,
                      double error, const Tolerance& tolerance, const Effort& effort = {}) {
   const std::vector<double> times = look_at(0, end, 16);
   const Reference truth = reference_of(problem, x0, 0, times, tolerance / 10, effort);

@@ -19,7 +19,7 @@ Dop853 within(double tolerance) { return {.relative_tolerance = tolerance, .abso
 TEST(Dop853, ClosesArenstorfsOrbit) {
   const problems::TextProblem problem("arenstorf");
   const State& x0 = problem.initial_state();
-  const auto s = integrate(problem.system(), x0, 0, problem.final_time, within(1e-12));
+  const auto s = integrate(System(problem), x0, 0, problem.final_time, within(1e-12));
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_LT((s.x - x0).cwiseAbs().maxCoeff(), 1e-6);
 }
