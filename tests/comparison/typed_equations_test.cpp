@@ -189,5 +189,18 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
   for (const char* name : {"adaptive-collocation", "cvode-bdf"}) EXPECT_TRUE(arrived.contains(name)) << name;
 }
 
+// x = 1 - t leaves its bound at t = 1, on the one side of a surface that it never meets.
+TEST(TypedEquations, BoundsHoldWhereEquationsSwitchToo) {
+  const Equations equations(SourceText("test", "x' = -sign(x + 10); x >= 0"));
+  const ivp::System system{Typed(equations)};
+  for (const std::string& name : built_method_names()) {
+    const ivp::MethodInfo& method = any_method(name);
+    if (method.fixed_step() || method.second_order_only) continue;
+    const auto run = method.with({.tolerance = 1e-6});
+    EXPECT_TRUE(run(system, state({1}), 0, 0.9, {}, {.steps = 20'000}).status.ok()) << name;
+    EXPECT_FALSE(run(system, state({1}), 0, 2, {}, {.steps = 20'000}).status.ok()) << name;
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::comparison::typed_equations_test
