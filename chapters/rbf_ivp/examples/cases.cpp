@@ -142,8 +142,7 @@ double impact_end() { return problems::TextProblem("impact").parameter("duration
 Eigen::Vector3d chain_frequencies() {
   // Of the equations' linear part (0 1; -M^-1 K, -M^-1 C).
   const problems::TextProblem chain("three-dof");
-  Eigen::MatrixXd linear;
-  chain.linear_part(linear);
+  const Eigen::MatrixXd& linear = chain.linear_terms().a;
   const Eigen::Matrix3d M =
       Eigen::Vector3d(chain.parameter("m1"), chain.parameter("m2"), chain.parameter("m3")).asDiagonal();
   const Eigen::Matrix3d K = -M * linear.bottomLeftCorner<3, 3>();

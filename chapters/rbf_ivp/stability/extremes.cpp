@@ -11,6 +11,7 @@
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/comparison/cost/accuracy.hpp"
+#include "nlmech/problems/problem.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
