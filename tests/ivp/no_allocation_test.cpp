@@ -9,6 +9,7 @@
 #include <new>
 #include <string>
 
+#include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/collocation/picard.hpp"
@@ -22,7 +23,6 @@
 #include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
-#include "nlmech/problems/texts.hpp"
 
 namespace {
 std::int64_t requests = 0;  // of memory, since the program began
@@ -67,8 +67,7 @@ namespace {
 
 // From the end of the first of ten steps to the end of the last but one.
 template <class Method>
-void expect_no_allocation(const Method& method,
-                          const problems::TextProblem& chain = problems::TextProblem("three-dof")) {
+void expect_no_allocation(const Method& method, const chapters::PlainChain& chain = {}) {
   std::int64_t before = 0, after = 0;
   const Observer count = [&](const Step& step) {
     (step.index <= 1 ? before : after) = requests;
@@ -88,7 +87,7 @@ TEST(NoAllocation, IsCounted) {
 
 // The workspace of a run is made in the library's own code.
 TEST(NoAllocation, IsCountedInTheLibrary) {
-  const System system(problems::TextProblem("three-dof"));
+  const System system(chapters::PlainChain{});
   const State rest = State::Zero(6);
   const std::int64_t before = requests;
   EXPECT_TRUE(integrate(system, rest, 0, 1, Rk4{.step = 0.5}).status.ok());
@@ -102,7 +101,7 @@ TEST(NoAllocation, InStepsOfExplicitMethods) {
   expect_no_allocation(CentralDifference{.step = 0.5});
   expect_no_allocation(Ode45{});
   expect_no_allocation(Dop853{});
-  expect_no_allocation(Rkn1210{}, problems::TextProblem("three-dof", {{"c2", 0}}));
+  expect_no_allocation(Rkn1210{}, chapters::PlainChain{.c2 = 0});
   expect_no_allocation(Series{.order = 12, .step = 0.5});
   expect_no_allocation(Series{});
 }

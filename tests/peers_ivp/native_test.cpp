@@ -9,6 +9,7 @@
 #include "chapters/plain_equations.hpp"
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
+#include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/texts.hpp"
 
 namespace nlmech::peers::native_test {
@@ -32,7 +33,7 @@ void expect_same(const Plain& plain, const Problem& problem) {
 
 TEST(PlainEquations, AreThoseOfTheProblems) {
   expect_same(chapters::PlainDuffing{}, problems::TextProblem("duffing"));
-  expect_same(chapters::PlainDuffing{{.natural_frequency = 2, .hardening = 10}},
+  expect_same(chapters::PlainDuffing{.natural_frequency = 2, .hardening = 10},
               problems::TextProblem("duffing", {{"natural_frequency", 2}, {"hardening", 10}}));
   expect_same(chapters::PlainImpact{}, problems::TextProblem("impact"));
   expect_same(chapters::PlainLorenz{}, problems::TextProblem("lorenz"));

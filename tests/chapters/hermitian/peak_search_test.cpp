@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "tests/places.hpp"
 

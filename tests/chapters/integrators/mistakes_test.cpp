@@ -97,7 +97,7 @@ TEST(Mistakes, OfANamedProblem) {
                                   {{"--initial", "x=1, x=2"}, {"--initial:1:6: given a second time"}},
                                   {{"--initial", "x'=oops"}, {"--initial:1:4: oops is not defined"}},
                                   {{"--event", "y=0"}, {"--event:1:1: y is not defined"}},
-                                  {{"--set", "mass=1"}, {"--set mass=1", "hardening"}}};
+                                  {{"--set", "mass=1"}, {"--set mass", "hardening"}}};
   for (const Bad& bad : cases) {
     Bad whole = bad;
     whole.words.insert(whole.words.begin(), begin.begin(), begin.end());

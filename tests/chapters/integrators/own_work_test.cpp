@@ -198,7 +198,7 @@ TEST(Integrate, BackwardsInTime) {
 TEST(Integrate, ParametersAreSet) {
   // Without hardening a harmonic oscillator.
   const auto rows = trajectory(
-      "--problem duffing --set hardening=0 --set natural_frequency=2 --until 3 --method rk6 --step 0.01",
+      "--problem duffing --set hardening=0 --set natural__frequency=2 --until 3 --method rk6 --step 0.01",
       duffing_columns);
   EXPECT_LE(last_error(rows, {std::cos(6), -2 * std::sin(6)}), 1e-10);  // (0.01 2)^6 is 6e-11
 }
@@ -234,7 +234,7 @@ TEST(OwnWork, BadInputIsNamed) {
       {"integrate --method magic" + good, {"--method", "'magic'", "rbf-coll", "odeint-dopri5"}},
       {"compare --methods rk4,magic" + good, {"--methods", "'magic'", "rbf-coll"}},
       {"compare --methods rk4," + good, {"--methods", "''"}},
-      {"integrate --method rk4 --set stiffness=2" + good, {"--set stiffness=2", "hardening"}},
+      {"integrate --method rk4 --set stiffness=2" + good, {"--set stiffness", "hardening"}},
       {"integrate --method rk4 --set hardening" + good, {"--set hardening", "name=value"}},
       {"integrate --method rk4 --set hardening=two" + good, {"--set hardening=two", "number"}},
       {"integrate --method rk4 --initial 1" + good,
@@ -277,7 +277,7 @@ TEST(OwnWork, BadInputIsNamed) {
        {"--methods", "ode45", "tolerance, not a step"}},
       {"integrate --method rk4 --set hardening=2 --set hardening=3" + good,
        {"hardening=2", "hardening=3", "twice"}},
-      {"integrate --method rk4 --set hardening=2 natural_frequency=1 hardening=2" + good,
+      {"integrate --method rk4 --set hardening=2 natural__frequency=1 hardening=2" + good,
        {"hardening", "twice"}},
       {"compare --methods rk4,ode45 --nodes 7" + good, {"--nodes 7", "rk4,ode45"}},
       {"compare --methods lgl-coll --shape 7" + good, {"--shape 7", "lgl-coll"}},
@@ -417,7 +417,7 @@ TEST(OwnWork, HelpNamesProblemsAndMethods) {
     const Finished f = run(command + " --help");
     EXPECT_EQ(f.exit_code, 0);
     for (const std::string word : {"three-dof", "hardening=1", "van-der-pol", "radau-coll", "gsl-rk8pd",
-                                   "--tolerance", "x'' - mu (1 - x^2) x'"})
+                                   "--tolerance", "x'' = mu ((1 - x^2) x') - x"})
       EXPECT_NE(f.output.find(word), std::string::npos) << command << ": no " << word;
   }
 }

@@ -24,10 +24,18 @@ inline Finished integrators(Words words, const std::string& folder = NLMECH_SOUR
   return scene::run_program(words, folder);
 }
 
-/// With words separated by blanks; "_" stands for a blank within a word.
+/// With words separated by blanks; within a word "_" stands for a blank, and "__" for "_".
 inline Finished run(const std::string& words) {
   Words arguments = scene::split(words, ' ');
-  for (std::string& argument : arguments) std::replace(argument.begin(), argument.end(), '_', ' ');
+  for (std::string& argument : arguments) {
+    std::string word;
+    for (std::size_t i = 0; i < argument.size(); ++i) {
+      const bool twice = argument.compare(i, 2, "__") == 0;
+      word += twice || argument[i] != '_' ? argument[i] : ' ';
+      i += twice ? 1 : 0;
+    }
+    argument = word;
+  }
   return integrators(arguments);
 }
 

@@ -26,7 +26,7 @@ void expect_says(const Finished& f, const std::vector<std::string>& words) {
 TEST(IntegrateVerified, RefusesWhatIsFarOff) {
   for (const std::string words :
        {"--problem van-der-pol --set mu=266.85 --until 200 --tolerance 4.2e-10 --method gsl-msadams",
-        "--problem duffing --set natural_frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
+        "--problem duffing --set natural__frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method "
         "gsl-bsimp",
         "--problem duffing --until 20 --method gsl-msbdf"}) {
     const Finished f = run("integrate " + words);
