@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "chapters/integrators/problem_list.hpp"
+#include "nlmech/ivp/system.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "tools/references/condition.hpp"

@@ -102,7 +102,7 @@ void chain_parameters(scene::Show& show) {
                    {"Omega", "missing", p.parameter("frequency"), from_paper}},
                   show);
   // With the doubles next to the table's decimals: with 0.05, 0.2 and the root of 1/2 themselves the chain
-  // ends up to 8e-15 from there.
+  // ends up to 5.4e-15 from there.
   const Vector<Extended, 6> end = c.reference(200);
   check_reference("x1(200)", end[0], 0.1621748860002473897017669L, show);
   check_reference("x2(200)", end[1], 0.3465729515799769464131827L, show);
