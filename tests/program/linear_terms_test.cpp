@@ -33,7 +33,7 @@ double value(const std::vector<Harmonic>& load, int component, double t) {
 
 TEST(LinearTerms, AreMultipliedOut) {
   const LinearTerms found =
-      of("x'' + 0.5 x' + 4 x + 3 x^3 = (1 - x^2) (2 y + 7); y'' = x - (y - 1)/8 + sin(y)");
+      terms_of("x'' + 0.5 x' + 4 x + 3 x^3 = (1 - x^2) (2 y + 7); y'' = x - (y - 1)/8 + sin(y)");
   Eigen::Matrix4d a;  // x, y, x', y'
   a << 0, 0, 1, 0, 0, 0, 0, 1, -4, 2, -0.5, 0, 1, -0.125, 0, 0;
   EXPECT_EQ(found.a, a);
@@ -47,7 +47,7 @@ TEST(LinearTerms, AreMultipliedOut) {
 
 TEST(LinearTerms, HarmonicsHaveFrequenciesAndPhases) {
   const LinearTerms found =
-      of("x' = 2 cos(3 t + 0.25) - sin(5 t)/4 + cos(1) + t sin(t) + cos(t^2) + x cos(t) - x/(x^2 + 1)");
+      terms_of("x' = 2 cos(3 t + 0.25) - sin(5 t)/4 + cos(1) + t sin(t) + cos(t^2) + x cos(t) - x/(x^2 + 1)");
   EXPECT_EQ(found.a.norm(), 0);
   ASSERT_EQ(found.load.size(), 3U);
   EXPECT_EQ(found.load[0].cosine, std::cos(1.0));

@@ -179,12 +179,13 @@ namespace detail {
   Question q;
   q.words = "--problem " + name;
   q.longest = longest;
-  program::Settings settings;
-  for (const auto& [parameter, value] : problems::TextProblem(name).parameters()) {
-    settings[parameter] = detail::any_parameter(draw, value);
-    q.words += fmt::format(" --set {}={:.17g}", parameter, settings[parameter]);
+  program::Settings values;
+  const problems::TextProblem usual(name);
+  for (const auto& [parameter, value] : usual.parameters()) {
+    values[parameter] = detail::any_parameter(draw, value);
+    q.words += fmt::format(" --set {}={:.17g}", parameter, values[parameter]);
   }
-  const problems::TextProblem problem(name, settings);
+  const problems::TextProblem problem(name, values);
   q.x0 = detail::any_state(draw, problem.initial_state(), keep);
   q.words += fmt::format(" --initial {:.17g}", fmt::join(std::vector<double>(q.x0.begin(), q.x0.end()), ","));
   const ivp::System system(problem);
