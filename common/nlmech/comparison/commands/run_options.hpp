@@ -17,15 +17,27 @@ namespace nlmech::comparison {
 
 /// What was typed after `integrate`, `compare` or `choose`.
 struct TypedOptions {
-  std::string problem, equation, file, initial, method, tolerances, plot;
-  std::optional<double> until, from, every;
-  ivp::Settings settings;
-  std::optional<double> limit, largest_step;
-  std::vector<std::string> set, events;
-  std::string section, states, shard;
-  std::optional<int> threads;
-  bool no_verify = false;
-  int digits = 9;
+  std::string problem;                 ///< `--problem`
+  std::string equation;                ///< `--equation`
+  std::string file;                    ///< `--file`
+  std::string initial;                 ///< `--initial`
+  std::string method;                  ///< `--method`, `--methods`
+  std::string tolerances;              ///< `--tolerances`
+  std::string plot;                    ///< `--plot`
+  std::optional<double> until;         ///< `--until`
+  std::optional<double> from;          ///< `--from`
+  std::optional<double> every;         ///< `--every`
+  ivp::Settings settings;              ///< `--step`, `--tolerance` and what else methods have
+  std::optional<double> limit;         ///< `--limit`, s
+  std::optional<double> largest_step;  ///< `--largest-step`
+  std::vector<std::string> set;        ///< `--set`, each
+  std::vector<std::string> events;     ///< `--event`, each
+  std::string section;                 ///< `--section`
+  std::string states;                  ///< `--states`, a file
+  std::string shard;                   ///< `--shard`
+  std::optional<int> threads;          ///< `--threads`
+  bool no_verify = false;              ///< `--no-verify`
+  int digits = 9;                      ///< `--digits`
 };
 
 /// What a run is to look out for.
