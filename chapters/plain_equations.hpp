@@ -153,10 +153,12 @@ struct PlainTwoBody {
   void operator()(const In& x, Out&& dxdt, double /*t*/) const {
     const double square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     const double factor = -mu / (square * std::sqrt(square));
-    for (int i = 0; i < 3; ++i) {
-      dxdt[i] = x[i + 3];
-      dxdt[i + 3] = factor * x[i];
-    }
+    dxdt[0] = x[3];
+    dxdt[1] = x[4];
+    dxdt[2] = x[5];
+    dxdt[3] = factor * x[0];
+    dxdt[4] = factor * x[1];
+    dxdt[5] = factor * x[2];
   }
   /// The acceleration for every type of number.
   template <class T>

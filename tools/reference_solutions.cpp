@@ -25,7 +25,6 @@
 
 namespace {
 
-namespace mp = boost::multiprecision;
 using nlmech::Vector;
 using namespace nlmech::problems;
 

@@ -20,7 +20,7 @@ struct Flight {
 /// Flies until z = 0 with the printed T = 0.01 and N = 20.
 Flight fly(const problems::TextProblem& problem) {
   const ivp::System system(problem);
-  const State x0 = problem.initial_state();
+  const State& x0 = problem.initial_state();
   const std::vector<ivp::Event> events = {
       {[](double, const State& x) { return x[2]; }, ivp::Crossing::falling, true},
       {[](double, const State& x) { return x[5]; }, ivp::Crossing::falling}};

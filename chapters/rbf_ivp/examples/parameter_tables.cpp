@@ -16,7 +16,7 @@ constexpr const char* digits60 = "tools/oracles/rbf_ivp_ends.py, 40 digits; two 
 struct Parameter {
   std::string name, printed;
   double used;
-  std::string remark = "";
+  std::string remark = {};
 };
 
 void show_parameters(const std::vector<Parameter>& parameters, scene::Show& show) {

@@ -15,7 +15,7 @@ namespace {
 /// With its end by Taylor series; errors relative to the largest component.
 template <class Problem>
 Stiff by_series(std::string name, const Problem& problem, double end, double rate) {
-  const auto x0 = problem.initial_state();
+  const auto& x0 = problem.initial_state();
   ivp::LongState reference;
   const Status status = problems::walk_reference<long double>(
       problem, x0.template cast<long double>(), 0, end, {.most_steps = 2'000'000},

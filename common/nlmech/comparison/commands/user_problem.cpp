@@ -51,7 +51,7 @@ StateFunction UserProblem::expression(const std::string& option, const std::stri
 
 UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
                           std::string_view name) {
-  program::Equations equations(source, settings);
+  const program::Equations equations(source, settings);
   const program::Problem problem(equations);
   const auto extended = [problem](const Effort& effort) {
     // A Taylor series in extended precision does not see where an equation switches.
@@ -66,7 +66,7 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
           .t1 = equations.final_time(),
           .system = ivp::System(problem),
           .extended = extended,
-          .text = std::move(equations)};
+          .text = equations};
 }
 
 std::string read_equations(const std::string& name) {

@@ -180,7 +180,7 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (status.ok()) return with_condition(all, reference, size);
   // Without the condition: no digit right is wrong, whatever the problem makes of errors.
-  const Verification v = all.worst(Verdict::wrong, size.replicate(1, all.error.cols()).cwiseMax(all.weight));
+  Verification v = all.worst(Verdict::wrong, size.replicate(1, all.error.cols()).cwiseMax(all.weight));
   const bool no_digit = v.error - v.doubt >= 0.1 * size[v.component] && v.tolerances > most_tolerances;
   if (no_digit) return v;
   return {.reason = "the problem's condition could not be computed: " + status.sentence()};
@@ -206,7 +206,6 @@ bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Ve
 
 std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
                    const ivp::Settings& settings, const std::vector<std::string>& names) {
-  using Verdict = Verification::Verdict;
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
   const double tolerance = tolerance_of(settings).relative;
   if (found.verdict == Verdict::ended)
