@@ -47,6 +47,7 @@ ELSEWHERE = [
     # Parts of what runs before a change lands.
     (r"(cmake --preset asan)", ".ci/run", r"\1"),
     (r"(scripts/lint) HEAD~1", ".ci/run", r"\1 "),
+    (r"(scripts/weight)", ".ci/run", r"\1"),
     (r"cmake --build build(-asan)? --target (unit_tests_)[a-z]+", "tests/CMakeLists.txt", r"\2"),
     (r"(ctest --test-dir) build.*", ".ci/run", r"\1"),
     (r"(\.ci/run)", ".ci/run", "#!"),
