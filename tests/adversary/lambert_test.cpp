@@ -86,7 +86,9 @@ TEST(AdversaryLambert, EveryArcArrives) {
 
 /// The least time of M revolutions over the Lagrange angle alpha, from 0 to 2 pi, by golden section: t =
 /// sqrt(a^3/mu) (2 pi M + alpha - sin alpha - beta + sin beta), a = s/(2 sin^2(alpha/2)), sin(beta/2) =
-/// +-lambda sin(alpha/2).
+/// +-lambda sin(alpha/2). Positions a few roundings apart have lambda near 1 and the least time near alpha =
+/// pi, where the arcsine would lose half of its digits; cos^2(beta/2) = cos^2(alpha/2) + (c/s) sin^2(alpha/2)
+/// keeps them.
 Wide least_time_by_angles(const LambertProblem& p, bool long_way, int revolutions) {
   const auto from = as<Wide>(State{p.from, p.to});
   const Wide r1 = length(from.position), r2 = length(from.velocity),
@@ -95,7 +97,8 @@ Wide least_time_by_angles(const LambertProblem& p, bool long_way, int revolution
   const Vector3<Wide> both = from.position / r1 + from.velocity / r2;
   const Wide lambda = std::sqrt(r1 * r2) * length(both) / (2 * s) * (long_way ? -1 : 1);
   const auto time = [&](Wide alpha) {
-    const Wide half = std::sin(alpha / 2), a = s / (2 * half * half), beta = 2 * std::asin(lambda * half);
+    const Wide half = std::sin(alpha / 2), other = std::cos(alpha / 2), a = s / (2 * half * half);
+    const Wide beta = 2 * std::atan2(lambda * half, std::sqrt(other * other + c / s * half * half));
     return std::sqrt(a / p.mu) * a * (2 * pi * revolutions + alpha - std::sin(alpha) - beta + std::sin(beta));
   };
   const Wide golden = (std::sqrt(Wide(5)) - 1) / 2;
