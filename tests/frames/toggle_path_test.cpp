@@ -161,6 +161,33 @@ TEST(TogglePath, PairsOfBifurcationsFromWhereTheyBegin) {
   }
 }
 
+// Where a symmetric bifurcation passes the maximum, near a height of 0.8973 in. Loads and drops of both are
+// those of beam-columns written anew in long double, by the inertia of their stiffness; printed there to
+// 1e-12.
+TEST(TogglePath, ABifurcationPassesTheMaximum) {
+  struct Neighbours {
+    double height, branch, branch_drop, limit, limit_drop;
+  };
+  for (const Neighbours& n :
+       {Neighbours{0.8973, 207.80746249118, 0.283527779227, 207.80746579889, 0.283489144019},
+        Neighbours{0.8974, 207.86162346508, 0.283467765863, 207.86162508599, 0.283494806728},
+        Neighbours{0.8975, 207.91577197940, 0.283407789315, 207.91579102495, 0.283500463636},
+        Neighbours{0.89757437948912355, 207.95603929642, 0.283363202913, 207.95608368658, 0.283504667453},
+        Neighbours{0.8976, 207.96990804915, 0.283347849537, 207.96996361431, 0.283506114743}}) {
+    const auto events = events_of({.height = n.height, .elements = 4});
+    ASSERT_GE(events.size(), 3U);
+    const bool is_maximum_first = n.limit_drop < n.branch_drop;
+    const ToggleEvent &limit = events[is_maximum_first ? 1 : 2], &branch = events[is_maximum_first ? 2 : 1];
+    EXPECT_EQ(limit.kind, Kind::maximum);
+    EXPECT_EQ(branch.kind, Kind::bifurcation);
+    EXPECT_TRUE(branch.is_symmetric);
+    // Path: next to another point a branch point is right to 1e-7 of a step, of 0.05 in here.
+    EXPECT_NEAR(branch.drop, n.branch_drop, 5e-9) << n.height;
+    EXPECT_NEAR(branch.load, n.branch, 5e-9) << n.height;
+    EXPECT_NEAR(limit.load, n.limit, 1e-10 * n.limit) << n.height;
+  }
+}
+
 // The first step from rest may be three hundred times too long; the first fold of four elements a member is
 // where the slope under displacement control changes its sign.
 TEST(TogglePath, VeryHighTogglesStayOnTheirPath) {

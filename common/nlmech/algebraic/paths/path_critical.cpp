@@ -13,6 +13,7 @@ namespace {
 
 constexpr double one_place = 1e-7;    // of a step: what lies within is one place
 constexpr double is_singular = 1e-5;  // |K v|/|K| of a null vector v, at most
+constexpr double agreement = 1e-3;    // of the distance of places: zeros of interpolations that agree
 constexpr double around_fork = 0.2;   // of a step: there a bifurcation of refine_fork() is all there is
 
 }  // namespace
@@ -229,9 +230,8 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     return null.m;
   };
   // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
-  const double low = bracket.low, high = bracket.high;
   Outcome outcome = narrow([](const PathPoint& p) { return static_cast<double>(p.sign); },
-                           0.02 * (high - low), bracket, out);
+                           0.02 * (bracket.high - bracket.low), bracket, out);
   if (outcome != Outcome::success) return outcome;
   border.y = null_direction(system_);
   for (const bool is_low : {true, false}) {
@@ -241,13 +241,14 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     (is_low ? bracket.low_value : bracket.high_value) = value(end);
   }
   if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
-  // Shorter where another branch point is near.
+  // Shorter where another branch or limit point is near: there the function bends, or has a pole, and the
+  // zero of a polynomial lies outside the bracket.
   outcome = Outcome::not_converged;
   for (double reach = 0.02; outcome == Outcome::not_converged && reach > one_place; reach /= 10) {
     outcome = narrow(value, reach / 20, bracket, out);
     if (outcome == Outcome::success) outcome = interpolate(value, reach, out);
-    const double part = part_of(out);
-    if (!(part > low - one_place && part < high + one_place)) outcome = Outcome::not_converged;
+    const double part = part_of(out), slack = agreement * reach;
+    if (!(part > bracket.low - slack && part < bracket.high + slack)) outcome = Outcome::not_converged;
   }
   if (outcome != Outcome::success) return outcome;
   if (!system_.linearise(out.at)) return Outcome::non_finite;
@@ -324,7 +325,7 @@ Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, 
     if (nearer == 0.01 && off > 1e-4 * reach) outcome = Outcome::not_converged;
     if (outcome != Outcome::success) break;
     middle = part;
-    if (off <= 1e-3 * reach) ++agreeing;
+    if (off <= agreement * reach) ++agreeing;
     if (agreeing == 2 && off > least && off > 1e-6 * reach && nearer > 0.01) continue;
     least = off;
     best = {Eigen::VectorXd::Zero(system_.size()), 0};
