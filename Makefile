@@ -6,7 +6,13 @@
 PRESET ?= release
 BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
-SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
+# Sections of packages.txt, by goal.
+needs = $(if $(filter $(2),$(MAKECMDGOALS)),$(1))
+SECTIONS := programs $(call needs,tests,test adversary book-test oracles) $(call needs,pages,check pages bench book book-test package) \
+  $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test) $(call needs,package,package)
+# Tests are configured once a goal runs them, and stay so.
+NLMECH_TESTS := $(or $(call needs,ON,test adversary book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
+SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_TESTS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
@@ -28,15 +34,19 @@ help:
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"
-	@echo "make deps            install missing Debian packages (packages.txt)"
+	@echo "make deps            install all missing Debian packages of packages.txt; each command above installs what it needs"
 	@echo "make clean           remove what was built and generated"
 	@echo "PRESET=release|dev|asan|repro   NLMECH_CHAPTERS=name,...   NLMECH_PEERS=name,...|none"
 
 deps:
 	@scripts/install-packages
 
+.PHONY: needed
+needed:
+	@scripts/install-packages $(SECTIONS)
+
 # CMake runs again by itself when its files change; a change of selection is passed on at every call.
-configure: deps
+configure: needed
 	@words=$$(cmake --preset $(PRESET) $(SELECTION) 2>&1) || { echo "$$words"; exit 1; }
 
 build: configure
