@@ -1,5 +1,5 @@
 /// Which kernels this process may use. That commands obey the environment:
-/// scene/program/command_line_test.cpp.
+/// tests/commands/scene.t.
 #include "nlmech/support/instruction_set.hpp"
 
 #include <gtest/gtest.h>

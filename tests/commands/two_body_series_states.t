@@ -1,0 +1,273 @@
+Many orbits: a file of initial states
+=====================================
+
+test_orbits.py compares rows with Kepler's problem.
+
+  $ propagate() { two_body_series propagate --states "$@"; }
+
+Ellipses about mu = 1, with a name that has a comma, columns in an order of their own, and a comment:
+
+  $ ellipses() {
+  >   printf '# a comment\n\nname,vx,vy,vz,until,x,y,z,mu\n\n'
+  >   seq 0 $(($1 - 1)) | awk -v n=$1 '{e = 0.8*$1/n; printf "\"body, %d\",0,%.17g,0,%.17g,%.17g,0,0,1\n", $1, sqrt((1 + e)/(1 - e)), 20 + 0.01*$1, 1 - e}'
+  > }
+
+The bytes of one run, with any number of threads, from shards in any order:
+
+  $ ellipses 300 > orbits.csv
+  $ for words in "" "--every 3" "--zonal 1e-3 --radius 0.1"; do
+  >   propagate orbits.csv $words > whole.csv
+  >   propagate orbits.csv $words --threads 3 | cmp - whole.csv
+  >   for shards in 1 7; do
+  >     parts=
+  >     for k in $(seq $shards); do
+  >       propagate orbits.csv $words --shard $k/$shards > $k.csv
+  >       parts="$k.csv $parts"
+  >     done
+  >     two_body_series merge $parts | cmp - whole.csv
+  >   done
+  > done
+  $ propagate orbits.csv > whole.csv
+  $ parts=
+  $ for k in $(seq 301); do propagate orbits.csv --shard $k/301 > $k.csv; parts="$k.csv $parts"; done
+  $ two_body_series merge $parts | cmp - whole.csv
+
+--every gives rows between, here of a circle backwards, for each method:
+
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,1.2,0\n' > circle.csv
+  $ for method in series kepler; do
+  >   propagate circle.csv --mu 1 --until -5 --every 2 --method $method > rows.csv
+  >   holds --where row=1 't = [0, -2, -4, -5]' 'x = cos(t) +- 1e-13' 'y = sin(t) +- 1e-13' < rows.csv
+  >   holds --where row=2 'n = 4' < rows.csv
+  > done
+
+The answer is a file of states itself: its columns come back once, those of the first run under other names. A header may be missing, and
+rows too:
+
+  $ printf 'X,Y,Z,VX,VY,VZ,\n1,0,0,0,1,0,\n' > orbit.csv
+  $ propagate orbit.csv --mu 1 --until 1 > first.csv
+  $ head -1 first.csv
+  row,t,x,y,z,vx,vy,vz,status
+  $ propagate first.csv --mu 1 --until 1 > second.csv
+  $ head -1 second.csv
+  row,t,x,y,z,vx,vy,vz,input_row,input_t,input_status,status
+  $ holds 'input_row = 1' 'x = cos(2) +- 1e-13' < second.csv
+  $ echo 1,0,0,0,1,0 > orbit.csv
+  $ propagate orbit.csv --mu 1 --until 1 | cmp - first.csv
+  $ echo x,y,z,vx,vy,vz > orbit.csv
+  $ propagate orbit.csv --mu 1 --until 1
+  orbit.csv: no row stands behind the header
+  row,t,x,y,z,vx,vy,vz,status
+
+Failures
+--------
+
+A fall into the centre ends where it does, at pi/sqrt(8), and the rest goes on; a merge of shards ends as the whole run does:
+
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,0,0\n1,0,0,0,1.1,0\n' > fall.csv
+  $ propagate fall.csv --mu 1 --until 5 > whole.csv
+  two_body_series: 1 of the orbits failed; the first is row 2: collision: taylor-ensemble: the body falls into the centre of attraction at t = 1.11072*; Kepler's solution (method kepler) goes through, a series cannot (glob)
+  [1]
+  $ cut -d, -f 1,9 whole.csv
+  row,status
+  1,success
+  2,collision
+  3,success
+  $ holds --where row=2 't = pi/sqrt(8) +- 1e-6' < whole.csv
+  $ for k in 1 2 3; do propagate fall.csv --mu 1 --until 5 --shard $k/3 > $k.csv 2> said.txt || echo "shard $k: exit code $?"; done
+  shard 2: exit code 1
+  $ two_body_series merge 1.csv 2.csv 3.csv > merged.csv
+  two_body_series: 1 of the rows failed; their status says how
+  [1]
+  $ cmp merged.csv whole.csv
+
+Rows of few digits say so: of the data after 1e5 revolutions and more, of steps that are too long, which Kepler's solution tells:
+
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1.1,0\n1,0,0,0,1.2,0.1\n' > orbits.csv
+  $ status() { two_body_series propagate --states orbits.csv --mu 1 "$@" > rows.csv || echo "exit code $?"; cut -d, -f 9 rows.csv; }
+  $ status --until 1e12 --method kepler
+  two_body_series: 2 of the orbits have rows with the status low_accuracy; the first is row 1: the data, rounded to doubles, determine the position at t = 1e+12 to * of the distance (glob)
+  status
+  low_accuracy
+  low_accuracy
+  $ status --until 30 --tolerance 1e-4
+  two_body_series: 2 of the orbits have rows with the status low_accuracy; the first is row 1: the position at t = 30 differs from Kepler's solution by * of the distance: the tolerance 0.0001 of a step is too large for it; take a smaller one, or --method kepler (glob)
+  status
+  low_accuracy
+  low_accuracy
+  $ status --until 300 --tolerance 0.1
+  two_body_series: 2 of the orbits failed; the first is row 1: outside_validity: series: the position at t = 300 differs from Kepler's solution by * of the distance: the tolerance 0.1 of a step is too large for it; take a smaller one, or --method kepler (glob)
+  exit code 1
+  status
+  outside_validity
+  outside_validity
+  $ status --until 30
+  status
+  success
+  success
+
+So many revolutions that no digit is left end the closed form, at the last row that had one:
+
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n' > circle.csv
+  $ for sign in '' -; do
+  >   propagate circle.csv --mu 1 --until ${sign}1e14 --every 1e12 --method kepler 2> said.txt > rows.csv || echo "exit code $?"
+  >   tail -2 rows.csv | cut -d, -f 9
+  >   tail -2 rows.csv | cut -d, -f 1-8 | uniq | wc -l
+  >   holds 'abs(t) > 1e12' < rows.csv
+  >   [ $(wc -l < rows.csv) -lt 90 ]
+  > done
+  exit code 1
+  low_accuracy
+  outside_validity
+  1
+  exit code 1
+  low_accuracy
+  outside_validity
+  1
+
+What is not done in time says so in its row; without a limit a file takes as long as it takes:
+
+  $ ellipses 2000 > orbits.csv
+  $ for method in series kepler; do
+  >   propagate orbits.csv --method $method --limit 1e-9 > rows.csv
+  >   holds --each 'n = 2000' 'status = "time_limit"' < rows.csv
+  > done
+  two_body_series: 2000 of the orbits failed; the first is row 1: time_limit: taylor-ensemble: 0 seconds were used up; allow more
+  two_body_series: 2000 of the orbits failed; the first is row 1: time_limit: kepler: 1e-09 seconds were used up; allow more
+  $ { echo x,y,z,vx,vy,vz; yes 1,0,0,0,1.1,0.1 | head -400; } > forever.csv
+  $ propagate forever.csv --mu 1 --until 1e9 --zonal 1e-3 --radius 0.1 --limit 0.3 --threads 1 2> said.txt > rows.csv
+  [1]
+  $ holds --each 'n = 400' 'status = "time_limit"' < rows.csv
+  $ two_body_series propagate --help | grep -c 'as long as it takes'
+  1
+
+Mistakes
+--------
+
+Nothing is printed of a file with a mistake, wherever it stands:
+
+  $ bad() { cat > bad.csv; refused two_body_series propagate --states bad.csv --mu 1 "$@"; }
+  $ head=x,y,z,vx,vy,vz,until
+  $ row=1,0,0,0,1,0,5
+  $ { echo $head; yes $row | head -20000; echo 1,0,0,0,one,0,5; } | bad
+  two_body_series: bad.csv: line 20002, column 5 (vy): 'one' is not a finite number
+  $ printf "$head\n$row\n0,0,0,0,1,0,5\n" | bad
+  two_body_series: bad.csv: line 3: x,y,z = 0,0,0 is the centre, where the attraction has no bound
+  $ printf "$head\n1,0,0,0,inf,0,5\n" | bad
+  two_body_series: bad.csv: line 2, column 5 (vy): 'inf' is not a finite number
+  $ printf "$head\n1,0,0,0,1,0\n" | bad
+  two_body_series: bad.csv: line 2: 6 of 7 cells
+  $ printf "$head\n1,0,0,0,1,0,5,7\n" | bad
+  two_body_series: bad.csv: line 2, column 8: '7' is beyond the 7 columns x,y,z,vx,vy,vz,until
+  $ printf "x,y,z,vx,vy,until\n$row\n" | bad
+  two_body_series: bad.csv: line 1: there is no column vz; the header must name x,y,z,vx,vy,vz, separated by commas, and is 'x,y,z,vx,vy,until'
+  $ printf 'JDTDB;X;Y;Z;VX;VY;VZ\n1;1;0;0;0;1;0\n' | bad
+  two_body_series: bad.csv: line 1: there is no column x; the header must name x,y,z,vx,vy,vz, separated by commas, and is 'JDTDB;X;Y;Z;VX;VY;VZ'; cells are separated by commas alone, and numbers have a decimal point
+  $ echo $row | bad
+  two_body_series: bad.csv: line 1: '1,0,0,0,1,0,5' does not name the columns; the first line must name x,y,z,vx,vy,vz
+  $ echo x,y,z,vx,vy,vz,x,until | bad
+  two_body_series: bad.csv: line 1: two columns are called x: 'x,y,z,vx,vy,vz,x,until'
+  $ printf '' | bad
+  two_body_series: bad.csv: is empty; the first line must name the columns x,y,z,vx,vy,vz
+  $ printf "name,$head\na,$row\n# a comment, late\n" | bad
+  two_body_series: bad.csv: line 3, column 2 (x): 'late' is not a finite number; comments stand before the header
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n' | bad
+  two_body_series: bad.csv: has no column until; give it, or --until T for all rows
+  $ printf "$head\n$row\n" | bad --until 3
+  two_body_series: --until 3: bad.csv has a column until
+  $ printf "$head\n$row\n" | bad --every 1e-9
+  two_body_series: bad.csv: line 2: until = 5: more than 10 million rows at --every 1e-09
+  $ printf "$head\n\"1,0,0\n" | bad
+  two_body_series: bad.csv: line 2: a quote is never closed
+  $ head -c 3145728 /dev/zero | tr '\0' x | bad
+  two_body_series: bad.csv: line 1: more than 1048576 bytes; this is no table
+  $ printf "$head\n7000,0,0,0,7.5,0,5\n" > km.csv
+  $ refused two_body_series propagate --states km.csv
+  two_body_series: km.csv: line 2: x,y,z = 7000,0,0: without --mu lengths are metres about the Earth, and this orbit stays within 7000 m of its centre; give --mu in your units (398600.4418 for kilometres and seconds)
+  $ printf "$head,mu\n$row,0\n" > mu.csv
+  $ refused two_body_series propagate --states mu.csv
+  two_body_series: mu.csv: line 2: mu = 0: must be positive
+  $ refused two_body_series propagate --states none.csv
+  two_body_series: none.csv: No such file or directory
+  $ refused two_body_series propagate --position 1,0,0 --velocity 0,1,0 --until 1 --threads 2
+  two_body_series: --threads 2: is about --states
+  $ printf "$head\n$row\n" > good.csv
+  $ good() { refused two_body_series propagate --states good.csv --mu 1 "$@"; }
+  $ good --position 1,0,0
+  two_body_series: --position 1,0,0: --states good.csv has the states; give one of both
+  $ good --method rkn1210
+  two_body_series: --method rkn1210: --states takes series or kepler; rkn1210 takes one --position
+  $ good --method kepler --zonal 1e-3 --radius 1
+  two_body_series: --zonal 0.001: --method kepler is about a point mass; use series or rkn1210
+  $ good --threads 0
+  two_body_series: --threads 0: must be a whole number from 1 to 1024
+  $ for shard in 2 0/2 3/2 1/0 a/b 1/2/3; do good --shard $shard; done
+  two_body_series: --shard 2: needs two numbers and '/'
+  two_body_series: --shard 0: must be a whole number from 1 to 1000000
+  two_body_series: --shard 3/2: there are 2 shards
+  two_body_series: --shard 0: must be a whole number from 1 to 1000000
+  two_body_series: --shard a: not a finite number
+  two_body_series: --shard 2/3: not a finite number
+
+What merge refuses
+------------------
+
+Shards that are missing, doubled, of another division, of another tolerance, cut, without a row, or none:
+
+  $ merge() { refused two_body_series merge "$@"; }
+  $ ellipses 20 > orbits.csv
+  $ part() { two_body_series propagate --states orbits.csv --shard "$@"; }
+  $ for k in 1 2 3; do part $k/3 > $k.csv; done
+  $ merge 1.csv 3.csv
+  two_body_series: 1.csv: shards 2 of 3 are missing
+  $ merge 1.csv 2.csv 3.csv 2.csv
+  two_body_series: 2.csv: shard 2 / 3 is in 2.csv already
+  $ part 2/2 > half.csv
+  $ merge 1.csv half.csv
+  two_body_series: half.csv, line 1: shard 2 / 2 of 20 run * is no part of that of 1.csv: 3 shards of 20 run * (glob)
+  $ part 2/3 --tolerance 1e-9 > other.csv
+  $ merge 1.csv other.csv 3.csv
+  two_body_series: other.csv, line 1: shard 2 / 3 of 20 run * is no part of that of 1.csv: 3 shards of 20 run * (glob)
+  $ sed '/^# end/,$d' 2.csv > cut.csv
+  $ merge 1.csv cut.csv 3.csv
+  two_body_series: cut.csv: ends with row 13 of 7 to 13, without the line '# end of shard 2 / 3 ...': the file is not whole
+  $ head -c $(($(wc -c < 2.csv) / 2)) 2.csv > cut.csv
+  $ merge 1.csv cut.csv 3.csv
+  two_body_series: cut.csv: ends with row 10 of 7 to 13, without the line '# end of shard 2 / 3 ...': the file is not whole
+  $ sed '/^9,/d' 2.csv > torn.csv
+  $ merge 1.csv torn.csv 3.csv
+  two_body_series: torn.csv, line 5: '10,20.09,*' is no line of row 8 or 9 (glob)
+  $ merge orbits.csv
+  two_body_series: orbits.csv, line 1: '# a comment' does not say which part of which output this is; merge joins what --shard i/n writes
+
+With several lines a row the numbers of rows do not tell what is missing, but a count and a sum do:
+
+  $ ellipses 4 > orbits.csv
+  $ for k in 1 2; do part $k/2 --every 2 > $k.csv; done
+  $ cp 2.csv second.csv
+  $ sed '6,8d' second.csv > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 24: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 23 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
+  $ sed 4p second.csv > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 28: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 27 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
+  $ sed '5{h;d};6G' second.csv > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
+  $ sed '7s/\(\.[0-9]\)[0-8]/\19/' second.csv > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
+  $ sed 's/body, 3/body, 9/' orbits.csv > others.csv
+  $ { head -1 second.csv; two_body_series propagate --states others.csv --every 2 --shard 2/2 | sed 1d; } > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
+  $ cat second.csv second.csv > 2.csv
+  $ merge 1.csv 2.csv
+  two_body_series: 2.csv, line 28: a line stands behind the end of the part
+  $ propagate orbits.csv --every 2 > whole.csv
+  $ two_body_series merge second.csv 1.csv | cmp - whole.csv
+
+A pipe gives its lines once only:
+
+  $ refused bash -c 'two_body_series merge <(cat 1.csv) <(cat second.csv)'
+  two_body_series: /dev/fd/63: is no file; merge reads each part twice, which a pipe or a folder does not allow
