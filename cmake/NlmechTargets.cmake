@@ -69,7 +69,7 @@ function(nlmech_chapter name)
   cmake_parse_arguments(arg "" "TITLE" "SCENES;SOURCES;USES" ${ARGN})
   list(TRANSFORM arg_USES PREPEND nlmech::)
   set(main main.cpp)
-  if(arg_SCENES)  # each, "orders" or "stability/orders", is a file with a namespace of its name; the chapter is their list
+  if(arg_SCENES)  # each, "orders" or "stability/extremes", is a file with a namespace of its name; the chapter is their list
     set(generated ${PROJECT_BINARY_DIR}/generated/chapters/${name})
     set(declarations "")
     list(TRANSFORM arg_SCENES REPLACE "^.*/" "" OUTPUT_VARIABLE calls)

@@ -1,7 +1,6 @@
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,13 +136,6 @@ std::vector<const bvp::Extremal*> FromGuesses::distinct() const {
   }
   std::ranges::sort(some, {}, &bvp::Extremal::cost);
   return some;
-}
-
-std::string case_tics(const std::vector<DuffingCase>& cases) {
-  std::vector<std::string> tics;
-  for (const DuffingCase which : cases)
-    tics.push_back(fmt::format("\"{}\" {}", to_string(which), tics.size() + 1));
-  return fmt::format("xtics ({}) rotate by 40 right", fmt::join(tics, ", "));
 }
 
 std::string time_label(double final_time) { return fmt::format("T = {:g}", final_time); }

@@ -136,9 +136,6 @@ struct FromGuesses {
 /// T = 2: global_variants() begun at the root that is drawn, the first of them that root itself.
 [[nodiscard]] scene::Result<std::vector<bvp::GlobalResult>> variants(const DuffingSubject& subject);
 
-/// For Panel::set(): the names of cases at 1, 2, ...
-[[nodiscard]] std::string case_tics(const std::vector<bvp::DuffingCase>& cases);
-
 /// "T = 2".
 [[nodiscard]] std::string time_label(double final_time);
 

@@ -46,29 +46,6 @@ void tabulate(const Rows& rows, scene::Show& show) {
                     {"miss of the integrated end", [](const Row& r) { return r.extremal().miss; }, 2}});
 }
 
-void draw(const Rows& rows, scene::Show& show) {
-  scene::Plot& plot = show.plots("Many extremals a case; costs differ by orders of magnitude");
-  plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
-  for (const double time : final_times) {
-    scene::Panel& panel = plot.panel("", time == final_times.front() ? "cost {/:Italic J}" : "");
-    panel.caption(time_label(time)).log_y(1e-2, 1e6).x_range(0.4, 8.6).set("bmargin at screen 0.2");
-    panel.set(case_tics(bvp::duffing_cases())).key(time == final_times.back() ? "top right" : "off");
-    for (const bool minimum : {true, false}) {
-      std::vector<double> x, cost;
-      for (const Row& r : rows) {
-        if (r.final_time != time || (r.kind() == bvp::Kind::minimum) != minimum || r.cost() <= 1e-4) continue;
-        x.push_back(static_cast<double>(r.which) + 1);
-        cost.push_back(r.cost());
-      }
-      if (!minimum) {  // below the axis: a curve has a point at least
-        x.push_back(1);
-        cost.push_back(1e-9);
-      }
-      panel.curve(minimum ? "minimum" : "saddle", x, cost, {"points pointsize 1.2", minimum ? 1 : 5});
-    }
-  }
-}
-
 /// The lowest extremals against those that are known.
 void check_known(const Rows& rows, scene::Show& show) {
   const auto best = [&](DuffingCase which, double time) {
@@ -123,7 +100,6 @@ void put(const std::vector<const bvp::Multistart*>& all, scene::Show& show) {
       for (const bvp::Found& f : all[i]->found) rows.push_back({time, which, &f});
       ++i;
     }
-  draw(rows, show);
   tabulate(rows, show);
   check_known(rows, show);
 }
@@ -136,6 +112,7 @@ std::vector<scene::Scene> scenes() {
     for (const DuffingCase which : bvp::duffing_cases()) all.push_back(extremals(which, time));
   return {{.name = "extremals",
            .title = "All extremals that the program's own starts find, with cost and kind",
+           .place = "our own, for the cheapest extremals of Figures 5.1 to 5.16",
            .content = scene::Content(put, all)}};
 }
 

@@ -155,38 +155,6 @@ double always_converges(const std::vector<Row>& rows) {
   return longest;
 }
 
-void draw(const std::vector<Row>& rows, scene::Show& show) {
-  struct Symbol {
-    const char* name;
-    scene::Look look;
-    bool shot, collocated;
-  };
-  const Symbol symbols[] = {{"both converge", {"points pointsize 1.2", 1}, true, true},
-                            {"shooting alone", {"points pointsize 1.2", 4}, true, false},
-                            {"collocation alone", {"points pointsize 1.2", 2}, false, true},
-                            {"neither", scene::points(8), false, false}};
-  scene::Plot& plot = show.plots(
-      fmt::format("Beyond {{/:Italic T}} = {:g} s, chance decides who converges", always_converges(rows)));
-  plot.size(1000, 480).columns({"panel", "curve", "x", "y"});
-  for (int guess = 0; guess < guesses_drawn; ++guess) {
-    scene::Panel& panel =
-        plot.panel("final time {/:Italic T} (s)", guess == 0 ? "{/:Italic β} (1/s^{2})" : "");
-    panel.caption("from " + name_of(guess)).x_range(0.3, 3.7).y_range(-0.08, 1.28);
-    panel.set("bmargin at screen 0.25");
-    panel.key(guess == 0 ? "off" : "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 2");
-    for (const Symbol& symbol : symbols) {
-      std::vector<double> x = {-1}, y = {-1};  // outside: a curve has a point at least
-      for (const Row& r : rows)
-        for (std::size_t b = 0; b < betas; ++b) {
-          if (r.guess != guess || r.shot[b] != symbol.shot || r.collocated[b] != symbol.collocated) continue;
-          x.push_back(r.final_time);
-          y.push_back(static_cast<double>(b) / 10);
-        }
-      panel.curve(symbol.name, x, y, symbol.look);
-    }
-  }
-}
-
 void check(const std::vector<Row>& rows, scene::Show& show) {
   const char* const program = "an independent program, with another integrator";
   show.between("longest T up to which shooting converges at every beta, from zeros and ones",
@@ -214,7 +182,6 @@ void check(const std::vector<Row>& rows, scene::Show& show) {
 }
 
 void put(const std::vector<Row>& rows, scene::Show& show) {
-  draw(rows, show);
   const auto reading = [](int Readings::*what) {
     return [what](const Row& r) { return r.readings ? scene::Cell(*r.readings.*what) : scene::Cell(); };
   };
@@ -246,6 +213,7 @@ std::vector<scene::Scene> scenes() {
       compute);
   return {{.name = "shooting",
            .title = "Where single shooting converges, and the printed method from the same guess",
+           .place = "our own, for the claim of section 5.3.5",
            .content = scene::Content(put, rows)}};
 }
 

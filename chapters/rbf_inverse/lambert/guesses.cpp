@@ -91,6 +91,7 @@ std::vector<scene::Scene> scenes() {
                           try_all);
   return {{.name = "guesses",
            .title = "Which arc each start of Newton's iteration finds",
+           .place = "our own, for the claim of section 5.4",
            .content = scene::Content(put, all)}};
 }
 

@@ -40,11 +40,10 @@ void add_works(std::vector<Work>& all, const chapters::rbf_ivp::Example& example
     const chapters::rbf_ivp::Case& c = example.made();
     const ivp::Solution once = row.procedure(c, c.t1, {});
     if (!once.status.ok()) throw Failure(once.status);
-    all.push_back(
-        {example.table + ", " + row_of(printed, row.reading.method), [&c, procedure = row.procedure] {
-           auto end = procedure(c, c.t1, {});
-           benchmark::DoNotOptimize(end);
-         }});
+    all.push_back({example.table + ", " + row_of(printed, row.method), [&c, procedure = row.procedure] {
+                     auto end = procedure(c, c.t1, {});
+                     benchmark::DoNotOptimize(end);
+                   }});
   }
 }
 

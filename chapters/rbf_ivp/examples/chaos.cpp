@@ -162,43 +162,6 @@ scene::Table table_of(const std::vector<Runs>& motions) {
   return table;
 }
 
-/// Method by method, so that lines join its points.
-void draw(const std::vector<Runs>& motions, scene::Show& show) {
-  scene::Plot& plot = show.plots("RBF-Coll follows the chaotic motion too, with short steps");
-  scene::Table data({{"motion"}, {"method"}, {"step"}, {"error"}});
-  constexpr std::array styles = {1, 3, 5, 2, 8};
-  constexpr std::array<std::size_t, 5> order = {0, 2, 1, 3, 4};  // in the key
-  for (const Runs& runs : motions) {
-    const bool chaotic = runs.motion.name == "chaotic";
-    scene::Panel& panel = plot.panel("mean length of a step", chaotic ? "error of {/:Italic u}(100)" : "");
-    panel.caption(chaotic ? "chaotic: force 7.5 cos t" : "transient: no force")
-        .log_x(2e-3, 4)
-        .log_y(1e-13, 10);
-    panel.place(chaotic ? 0.12 : 0.58, chaotic ? 0.51 : 0.97, 0.26, 0.86).set("xtics (0.01, 0.1, 1)");
-    panel.set("format x '%g'").level(tolerated * 3.35, chaotic ? "1 % of the amplitude" : "");
-    panel.key(chaotic ? "at screen 0.52, screen 0.07 center maxrows 2 samplen 2" : "off");
-    const auto word = [](std::size_t i) {
-      std::string name = methods.at(i);  // a comma would part the cell
-      std::erase(name, ',');
-      return name;
-    };
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-      for (const Attempt& r : runs.all) {
-        if (r.method == methods.at(i) && r.at_end)
-          data.add({runs.motion.name, word(i), r.mean_step, *r.at_end});
-      }
-    }
-    for (const std::size_t i : order) {
-      panel.columns(word(i),
-                    fmt::format("(strcol('motion') eq '{}' && strcol('method') eq '{}' ? column('step') : "
-                                "NaN):error",
-                                runs.motion.name, word(i)),
-                    {"linespoints", styles.at(i)});
-    }
-  }
-  plot.data(std::move(data));
-}
-
 /// The motions as the oracles have them.
 void check_references(const Motion& chaotic, const Motion& transient, scene::Show& show) {
   const auto u = [](const Motion& m, double t) { return static_cast<double>(m.reference(t)[0]); };
@@ -269,7 +232,6 @@ void check_ode45(const Runs& chaotic, scene::Show& show) {
 
 void put(const std::vector<Runs>& motions, scene::Show& show) {
   const Runs &chaotic = motions.at(0), &transient = motions.at(1);
-  draw(motions, show);
   show.table(table_of(motions));
   check_references(chaotic.motion, transient.motion, show);
   check_collocation(chaotic, transient, show);
@@ -291,6 +253,7 @@ std::vector<scene::Scene> scenes() {
       });
   return {{.name = "chaos",
            .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",
+           .place = "our own, for the claims of section 4.4.2",
            .content = scene::Content(put, runs)}};
 }
 

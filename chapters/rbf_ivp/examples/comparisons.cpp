@@ -18,10 +18,10 @@ void add_reference(scene::Table& data, const Record& record, const Case& c, int 
     data.add({0, line, drawn.t, static_cast<double>(c.reference(drawn.t)[component])});
 }
 
-void add_method(scene::Table& data, int number, const Record& record, const Keeping& window, int component) {
+void add_method(scene::Table& data, int number, const Record& record, double window_start, int component) {
   for (const auto& drawn : record.window) data.add({number, line, drawn.t, drawn.x[component]});
   for (const auto& value : record.values) {
-    if (!value.end || value.t < window.window_begin) continue;
+    if (!value.end || value.t < window_start) continue;
     data.add({number, step_end, value.t, value.x[component]});
   }
 }
@@ -39,10 +39,8 @@ double distance(const Record& record, const Case& c, int component) {
 using Records = std::vector<const Record*>;
 
 /// The reference is the first block of the data, methods are the others.
-void draw(const Comparison& figure, const Keeping& window, scene::Panel& panel) {
-  panel.place(0.12, 0.97, 0.13, 0.79)
-      .set("title offset 0,2.4")
-      .x_range(window.window_begin, window.window_end);
+void draw(const Comparison& figure, double start, double end, scene::Panel& panel) {
+  panel.place(0.12, 0.97, 0.13, 0.79).set("title offset 0,2.4").x_range(start, end);
   panel.key("at screen 0.535, screen 0.91 center top horizontal maxrows 2 samplen 2.5");
   const auto of = [](int kind) {
     return fmt::format("(column('kind') == {} ? column('t_s') : NaN):x", kind);
@@ -62,18 +60,18 @@ void put(const Example& example, const Comparison& figure, const Records& record
   add_reference(data, *records.front(), c, figure.component);
   int off = 0;
   for (int number = 0; const Record* record : records) {
-    add_method(data, ++number, *record, example.keeping, figure.component);
+    add_method(data, ++number, *record, c.t1 - example.window, figure.component);
     off += distance(*record, c, figure.component) > visible ? 1 : 0;
   }
   scene::Panel& panel = show.plot(
       fmt::format("{}: {} of {} methods have left {}", example.title, off, records.size(), figure.symbol),
       "{/:Italic t} (s)", figure.symbol);
-  draw(figure, example.keeping, panel);
+  draw(figure, c.t1 - example.window, c.t1, panel);
   show.figure().data(std::move(data));
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Row& row = example.row(figure.methods[i]);
-    if (row.reading.nominal)
-      row.reading.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
+    if (row.nominal)
+      row.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
   }
 }
 
@@ -81,13 +79,13 @@ void put(const Example& example, const Comparison& figure, const Records& record
 
 scene::Scene comparison(const Example& example, const Comparison& figure) {
   std::vector<scene::Result<Record>> results;
-  for (const std::string& method : figure.methods) results.push_back(example.row(method).nominal);
+  for (const std::string& method : figure.methods) results.push_back(example.nominal(example.row(method)));
   const auto show = [example, figure](const Records& records, scene::Show& to) {
     put(example, figure, records, to);
   };
   return {.name = fmt::format("fig-4.{}", figure.figure),
           .title = fmt::format("{}: {} by all methods over the last {:.3g} s", example.title, figure.symbol,
-                               example.keeping.window_end - example.keeping.window_begin),
+                               example.window),
           .place = fmt::format("Figure 4.{}", figure.figure),
           .content = scene::Content(show, results)};
 }

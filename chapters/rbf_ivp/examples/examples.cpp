@@ -41,7 +41,7 @@ Expected velocity(double value) {
 Scenes histories_of_rows(const Example& example, int number) {
   Scenes scenes;
   for (const Row& row : example.rows) {
-    const std::string& method = row.reading.method;
+    const std::string& method = row.method;
     if (method == "ODE45") continue;  // the reference
     const Shown shown = method.starts_with("Explicit") ? Shown::positions : Shown::state;
     scenes.push_back(history(example, {number++, method, shown}));
@@ -100,7 +100,7 @@ void add_three_masses(Scenes& scenes) {
   scenes.push_back({.name = "fig-4.31",
                     .title = "Three masses: the three positions in time by ode45",
                     .place = "Figure 4.31",
-                    .content = scene::Content(put_response, example.row("ODE45").nominal)});
+                    .content = scene::Content(put_response, example.nominal(example.row("ODE45")))});
   // oracle: rbf_ivp_methods 4.6 * v1
   const std::vector<History> histories = {
       {32, "Explicit-1", Shown::positions}, {33, "Explicit-2", Shown::positions},

@@ -153,28 +153,28 @@ std::string finding(const std::vector<Curve>& lines, Shown shown) {
 void put(const Case& c, const Row& row, const History& figure, const Record& nominal, const Record& inferred,
          scene::Show& show) {
   const bool two = &nominal != &inferred;
-  Curves curves = curves_of(nominal, c, figure.shown, two ? row.reading.as_printed : "all nodes");
+  Curves curves = curves_of(nominal, c, figure.shown, two ? row.as_printed : "all nodes");
   const std::string seen = finding(curves.lines, figure.shown);
   if (two) {
-    Curves others = curves_of(inferred, c, figure.shown, row.reading.as_inferred);
+    Curves others = curves_of(inferred, c, figure.shown, row.as_inferred);
     std::ranges::move(others.lines, std::back_inserter(curves.lines));
     std::ranges::move(others.dots, std::back_inserter(curves.dots));
   }
   drop_needless_dots(curves);
   scene::Panel& panel =
-      show.plot(fmt::format("{} ({}): {}", row.reading.method, row.reading.setting, seen), "{/:Italic t} (s)",
+      show.plot(fmt::format("{} ({}): {}", row.method, row.setting, seen), "{/:Italic t} (s)",
                 fmt::format("normalised {}, {}", word_for(figure.shown), thinning_of(nominal, c).text));
   show.figure().columns({"curve", "t_s", "error"});
   const auto steps = nominal.statistics.steps;
   draw(curves, c.t1, steps <= 20 ? "0.9" : steps <= 60 ? "0.5" : "0.35", panel);
-  if (row.reading.nominal) row.reading.nominal->check("RMS position error", row.nominal_error(nominal), show);
-  if (two && row.reading.inferred) {
-    row.reading.inferred->check("RMS position error, inferred reading",
-                                row.inferred_error(inferred, c.inferred_end), show);
+  if (row.nominal) row.nominal->check("RMS position error", row.nominal_error(nominal), show);
+  if (two && row.inferred) {
+    row.inferred->check("RMS position error, inferred reading", row.inferred_error(inferred, c.inferred_end),
+                        show);
   }
   if (figure.velocity.high > 0)
     figure.velocity.check("RMS velocity error",
-                          rms_error(nominal, static_cast<int>(c.x0.size()) / 2, row.reading.points), show);
+                          rms_error(nominal, static_cast<int>(c.x0.size()) / 2, row.points), show);
 }
 
 /// The greatest error of a position within each part of the way.
@@ -203,19 +203,18 @@ void put_all(const Example& example, const std::vector<std::string>& methods,
     const double above = 1 - double(top + row * (height + gap)) / whole;
     const bool last = row + 1 == rows;
     scene::Panel& panel = plot.panel(last ? "{/:Italic t} (s)" : "", column == 0 ? "error" : "");
-    const Reading& reading = example.row(methods.at(static_cast<std::size_t>(i))).reading;
+    const Row& method = example.row(methods.at(static_cast<std::size_t>(i)));
     panel.place(0.115 + 0.455 * column, 0.525 + 0.455 * column, above - double(height) / whole, above)
-        .caption(fmt::format("{} ({})", reading.method, reading.setting))
+        .caption(fmt::format("{} ({})", method.method, method.setting))
         .x_range(c.t0, c.t1)
         .log_y(least, greatest_shown)
         .set("ytics 1e-10, 1e5")
         .set(column == 0 ? "format y power_of_ten" : "format y ''");
     if (!last) panel.set("format x ''");
     panel.curve("", run, &TimeError::t, &TimeError::error, {"lines linewidth 1.4", 1});
-    if (reading.nominal)
-      reading.nominal->check("RMS error of " + reading.method,
-                             example.row(reading.method).nominal_error(*records[static_cast<std::size_t>(i)]),
-                             show);
+    if (method.nominal)
+      method.nominal->check("RMS error of " + method.method,
+                            method.nominal_error(*records[static_cast<std::size_t>(i)]), show);
     ++i;
   }
 }
@@ -229,16 +228,16 @@ scene::Scene history(const Example& example, const History& figure) {
     put(made(), row, figure, nominal, inferred, to);
   };
   return {.name = fmt::format("fig-4.{}", figure.figure),
-          .title = fmt::format("{}: {} in time, {}, {}", example.title, word_for(figure.shown),
-                               row.reading.method, row.reading.setting),
+          .title = fmt::format("{}: {} in time, {}, {}", example.title, word_for(figure.shown), row.method,
+                               row.setting),
           .place = fmt::format("Figure 4.{}", figure.figure),
-          .content = scene::Content(show, row.nominal, row.inferred)};
+          .content = scene::Content(show, example.nominal(row), example.inferred(row))};
 }
 
 scene::Scene histories(const Example& example, const std::string& name,
                        const std::vector<std::string>& methods) {
   std::vector<scene::Result<Record>> results;
-  for (const std::string& method : methods) results.push_back(example.row(method).nominal);
+  for (const std::string& method : methods) results.push_back(example.nominal(example.row(method)));
   const auto show = [example, methods](const std::vector<const Record*>& records, scene::Show& to) {
     put_all(example, methods, records, to);
   };

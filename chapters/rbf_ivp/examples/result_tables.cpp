@@ -44,20 +44,20 @@ std::vector<Line> lines(const Example& example, const Records& nominal, const Re
   std::vector<Line> all;
   for (std::size_t i = 0; i < example.rows.size(); ++i) {
     const Row& row = example.rows[i];
-    Line line{.method = row.reading.method,
-              .setting = row.reading.setting,
-              .reading = row.nominal.run()->reading(),
+    Line line{.method = row.method,
+              .setting = row.setting,
+              .reading = row.how,
               .nominal = row.nominal_error(*nominal[i]),
               .inferred = row.inferred_error(*inferred[i], example.made().inferred_end),
               .milliseconds = *times[i],
               .statistics = nominal[i]->statistics};
-    if (!row.reading.row.empty()) {
-      line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.reading.row, example.quantity);
+    if (!row.row.empty()) {
+      line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.row, example.quantity);
       const scene::PublishedValue& value = printed.at(line.name);
       line.published = value.printed;
       line.published_value = value.value;
       line.judged = scene::judge(value, {line.nominal, line.inferred}).verdict;
-      if (line.judged == scene::Verdict::same_rounding) line.scatter = row.reading.nominal;
+      if (line.judged == scene::Verdict::same_rounding) line.scatter = row.nominal;
       if (!value.reading.empty()) line.reading = value.reading;
     }
     all.push_back(std::move(line));
@@ -142,10 +142,10 @@ void put(const Example& example, const std::vector<Line>& lines, scene::Show& sh
                      {"reading", &Line::reading}});
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Line& line = lines[i];
-    const Reading& reading = example.rows[i].reading;
-    if (reading.nominal) reading.nominal->check("RMS error of " + line.method, line.nominal, show);
-    if (reading.inferred)
-      reading.inferred->check("RMS error of " + line.method + ", inferred reading", line.inferred, show);
+    const Row& row = example.rows[i];
+    if (row.nominal) row.nominal->check("RMS error of " + line.method, line.nominal, show);
+    if (row.inferred)
+      row.inferred->check("RMS error of " + line.method + ", inferred reading", line.inferred, show);
     if (!line.name.empty()) show.measured(line.name, line.nominal, line.inferred);
   }
 }
@@ -156,9 +156,9 @@ scene::Scene result_table(const Example& example) {
   std::vector<scene::Result<Record>> nominal, inferred;
   std::vector<scene::Result<double>> times;
   for (const Row& row : example.rows) {
-    nominal.push_back(row.nominal);
-    inferred.push_back(row.inferred);
-    times.push_back(row.time);
+    nominal.push_back(example.nominal(row));
+    inferred.push_back(example.inferred(row));
+    times.push_back(example.time(row));
   }
   const auto show = [example](const Records& as_printed, const Records& as_inferred,
                               const std::vector<const double*>& milliseconds, scene::Show& to) {

@@ -44,9 +44,9 @@ Example free_duffing_rows() {
               .title = "Free Duffing",
               .table = "table-4.2",
               .quantity = "position RMS error",
-              .keeping = {.window_begin = 500 - P, .window_end = 500}};
-  const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(std::move(reading), run, how + "; to t = 500, P = 4.768022", throughout(method));
+              .window = P};
+  const auto add = [&](Row row, const std::string& run, const std::string& how, auto method) {
+    all.add(std::move(row), run, how + "; to t = 500, P = 4.768022", throughout(method));
   };
   add({"ODE45-1", "ODE45-1", "tolerance 1e-6", Points::all, 0, about(1.302e-4, digits, found),
        about(1.175e-4, digits, found)},
@@ -100,24 +100,23 @@ Example impact_rows() {
               .title = "Impact",
               .table = "table-4.4",
               .quantity = "position RMS error",
-              .keeping = {.window_begin = 495, .window_end = 500}};
+              .window = 5};
   const auto phases = [](auto method, double during, double after) {
     auto first = method, second = method;
     first.step = during;
     second.step = after;
     return in_two_phases(first, second);
   };
-  const auto add = [&](Reading reading, const std::string& run, const std::string& how,
-                       const Procedure& procedure) {
-    all.add(std::move(reading), run, how + "; to t = 500 in two intervals", procedure);
+  const auto add = [&](Row row, const std::string& run, const std::string& how, const Procedure& procedure) {
+    all.add(std::move(row), run, how + "; to t = 500 in two intervals", procedure);
   };
   const char *honest = "restarted with v(t_1)", *fault = "restarted with v(t_1 − h/2)";
   const auto faulty = [](double during, double after) {
     return in_two_phases(CentralDifference{.step = during, .reported = VelocityTime::half_step_before},
                          CentralDifference{.step = after, .initial = VelocityTime::half_step_before});
   };
-  const auto add_explicit = [&](Reading reading, const std::string& run, double during, double after) {
-    all.add(std::move(reading), run, "restarted with v(t1 - h/2) = v(t1) - h/2 a(t1)",
+  const auto add_explicit = [&](Row row, const std::string& run, double during, double after) {
+    all.add(std::move(row), run, "restarted with v(t1 - h/2) = v(t1) - h/2 a(t1)",
             phases(CentralDifference{}, during, after),
             "restarted with v(t1 - h'/2) of the first step h' taken for v(t1 - h/2) of the second step h",
             faulty(during, after));
@@ -175,9 +174,9 @@ Example three_mass_rows() {
               .title = "Three masses",
               .table = "table-4.6",
               .quantity = "x1 RMS error",
-              .keeping = {.window_begin = 190, .window_end = 200}};
-  const auto add = [&](Reading reading, const std::string& run, const std::string& how, auto method) {
-    all.add(std::move(reading), run, how, throughout(method));
+              .window = 10};
+  const auto add = [&](Row row, const std::string& run, const std::string& how, auto method) {
+    all.add(std::move(row), run, how, throughout(method));
   };
   add({"", "ODE45", "tolerance 1e-13", Points::all, 0, {}, {}}, "ode45",
       "the dissertation's reference: relative and absolute tolerance 1e-13", Ode45{1e-13, 1e-13});
@@ -192,9 +191,8 @@ Example three_mass_rows() {
       "explicit-2", "damping by extrapolated velocities; inferred: the error of x3",
       CentralDifference{0.00625});
   const auto same = [&](const std::string& row, const std::string& method, const std::string& step,
-                        Points points, const Expected& expected) {
-    return Reading{row, method, step, points, 0, expected, {}};
-  };
+                        Points points,
+                        const Expected& expected) { return Row{row, method, step, points, 0, expected, {}}; };
   add(same("RK4-1 (0.625)", "RK4-1", "0.625 s", Points::ends, about(4.582e-3, digits, found)), "rk4-1",
       "classical method; load F = 0.2, Omega = sqrt(1/2) of the paper", Rk4{0.625});
   add(same("RK4-2 (0.0625)", "RK4-2", "0.0625 s", Points::ends, about(5.067e-7, digits, found)), "rk4-2",

@@ -35,8 +35,8 @@ struct Expected {
 /// A recorded range of results when nodes are moved by roundings, widened.
 [[nodiscard]] Expected scattered(double low, double high);
 
-/// How a row is to be read.
-struct Reading {
+/// A row of a table: how it is to be read, and the run behind it.
+struct Row {
   std::string row;      ///< of `tables/published/elgohary.csv`: "RK4-1 (P/10)"; empty: no error is printed
   std::string method;   ///< in tables: "RK4-1"
   std::string setting;  ///< step, tolerance, order, nodes, in words without commas: "P/10"
@@ -46,23 +46,18 @@ struct Reading {
   std::optional<Expected> inferred;  ///< of the inferred error
   std::string as_printed = {};       ///< settings as printed, in a figure that shows other ones too
   std::string as_inferred = {};      ///< those other ones
-};
 
-/// A row with its results.
-struct Row {
-  Reading reading;
-  scene::Result<Record> nominal;   ///< settings as printed
-  scene::Result<Record> inferred;  ///< the same, unless the inferred reading has other settings
-  scene::Result<double> time;      ///< of the nominal run, ms; only the table shows it
-  Procedure procedure;             ///< of the nominal run
+  std::string run = {};               ///< the name of its result without the example's: "rk4-1"
+  std::string how = {};               ///< settings as printed, in words
+  Procedure procedure = {};           ///< with them
+  std::string how_inferred = {};      ///< settings of the inferred reading, in words
+  Procedure inferred_procedure = {};  ///< with them; empty: those as printed
 
   /// RMS error to the printed end.
-  [[nodiscard]] double nominal_error(const Record& record) const {
-    return rms_error(record, 0, reading.points);
-  }
+  [[nodiscard]] double nominal_error(const Record& record) const { return rms_error(record, 0, points); }
   /// RMS error to the end @p until under the inferred reading.
   [[nodiscard]] double inferred_error(const Record& record, double until) const {
-    return rms_error(record, reading.inferred_component, reading.points, until);
+    return rms_error(record, inferred_component, points, until);
   }
 };
 
@@ -73,44 +68,49 @@ struct Example {
   std::string title;           ///< in headings: "Free Duffing"
   std::string table;           ///< "table-4.2"
   std::string quantity;        ///< as in `elgohary.csv`: "position RMS error"
-  Keeping keeping;             ///< of its runs
+  double window;               ///< length of time before the end over which figures compare solutions, s
   std::vector<Row> rows = {};  ///< in the order of the table
 
-  /// Adds a row whose inferred reading has the settings as printed.
-  /// @param run the result's name without the example's: "rk4-1"
-  void add(Reading reading, const std::string& run, const std::string& how, const Procedure& procedure) {
-    const auto result = recorded(run, how, procedure);
-    rows.push_back({std::move(reading), result, result, timed(run, how, procedure), procedure});
-  }
-  /// Adds a row whose inferred reading has settings of its own.
-  void add(Reading reading, const std::string& run, const std::string& how, const Procedure& as_printed,
-           const std::string& how_inferred, const Procedure& inferred) {
-    rows.push_back({std::move(reading), recorded(run, how, as_printed),
-                    recorded(run + "-inferred", how_inferred, inferred), timed(run, how, as_printed),
-                    as_printed});
+  /// Adds a row with its run, and with that of the inferred reading if it has other settings.
+  void add(Row row, const std::string& run, const std::string& how, const Procedure& procedure,
+           const std::string& how_inferred = {}, const Procedure& inferred = {}) {
+    row.run = run;
+    row.how = how;
+    row.procedure = procedure;
+    row.how_inferred = how_inferred;
+    row.inferred_procedure = inferred;
+    rows.push_back(std::move(row));
   }
   /// The row of a method. @throws std::out_of_range if there is none
   [[nodiscard]] const Row& row(const std::string& method) const {
-    const auto found =
-        std::ranges::find(rows, method, [](const Row& r) -> const std::string& { return r.reading.method; });
+    const auto found = std::ranges::find(rows, method, &Row::method);
     if (found == rows.end()) throw std::out_of_range("no row " + method);
     return *found;
+  }
+  /// The run with settings as printed.
+  [[nodiscard]] scene::Result<Record> nominal(const Row& row) const {
+    return recorded(row.run, row.how, row.procedure);
+  }
+  /// The same, unless the inferred reading has other settings.
+  [[nodiscard]] scene::Result<Record> inferred(const Row& row) const {
+    return row.inferred_procedure ? recorded(row.run + "-inferred", row.how_inferred, row.inferred_procedure)
+                                  : nominal(row);
+  }
+  /// Time of the nominal run, ms.
+  [[nodiscard]] scene::Result<double> time(const Row& row) const {
+    return {name + "-" + row.run + "-time", row.how + "; one thread, median of nine, ms",
+            [made = made, procedure = row.procedure](bool quick) {
+              const Case& c = made();
+              const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
+              return 1e3 * time_repeats(once, quick ? 1 : 9).median;
+            }};
   }
 
  private:
   [[nodiscard]] scene::Result<Record> recorded(const std::string& run, const std::string& how,
                                                const Procedure& procedure) const {
-    return {name + "-" + run, how, [made = made, procedure, keeping = keeping] {
-              return record(made(), made().t1, procedure, keeping);
-            }};
-  }
-  [[nodiscard]] scene::Result<double> timed(const std::string& run, const std::string& how,
-                                            const Procedure& procedure) const {
-    return {name + "-" + run + "-time", how + "; one thread, median of nine, ms",
-            [made = made, procedure](bool quick) {
-              const Case& c = made();
-              const auto once = [&] { static_cast<void>(procedure(c, c.t1, {})); };
-              return 1e3 * time_repeats(once, quick ? 1 : 9).median;
+    return {name + "-" + run, how, [made = made, procedure, window = window] {
+              return record(made(), made().t1, procedure, window);
             }};
   }
 };

@@ -71,29 +71,21 @@ template <class Method>
   };
 }
 
-/// What of an integration is kept.
-struct Keeping {
-  double window_begin = 0;   ///< of the dense output that is kept
-  double window_end = 0;     ///< none is kept if the begin is not before the end
-  int window_samples = 400;  ///< intervals of the window
-};
-
 /// Integrates to @p end and records.
+/// @param window length of time before the end of which dense output is kept, for drawings
 /// @throws Failure with the method's own sentence if it does not get there
-[[nodiscard]] inline Record record(const Case& c, double end, const Procedure& procedure,
-                                   const Keeping& keeping = {}) {
+[[nodiscard]] inline Record record(const Case& c, double end, const Procedure& procedure, double window = 0) {
   Record kept;
+  constexpr int samples = 400;
   int sample = 0;
-  const bool window = keeping.window_begin < keeping.window_end;
   const auto observe = [&](const ivp::Step& step) {
     for (std::size_t k = 0; k < step.times.size(); ++k) {
       const double t = step.times[k];
       const ivp::State x = step.states.col(static_cast<Eigen::Index>(k));
       kept.values.push_back({t, k + 1 == step.times.size(), x, error_at(c, t, x)});
     }
-    for (; window && sample <= keeping.window_samples; ++sample) {
-      const double share = double(sample) / keeping.window_samples;
-      const double t = keeping.window_begin + share * (keeping.window_end - keeping.window_begin);
+    for (; window > 0 && sample <= samples; ++sample) {
+      const double start = end - window, t = start + double(sample) / samples * (end - start);
       if (t > step.t1) break;
       ivp::State x;
       step.dense.at(t, x);
@@ -108,11 +100,13 @@ struct Keeping {
 }
 
 /// Root of the mean square of one component's error over the points up to a time, not normalised. Among the
-/// ends of steps the begin counts too, as in an array of times t_0, t_0 + h, ...; among inner nodes it does
+/// ends of steps the start counts too, as in an array of times t_0, t_0 + h, ...; among inner nodes it does
 /// not, for no method computes it.
+/// @param start is the start counted among the ends?
 [[nodiscard]] inline double rms_error(const Record& record, int component, Points points,
-                                      double until = std::numeric_limits<double>::infinity()) {
-  std::vector<double> errors(points == Points::ends ? 1 : 0, 0.0);
+                                      double until = std::numeric_limits<double>::infinity(),
+                                      bool start = true) {
+  std::vector<double> errors(start && points == Points::ends ? 1 : 0, 0.0);
   const double reach = until * (1 + 1e-12);  // step ends carry the rounding of k h
   for (const auto& value : record.values) {
     if (value.t <= reach && (value.end || points == Points::all)) errors.push_back(value.error[component]);

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "chapters/rbf_ivp/stability/extended.hpp"
-#include "nlmech/collocation/barycentric.hpp"
+#include "chapters/rbf_ivp/solvers/collocation_equations.hpp"
+#include "nlmech/algebraic/newton/newton.hpp"
+#include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -17,6 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 TrialSpace gaussians(const VectorXd& nodes, const VectorXd& shapes) {
+  using Digits50 = ExtendedReal<50>;
   using Square = collocation::Matrix<Digits50>;
   if (nodes.size() < 2 || nodes.size() != shapes.size())
     throw std::invalid_argument(
@@ -42,18 +47,6 @@ TrialSpace gaussians(const VectorXd& nodes, const VectorXd& shapes) {
   const Square rows = Square(phi.transpose()).partialPivLu().solve(right);
   const MatrixXd all = rows.transpose().cast<double>();
   return {nodes, all.topRows(n), checks, all.middleRows(n, m), all.bottomRows(m)};
-}
-
-TrialSpace polynomials(const VectorXd& nodes) {
-  const VectorXd checks = check_points(nodes.size()), weights = collocation::barycentric_weights(nodes);
-  MatrixXd values(checks.size(), nodes.size());
-  collocation::RowVector<double> row;
-  for (Index i = 0; i < checks.size(); ++i) {
-    collocation::polynomial_row(nodes, weights, checks[i], row);
-    values.row(i) = row;
-  }
-  const MatrixXd derivative = collocation::polynomial_differentiation_matrix(nodes);
-  return {nodes, derivative, checks, values, values * derivative};
 }
 
 VectorXd check_points(Index nodes) {
@@ -85,8 +78,13 @@ VectorXd own_shapes(const VectorXd& nodes, double c) {
   return shapes;
 }
 
-VectorXd placed_nodes(const VectorXd& nodes, const VectorXd& checks, const VectorXd& monitor) {
+VectorXd placed_nodes(const VectorXd& nodes, const VectorXd& checks, const VectorXd& residuals) {
   const Index m = checks.size();
+  VectorXd monitor(m);
+  for (Index i = 0; i < m; ++i) {
+    const Index first = std::max<Index>(i - 2, 0), last = std::min(i + 2, m - 1);
+    monitor[i] = std::sqrt(residuals.segment(first, last - first + 1).maxCoeff());
+  }
   // The density is a polygon through the check points, constant beyond the outermost; its integral by the
   // trapezoidal rule.
   std::vector<double> times = {0}, density;
@@ -113,16 +111,6 @@ VectorXd placed_nodes(const VectorXd& nodes, const VectorXd& checks, const Vecto
   return placed;
 }
 
-VectorXd envelope(const VectorXd& residuals) {
-  const Index m = residuals.size();
-  VectorXd result(m);
-  for (Index i = 0; i < m; ++i) {
-    const Index first = std::max<Index>(i - 2, 0), last = std::min(i + 2, m - 1);
-    result[i] = std::sqrt(residuals.segment(first, last - first + 1).maxCoeff());
-  }
-  return result;
-}
-
 VectorXd with_inserted(const VectorXd& nodes, const VectorXd& checks, const VectorXd& residuals, int count) {
   struct Candidate {
     double residual = -1, time = 0;
@@ -144,6 +132,91 @@ VectorXd with_inserted(const VectorXd& nodes, const VectorXd& checks, const Vect
   }
   std::sort(all.begin(), all.end());
   return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
+}
+
+MatrixXd residual_columns(const Arc& arc, const TrialSpace& space, const MatrixXd& states) {
+  MatrixXd r = (space.slopes * states).transpose();
+  const MatrixXd x = (space.values * states).transpose();
+  ivp::State f = arc.example->x0;
+  for (Index i = 0; i < r.cols(); ++i) {
+    arc.example->system.rhs(arc.t0 + arc.h * space.checks[i], ivp::State(x.col(i)), f);
+    r.col(i) -= arc.h * f;
+  }
+  return r;
+}
+
+namespace {
+
+ivp::State reference_state(const Arc& arc, double tau) {
+  return arc.example->reference(arc.t0 + arc.h * tau).cast<double>();
+}
+
+/// Errors and residuals of a solution. @param states a row for each node
+Fit judged(const Arc& arc, const TrialSpace& space, MatrixXd states) {
+  Fit fit;
+  const auto size = [&](const ivp::State& x) {
+    return x.cwiseQuotient(arc.example->amplitude).cwiseAbs().maxCoeff();
+  };
+  const auto error = [&](double tau, const Eigen::RowVectorXd& x) {
+    return size(ivp::State(x.transpose()) - reference_state(arc, tau));
+  };
+  const MatrixXd x = space.values * states, r = residual_columns(arc, space, states);
+  fit.largest_error = 0;
+  fit.residuals.resize(x.rows());
+  for (Index k = 0; k < states.rows(); ++k)
+    fit.largest_error = std::max(fit.largest_error, error(space.nodes[k], states.row(k)));
+  for (Index i = 0; i < x.rows(); ++i) {
+    fit.largest_error = std::max(fit.largest_error, error(space.checks[i], x.row(i)));
+    fit.residuals[i] = size(r.col(i));
+  }
+  fit.end_error = error(1, states.row(states.rows() - 1));
+  fit.states = std::move(states);
+  fit.converged = true;
+  return fit;
+}
+
+}  // namespace
+
+Fit collocate(const Arc& arc, const TrialSpace& space) {
+  const ivp::State x0 = reference_state(arc, 0);
+  const Interval interval{arc.example->system, arc.t0, arc.h, x0, space.nodes, space.derivative};
+  algebraic::DenseEquations equations = collocation_equations(interval, Form::printed);
+  VectorXd x = interval.start();
+  const auto report = find_root(algebraic::DampedNewton{.tolerance = 1e-13, .noise = 1e-8}, equations, x);
+  if (!report.status.ok()) return {};
+  MatrixXd states(space.nodes.size(), x0.size());
+  states.row(0) = x0.transpose();
+  states.bottomRows(states.rows() - 1) =
+      Eigen::Map<const MatrixXd>(x.data(), x0.size(), states.rows() - 1).transpose();
+  return judged(arc, space, std::move(states));
+}
+
+Fit least_squares(const Arc& arc, const TrialSpace& space) {
+  Fit start = collocate(arc, space);
+  if (!start.converged) return start;
+  const Index m = space.checks.size(), s = space.nodes.size() - 1, d = arc.example->x0.size();
+  const VectorXd root_weights = gauss_weights(m).cwiseSqrt();
+  MatrixXd states = start.states, b(m * d, s * d);
+  ivp::Jacobian j = ivp::Jacobian::Zero(d, d);
+  for (int k = 0; k < 20; ++k) {
+    MatrixXd r = residual_columns(arc, space, states);
+    for (Index i = 0; i < m; ++i) {
+      const ivp::State x = (space.values.row(i) * states).transpose();
+      arc.example->system.jacobian(arc.t0 + arc.h * space.checks[i], x, j);
+      for (Index c = 0; c < s; ++c) {
+        auto block = b.block(i * d, c * d, d, d);
+        block = -arc.h * space.values(i, c + 1) * j;
+        block.diagonal().array() += space.slopes(i, c + 1);
+        block *= root_weights[i];
+      }
+      r.col(i) *= root_weights[i];
+    }
+    const VectorXd update = b.householderQr().solve(Eigen::Map<const VectorXd>(r.data(), r.size()));
+    states.bottomRows(s) -= Eigen::Map<const MatrixXd>(update.data(), d, s).transpose();
+    if (!update.allFinite()) return {};
+    if (update.cwiseAbs().maxCoeff() < 1e-12) return judged(arc, space, std::move(states));
+  }
+  return {};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -1,6 +1,6 @@
 /// @file
-/// What the dissertation's last paragraph leaves for further study: nodes placed by the solution, a shape for
-/// each node, redundant points with least squares, and refinement guided by residuals.
+/// Future work of the dissertation's last paragraph: nodes placed by the solution, a shape for each node,
+/// redundant points with least squares, and refinement guided by residuals.
 #pragma once
 
 #include <cmath>
@@ -25,8 +25,6 @@ struct TrialSpace {
 /// @param shapes c_k > 0, one for each node, for the unit interval
 /// @throws std::invalid_argument unless there are as many shapes as nodes, and at least 2
 [[nodiscard]] TrialSpace gaussians(const Eigen::VectorXd& nodes, const Eigen::VectorXd& shapes);
-/// Polynomials of degree N - 1.
-[[nodiscard]] TrialSpace polynomials(const Eigen::VectorXd& nodes);
 
 /// The 3 (N - 1) Gauss points of the unit interval, at which residuals are seen.
 [[nodiscard]] Eigen::VectorXd check_points(Eigen::Index nodes);
@@ -39,15 +37,14 @@ struct TrialSpace {
 /// one neighbour): equal overlap everywhere.
 [[nodiscard]] Eigen::VectorXd own_shapes(const Eigen::VectorXd& nodes, double c);
 
-/// Nodes moved so that a density is shared out among them as the given nodes share out the interval.
-/// The density is the monitor over its mean, half and half with 1, so that no part is laid bare.
-/// @param nodes of the unit interval, for the monitor 1
+/// Nodes moved so that a density is shared out among them as the given nodes share out the interval. The
+/// density is a monitor over its mean, half and half with 1, so that no part is laid bare; the monitor is the
+/// square root of the greatest of five neighbouring residuals, since residuals vanish at nodes.
+/// @param nodes of the unit interval, for equal residuals
 /// @param checks points of the unit interval, ascending
-/// @param monitor not negative, one for each check point
+/// @param residuals not negative, one for each check point
 [[nodiscard]] Eigen::VectorXd placed_nodes(const Eigen::VectorXd& nodes, const Eigen::VectorXd& checks,
-                                           const Eigen::VectorXd& monitor);
-/// The greatest of five neighbours, square root: residuals vanish at nodes, their envelope does not.
-[[nodiscard]] Eigen::VectorXd envelope(const Eigen::VectorXd& residuals);
+                                           const Eigen::VectorXd& residuals);
 
 /// @p count more nodes, at the check points of the greatest residuals, at most one in a gap of the old nodes
 /// and none closer to one than a quarter of the gap. Fewer, if there are not so many gaps.
@@ -57,7 +54,7 @@ struct TrialSpace {
 /// An interval of an example, from a state of its reference.
 struct Arc {
   const Case* example;  ///< with its reference
-  double t0;            ///< begin
+  double t0;            ///< start
   double h;             ///< length
 };
 
@@ -68,7 +65,6 @@ struct Fit {
   double largest_error = HUGE_VAL;  ///< over nodes and check points too
   Eigen::MatrixXd states;           ///< a row for each node
   Eigen::VectorXd residuals;        ///< h |x' - f(t, x)|, largest component, at the check points
-  Eigen::VectorXd curvature;        ///< h^2 |x''| there
 };
 
 /// x' - f at the check points, by column, times h. @param states a row for each node

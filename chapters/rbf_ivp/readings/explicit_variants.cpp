@@ -41,7 +41,7 @@ std::string_view to_string(ExplicitDamping damping) {
   return "";
 }
 
-Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
+Record explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
   const problems::TextProblem p("three-dof");
   const Case& c = three_mass_case();
   const Vector3 v0 = c.x0.tail<3>();
@@ -50,8 +50,8 @@ Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
   const double back = start == ExplicitStart::half_step ? h / 2 : start == ExplicitStart::as_given ? 0 : h;
   Vector3 half = v0 - back * a, before = half;
   const auto steps = static_cast<int>(std::lround((c.t1 - c.t0) / h));
-  Trace trace{{}, c.amplitude[0]};
-  trace.values.reserve(static_cast<std::size_t>(steps));
+  Record record;
+  record.values.reserve(static_cast<std::size_t>(steps));
   for (int k = 0; k < steps; ++k) {
     const double t = k * h;
     Vector3 v = half;
@@ -63,10 +63,9 @@ Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
     half += h * a;
     q += h * half;
     const Vector<Extended, 6> truth = c.reference((k + 1) * h);
-    const Vector3 error = (q.cast<Extended>() - truth.head<3>()).cast<double>();
-    trace.values.push_back({(k + 1) * h, true, {error[0], error[1], error[2]}});
+    record.values.push_back({(k + 1) * h, true, q, (q.cast<Extended>() - truth.head<3>()).cast<double>()});
   }
-  return trace;
+  return record;
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "chapters/rbf_ivp/readings/traces.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -35,8 +35,8 @@ inline constexpr std::array explicit_dampings = {ExplicitDamping::from_initial, 
 /// "v0 first"
 [[nodiscard]] std::string_view to_string(ExplicitDamping damping);
 
-/// Central differences on the three masses, to t = 200.
+/// Central differences on the three masses, to t = 200; positions alone.
 /// @param h step, a divisor of 200
-[[nodiscard]] Trace explicit_chain(double h, ExplicitStart start, ExplicitDamping damping);
+[[nodiscard]] Record explicit_chain(double h, ExplicitStart start, ExplicitDamping damping);
 
 }  // namespace nlmech::chapters::rbf_ivp

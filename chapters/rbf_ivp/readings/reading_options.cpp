@@ -7,7 +7,8 @@
 
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
 #include "chapters/rbf_ivp/readings/readings.hpp"
-#include "chapters/rbf_ivp/readings/traces.hpp"
+#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/program/files.hpp"
 
@@ -35,16 +36,62 @@ Printed read_printed() {
   return printed;
 }
 
+/// A table's steps.
+struct Setting {
+  std::string table;  ///< "table-4.2"
+  std::string steps;  ///< as in the row's name: "(P/10)"
+  double first;       ///< step
+  double second = 0;  ///< step after the impact
+};
+
+/// The first and second settings of the step methods, with steps of a period @p P: Newmark's and HHT's.
+std::vector<Setting> implicit_settings(double P) {
+  return {{"table-4.2", "(P/10)", P / 10},       {"table-4.2", "(P/500)", P / 500},
+          {"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, {"table-4.4", "(0.05; 0.03)", 0.05, 0.03},
+          {"table-4.6", "(0.625)", 0.625},       {"table-4.6", "(0.0625)", 0.0625}};
+}
+
+/// The example of a table; the free oscillator with a Taylor series as its reference, which is fifteen times
+/// as fast as the elliptic functions.
+const Case& case_of(const std::string& table) {
+  if (table == "table-4.4") return impact_case();
+  if (table == "table-4.6") return three_mass_case();
+  static const Case by_series = [] {
+    using Trajectory = problems::ReferenceTrajectory<Extended, problems::TextProblem>;
+    const auto trajectory = std::make_shared<const Trajectory>(
+        problems::TextProblem("duffing"), ivp::LongState{1, 0}, Extended(0), Extended(505));
+    Case c = free_duffing_case();
+    c.reference = [trajectory](double t) { return (*trajectory)(t); };
+    return c;
+  }();
+  return by_series;
+}
+Record run_on(const std::string& table, const Procedure& procedure) {
+  return record(case_of(table), case_of(table).t1, procedure);
+}
+
 /// A printed row and the run that answers to it.
 struct Answer {
   std::string table, row;
-  Trace trace;
+  Record record;
   [[nodiscard]] const std::string& printed(const Printed& all) const { return all.at(table + "/" + row); }
+  /// The end to which the printed errors of the table seem to belong.
+  [[nodiscard]] double inferred_end() const { return case_of(table).inferred_end; }
+  /// RMS error of a component up to a time, the start counted among the ends of steps if asked for.
+  [[nodiscard]] double rms(double until, Points points = Points::ends, int component = 0,
+                           bool start = true) const {
+    return rms_error(record, component, points, until, start);
+  }
 };
 
+/// A method with the steps of a setting on the example of its table.
 template <class Method>
-Answer answer(const Setting& s, const std::string& row, const Method& method) {
-  return {s.table, row + " " + s.steps, trace(s, method)};
+Answer answer(const Setting& s, const std::string& row, Method method) {
+  Method after = method;
+  method.step = s.first;
+  after.step = s.second;
+  return {s.table, row + " " + s.steps,
+          run_on(s.table, s.second > 0 ? in_two_phases(method, after) : throughout(method))};
 }
 
 /// "Newmark-1", or with "-2" for the short steps.
@@ -88,18 +135,18 @@ Score score(const std::vector<Answer>& answers, const Printed& printed, Number n
   return s;
 }
 
-double at_step_ends(const Answer& a) { return a.trace.rms(inferred_end(a.table)); }
+double at_step_ends(const Answer& a) { return a.rms(a.inferred_end()); }
 
 Question end_and_period(const Printed& printed) {
   Question q{"end time and period", "4.2", "P = 4.77, to 500 s", "P exact, to 100 P", {}};
   for (const auto& [name, P] : {std::pair("exact", duffing_period()), {"= 4.768", 4.768}, {"= 4.77", 4.77}}) {
     std::vector<Answer> answers = step_methods(P, true);
     answers.push_back(answer({"table-4.2", "(P/500)", P / 500}, "Explicit-2", CentralDifference{}));
-    answers.push_back({"table-4.2", "ODE45-1", trace_of_duffing(throughout(Ode45{1e-6, 1e-6}))});
-    answers.push_back({"table-4.2", "ODE45-2", trace_of_duffing(throughout(Ode45{1e-9, 1e-9}))});
+    answers.push_back({"table-4.2", "ODE45-1", run_on("table-4.2", throughout(Ode45{1e-6, 1e-6}))});
+    answers.push_back({"table-4.2", "ODE45-2", run_on("table-4.2", throughout(Ode45{1e-9, 1e-9}))});
     const auto to = [&](double end) {
       return score(answers, printed, [end](const Answer& a) {
-        return a.trace.rms(end, a.row.starts_with("ODE45") ? Points::all : Points::ends);
+        return a.rms(end, a.row.starts_with("ODE45") ? Points::all : Points::ends);
       });
     };
     q.options.push_back({fmt::format("P {}, to 100 P", name), to(100 * P)});
@@ -146,8 +193,8 @@ Question end_of_impact_runs(const Printed& printed, const std::vector<Answer>& s
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(answers),
                [](const Answer& a) { return a.table == "table-4.4"; });
   for (const double end : {496.0, 497.0, 498.0, 498.5, 499.0, 499.5, 500.0}) {
-    q.options.push_back({fmt::format("{:g} s", end),
-                         score(answers, printed, [end](const Answer& a) { return a.trace.rms(end); })});
+    q.options.push_back(
+        {fmt::format("{:g} s", end), score(answers, printed, [end](const Answer& a) { return a.rms(end); })});
   }
   return q;
 }
@@ -163,14 +210,14 @@ Question explicit_restart(const Printed& printed) {
     for (const VelocityTime read : {VelocityTime::of_state, VelocityTime::half_step_before}) {
       const auto run = [&](double during, double after, const std::string& row) {
         return Answer{"table-4.4", row,
-                      trace_of_impact(in_two_phases(CentralDifference{.step = during, .reported = given},
-                                                    CentralDifference{.step = after, .initial = read}))};
+                      run_on("table-4.4", in_two_phases(CentralDifference{.step = during, .reported = given},
+                                                        CentralDifference{.step = after, .initial = read}))};
       };
       const std::vector<Answer> answers = {run(0.1, 0.5, "Explicit-1 (0.1; 0.5)"),
                                            run(0.005, 0.006, "Explicit-2 (0.005; 0.006)")};
       for (const double end : {496.0, 497.0, 498.0, 498.5, 499.0, 499.5, 500.0}) {
         q.options.push_back({fmt::format("{}, read as {}, to {:g} s", name(given), name(read), end),
-                             score(answers, printed, [end](const Answer& a) { return a.trace.rms(end); })});
+                             score(answers, printed, [end](const Answer& a) { return a.rms(end); })});
       }
     }
   }
@@ -187,10 +234,9 @@ Question explicit_column(const Printed& printed) {
     for (const ExplicitDamping damping : explicit_dampings) {
       const Answer coarse{"table-4.6", "Explicit-1 (0.625)", explicit_chain(0.625, start, damping)};
       const Answer fine{"table-4.6", "Explicit-2 (0.00625)", explicit_chain(0.00625, start, damping)};
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i) {
         Score s;
-        for (const Answer* a : {&coarse, &fine})
-          s.count(a->printed(printed), a->trace.rms(200, Points::ends, i));
+        for (const Answer* a : {&coarse, &fine}) s.count(a->printed(printed), a->rms(200, Points::ends, i));
         q.options.push_back({fmt::format("x{}, {}, {}", i + 1, to_string(start), to_string(damping)), s});
       }
     }
@@ -205,10 +251,13 @@ Question normalisation(const Printed& printed, const std::vector<Answer>& steps)
   Question q{"what is averaged", "4.4 4.6", "error of x", "error of x", {}};
   q.options.push_back({"error of x", score(answers, printed, at_step_ends)});
   q.options.push_back({"error of x over its amplitude", score(answers, printed, [](const Answer& a) {
-                         return at_step_ends(a) / a.trace.amplitude;
+                         return at_step_ends(a) / case_of(a.table).amplitude[0];
                        })});
   q.options.push_back({"norm of the state's error", score(answers, printed, [](const Answer& a) {
-                         return a.trace.rms_of_norm(inferred_end(a.table));
+                         double sum = 0;
+                         for (int i = 0; i < static_cast<int>(case_of(a.table).x0.size()); ++i)
+                           sum += std::pow(a.rms(a.inferred_end(), Points::ends, i), 2);
+                         return std::sqrt(sum);
                        })});
   return q;
 }
@@ -217,7 +266,7 @@ Question begin_counted(const Printed& printed, const std::vector<Answer>& steps)
   Question q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
   q.options.push_back({"yes", score(steps, printed, at_step_ends)});
   q.options.push_back({"no", score(steps, printed, [](const Answer& a) {
-                         return a.trace.rms(inferred_end(a.table), Points::ends, 0, false);
+                         return a.rms(a.inferred_end(), Points::ends, 0, false);
                        })});
   return q;
 }
@@ -232,7 +281,7 @@ Question picard_points(const Printed& printed) {
                                        whole ? "500 s" : "100 P"),
                            score(answers, printed, [&](const Answer& a) {
                              const bool to_500 = whole && a.table == "table-4.2";
-                             return a.trace.rms(to_500 ? 500 : inferred_end(a.table), points);
+                             return a.rms(to_500 ? 500 : a.inferred_end(), points);
                            })});
     }
   }
@@ -251,8 +300,7 @@ Question picard_scheme(const Printed& printed, bool quick) {
                                                         : "n + 2",
                                        scene::format_number(tolerance, 1)),
                            score(answers, printed, [](const Answer& a) {
-                             return a.trace.rms(a.table == "table-4.2" ? 500 : inferred_end(a.table),
-                                                Points::all);
+                             return a.rms(a.table == "table-4.2" ? 500 : a.inferred_end(), Points::all);
                            })});
     }
   }
@@ -273,9 +321,9 @@ Question derivative_matrix(const Printed& printed) {
         during.step = setting.first;
         after.step = setting.second;
         if (later_shape > 0) after.shape = later_shape;
-        const Trace kept =
-            setting.second > 0 ? trace_of_impact(in_two_phases(during, after)) : trace(setting, method);
-        s.count_noise(noise, kept.rms(inferred_end(setting.table), points));
+        const Record kept =
+            run_on(setting.table, setting.second > 0 ? in_two_phases(during, after) : throughout(during));
+        s.count_noise(noise, rms_error(kept, 0, points, case_of(setting.table).inferred_end));
       } catch (const Failure&) {
         s.count_noise(noise, HUGE_VAL);
       }

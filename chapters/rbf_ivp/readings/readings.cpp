@@ -134,6 +134,7 @@ std::vector<scene::Scene> scenes() {
       try_readings);
   return {{.name = "readings",
            .title = "How many readings were tried, and how many printed errors each explains",
+           .place = "our own, for the readings of Tables 4.2, 4.4 and 4.6",
            .content = scene::Content(put, tried)}};
 }
 

@@ -8,6 +8,8 @@
 
 #include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
+#include "chapters/rbf_ivp/stability/windows.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/scene/scene.hpp"
 
@@ -212,10 +214,45 @@ void check(const std::vector<Ending>& endings, scene::Show& show) {
                "two digits less than the tolerance, as the codes of the test set's tables lose at most");
 }
 
+/// Windows of omega h in which collocation amplifies an undamped oscillation, though it is implicit.
+void check_windows(scene::Show& show) {
+  using collocation::NodeFamily;
+  constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
+  constexpr double threshold = 1.001;  // of |R|: below lies the truncation of radial functions themselves
+  const int per_unit = show.quick() ? 10 : 20;
+  const char *recorded = "recorded with two or three digits",
+             *formula = "|R| by the formula for the nodes (Hairer & Wanner II, Theorem IV.3.9), 50 digits";
+  const auto windows = [&](NodeFamily family, int nodes, double shape) {
+    const Eigen::VectorXd times = (collocation::nodes(family, nodes).array() + 1) / 2;
+    return windows_above(collocation::StableGaussian(times, shape).differentiation_matrix(), 300, threshold,
+                         per_unit);
+  };
+  const auto greatest = [](const std::vector<Window>& all) {
+    return *std::ranges::max_element(all, {}, &Window::largest);
+  };
+  for (const int nodes : {7, 35}) {
+    const std::vector<Window> polynomials = windows(lobatto, nodes, 0),
+                              gaussians = windows(lobatto, nodes, nodes == 7 ? gaussian_shape : 8.5);
+    const Window worst = greatest(polynomials);
+    show.near(fmt::format("LGL N = {}, largest growth", nodes), worst.largest,
+              polynomial_amplification(lobatto, nodes, worst.place), nodes == 7 ? 1e-9 : 1e-6, formula);
+    show.near(fmt::format("RBF N = {}, largest growth", nodes), greatest(gaussians).largest,
+              nodes == 7 ? 1.29 : 2.35, 0.005, recorded);
+    show.at_most(fmt::format("Radau N = {}, windows", nodes), windows(radau, nodes, 0).size(), 0,
+                 "L-stable: |R| < 1; rounding");
+    if (nodes == 7)
+      show.near("LGL N = 7, start of the window", polynomials.front().start, 5.4, 0.02, recorded);
+    show.near(fmt::format("LGL N = {}, end of the windows", nodes), polynomials.back().end,
+              nodes == 7 ? 9.5 : 192, 0.01, recorded);
+    if (nodes == 35) show.near("RBF N = 35, end of the windows", gaussians.back().end, 75, 0.01, recorded);
+  }
+}
+
 void put(const std::vector<Ending>& endings, scene::Show& show) {
   draw(endings, show);
   show.table(table_of(endings));
   check(endings, show);
+  check_windows(show);
 }
 
 }  // namespace

@@ -293,9 +293,9 @@ TEST(ErrataOfTables, LoadOfTable4_5) {
 // Table 4.6 says that its errors are those of x1.
 TEST(ErrataOfTables, ExplicitRowsOfTable4_6AreOfX3) {
   const auto expect = [](double h, const std::string& published) {
-    const Trace trace = explicit_chain(h, ExplicitStart::half_step, ExplicitDamping::from_half);
-    expect_erratum("rbf_ivp-table-4.6", {.printed = trace.rms(200, Points::ends, 0),
-                                         .corrected = trace.rms(200, Points::ends, 2),
+    const Record kept = explicit_chain(h, ExplicitStart::half_step, ExplicitDamping::from_half);
+    expect_erratum("rbf_ivp-table-4.6", {.printed = rms_error(kept, 0, Points::ends, 200),
+                                         .corrected = rms_error(kept, 2, Points::ends, 200),
                                          .oracle = std::stod(published),
                                          .tolerance = half_digit(published)});
   };

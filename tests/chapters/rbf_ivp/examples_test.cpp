@@ -96,10 +96,9 @@ TEST(Measures, RmsErrorChoosesPointsAndTime) {
 // that vanish to rounding for a method that is exact.
 TEST(Records, HoldWhatTheMethodGave) {
   const double P = duffing_period();
-  const auto kept = record(free_duffing_case(), 2 * P, throughout(ivp::Mcpi{.step = P / 2, .order = 40}),
-                           Keeping{.window_begin = P, .window_end = 2 * P, .window_samples = 8});
+  const auto kept = record(free_duffing_case(), 2 * P, throughout(ivp::Mcpi{.step = P / 2, .order = 40}), P);
   ASSERT_EQ(kept.values.size(), 160U);
-  ASSERT_EQ(kept.window.size(), 9U);
+  ASSERT_EQ(kept.window.size(), 401U);
   EXPECT_EQ(kept.statistics.steps, 4);
   for (std::size_t i = 0; i < kept.values.size(); ++i) {
     EXPECT_EQ(kept.values[i].end, i % 40 == 39);

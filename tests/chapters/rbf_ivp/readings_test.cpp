@@ -5,7 +5,6 @@
 
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
 #include "chapters/rbf_ivp/readings/readings.hpp"
-#include "chapters/rbf_ivp/readings/traces.hpp"
 
 namespace nlmech::chapters::rbf_ivp::readings_test {
 namespace {
@@ -48,12 +47,12 @@ TEST(Question, RefusesUnknownOptions) {
 
 // The variant of the library, step for step: 320 steps of roundings of numbers about 1.
 TEST(ExplicitVariants, OneIsTheLibrarysOwn) {
-  const Trace own = explicit_chain(0.625, ExplicitStart::half_step, ExplicitDamping::from_initial);
-  const Trace library = trace({"table-4.6", "(0.625)", 0.625}, ivp::CentralDifference{});
+  const Record own = explicit_chain(0.625, ExplicitStart::half_step, ExplicitDamping::from_initial);
+  const Record library = record(three_mass_case(), 200, throughout(ivp::CentralDifference{.step = 0.625}));
   ASSERT_EQ(own.values.size(), library.values.size());
   for (std::size_t k = 0; k < own.values.size(); ++k) {
-    for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_NEAR(own.values[k].errors[i], library.values[k].errors[i], 1e-12) << "step " << k;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      EXPECT_NEAR(own.values[k].error[i], library.values[k].error[i], 1e-12) << "step " << k;
   }
 }
 
@@ -74,23 +73,13 @@ TEST(ExplicitVariants, HaveTheKnownErrors) {
                          Known{0.625, half_step, lagged, 0.050719, 0.098463, 0.15345},
                          Known{0.625, as_given, from_half, 0.040864, 0.068202, 0.11095},
                          Known{0.625, whole_step, from_initial, 0.051147, 0.10177, 0.15788}}) {
-    const Trace t = explicit_chain(k.h, k.start, k.damping);
+    const Record r = explicit_chain(k.h, k.start, k.damping);
     const auto where = std::string(to_string(k.start)) + ", " + std::string(to_string(k.damping));
     // Half a unit of the last digit of a number that begins with 1 and has five, or with 5.9 and has four.
-    EXPECT_NEAR(t.rms(200, Points::ends, 0) / k.x1, 1, 9e-5) << where;
-    EXPECT_NEAR(t.rms(200, Points::ends, 1) / k.x2, 1, 9e-5) << where;
-    EXPECT_NEAR(t.rms(200, Points::ends, 2) / k.x3, 1, 9e-5) << where;
+    EXPECT_NEAR(rms_error(r, 0, Points::ends, 200) / k.x1, 1, 9e-5) << where;
+    EXPECT_NEAR(rms_error(r, 1, Points::ends, 200) / k.x2, 1, 9e-5) << where;
+    EXPECT_NEAR(rms_error(r, 2, Points::ends, 200) / k.x3, 1, 9e-5) << where;
   }
-}
-
-TEST(Traces, AnswerLikeRecords) {
-  const double P = duffing_period();
-  const Trace t = trace({"table-4.2", "(P/10)", P / 10}, ivp::Rk4{});
-  const Record r = record(free_duffing_case(), 500, throughout(ivp::Rk4{P / 10}));
-  // the references differ by 1e-17
-  EXPECT_NEAR(t.rms(100 * P), rms_error(r, 0, Points::ends, 100 * P), 1e-15);
-  const double x = t.rms(400), v = t.rms(400, Points::ends, 1);
-  EXPECT_NEAR(t.rms_of_norm(400), std::hypot(x, v), 1e-15);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Example counted(int& integrations) {
                   .title = "Counted",
                   .table = "table-4.2",
                   .quantity = "position RMS error",
-                  .keeping = {.window_begin = 495, .window_end = 500}};
+                  .window = 5};
   const auto procedure = throughout(ivp::Rk4{.step = 0.5});
   example.add(
       {.row = "", .method = "RK4", .setting = "0.5", .nominal = Expected{0, 10, "any"}, .inferred = {}},
